@@ -1,0 +1,4 @@
+//! Symbolic-numeric verification of printed formulas.
+
+pub mod number;
+pub mod tex;

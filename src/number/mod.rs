@@ -1,0 +1,75 @@
+//! Numbers: what a formula may be evaluated over.
+//!
+//! [`Field`] is what an algebraic formula needs, [`Analytic`] what the motion of the capsule needs on top.
+//! One file per number type. Names stay apart from those of num-dual's `DualNum` (`sincos`, not `sin_cos`),
+//! because both traits are often in scope.
+
+use std::ops::{AddAssign, DivAssign, MulAssign, Neg, SubAssign};
+use std::ops::{Div, Sub};
+
+/// A field: the four operations and the integers.
+///
+/// Addition and multiplication come through `num_traits::{Zero, One}`, so that nalgebra's matrices work over
+/// every `Field`. Dividing by zero is the caller's to rule out (`is_zero`): floats answer with an infinity or
+/// NaN, exact types panic.
+pub trait Field:
+    nalgebra::Scalar
+    + num_traits::Zero
+    + num_traits::One
+    + Sub<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
+{
+    /// The integer `value`, exactly where the type can hold it, else rounded once.
+    fn from_integer(value: i64) -> Self;
+
+    /// `numerator / denominator`, rounded as a division of the type is. `denominator` must not be 0.
+    fn from_ratio(numerator: i64, denominator: i64) -> Self {
+        Self::from_integer(numerator) / Self::from_integer(denominator)
+    }
+
+    /// `self` to an integer power, by squaring; a negative power divides one by the positive one.
+    fn to_power(&self, exponent: i32) -> Self {
+        let mut result = Self::one();
+        let mut square = self.clone();
+        let mut left = exponent.unsigned_abs();
+        while left > 0 {
+            if left & 1 == 1 {
+                result *= square.clone();
+            }
+            left >>= 1;
+            if left > 0 {
+                square = square.clone() * square;
+            }
+        }
+        if exponent < 0 { Self::one() / result } else { result }
+    }
+}
+
+/// A field with the functions that flights under a harmonic forcing need.
+pub trait Analytic: Field {
+    /// The circle constant, to the full precision of the type.
+    fn pi() -> Self;
+    /// The square root of a number that is not negative; of a negative one, NaN where the type has it.
+    fn sqrt(&self) -> Self;
+    /// Sine and cosine, in this order.
+    fn sincos(&self) -> (Self, Self);
+    /// The angle in [0, pi] whose cosine is `self`, for `self` in [-1, 1].
+    fn acos(&self) -> Self;
+    /// The angle in (-pi, pi] of the point (`x`, `self`).
+    fn atan2(&self, x: &Self) -> Self;
+    /// `self` to a real power, for positive `self`.
+    fn powf(&self, exponent: &Self) -> Self;
+    /// `value` exactly, where the type is at least as wide as f64.
+    fn from_f64(value: f64) -> Self;
+    /// The nearest f64 to the value (of a dual number: to its real part).
+    fn to_f64(&self) -> f64;
+}
+
+mod rational;
+
+pub use rational::Rational;

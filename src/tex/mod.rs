@@ -1,0 +1,5 @@
+//! TeX formulas: read, print, evaluate over any [`Field`](crate::number::Field).
+
+mod tree;
+
+pub use tree::{At, Equation, Invariant, Name, Tree};
