@@ -1,0 +1,256 @@
+//! Solving equations one after the other, each linearly for one of its variables.
+//!
+//! Such a system has a rational parametrisation: the variables that are left are free, the others are rational
+//! functions of them. What is true on the parametrised component is then a matter of one normal form.
+
+use super::fraction::Fraction;
+use super::monomial::{Monomial, Variable};
+use super::polynomial::Polynomial;
+use std::collections::BTreeSet;
+
+/// An equation `residual = 0`, and a number by which the caller knows it.
+#[derive(Clone, Debug)]
+pub struct Premise {
+    pub residual: Polynomial,
+    pub origin: usize,
+}
+
+/// One equation solved: `variable = value`, where `value` holds none of the variables solved before it.
+#[derive(Clone, Debug)]
+pub struct Step {
+    pub origin: usize,
+    pub variable: Variable,
+    pub value: Fraction,
+}
+
+/// A solved system.
+#[derive(Clone, Debug, Default)]
+pub struct Solution {
+    /// In the order solved. A value may hold variables that later steps solve.
+    pub steps: Vec<Step>,
+    /// The equations that the others imply.
+    pub redundant: Vec<usize>,
+}
+
+/// Why a system could not be solved.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Failure {
+    /// These equations have no common solution.
+    Contradiction(BTreeSet<usize>),
+    /// These equations, after all others were used, are linear in none of the variables that may be solved for.
+    Nonlinear(BTreeSet<usize>),
+}
+
+/// The choices tried before an order is given up: a few dozen premises need one each.
+const MOST_CHOICES: usize = 2000;
+
+/// Solves the equations in whatever order works.
+///
+/// `rank` says which variables may be solved for (`None`: never), the lower the sooner; ranks from `generic` up are
+/// solved for only where nothing else is left, and are taken to be different from zero.
+///
+/// # Errors
+/// [`Failure`], with the equations at fault.
+pub fn solve(
+    premises: Vec<Premise>,
+    rank: &dyn Fn(Variable) -> Option<u32>,
+    generic: u32,
+) -> Result<Solution, Failure> {
+    let mut search = Search {
+        rank,
+        generic,
+        choices: 0,
+    };
+    let pending = premises
+        .into_iter()
+        .map(|p| Pending {
+            used: BTreeSet::from([p.origin]),
+            origin: p.origin,
+            residual: p.residual.primitive(),
+        })
+        .collect();
+    search.descend(pending, Solution::default())
+}
+
+#[derive(Clone)]
+struct Pending {
+    residual: Polynomial,
+    origin: usize,
+    /// The equations that have gone into this one.
+    used: BTreeSet<usize>,
+}
+
+/// A way to go on: which pending equation, for which variable, at what cost.
+struct Choice {
+    cost: (bool, bool, u32, usize, usize),
+    equation: usize,
+    variable: Variable,
+}
+
+struct Search<'a> {
+    rank: &'a dyn Fn(Variable) -> Option<u32>,
+    generic: u32,
+    choices: usize,
+}
+
+impl Search<'_> {
+    fn descend(&mut self, mut pending: Vec<Pending>, mut solution: Solution) -> Result<Solution, Failure> {
+        for equation in &mut pending {
+            self.drop_generic_factor(&mut equation.residual);
+        }
+        pending.retain(|p| {
+            let done = p.residual.is_zero();
+            if done {
+                solution.redundant.push(p.origin);
+            }
+            !done
+        });
+        if let Some(impossible) = pending.iter().find(|p| p.residual.as_constant().is_some()) {
+            return Err(Failure::Contradiction(impossible.used.clone()));
+        }
+        if pending.is_empty() {
+            return Ok(solution);
+        }
+        let mut choices = self.choices(&pending);
+        choices.sort_by_key(|c| (c.cost, c.equation, c.variable));
+        let mut failure = None;
+        for choice in choices {
+            self.choices += 1;
+            if self.choices > MOST_CHOICES {
+                break;
+            }
+            match self.take(&choice, &pending, &solution) {
+                Ok(solved) => return Ok(solved),
+                Err(found) => failure = failure.or(Some(found)),
+            }
+        }
+        Err(failure.unwrap_or_else(|| Failure::Nonlinear(pending.iter().map(|p| p.origin).collect())))
+    }
+
+    fn take(&mut self, choice: &Choice, pending: &[Pending], solution: &Solution) -> Result<Solution, Failure> {
+        let mut rest = pending.to_vec();
+        let chosen = rest.swap_remove(choice.equation);
+        let coefficients = chosen.residual.coefficients(choice.variable);
+        let [free, slope] = coefficients.as_slice() else {
+            return Err(Failure::Nonlinear(chosen.used));
+        };
+        let value = Fraction::from(free.negated()) / Fraction::from(slope.clone());
+        for other in rest.iter_mut().filter(|p| p.residual.contains(choice.variable)) {
+            let inserted = Fraction::from(other.residual.clone()).substituted(choice.variable, &value);
+            // The residual has no denominator that could vanish.
+            if let Ok(inserted) = inserted {
+                other.residual = inserted.numerator().primitive();
+            }
+            other.used.extend(chosen.used.iter().copied());
+        }
+        let mut solution = solution.clone();
+        solution.steps.push(Step {
+            origin: chosen.origin,
+            variable: choice.variable,
+            value,
+        });
+        self.descend(rest, solution)
+    }
+
+    /// Every equation with every variable it is linear in.
+    fn choices(&self, pending: &[Pending]) -> Vec<Choice> {
+        let mut choices = Vec::new();
+        for (equation, p) in pending.iter().enumerate() {
+            for variable in p.residual.variables() {
+                let Some(rank) = (self.rank)(variable) else { continue };
+                if p.residual.degree(variable) != 1 {
+                    continue;
+                }
+                let coefficients = p.residual.coefficients(variable);
+                let slope = coefficients.get(1).map_or(0, |c| c.terms().len());
+                let constant = coefficients.get(1).is_some_and(|c| c.as_constant().is_some());
+                let cost = (rank >= self.generic, !constant, rank, slope, p.residual.terms().len());
+                choices.push(Choice {
+                    cost,
+                    equation,
+                    variable,
+                });
+            }
+        }
+        choices
+    }
+
+    /// Divides by the generic variables that divide every term, as they are not zero.
+    fn drop_generic_factor(&self, residual: &mut Polynomial) {
+        let common = residual.common_monomial();
+        let is_generic = |v: Variable| (self.rank)(v).is_none_or(|rank| rank >= self.generic);
+        // A lone power of a generic variable says that the variable is zero, and stays.
+        if common.is_one() || (residual.terms().len() == 1 && common.factors().iter().all(|&(v, _)| is_generic(v))) {
+            return;
+        }
+        let generic = common.factors().iter().filter(|&&(v, _)| is_generic(v));
+        let divisor = generic.fold(Monomial::one(), |m, &(v, e)| m.times(&Monomial::power(v, e)));
+        *residual = residual.reduced(&1.into(), &divisor);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_traits::Zero;
+
+    const GENERIC: u32 = 100;
+
+    fn x(n: u32) -> Polynomial {
+        Polynomial::variable(Variable(n))
+    }
+
+    fn system(residuals: Vec<Polynomial>) -> Result<Solution, Failure> {
+        let premises = residuals.into_iter().enumerate();
+        solve(
+            premises
+                .map(|(origin, residual)| Premise { residual, origin })
+                .collect(),
+            &|v| Some(v.0),
+            GENERIC,
+        )
+    }
+
+    #[test]
+    fn a_solved_system_makes_each_equation_vanish() {
+        // x0 + x1 x100 - 1, x0 - x1 - x101
+        let residuals = vec![
+            x(0).plus(&x(1).times(&x(100))).minus(&Polynomial::from(1)),
+            x(0).minus(&x(1)).minus(&x(101)),
+        ];
+        let solution = system(residuals.clone()).unwrap();
+        for residual in residuals {
+            let reduced = solution.steps.iter().fold(Fraction::from(residual), |f, step| {
+                f.substituted(step.variable, &step.value).unwrap()
+            });
+            assert!(reduced.is_zero());
+        }
+    }
+
+    #[test]
+    fn an_equation_said_twice_is_redundant_and_one_with_another_value_contradicts() {
+        let first = x(0).minus(&x(100));
+        assert_eq!(
+            system(vec![first.clone(), first.scaled(&2.into())]).unwrap().redundant,
+            [1]
+        );
+        let second = first.plus(&Polynomial::from(1));
+        assert_eq!(
+            system(vec![first, second]).unwrap_err(),
+            Failure::Contradiction(BTreeSet::from([0, 1]))
+        );
+    }
+
+    #[test]
+    fn a_square_alone_cannot_be_solved() {
+        let failure = system(vec![x(0).to_power(2).minus(&Polynomial::from(2))]).unwrap_err();
+        assert_eq!(failure, Failure::Nonlinear(BTreeSet::from([0])));
+    }
+
+    #[test]
+    fn a_product_with_a_generic_factor_makes_the_other_factor_zero() {
+        let solution = system(vec![x(0).times(&x(100))]).unwrap();
+        assert_eq!(solution.steps[0].variable, Variable(0));
+        assert!(solution.steps[0].value.is_zero());
+    }
+}

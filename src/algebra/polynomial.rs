@@ -1,0 +1,340 @@
+//! Polynomials in many variables with integer coefficients.
+
+use super::monomial::{Monomial, Variable};
+use crate::number::Rational;
+use dashu_int::IBig;
+use dashu_int::ops::{DivRem, Gcd};
+use dashu_ratio::RBig;
+use num_traits::Zero;
+use std::collections::BTreeSet;
+
+/// A sparse polynomial: terms with non-zero coefficients, the largest monomial first.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Polynomial {
+    terms: Vec<(Monomial, IBig)>,
+}
+
+impl Polynomial {
+    /// The constant `value`.
+    pub fn constant(value: IBig) -> Self {
+        Self::term(Monomial::one(), value)
+    }
+
+    /// The polynomial that is one variable.
+    pub fn variable(variable: Variable) -> Self {
+        Self::term(Monomial::power(variable, 1), IBig::ONE)
+    }
+
+    /// `coefficient * monomial`.
+    pub fn term(monomial: Monomial, coefficient: IBig) -> Self {
+        let mut terms = Vec::new();
+        if !coefficient.is_zero() {
+            terms.push((monomial, coefficient));
+        }
+        Self { terms }
+    }
+
+    /// The terms, the largest monomial first.
+    pub fn terms(&self) -> &[(Monomial, IBig)] {
+        &self.terms
+    }
+
+    /// Whether every coefficient is zero.
+    pub fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// The value of a constant polynomial.
+    pub fn as_constant(&self) -> Option<IBig> {
+        match self.terms.as_slice() {
+            [] => Some(IBig::ZERO),
+            [(monomial, coefficient)] if monomial.is_one() => Some(coefficient.clone()),
+            _ => None,
+        }
+    }
+
+    /// Whether this is the constant one.
+    pub fn is_one(&self) -> bool {
+        matches!(self.terms.as_slice(), [(m, c)] if m.is_one() && *c == IBig::ONE)
+    }
+
+    /// Every variable that occurs.
+    pub fn variables(&self) -> BTreeSet<Variable> {
+        self.terms
+            .iter()
+            .flat_map(|(m, _)| m.factors().iter().map(|(v, _)| *v))
+            .collect()
+    }
+
+    /// Whether `variable` occurs.
+    pub fn contains(&self, variable: Variable) -> bool {
+        self.terms.iter().any(|(m, _)| m.exponent(variable) > 0)
+    }
+
+    /// The highest power of `variable`.
+    pub fn degree(&self, variable: Variable) -> u32 {
+        self.terms.iter().map(|(m, _)| m.exponent(variable)).max().unwrap_or(0)
+    }
+
+    /// The coefficients of the powers of `variable`, from the power 0 up.
+    pub fn coefficients(&self, variable: Variable) -> Vec<Self> {
+        let mut by_power = vec![Self::default(); self.degree(variable) as usize + 1];
+        for (monomial, coefficient) in &self.terms {
+            // Taking the same variable out of monomials of one power leaves their order as it was.
+            if let Some(power) = by_power.get_mut(monomial.exponent(variable) as usize) {
+                power.terms.push((monomial.without(variable), coefficient.clone()));
+            }
+        }
+        by_power
+    }
+
+    /// The partial derivative by `variable`, all others held.
+    pub fn derivative(&self, variable: Variable) -> Self {
+        let one = Monomial::power(variable, 1);
+        Self::collect(
+            self.terms
+                .iter()
+                .filter_map(|(m, c)| Some((m.over(&one)?, c * IBig::from(m.exponent(variable)))))
+                .collect(),
+        )
+    }
+
+    /// The sum.
+    pub fn plus(&self, other: &Self) -> Self {
+        self.merge(other, false)
+    }
+
+    /// The difference.
+    pub fn minus(&self, other: &Self) -> Self {
+        self.merge(other, true)
+    }
+
+    /// The polynomial with all signs changed.
+    pub fn negated(&self) -> Self {
+        self.scaled(&IBig::NEG_ONE)
+    }
+
+    /// The product with an integer.
+    pub fn scaled(&self, factor: &IBig) -> Self {
+        if factor.is_zero() {
+            return Self::default();
+        }
+        Self {
+            terms: self.terms.iter().map(|(m, c)| (m.clone(), c * factor)).collect(),
+        }
+    }
+
+    /// The product.
+    pub fn times(&self, other: &Self) -> Self {
+        if other.is_one() {
+            return self.clone();
+        }
+        match (self.terms.as_slice(), other.terms.as_slice()) {
+            ([], _) | (_, []) => Self::default(),
+            ([term], many) | (many, [term]) => Self {
+                terms: many.iter().map(|(m, c)| (m.times(&term.0), c * &term.1)).collect(),
+            },
+            (left, right) => {
+                let mut products = Vec::with_capacity(left.len() * right.len());
+                for (m, c) in left {
+                    products.extend(right.iter().map(|(n, e)| (m.times(n), c * e)));
+                }
+                Self::collect(products)
+            }
+        }
+    }
+
+    /// The power, by squaring.
+    pub fn to_power(&self, exponent: u32) -> Self {
+        let mut result = Self::constant(IBig::ONE);
+        for bit in (0..u32::BITS - exponent.leading_zeros()).rev() {
+            result = result.times(&result);
+            if exponent >> bit & 1 == 1 {
+                result = result.times(self);
+            }
+        }
+        result
+    }
+
+    /// `self / divisor` where the division leaves nothing; `None` otherwise and for a zero divisor.
+    pub fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
+        let (lead, lead_coefficient) = divisor.terms.first()?;
+        let mut rest = self.clone();
+        let mut quotient = Vec::new();
+        while let Some((monomial, coefficient)) = rest.terms.first() {
+            let power = monomial.over(lead)?;
+            let (times, left_over) = coefficient.div_rem(lead_coefficient);
+            if !left_over.is_zero() {
+                return None;
+            }
+            let term = Self::term(power, times);
+            rest = rest.minus(&divisor.times(&term));
+            quotient.extend(term.terms);
+        }
+        Some(Self { terms: quotient })
+    }
+
+    /// The greatest integer that divides every coefficient, with the sign of the leading one; 0 for zero.
+    pub fn content(&self) -> IBig {
+        let mut content = IBig::ZERO;
+        for (_, coefficient) in &self.terms {
+            content = IBig::from(content.gcd(coefficient));
+            if content == IBig::ONE {
+                break;
+            }
+        }
+        match self.terms.first() {
+            Some((_, lead)) if *lead < IBig::ZERO => -content,
+            _ => content,
+        }
+    }
+
+    /// The greatest monomial that divides every term.
+    pub fn common_monomial(&self) -> Monomial {
+        let mut monomials = self.terms.iter().map(|(m, _)| m);
+        let first = monomials.next().cloned().unwrap_or_default();
+        monomials.fold(first, |common, m| common.common(m))
+    }
+
+    /// The polynomial divided by an integer and a monomial that divide it.
+    pub fn reduced(&self, content: &IBig, monomial: &Monomial) -> Self {
+        if content.is_zero() {
+            return self.clone();
+        }
+        Self {
+            terms: self
+                .terms
+                .iter()
+                .map(|(m, c)| (m.over(monomial).unwrap_or_default(), c / content))
+                .collect(),
+        }
+    }
+
+    /// The polynomial divided by its content: coefficients without a common factor, the leading one positive.
+    pub fn primitive(&self) -> Self {
+        self.reduced(&self.content(), &Monomial::one())
+    }
+
+    /// The value where every variable has one, `None` where one has none.
+    pub fn evaluate(&self, value: &impl Fn(Variable) -> Option<Rational>) -> Option<Rational> {
+        let mut sum = Rational::zero();
+        for (monomial, coefficient) in &self.terms {
+            let mut product = Rational(RBig::from(coefficient.clone()));
+            for &(variable, exponent) in monomial.factors() {
+                let base = value(variable)?;
+                for _ in 0..exponent {
+                    product *= base.clone();
+                }
+            }
+            sum += product;
+        }
+        Some(sum)
+    }
+
+    /// Sorts terms and joins those of one monomial.
+    fn collect(mut terms: Vec<(Monomial, IBig)>) -> Self {
+        terms.sort_unstable_by(|a, b| b.0.cmp(&a.0));
+        let mut joined: Vec<(Monomial, IBig)> = Vec::with_capacity(terms.len());
+        for (monomial, coefficient) in terms {
+            match joined.last_mut() {
+                Some((last, sum)) if *last == monomial => *sum += coefficient,
+                _ => joined.push((monomial, coefficient)),
+            }
+        }
+        joined.retain(|(_, c)| !c.is_zero());
+        Self { terms: joined }
+    }
+
+    fn merge(&self, other: &Self, subtract: bool) -> Self {
+        let signed = |c: &IBig| if subtract { -c } else { c.clone() };
+        let mut terms = Vec::with_capacity(self.terms.len() + other.terms.len());
+        let (mut left, mut right) = (self.terms.iter().peekable(), other.terms.iter().peekable());
+        loop {
+            match (left.peek(), right.peek()) {
+                (None, None) => return Self { terms },
+                (Some((m, c)), Some((n, e))) if m == n => {
+                    let sum = c + signed(e);
+                    if !sum.is_zero() {
+                        terms.push((m.clone(), sum));
+                    }
+                    left.next();
+                    right.next();
+                }
+                (Some((m, c)), next) if next.is_none_or(|(n, _)| m > n) => {
+                    terms.push((m.clone(), c.clone()));
+                    left.next();
+                }
+                (_, Some((n, e))) => {
+                    terms.push((n.clone(), signed(e)));
+                    right.next();
+                }
+                (Some(_), None) => return Self { terms },
+            }
+        }
+    }
+}
+
+impl From<i64> for Polynomial {
+    fn from(value: i64) -> Self {
+        Self::constant(IBig::from(value))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Field;
+
+    fn x(n: u32) -> Polynomial {
+        Polynomial::variable(Variable(n))
+    }
+
+    #[test]
+    fn a_product_divided_by_a_factor_is_the_other_and_by_a_stranger_nothing() {
+        let a = x(1).plus(&x(2).scaled(&IBig::from(3)));
+        let b = x(1).minus(&x(3)).plus(&Polynomial::from(7));
+        assert_eq!(a.times(&b).exact_quotient(&a), Some(b.clone()));
+        assert_eq!(a.times(&b).plus(&Polynomial::from(1)).exact_quotient(&a), None);
+        assert_eq!(a.exact_quotient(&Polynomial::default()), None);
+    }
+
+    #[test]
+    fn a_cube_equals_three_products_and_expands_to_four_terms() {
+        let sum = x(0).plus(&x(1));
+        assert_eq!(sum.to_power(3), sum.times(&sum).times(&sum));
+        assert_eq!(sum.to_power(3).terms().len(), 4);
+        assert!(sum.to_power(0).is_one());
+    }
+
+    #[test]
+    fn the_derivative_of_a_product_obeys_leibniz() {
+        let (a, b) = (
+            x(0).to_power(2).plus(&x(1)),
+            x(0).times(&x(1)).minus(&Polynomial::from(5)),
+        );
+        let v = Variable(0);
+        let leibniz = a.derivative(v).times(&b).plus(&a.times(&b.derivative(v)));
+        assert_eq!(a.times(&b).derivative(v), leibniz);
+    }
+
+    #[test]
+    fn coefficients_put_together_again_give_the_polynomial() {
+        let p = x(0).plus(&x(1)).to_power(3).plus(&x(2));
+        let again = p
+            .coefficients(Variable(1))
+            .iter()
+            .enumerate()
+            .fold(Polynomial::default(), |sum, (n, c)| {
+                sum.plus(&c.times(&x(1).to_power(n as u32)))
+            });
+        assert_eq!(again, p);
+    }
+
+    #[test]
+    fn the_value_of_a_polynomial_is_exact() {
+        let p = x(0).to_power(2).minus(&Polynomial::from(2));
+        let value = p.evaluate(&|_| Rational::new(3, 2));
+        assert_eq!(value, Some(Rational::from_ratio(1, 4)));
+        assert_eq!(p.evaluate(&|_| None), None);
+    }
+}
