@@ -59,6 +59,11 @@ impl Fraction {
         Some(Rational(RBig::from_parts(numerator, self.scale.clone())))
     }
 
+    /// Whether both are written alike. Functions without factors below the line are, where they are equal.
+    pub fn has_form_of(&self, other: &Self) -> bool {
+        self.numerator == other.numerator && self.scale == other.scale && self.factors == other.factors
+    }
+
     /// Whether `variable` occurs, above or below the line.
     pub fn contains(&self, variable: Variable) -> bool {
         self.numerator.contains(variable) || self.factors.iter().any(|(f, _)| f.contains(variable))

@@ -1,0 +1,401 @@
+//! Audit sheets: what a person wrote down of a paper, read and checked for sense before anything is decided.
+
+use super::verdict::Verdict;
+use super::vocabulary::Vocabulary;
+use crate::tex::{Equation, Tree, read};
+use serde::Deserialize;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+use toml::Spanned;
+
+/// A sheet, every formula read.
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    pub title: Option<String>,
+    pub vocabulary: Vocabulary,
+    pub entries: Vec<Entry>,
+}
+
+/// What a formula is to its sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Role {
+    /// To be decided.
+    Claim,
+    /// Taken as true.
+    Premise,
+    /// Kept as printed; read only where a claim rests on it.
+    Definition,
+}
+
+/// One `[[equation]]`.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    pub label: String,
+    pub role: Role,
+    /// The TeX as it stands in the sheet.
+    pub tex: Source,
+    /// What is read of it; nothing of a definition that nothing rests on.
+    pub equations: Vec<Equation>,
+    /// Local definitions, with their sources.
+    pub local: Vec<(Equation, Source)>,
+    /// Substitutions in the premises, with their sources.
+    pub with: Vec<(Equation, Source)>,
+    /// The entries it follows from, by position in the sheet.
+    pub follows_from: Vec<usize>,
+    pub expect: Verdict,
+}
+
+/// A piece of TeX and where in the file it starts.
+#[derive(Clone, Debug, Default)]
+pub struct Source {
+    pub tex: String,
+    line: usize,
+    column: usize,
+    /// Whether a place in the TeX is a place in the file (not where the TOML string has escapes).
+    verbatim: bool,
+}
+
+impl Source {
+    fn new(text: &str, value: &Spanned<String>) -> Self {
+        let span = value.span();
+        let raw = text.get(span.clone()).unwrap_or_default();
+        let offset = raw.find(value.get_ref().as_str());
+        let before = text.get(..span.start + offset.unwrap_or(0)).unwrap_or_default();
+        let line_start = before.rfind('\n').map_or(0, |n| n + 1);
+        Self {
+            tex: value.get_ref().clone(),
+            line: before.matches('\n').count() + 1,
+            column: before.get(line_start..).unwrap_or_default().chars().count() + 1,
+            verbatim: offset.is_some(),
+        }
+    }
+
+    /// A fault at byte `at` of the TeX.
+    pub fn fault(&self, at: usize, message: impl Into<String>) -> Fault {
+        let at = (0..=at.min(self.tex.len())).rev().find(|&n| self.tex.is_char_boundary(n)).unwrap_or(0);
+        let (before, after) = self.tex.split_at(at);
+        let line_start = before.rfind('\n').map_or(0, |n| n + 1);
+        let head = before.get(line_start..).unwrap_or_default();
+        let tail = after.split('\n').next().unwrap_or_default();
+        let row = before.matches('\n').count();
+        let column = head.chars().count();
+        let place = if !self.verbatim {
+            (self.line, self.column)
+        } else if row == 0 {
+            (self.line, self.column + column)
+        } else {
+            (self.line + row, column + 1)
+        };
+        let shown = format!("    {head}{tail}\n    {}^", " ".repeat(column)).replace('\t', " ");
+        Fault { message: message.into(), label: None, place: Some(place), shown: Some(shown) }
+    }
+}
+
+/// Why a sheet cannot be used: what, and where.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    pub message: String,
+    /// The equation at fault.
+    pub label: Option<String>,
+    /// Line and column in the file, from 1.
+    pub place: Option<(usize, usize)>,
+    /// The line of TeX with a caret beneath.
+    shown: Option<String>,
+}
+
+impl Fault {
+    /// A fault without a place.
+    pub fn new(message: impl Into<String>) -> Self {
+        Self { message: message.into(), label: None, place: None, shown: None }
+    }
+
+    /// The fault, said of the equation `label` where none is named yet.
+    pub fn of(mut self, label: &str) -> Self {
+        self.label.get_or_insert_with(|| label.to_string());
+        self
+    }
+
+    /// The fault, at the start of `source` where it has no place yet.
+    pub fn at(mut self, source: &Source) -> Self {
+        self.place.get_or_insert((source.line, source.column));
+        self
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some((line, column)) = self.place {
+            write!(f, "line {line}, column {column}: ")?;
+        }
+        if let Some(label) = &self.label {
+            write!(f, "({label}) ")?;
+        }
+        f.write_str(&self.message)?;
+        match &self.shown {
+            Some(shown) => write!(f, "\n{shown}"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl std::error::Error for Fault {}
+
+/// `[symbols]` as it stands in the file.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Symbols {
+    pub parameters: Vec<String>,
+    pub generic: Option<Vec<String>>,
+    pub times: Vec<String>,
+    pub states: Vec<String>,
+    pub continuous: Vec<String>,
+    pub functions: Pairs,
+    pub periods: Pairs,
+    pub abbreviations: Pairs,
+    pub relations: Pairs,
+    pub maps: BTreeMap<String, MapEntry>,
+}
+
+/// Left and right sides, as a table or as a list of equations.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+pub enum Pairs {
+    Table(BTreeMap<String, String>),
+    List(Vec<String>),
+}
+
+impl Default for Pairs {
+    fn default() -> Self {
+        Self::List(Vec::new())
+    }
+}
+
+impl Pairs {
+    /// The pairs; a list entry without `=` has an empty right side.
+    pub(super) fn pairs(&self) -> Result<Vec<(String, String)>, Fault> {
+        let clean = |a: &str, b: &str| (a.trim().to_string(), b.trim().to_string());
+        match self {
+            Self::Table(table) => Ok(table.iter().map(|(a, b)| clean(a, b)).collect()),
+            Self::List(list) => list
+                .iter()
+                .map(|text| match text.split_once('=') {
+                    Some((_, b)) if b.contains('=') => Err(Fault::new(format!("`{text}` has more than one `=`"))),
+                    Some((a, b)) => Ok(clean(a, b)),
+                    None => Ok(clean(text, "")),
+                })
+                .collect(),
+        }
+    }
+}
+
+/// An entry of `[symbols.maps]`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+pub enum MapEntry {
+    Product(String),
+    List(Vec<String>),
+    Of { of: Vec<String>, by: Vec<String> },
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawSheet {
+    title: Option<String>,
+    symbols: Option<Spanned<Symbols>>,
+    #[serde(default)]
+    equation: Vec<RawEntry>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawEntry {
+    label: Spanned<String>,
+    role: Role,
+    tex: Spanned<String>,
+    #[serde(default, rename = "where")]
+    local: Vec<Spanned<String>>,
+    #[serde(default)]
+    with: Vec<Spanned<String>>,
+    follows_from: Option<Vec<Spanned<String>>>,
+    #[serde(default)]
+    expect: Verdict,
+}
+
+/// The `[symbols]` block of a file that holds nothing else.
+///
+/// # Errors
+/// A [`Fault`] with its place.
+pub fn read_symbols(text: &str) -> Result<Vocabulary, Fault> {
+    let raw: RawSheet = parse(text)?;
+    Vocabulary::read(&raw.symbols.map(Spanned::into_inner).unwrap_or_default())
+}
+
+impl Sheet {
+    /// Reads a sheet. Without `[symbols]` of its own it speaks `vocabulary`.
+    ///
+    /// # Errors
+    /// A [`Fault`]: malformed TOML or TeX, a label given twice, a premise that does not exist, a claim without
+    /// premises or with itself among them, a sheet without an equation.
+    pub fn read(text: &str, vocabulary: &Vocabulary) -> Result<Self, Fault> {
+        let raw: RawSheet = parse(text)?;
+        if raw.equation.is_empty() {
+            return Err(Fault::new("the sheet has no [[equation]]"));
+        }
+        let vocabulary = match &raw.symbols {
+            None => vocabulary.clone(),
+            Some(symbols) => Vocabulary::read(&with_labels(symbols.get_ref(), &raw.equation)).map_err(|fault| {
+                let here = Source::new(text, &Spanned::new(symbols.span(), String::new()));
+                Fault { message: format!("[symbols] {}", fault.message), ..fault }.at(&here)
+            })?,
+        };
+        let positions = positions(text, &raw.equation)?;
+        let needed: BTreeSet<&str> = raw
+            .equation
+            .iter()
+            .filter(|e| e.role == Role::Claim)
+            .flat_map(|e| e.follows_from.iter().flatten().map(|label| label.get_ref().as_str()))
+            .collect();
+        let mut entries = Vec::new();
+        for entry in &raw.equation {
+            let label = entry.label.get_ref();
+            let wanted = entry.role != Role::Definition || needed.contains(label.as_str());
+            let read = read_entry(text, entry, &positions, &vocabulary, wanted);
+            entries.push(read.map_err(|fault| fault.of(label))?);
+        }
+        let sheet = Self { title: raw.title, vocabulary, entries };
+        sheet.refuse_circles()?;
+        Ok(sheet)
+    }
+
+    /// The position of the entry with this label.
+    pub fn find(&self, label: &str) -> Option<usize> {
+        self.entries.iter().position(|entry| entry.label == label)
+    }
+
+    fn refuse_circles(&self) -> Result<(), Fault> {
+        let claims = |at: usize| {
+            let entry = self.entries.get(at).filter(|entry| entry.role == Role::Claim);
+            entry.map(|entry| entry.follows_from.as_slice()).unwrap_or_default()
+        };
+        for (start, entry) in self.entries.iter().enumerate() {
+            let mut reached: Vec<usize> = claims(start).to_vec();
+            let mut next = 0;
+            while let Some(&at) = reached.get(next) {
+                if at == start {
+                    let problem = "leads back to itself through `follows_from`: a claim cannot be its own premise";
+                    return Err(Fault::new(problem).of(&entry.label).at(&entry.tex));
+                }
+                let more: Vec<usize> = claims(at).iter().filter(|n| !reached.contains(n)).copied().collect();
+                reached.extend(more);
+                next += 1;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn parse(text: &str) -> Result<RawSheet, Fault> {
+    toml::from_str(text).map_err(|error: toml::de::Error| {
+        let fault = Fault::new(error.message());
+        match error.span() {
+            Some(span) => fault.at(&Source::new(text, &Spanned::new(span, String::new()))),
+            None => fault,
+        }
+    })
+}
+
+/// The symbols with each map that lists labels of the sheet given the TeX of these instead.
+fn with_labels(symbols: &Symbols, entries: &[RawEntry]) -> Symbols {
+    let mut symbols = symbols.clone();
+    let tex = |label: &String| entries.iter().find(|e| e.label.get_ref() == label).map(|e| e.tex.get_ref().clone());
+    for entry in symbols.maps.values_mut() {
+        if let MapEntry::List(list) = entry
+            && let Some(equations) = list.iter().map(tex).collect::<Option<Vec<_>>>()
+        {
+            *list = equations;
+        }
+    }
+    symbols
+}
+
+fn positions<'a>(text: &str, entries: &'a [RawEntry]) -> Result<BTreeMap<&'a str, usize>, Fault> {
+    let mut positions = BTreeMap::new();
+    for (position, entry) in entries.iter().enumerate() {
+        let label = entry.label.get_ref();
+        let problem = if label.trim().is_empty() {
+            "a label must not be empty"
+        } else if positions.insert(label.as_str(), position).is_some() {
+            "this label is given twice"
+        } else {
+            continue;
+        };
+        return Err(Fault::new(problem).of(label).at(&Source::new(text, &entry.label)));
+    }
+    Ok(positions)
+}
+
+fn read_entry(
+    text: &str,
+    raw: &RawEntry,
+    positions: &BTreeMap<&str, usize>,
+    vocabulary: &Vocabulary,
+    wanted: bool,
+) -> Result<Entry, Fault> {
+    let tex = Source::new(text, &raw.tex);
+    let equations = if wanted { read_tex(&tex, vocabulary)? } else { Vec::new() };
+    let sourced = |list: &[Spanned<String>]| -> Result<Vec<(Equation, Source)>, Fault> {
+        let sources = list.iter().map(|text_of| Source::new(text, text_of));
+        let read = sources.map(|source| {
+            let equations = read_tex(&source, vocabulary)?;
+            Ok(equations.into_iter().map(|equation| (equation, source.clone())).collect::<Vec<_>>())
+        });
+        Ok(read.collect::<Result<Vec<_>, Fault>>()?.concat())
+    };
+    let mut follows_from = Vec::new();
+    for label in raw.follows_from.iter().flatten() {
+        let Some(&position) = positions.get(label.get_ref().as_str()) else {
+            let known = positions.keys().copied().collect::<Vec<_>>().join(", ");
+            let problem = format!("follows from `{}`, which is no label here (there are: {known})", label.get_ref());
+            return Err(Fault::new(problem).at(&Source::new(text, label)));
+        };
+        if !follows_from.contains(&position) {
+            follows_from.push(position);
+        }
+    }
+    if raw.role == Role::Claim && follows_from.is_empty() {
+        return Err(Fault::new("a claim must say in `follows_from` what it follows from").at(&tex));
+    }
+    Ok(Entry {
+        label: raw.label.get_ref().clone(),
+        role: raw.role,
+        equations,
+        local: sourced(&raw.local)?,
+        with: sourced(&raw.with)?,
+        follows_from,
+        expect: raw.expect,
+        tex,
+    })
+}
+
+fn read_tex(source: &Source, vocabulary: &Vocabulary) -> Result<Vec<Equation>, Fault> {
+    read(&source.tex, &vocabulary.names).map_err(|error| source.fault(error.at, error.reason.to_string()))
+}
+
+/// Whether `name` stands in the tree.
+pub(super) fn mentions(tree: &Tree, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
+    if test(tree) {
+        return true;
+    }
+    match tree {
+        Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => false,
+        Tree::Call(_, inner, _)
+        | Tree::Negate(inner)
+        | Tree::Power(inner, ..)
+        | Tree::Root(inner, _)
+        | Tree::PlusMinus(inner)
+        | Tree::MinusPlus(inner) => mentions(inner, test),
+        Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| mentions(part, test)),
+        Tree::Quotient(above, below, _) => mentions(above, test) || mentions(below, test),
+    }
+}

@@ -1,0 +1,142 @@
+//! Substitutions in a tree, and what a tree mentions.
+
+use super::vocabulary::{Vocabulary, index_of, subscript_of};
+use crate::tex::{At, Equation, Name, Tree};
+use std::collections::BTreeSet;
+
+/// The tree with each symbol for which `new` has a tree replaced by it.
+pub fn rewrite(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
+    let again = |tree: &Tree| rewrite(tree, new);
+    let boxed = |tree: &Tree| Box::new(rewrite(tree, new));
+    // A derivative is of and by names: only a name can take the place of one.
+    let renamed = |name: &Name| match new(name) {
+        Some(Tree::Symbol(name, _)) => name,
+        _ => name.clone(),
+    };
+    match tree {
+        Tree::Number(_) | Tree::Invariant { .. } => tree.clone(),
+        Tree::Symbol(name, _) => new(name).unwrap_or_else(|| tree.clone()),
+        Tree::Call(name, argument, at) => Tree::Call(name.clone(), boxed(argument), *at),
+        Tree::Partial { of, by, at } => Tree::Partial { of: renamed(of), by: renamed(by), at: *at },
+        Tree::Negate(inner) => Tree::Negate(boxed(inner)),
+        Tree::Sum(terms) => Tree::Sum(terms.iter().map(again).collect()),
+        Tree::Product(factors) => Tree::Product(factors.iter().map(again).collect()),
+        Tree::Quotient(above, below, at) => Tree::Quotient(boxed(above), boxed(below), *at),
+        Tree::Power(base, exponent, at) => Tree::Power(boxed(base), *exponent, *at),
+        Tree::Root(inner, at) => Tree::Root(boxed(inner), *at),
+        Tree::PlusMinus(inner) => Tree::PlusMinus(boxed(inner)),
+        Tree::MinusPlus(inner) => Tree::MinusPlus(boxed(inner)),
+    }
+}
+
+/// The equation with both sides rewritten.
+pub fn rewrite_equation(equation: &Equation, new: &dyn Fn(&Name) -> Option<Tree>) -> Equation {
+    Equation { left: rewrite(&equation.left, new), right: rewrite(&equation.right, new), ..equation.clone() }
+}
+
+/// Whether any node of the tree passes the test.
+pub fn any(tree: &Tree, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
+    test(tree)
+        || match tree {
+            Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => false,
+            Tree::Call(_, inner, _)
+            | Tree::Negate(inner)
+            | Tree::Power(inner, ..)
+            | Tree::Root(inner, _)
+            | Tree::PlusMinus(inner)
+            | Tree::MinusPlus(inner) => any(inner, test),
+            Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| any(part, test)),
+            Tree::Quotient(above, below, _) => any(above, test) || any(below, test),
+        }
+}
+
+/// Whether any node of either side passes the test.
+pub fn any_side(equation: &Equation, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
+    any(&equation.left, test) || any(&equation.right, test)
+}
+
+impl Vocabulary {
+    /// The impact that an indexed time or state belongs to.
+    fn impact(&self, name: &Name) -> Option<i32> {
+        let bare = name.bare();
+        let indexed = self.times.contains(&bare) || self.states.contains(&bare);
+        if indexed { index_of(&name.subscript, &self.index) } else { None }
+    }
+
+    fn abbreviated(&self, name: &Name) -> Option<&Tree> {
+        self.abbreviations.iter().find(|(known, _)| known == name).map(|(_, tree)| tree)
+    }
+
+    /// The impacts that an equation speaks of.
+    pub(super) fn impacts(&self, equation: &Equation) -> BTreeSet<i32> {
+        let mut met = BTreeSet::new();
+        self.collect_impacts(&equation.left, &mut met);
+        self.collect_impacts(&equation.right, &mut met);
+        met
+    }
+
+    fn collect_impacts(&self, tree: &Tree, met: &mut BTreeSet<i32>) {
+        any(tree, &mut |node| {
+            match node {
+                Tree::Symbol(name, _) => match self.abbreviated(name) {
+                    Some(tree) => self.collect_impacts(tree, met),
+                    None => met.extend(self.impact(name)),
+                },
+                Tree::Partial { of, by, .. } => met.extend(self.impact(of).into_iter().chain(self.impact(by))),
+                _ => {}
+            }
+            false
+        });
+    }
+
+    /// The equation with its abbreviations written out.
+    pub(super) fn expanded(&self, equation: &Equation) -> Equation {
+        rewrite_equation(equation, &|name| self.abbreviated(name).cloned())
+    }
+
+    /// The equation said of impacts `by` further on.
+    pub(super) fn shifted(&self, equation: &Equation, by: i32) -> Equation {
+        if by == 0 {
+            return equation.clone();
+        }
+        rewrite_equation(&self.expanded(equation), &|name| {
+            let subscript = subscript_of(self.impact(name)? + by, &self.index);
+            Some(Tree::Symbol(Name { subscript, ..name.clone() }, At::default()))
+        })
+    }
+
+    /// The equation with symbols replaced, all at once. A time of an impact takes the states at that impact along,
+    /// unless these are replaced by something else.
+    pub(super) fn substituted(&self, equation: &Equation, pairs: &[(Name, Tree)]) -> Equation {
+        let find = |name: &Name| pairs.iter().find(|(from, _)| from == name).map(|(_, to)| to.clone());
+        let timed = any_side(equation, &mut |node| match node {
+            Tree::Symbol(name, _) => self.times.contains(&name.bare()) && find(name).is_some(),
+            _ => false,
+        });
+        let replaces_times = pairs.iter().any(|(from, _)| self.times.contains(&from.bare()));
+        let equation = if replaces_times { self.expanded(equation) } else { equation.clone() };
+        rewrite_equation(&equation, &|name| {
+            let plain = Name { mark: String::new(), ..name.clone() };
+            find(name).or_else(|| match find(&plain) {
+                Some(Tree::Symbol(to, at)) if !self.times.contains(&plain.bare()) => {
+                    Some(Tree::Symbol(Name { mark: name.mark.clone(), ..to }, at))
+                }
+                // A state that an impact does not change is the same with a mark and without.
+                Some(tree) if name.mark == "-" || self.continuous.contains(&plain.bare()) => Some(tree),
+                _ if timed => self.state_moved(name, &find),
+                _ => None,
+            })
+        })
+    }
+
+    fn state_moved(&self, name: &Name, find: &dyn Fn(&Name) -> Option<Tree>) -> Option<Tree> {
+        if !self.states.contains(&name.bare()) {
+            return None;
+        }
+        let family = self.times.first()?;
+        match find(&Name { subscript: name.subscript.clone(), ..family.clone() })? {
+            Tree::Symbol(time, at) => Some(Tree::Symbol(Name { subscript: time.subscript, ..name.clone() }, at)),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,274 @@
+//! What the names of a sheet stand for: its `[symbols]`.
+
+use super::sheet::{Fault, Symbols};
+use crate::tex::{At, Equation, Name, Names, Tree, read, read_expression};
+
+/// A matrix of partial derivatives.
+#[derive(Clone, Debug)]
+pub enum Map {
+    /// The derivatives of these quantities by those, along whatever the premises say.
+    Premises { of: Vec<Tree>, by: Vec<Tree> },
+    /// The Jacobian of explicit equations.
+    Equations(Vec<Equation>),
+    /// A product of other maps, the last applied first.
+    Product(Vec<Name>),
+}
+
+/// The meaning of every name that needs no premise.
+#[derive(Clone, Debug, Default)]
+pub struct Vocabulary {
+    /// Symbols with one value throughout.
+    pub parameters: Vec<Name>,
+    /// Parameters and abbreviations that premises are solved for last.
+    pub generic: Vec<Name>,
+    /// The letter that numbers impacts: `k`.
+    pub index: String,
+    /// Families of times, without index; the first is that of the impacts.
+    pub times: Vec<Name>,
+    /// The running time of a flight.
+    pub running: Option<Name>,
+    /// States, without index.
+    pub states: Vec<Name>,
+    /// The states that an impact does not change.
+    pub continuous: Vec<Name>,
+    /// Functions of time, each with its derivative where it has one.
+    pub functions: Vec<(Name, Option<Tree>)>,
+    /// Functions or states with their period.
+    pub periods: Vec<(Name, Tree)>,
+    /// Symbols that stand for an expression.
+    pub abbreviations: Vec<(Name, Tree)>,
+    /// Squares of symbols: `s^2 = ...`.
+    pub relations: Vec<Equation>,
+    /// Jacobians by name.
+    pub maps: Vec<(Name, Map)>,
+    /// What the reader of formulas needs to know of all this.
+    pub names: Names,
+}
+
+/// The impact number of a subscript such as `k+1`, for the index letter `k`.
+pub fn index_of(subscript: &str, letter: &str) -> Option<i32> {
+    let rest = subscript.strip_prefix(letter)?;
+    if rest.is_empty() {
+        return (!letter.is_empty()).then_some(0);
+    }
+    if !rest.starts_with(['+', '-']) {
+        return None;
+    }
+    rest.parse().ok()
+}
+
+/// The subscript of impact number `index`.
+pub fn subscript_of(index: i32, letter: &str) -> String {
+    if index == 0 { letter.to_string() } else { format!("{letter}{index:+}") }
+}
+
+impl Name {
+    /// The name without subscript, mark and primes.
+    pub(super) fn bare(&self) -> Self {
+        Self { base: self.base.clone(), accents: self.accents.clone(), ..Self::default() }
+    }
+
+    /// The name of the derivative by time: one dot more.
+    pub(super) fn dotted(&self) -> Self {
+        let mut name = self.clone();
+        match name.accents.last_mut() {
+            Some(last) if last == r"\dot" => *last = r"\ddot".to_string(),
+            Some(last) if last == r"\ddot" => *last = r"\dddot".to_string(),
+            _ => name.accents.push(r"\dot".to_string()),
+        }
+        name
+    }
+}
+
+impl Vocabulary {
+    /// Reads a `[symbols]` block.
+    ///
+    /// # Errors
+    /// A [`Fault`] that quotes the entry that cannot be read.
+    pub fn read(symbols: &Symbols) -> Result<Self, Fault> {
+        let mut vocabulary = Self { names: first_names(symbols)?, ..Self::default() };
+        vocabulary.parameters = vocabulary.list(&symbols.parameters)?;
+        vocabulary.states = vocabulary.list(&symbols.states)?;
+        vocabulary.continuous = vocabulary.list(&symbols.continuous)?;
+        vocabulary.read_times(symbols)?;
+        let as_states = |names: &[Name]| names.iter().map(Name::bare).collect::<Vec<_>>();
+        vocabulary.states = as_states(&vocabulary.states);
+        vocabulary.states.dedup();
+        vocabulary.continuous = as_states(&vocabulary.continuous);
+        vocabulary.read_functions(symbols)?;
+        for (name, period) in symbols.periods.pairs()? {
+            vocabulary.periods.push((vocabulary.name(&name)?, vocabulary.expression(&period)?));
+        }
+        for (name, meaning) in symbols.abbreviations.pairs()? {
+            vocabulary.abbreviations.push((vocabulary.name(&name)?, vocabulary.expression(&meaning)?));
+        }
+        for (square, value) in symbols.relations.pairs()? {
+            vocabulary.relations.extend(vocabulary.equations(&format!("{square} = {value}"))?);
+        }
+        vocabulary.generic = match &symbols.generic {
+            Some(generic) => vocabulary.list(generic)?,
+            None => {
+                let abbreviations = vocabulary.abbreviations.iter().map(|(name, _)| name.clone());
+                vocabulary.parameters.iter().cloned().chain(abbreviations).collect()
+            }
+        };
+        vocabulary.read_maps(symbols)?;
+        vocabulary.refuse_twice()?;
+        Ok(vocabulary)
+    }
+
+    fn read_times(&mut self, symbols: &Symbols) -> Result<(), Fault> {
+        for name in self.list(&symbols.times)? {
+            // One letter with perhaps an offset numbers the impacts.
+            let letter: String = name.subscript.chars().take_while(char::is_ascii_lowercase).collect();
+            if name.subscript.is_empty() {
+                self.running = Some(name);
+            } else if letter.chars().count() == 1 && index_of(&name.subscript, &letter).is_some() {
+                if self.index.is_empty() {
+                    self.index = letter;
+                }
+                if !self.times.contains(&name.bare()) {
+                    self.times.push(name.bare());
+                }
+            } else {
+                let problem = format!("the subscript of the time `{name}` must be an index such as k or k+1");
+                return Err(Fault::new(problem));
+            }
+        }
+        if self.index.is_empty() {
+            let letter = self.states.iter().find_map(|name| name.subscript.chars().next());
+            self.index = letter.unwrap_or('k').to_string();
+        }
+        Ok(())
+    }
+
+    fn read_functions(&mut self, symbols: &Symbols) -> Result<(), Fault> {
+        let pairs = symbols.functions.pairs()?;
+        let functions = pairs.iter().map(|(name, _)| self.name(name)).collect::<Result<Vec<_>, _>>()?;
+        self.names.functions = functions.clone();
+        for state in &self.states {
+            // The motion law is a formula for the derivative of the last state.
+            self.names.functions.extend([state.clone(), state.dotted(), state.dotted().dotted()]);
+        }
+        for (name, (_, derivative)) in functions.into_iter().zip(&pairs) {
+            let derivative = match derivative.trim() {
+                "" => None,
+                tex => Some(self.expression(tex)?),
+            };
+            self.functions.push((name, derivative));
+        }
+        Ok(())
+    }
+
+    fn read_maps(&mut self, symbols: &Symbols) -> Result<(), Fault> {
+        let names = symbols.maps.keys().map(|name| self.name(name)).collect::<Result<Vec<_>, _>>()?;
+        self.names.matrices = names.clone();
+        for (name, entry) in names.into_iter().zip(symbols.maps.values()) {
+            let map = match entry {
+                super::sheet::MapEntry::Of { of, by } => Map::Premises {
+                    of: of.iter().map(|tex| self.expression(tex)).collect::<Result<_, _>>()?,
+                    by: by.iter().map(|tex| self.expression(tex)).collect::<Result<_, _>>()?,
+                },
+                super::sheet::MapEntry::List(list) if list.iter().any(|tex| tex.contains('=')) => {
+                    let equations = list.iter().map(|tex| self.equations(tex)).collect::<Result<Vec<_>, _>>()?;
+                    Map::Equations(equations.concat())
+                }
+                super::sheet::MapEntry::List(list) => self.product(&list.join(" "))?,
+                super::sheet::MapEntry::Product(product) => self.product(product)?,
+            };
+            self.maps.push((name, map));
+        }
+        Ok(())
+    }
+
+    fn product(&self, text: &str) -> Result<Map, Fault> {
+        let factors = text.split_whitespace().filter(|word| *word != r"\cdot");
+        let factors = factors.map(|word| {
+            let name = self.name(word)?;
+            if self.names.matrices.contains(&name) {
+                return Ok(name);
+            }
+            Err(Fault::new(format!("`{word}` is no map: name maps, or write equations with `=`")))
+        });
+        Ok(Map::Product(factors.collect::<Result<_, _>>()?))
+    }
+
+    /// A name with two meanings has none.
+    fn refuse_twice(&self) -> Result<(), Fault> {
+        let functions = self.functions.iter().map(|(name, _)| name);
+        let abbreviations = self.abbreviations.iter().map(|(name, _)| name);
+        let mut seen: Vec<&Name> = Vec::new();
+        for name in self.parameters.iter().chain(functions).chain(abbreviations).chain(&self.states) {
+            if seen.contains(&name) {
+                return Err(Fault::new(format!("`{name}` is declared twice")));
+            }
+            seen.push(name);
+        }
+        Ok(())
+    }
+
+    fn list(&self, texts: &[String]) -> Result<Vec<Name>, Fault> {
+        texts.iter().map(|text| self.name(text)).collect()
+    }
+
+    /// Reads one name.
+    pub(super) fn name(&self, text: &str) -> Result<Name, Fault> {
+        read_name(text, &self.names)
+    }
+
+    fn expression(&self, tex: &str) -> Result<Tree, Fault> {
+        read_expression(tex, &self.names).map_err(|error| Fault::new(format!("`{tex}`: {error}")))
+    }
+
+    fn equations(&self, tex: &str) -> Result<Vec<Equation>, Fault> {
+        read(tex, &self.names).map_err(|error| Fault::new(format!("`{tex}`: {error}")))
+    }
+
+    /// Every name that may be written, for a message that helps.
+    pub fn known(&self) -> String {
+        let functions = self.functions.iter().map(|(name, _)| format!("{name}(t)"));
+        let abbreviations = self.abbreviations.iter().map(|(name, _)| name.to_string());
+        let indexed = self.times.iter().chain(&self.states).map(|name| {
+            let subscript = self.index.clone();
+            Name { subscript, ..name.clone() }.to_string()
+        });
+        let all = self.parameters.iter().map(Name::to_string).chain(abbreviations).chain(indexed).chain(functions);
+        all.collect::<Vec<_>>().join(", ")
+    }
+}
+
+fn read_name(text: &str, names: &Names) -> Result<Name, Fault> {
+    match read_expression(text, names) {
+        Ok(Tree::Symbol(name, At(_))) => Ok(name),
+        Ok(_) => Err(Fault::new(format!("`{text}` is not one name"))),
+        Err(error) => Err(Fault::new(format!("`{text}` is not a name: {error}"))),
+    }
+}
+
+/// The words of several letters among the declared names, so that these can be read at all.
+fn first_names(symbols: &Symbols) -> Result<Names, Fault> {
+    let pairs = [&symbols.functions, &symbols.periods, &symbols.abbreviations];
+    let mut texts: Vec<String> = Vec::new();
+    for pair in pairs {
+        texts.extend(pair.pairs()?.into_iter().map(|(name, _)| name));
+    }
+    texts.extend(symbols.parameters.iter().chain(&symbols.times).chain(&symbols.states).cloned());
+    texts.extend(symbols.maps.keys().cloned());
+    let word = |text: &String| -> String { text.trim().chars().take_while(char::is_ascii_alphabetic).collect() };
+    let words = texts.iter().map(word).filter(|word| word.len() > 1).collect();
+    Ok(Names { words, ..Names::default() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_subscript_gives_its_impact_and_back() {
+        for index in [-2, -1, 0, 1, 2] {
+            assert_eq!(index_of(&subscript_of(index, "k"), "k"), Some(index));
+        }
+        assert_eq!(index_of("B", "k"), None);
+        assert_eq!(index_of("k1", "k"), None);
+    }
+}
