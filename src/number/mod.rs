@@ -46,7 +46,11 @@ pub trait Field:
                 square = square.clone() * square;
             }
         }
-        if exponent < 0 { Self::one() / result } else { result }
+        if exponent < 0 {
+            Self::one() / result
+        } else {
+            result
+        }
     }
 }
 
@@ -70,6 +74,7 @@ pub trait Analytic: Field {
     fn to_f64(&self) -> f64;
 }
 
+mod decimal;
 mod rational;
 
 pub use rational::Rational;

@@ -1,0 +1,65 @@
+//! Brackets that print, braces that do not, and their partners.
+
+use super::Tree;
+use super::error::{Fault, Reason};
+use super::reader::Reader;
+use super::token::{Bracket, Kind, Token};
+
+impl<'a> Reader<'a> {
+    /// The content of the visible bracket that stands next, and its place.
+    pub(super) fn bracketed(&mut self) -> Result<Tree, Fault> {
+        let Some((open, kind)) = self.open() else {
+            return Err(self.instead_of("a bracket"));
+        };
+        let tree = self.sum()?;
+        self.close(open, kind).map(|()| tree)
+    }
+
+    /// Takes an opening bracket, of any kind.
+    pub(super) fn open(&mut self) -> Option<(Token<'a>, Bracket)> {
+        let token = self.peek()?;
+        let Kind::Open(kind) = token.kind else {
+            return None;
+        };
+        self.next += 1;
+        Some((token, kind))
+    }
+
+    /// Takes the bracket that closes `open`.
+    pub(super) fn close(&mut self, open: Token<'a>, kind: Bracket) -> Result<(), Fault> {
+        self.skip_empty();
+        match self.peek() {
+            Some(token) if token.kind == Kind::Close(kind) => {
+                self.next += 1;
+                Ok(())
+            }
+            Some(token) if matches!(token.kind, Kind::Close(_)) => {
+                let (open, close) = (format!("`{}`", open.text), format!("`{}`", token.text));
+                Err(Fault::new(token.at, Reason::Mismatched { open, close }))
+            }
+            Some(token)
+                if matches!(
+                    token.kind,
+                    Kind::Sub | Kind::Sup | Kind::Comma | Kind::Equals
+                ) =>
+            {
+                let wanted = format!("a closing bracket for `{}`", open.text);
+                Err(Fault::unexpected(token.at, token.text, &wanted))
+            }
+            _ => Err(Fault::unclosed(open.at, open.text)),
+        }
+    }
+
+    /// Takes the `}` that closes the `{` at `open`.
+    pub(super) fn close_brace(&mut self, open: usize) -> Result<(), Fault> {
+        self.skip_empty();
+        match self.peek() {
+            None => Err(Fault::unclosed(open, "{")),
+            Some(token) if token.kind == Kind::BraceClose => {
+                self.next += 1;
+                Ok(())
+            }
+            Some(token) => Err(Fault::unexpected(token.at, token.text, "`}`")),
+        }
+    }
+}

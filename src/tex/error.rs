@@ -1,0 +1,153 @@
+//! Why a formula could not be read, and where.
+
+/// What stood in the way of reading a formula; each message says what to write instead where that is known.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Reason {
+    #[error("the formula is {bytes} bytes long; at most {most} are read")]
+    TooLong { bytes: usize, most: usize },
+    #[error("nested deeper than {most} levels")]
+    TooDeep { most: usize },
+    #[error("no equation here: write `left = right`")]
+    NoEquation,
+    #[error("cannot read {found} here{instead}")]
+    Unreadable {
+        found: String,
+        instead: &'static str,
+    },
+    #[error("found {found} where {wanted} must stand")]
+    Unexpected { found: String, wanted: String },
+    #[error("{open} is not closed")]
+    Unclosed { open: String },
+    #[error("{close} closes nothing")]
+    Unopened { close: String },
+    #[error("{open} is closed by {close}")]
+    Mismatched { open: String, close: String },
+    #[error("{found} can be read in more than one way: {instead}")]
+    Ambiguous {
+        found: String,
+        instead: &'static str,
+    },
+    #[error("{found} cannot be read: {instead}")]
+    Unsupported {
+        found: String,
+        instead: &'static str,
+    },
+    #[error("{found} is no known matrix (known: {known})")]
+    UnknownMatrix { found: String, known: String },
+    #[error("{found} is no declared name: declare it, or set its letters apart")]
+    UnknownWord { found: String },
+}
+
+/// A formula that could not be read: why, and where.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("line {line}, column {column}: {reason}")]
+pub struct ReadError {
+    /// What stood in the way.
+    pub reason: Reason,
+    /// The byte offset into the TeX.
+    pub at: usize,
+    /// The line, from 1.
+    pub line: usize,
+    /// The column in characters, from 1.
+    pub column: usize,
+}
+
+impl ReadError {
+    /// The offending line of `tex` and a caret beneath the place.
+    pub fn caret(&self, tex: &str) -> String {
+        let line = tex
+            .split('\n')
+            .nth(self.line.saturating_sub(1))
+            .unwrap_or("");
+        // A tab would shift the caret, so it is shown as one blank.
+        let shown = line.trim_end_matches('\r').replace('\t', " ");
+        let indent = " ".repeat(self.column.saturating_sub(1));
+        format!("{shown}\n{indent}^")
+    }
+}
+
+/// A reason and its byte offset, before line and column are known.
+#[derive(Debug)]
+pub(super) struct Fault {
+    reason: Reason,
+    at: usize,
+}
+
+impl Fault {
+    pub(super) fn new(at: usize, reason: Reason) -> Self {
+        Self { reason, at }
+    }
+
+    pub(super) fn unreadable(at: usize, found: &str, instead: &'static str) -> Self {
+        let found = quoted(found);
+        Self::new(at, Reason::Unreadable { found, instead })
+    }
+
+    pub(super) fn unexpected(at: usize, found: &str, wanted: &str) -> Self {
+        let (found, wanted) = (quoted(found), wanted.to_owned());
+        Self::new(at, Reason::Unexpected { found, wanted })
+    }
+
+    pub(super) fn ambiguous(at: usize, found: &str, instead: &'static str) -> Self {
+        let found = found.to_owned();
+        Self::new(at, Reason::Ambiguous { found, instead })
+    }
+
+    pub(super) fn unsupported(at: usize, found: &str, instead: &'static str) -> Self {
+        let found = found.to_owned();
+        Self::new(at, Reason::Unsupported { found, instead })
+    }
+
+    pub(super) fn unclosed(at: usize, open: &str) -> Self {
+        let open = quoted(open);
+        Self::new(at, Reason::Unclosed { open })
+    }
+
+    /// The error as the user sees it: line and column counted in `tex`.
+    pub(super) fn located(self, tex: &str) -> ReadError {
+        let mut at = self.at.min(tex.len());
+        while !tex.is_char_boundary(at) {
+            at -= 1;
+        }
+        let before = tex.get(..at).unwrap_or("");
+        let line = before.matches('\n').count() + 1;
+        let last = before.rsplit('\n').next().unwrap_or("");
+        ReadError {
+            reason: self.reason,
+            at,
+            line,
+            column: last.chars().count() + 1,
+        }
+    }
+}
+
+/// `text` between backticks, shortened: a message is no place for a whole formula.
+fn quoted(text: &str) -> String {
+    let mut shown: String = text.chars().take(24).collect();
+    if shown.len() < text.len() {
+        shown.push('…');
+    }
+    format!("`{shown}`")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_characters_not_bytes() {
+        let tex = "a = b\n% é −\n− é ? x";
+        let at = tex.find('?').unwrap();
+        let error = Fault::unreadable(at, "?", "").located(tex);
+        assert_eq!((error.line, error.column), (3, 5));
+        assert_eq!(error.caret(tex), "− é ? x\n    ^");
+        assert_eq!(error.to_string(), "line 3, column 5: cannot read `?` here");
+    }
+
+    #[test]
+    fn survives_a_place_off_the_text() {
+        let error = Fault::new(99, Reason::NoEquation).located("é");
+        assert_eq!((error.at, error.column), (2, 2));
+        assert_eq!(error.caret(""), "\n ^");
+    }
+}

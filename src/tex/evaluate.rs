@@ -1,0 +1,244 @@
+//! The value of a tree over any field, once its names are given values.
+
+use super::{At, Invariant, Name, Tree};
+use crate::number::{Field, Rational};
+use std::collections::{BTreeMap, HashMap};
+use std::hash::BuildHasher;
+
+/// What the names of a formula stand for. Only what a formula holds is asked for; what a scope does not answer
+/// itself is [`Unsupported`].
+pub trait Scope<F: Field> {
+    /// Why a name has no value. [`Unsupported`] itself will do where nothing else can go wrong.
+    type Error: From<Unsupported>;
+
+    /// The value of a symbol.
+    fn symbol(&mut self, name: &Name) -> Result<F, Self::Error>;
+
+    /// The value of a function; the scope evaluates the argument, for it may be looked up rather than computed.
+    fn call(&mut self, function: &Name, argument: &Tree) -> Result<F, Self::Error> {
+        let _ = argument;
+        Err(Unsupported::Call(function.clone()).into())
+    }
+
+    /// The value of a partial derivative.
+    fn partial(&mut self, of: &Name, by: &Name) -> Result<F, Self::Error> {
+        Err(Unsupported::Partial(of.clone(), by.clone()).into())
+    }
+
+    /// The value of a trace or a determinant.
+    fn invariant(&mut self, kind: Invariant, of: &Name) -> Result<F, Self::Error> {
+        let _ = kind;
+        Err(Unsupported::Invariant(of.clone()).into())
+    }
+
+    /// The square root.
+    fn root(&mut self, radicand: F) -> Result<F, Self::Error> {
+        let _ = radicand;
+        Err(Unsupported::Root.into())
+    }
+
+    /// A printed number in the field.
+    fn number(&mut self, value: &Rational) -> Result<F, Self::Error> {
+        value
+            .embed()
+            .ok_or_else(|| Unsupported::Number(value.clone()).into())
+    }
+
+    /// Which sign `\pm` stands for: `Some(true)` the upper, `None` neither.
+    fn upper_sign(&self) -> Option<bool> {
+        None
+    }
+
+    /// Whether nothing may be divided by `value`.
+    fn is_zero(&mut self, value: &F) -> bool {
+        value.is_zero()
+    }
+}
+
+/// What a scope does not know.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Unsupported {
+    #[error("{0} has no value")]
+    Symbol(Name),
+    #[error("{0} is no known function")]
+    Call(Name),
+    #[error("the derivative of {0} with respect to {1} is not known")]
+    Partial(Name, Name),
+    #[error("{0} is no known matrix")]
+    Invariant(Name),
+    #[error("a square root has no value here")]
+    Root,
+    #[error("{0} has no value here")]
+    Number(Rational),
+}
+
+/// Symbols alone, from a table.
+impl<F: Field, S: BuildHasher> Scope<F> for HashMap<Name, F, S> {
+    type Error = Unsupported;
+
+    fn symbol(&mut self, name: &Name) -> Result<F, Unsupported> {
+        self.get(name)
+            .cloned()
+            .ok_or_else(|| Unsupported::Symbol(name.clone()))
+    }
+}
+
+/// Symbols alone, from a table.
+impl<F: Field> Scope<F> for BTreeMap<Name, F> {
+    type Error = Unsupported;
+
+    fn symbol(&mut self, name: &Name) -> Result<F, Unsupported> {
+        self.get(name)
+            .cloned()
+            .ok_or_else(|| Unsupported::Symbol(name.clone()))
+    }
+}
+
+/// Why a tree has no value, and the byte offset of the place in its TeX.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum EvaluationError<E> {
+    #[error("{error}")]
+    Scope { error: E, at: usize },
+    #[error("a denominator is zero")]
+    DivisionByZero { at: usize },
+    #[error("no sign was chosen for \\pm")]
+    Sign { at: usize },
+}
+
+impl<E> EvaluationError<E> {
+    /// The byte offset of the place.
+    pub fn at(&self) -> usize {
+        match self {
+            Self::Scope { at, .. } | Self::DivisionByZero { at } | Self::Sign { at } => *at,
+        }
+    }
+}
+
+/// The value of `tree`, its names as `scope` has them.
+pub fn evaluate<F: Field, S: Scope<F>>(
+    tree: &Tree,
+    scope: &mut S,
+) -> Result<F, EvaluationError<S::Error>> {
+    match tree {
+        Tree::Number(value) => known(scope.number(value), tree),
+        Tree::Symbol(name, _) => known(scope.symbol(name), tree),
+        Tree::Call(function, argument, _) => known(scope.call(function, argument), tree),
+        Tree::Partial { of, by, .. } => known(scope.partial(of, by), tree),
+        Tree::Invariant { kind, of, .. } => known(scope.invariant(*kind, of), tree),
+        Tree::Negate(body) => evaluate(body, scope).map(|value: F| -value),
+        Tree::Sum(terms) => sum(terms, scope),
+        Tree::Product(factors) => product(factors, scope),
+        Tree::Quotient(above, below, at) => quotient(above, below, at.0, scope),
+        Tree::Power(base, exponent, at) => power(base, *exponent, at.0, scope),
+        Tree::Root(radicand, at) => root(radicand, *at, scope),
+        Tree::PlusMinus(body) => signed(body, true, scope),
+        Tree::MinusPlus(body) => signed(body, false, scope),
+    }
+}
+
+// One function for each kind of node keeps the stack that a deep tree takes small: each has only its own values.
+
+type Value<F, E> = Result<F, EvaluationError<E>>;
+
+fn known<F, E>(value: Result<F, E>, tree: &Tree) -> Value<F, E> {
+    value.map_err(|error| EvaluationError::Scope {
+        error,
+        at: place(tree),
+    })
+}
+
+#[inline(never)]
+fn sum<F: Field, S: Scope<F>>(terms: &[Tree], scope: &mut S) -> Value<F, S::Error> {
+    let mut total = F::zero();
+    for term in terms {
+        total += evaluate(term, scope)?;
+    }
+    Ok(total)
+}
+
+#[inline(never)]
+fn product<F: Field, S: Scope<F>>(factors: &[Tree], scope: &mut S) -> Value<F, S::Error> {
+    let mut total = F::one();
+    for factor in factors {
+        total *= evaluate(factor, scope)?;
+    }
+    Ok(total)
+}
+
+#[inline(never)]
+fn quotient<F: Field, S: Scope<F>>(
+    above: &Tree,
+    below: &Tree,
+    at: usize,
+    scope: &mut S,
+) -> Value<F, S::Error> {
+    let denominator: F = evaluate(below, scope)?;
+    if scope.is_zero(&denominator) {
+        return Err(EvaluationError::DivisionByZero { at });
+    }
+    evaluate(above, scope).map(|numerator: F| numerator / denominator)
+}
+
+#[inline(never)]
+fn power<F: Field, S: Scope<F>>(
+    base: &Tree,
+    exponent: i32,
+    at: usize,
+    scope: &mut S,
+) -> Value<F, S::Error> {
+    let base: F = evaluate(base, scope)?;
+    if exponent >= 0 {
+        return Ok(base.to_power(exponent));
+    }
+    let zero = scope.is_zero(&base);
+    let denominator = match exponent.checked_neg() {
+        Some(positive) if !zero => base.to_power(positive),
+        _ => return Err(EvaluationError::DivisionByZero { at }),
+    };
+    // A power may vanish where its base does not: by underflow, or where squares are zero.
+    match scope.is_zero(&denominator) {
+        true => Err(EvaluationError::DivisionByZero { at }),
+        false => Ok(F::one() / denominator),
+    }
+}
+
+#[inline(never)]
+fn root<F: Field, S: Scope<F>>(radicand: &Tree, at: At, scope: &mut S) -> Value<F, S::Error> {
+    let radicand = evaluate(radicand, scope)?;
+    let at = at.0;
+    scope
+        .root(radicand)
+        .map_err(|error| EvaluationError::Scope { error, at })
+}
+
+#[inline(never)]
+fn signed<F: Field, S: Scope<F>>(
+    body: &Tree,
+    plus_above: bool,
+    scope: &mut S,
+) -> Value<F, S::Error> {
+    let Some(upper) = scope.upper_sign() else {
+        return Err(EvaluationError::Sign { at: place(body) });
+    };
+    let value: F = evaluate(body, scope)?;
+    Ok(if upper == plus_above { value } else { -value })
+}
+
+/// The first place known within `tree`.
+fn place(tree: &Tree) -> usize {
+    match tree {
+        Tree::Number(_) => 0,
+        Tree::Symbol(_, at)
+        | Tree::Call(_, _, at)
+        | Tree::Partial { at, .. }
+        | Tree::Invariant { at, .. }
+        | Tree::Quotient(_, _, at)
+        | Tree::Power(_, _, at)
+        | Tree::Root(_, at) => at.0,
+        Tree::Negate(body) | Tree::PlusMinus(body) | Tree::MinusPlus(body) => place(body),
+        Tree::Sum(parts) | Tree::Product(parts) => parts
+            .iter()
+            .find(|part| !matches!(part, Tree::Number(_)))
+            .map_or(0, place),
+    }
+}

@@ -1,0 +1,371 @@
+//! TeX source -> tokens. What does not change the meaning (blanks, sizes, fonts, alignment) ends here.
+
+use super::command::{Command, command};
+use super::error::{Fault, Reason};
+use super::token::{Bracket, Kind, Token};
+
+/// The tokens of `tex`.
+pub(super) fn lex(tex: &str) -> Result<Vec<Token<'_>>, Fault> {
+    let mut lexer = Lexer {
+        tex,
+        at: 0,
+        tokens: Vec::new(),
+        sized: None,
+        environments: Vec::new(),
+    };
+    while let Some(c) = lexer.rest().chars().next() {
+        lexer.step(c)?;
+    }
+    if let Some((at, text)) = lexer.sized {
+        return Err(Fault::unexpected(
+            tex.len().max(at),
+            text,
+            "a bracket after it",
+        ));
+    }
+    match lexer.environments.pop() {
+        Some((at, name)) => Err(Fault::unclosed(at, &format!("\\begin{{{name}}}"))),
+        None => Ok(lexer.tokens),
+    }
+}
+
+struct Lexer<'a> {
+    tex: &'a str,
+    at: usize,
+    tokens: Vec<Token<'a>>,
+    /// A `\left` or `\right` that waits for its bracket.
+    sized: Option<(usize, &'a str)>,
+    environments: Vec<(usize, &'a str)>,
+}
+
+impl<'a> Lexer<'a> {
+    fn rest(&self) -> &'a str {
+        self.tex.get(self.at..).unwrap_or("")
+    }
+
+    fn span(&self, from: usize, to: usize) -> &'a str {
+        self.tex.get(from..to).unwrap_or("")
+    }
+
+    fn step(&mut self, c: char) -> Result<(), Fault> {
+        let rest = self.rest();
+        match c {
+            '%' => self.at += rest.find('\n').unwrap_or(rest.len()),
+            '&' | '$' | '~' => self.at += 1,
+            '\\' => return self.command(),
+            c if c.is_whitespace() => self.at += c.len_utf8(),
+            c if c.is_ascii_digit() || (c == '.' && digit_at(rest, 1)) => {
+                return self.push(Kind::Number, number_length(rest));
+            }
+            c if c.is_ascii_alphabetic() => return self.push(Kind::Letter, 1),
+            ':' if rest.starts_with(":=") => return self.push(Kind::Equals, 2),
+            c => {
+                let kind = sign(c).ok_or_else(|| {
+                    Fault::unreadable(self.at, c.encode_utf8(&mut [0; 4]), hint(c))
+                })?;
+                return self.push(kind, c.len_utf8());
+            }
+        }
+        Ok(())
+    }
+
+    fn push(&mut self, kind: Kind, length: usize) -> Result<(), Fault> {
+        let text = self.span(self.at, self.at + length);
+        self.push_as(kind, text, self.at, self.at + length)
+    }
+
+    fn push_as(&mut self, kind: Kind, text: &'a str, at: usize, end: usize) -> Result<(), Fault> {
+        if let Some((_, sized)) = self.sized.take()
+            && !matches!(kind, Kind::Open(_) | Kind::Close(_))
+        {
+            let wanted = format!("a bracket after `{sized}`");
+            return Err(Fault::unexpected(at, text, &wanted));
+        }
+        self.tokens.push(Token {
+            kind,
+            text,
+            at,
+            end,
+            split: false,
+        });
+        self.at = end;
+        Ok(())
+    }
+
+    fn command(&mut self) -> Result<(), Fault> {
+        let at = self.at;
+        let body = self.span(at + 1, self.tex.len());
+        let letters = body.find(|c: char| !c.is_ascii_alphabetic());
+        let length = match letters.unwrap_or(body.len()) {
+            0 => body.chars().next().map_or(0, char::len_utf8),
+            length => length,
+        };
+        let end = at + 1 + length;
+        let text = self.span(at, end);
+        match command(text) {
+            Command::Token(kind) => self.push(kind, length + 1),
+            Command::Spelled(kind, canonical) => self.push_as(kind, canonical, at, end),
+            Command::Row => {
+                self.push(Kind::Row, length + 1)?;
+                self.row_options();
+                Ok(())
+            }
+            Command::Skip => {
+                self.at = end;
+                Ok(())
+            }
+            Command::SkipGroup => self.skip_group(end),
+            Command::Space => {
+                self.skip_group(end)?;
+                self.push_as(Kind::Quad, text, at, self.at)
+            }
+            Command::Sized => {
+                self.at = end;
+                self.sized = Some((at, text));
+                self.empty_delimiter()
+            }
+            Command::Font => self.font(end),
+            Command::Text => self.text(end),
+            Command::Begin => self.begin(end),
+            Command::End => self.end(end),
+            Command::Unknown(instead) => Err(Fault::unreadable(at, text, instead)),
+        }
+    }
+
+    /// `\\*` and `\\[2pt]`.
+    fn row_options(&mut self) {
+        if self.rest().starts_with('*') {
+            self.at += 1;
+        }
+        let Some(inside) = self.rest().strip_prefix('[') else {
+            return;
+        };
+        let Some((option, _)) = inside.split_once(']') else {
+            return;
+        };
+        let units = ["pt", "em", "ex", "mm", "cm", "in"];
+        let value = units
+            .iter()
+            .find_map(|unit| option.trim().strip_suffix(unit));
+        if value.is_some_and(|value| value.trim().parse::<f32>().is_ok()) {
+            self.at += option.len() + 2;
+        }
+    }
+
+    /// `\left.` leaves a bracket open or closed out of nowhere, so its partner cannot be checked.
+    fn empty_delimiter(&self) -> Result<(), Fault> {
+        if self.rest().trim_start().starts_with('.') {
+            let instead = ": it prints no bracket; write the bracket that is meant";
+            let text = self.sized.map_or("", |(_, text)| text);
+            return Err(Fault::unreadable(self.at, &format!("{text}."), instead));
+        }
+        Ok(())
+    }
+
+    /// The content of the braces that follow `from`, and the offset behind them.
+    fn group(&self, from: usize) -> Result<(&'a str, usize), Fault> {
+        let rest = self.span(from, self.tex.len());
+        let open = from + (rest.len() - rest.trim_start().len());
+        let mut depth = 0usize;
+        let mut escaped = false;
+        for (offset, c) in self.span(open, self.tex.len()).char_indices() {
+            match c {
+                _ if escaped => escaped = false,
+                '\\' => escaped = true,
+                '{' => depth += 1,
+                '}' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            if depth == 0 {
+                let end = open + offset + c.len_utf8();
+                return match c {
+                    '}' => Ok((self.span(open + 1, open + offset), end)),
+                    _ => Err(Fault::unexpected(open, c.encode_utf8(&mut [0; 4]), "`{`")),
+                };
+            }
+        }
+        match depth {
+            0 => Err(Fault::unexpected(open, "the end", "`{`")),
+            _ => Err(Fault::unclosed(open, "{")),
+        }
+    }
+
+    fn skip_group(&mut self, from: usize) -> Result<(), Fault> {
+        let star = usize::from(self.span(from, self.tex.len()).starts_with('*'));
+        self.at = self.group(from + star)?.1;
+        Ok(())
+    }
+
+    /// A math font: it matters only where it makes one word of several letters.
+    fn font(&mut self, end: usize) -> Result<(), Fault> {
+        let rest = self.span(end, self.tex.len()).trim_start();
+        let word = rest.strip_prefix('{').and_then(|inside| {
+            let length = inside.find(|c: char| !c.is_ascii_alphabetic())?;
+            (inside.get(length..)?.starts_with('}') && length > 1).then_some(())
+        });
+        match word {
+            Some(()) => self.text(end),
+            None => {
+                self.at = end;
+                Ok(())
+            }
+        }
+    }
+
+    fn text(&mut self, end: usize) -> Result<(), Fault> {
+        let at = self.at;
+        let star = usize::from(self.span(end, self.tex.len()).starts_with('*'));
+        let (content, after) = self.group(end + star)?;
+        let word = content.trim_matches(|c: char| c.is_whitespace() || c == ',');
+        match word {
+            "and" | "where" | "with" => self.push_as(Kind::And, word, at, after),
+            "" if content.contains(',') => self.push_as(Kind::Comma, ",", at, after),
+            "" => {
+                self.at = after;
+                Ok(())
+            }
+            _ if word.chars().all(|c| c.is_ascii_alphabetic()) && !content.contains(',') => {
+                self.push_as(Kind::Word, word, at, after)
+            }
+            _ => Err(Fault::unreadable(at, self.span(at, after), "")),
+        }
+    }
+
+    fn begin(&mut self, end: usize) -> Result<(), Fault> {
+        let (name, after) = self.group(end)?;
+        let known = [
+            "equation", "align", "aligned", "split", "gather", "gathered", "multline", "eqnarray",
+        ];
+        if !known.contains(&name.trim_end_matches('*')) {
+            let text = self.span(self.at, after);
+            return Err(Fault::unreadable(self.at, text, ""));
+        }
+        self.environments.push((self.at, name));
+        self.at = after;
+        Ok(())
+    }
+
+    fn end(&mut self, end: usize) -> Result<(), Fault> {
+        let (name, after) = self.group(end)?;
+        let close = self.span(self.at, after).to_owned();
+        match self.environments.pop() {
+            Some((_, open)) if open == name => {
+                self.at = after;
+                Ok(())
+            }
+            Some((_, open)) => {
+                let open = format!("\\begin{{{open}}}");
+                Err(Fault::new(self.at, Reason::Mismatched { open, close }))
+            }
+            None => Err(Fault::new(self.at, Reason::Unopened { close })),
+        }
+    }
+}
+
+fn digit_at(text: &str, offset: usize) -> bool {
+    text.as_bytes().get(offset).is_some_and(u8::is_ascii_digit)
+}
+
+/// The length of the number at the start of `rest`: a point belongs to it only before a digit.
+fn number_length(rest: &str) -> usize {
+    let digits = |from: usize| {
+        let tail = rest.get(from..).unwrap_or("");
+        tail.find(|c: char| !c.is_ascii_digit())
+            .unwrap_or(tail.len())
+    };
+    let whole = digits(0);
+    let point = rest.get(whole..).is_some_and(|tail| tail.starts_with('.'));
+    match point && digit_at(rest, whole + 1) {
+        true => whole + 1 + digits(whole + 1),
+        false => whole,
+    }
+}
+
+fn sign(c: char) -> Option<Kind> {
+    Some(match c {
+        '+' => Kind::Plus,
+        '-' | '−' => Kind::Minus,
+        '*' => Kind::Star,
+        '/' => Kind::Slash,
+        '=' => Kind::Equals,
+        ',' | ';' => Kind::Comma,
+        '.' => Kind::Stop,
+        '(' => Kind::Open(Bracket::Round),
+        ')' => Kind::Close(Bracket::Round),
+        '[' => Kind::Open(Bracket::Square),
+        ']' => Kind::Close(Bracket::Square),
+        '{' => Kind::BraceOpen,
+        '}' => Kind::BraceClose,
+        '_' => Kind::Sub,
+        '^' => Kind::Sup,
+        '\'' | '’' | '′' => Kind::Prime,
+        _ => return None,
+    })
+}
+
+fn hint(c: char) -> &'static str {
+    match c {
+        '|' => ": absolute values and matrices between bars are not supported",
+        '<' | '>' => ": only equations are",
+        _ if c.is_alphabetic() => ": letters outside ASCII are written as TeX commands",
+        _ => "",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(tex: &str) -> Vec<&str> {
+        lex(tex).unwrap().iter().map(|token| token.text).collect()
+    }
+
+    #[test]
+    fn drops_what_does_not_change_the_meaning() {
+        let tex = r"\begin{align} &\displaystyle \left( a \, b~\;\:\!\ \right) \nonumber \label{x{y}} % c
+            \bigl[ \biggr] \tag{3} $ $$ \[ \] \end{align}";
+        assert_eq!(texts(tex), ["(", "a", "b", ")", "[", "]"]);
+    }
+
+    #[test]
+    fn numbers_end_before_a_full_stop() {
+        assert_eq!(
+            texts("0.26 .5 2. 3.x"),
+            ["0.26", ".5", "2", ".", "3", ".", "x"]
+        );
+    }
+
+    #[test]
+    fn fonts_make_words_and_are_gone_otherwise() {
+        assert_eq!(
+            texts(r"\mathrm{Tr} \mathbf{H} \rm B"),
+            ["Tr", "{", "H", "}", "B"]
+        );
+        let tokens = lex(r"\text{ and } \quad \\[2pt] \\*").unwrap();
+        let kinds: Vec<Kind> = tokens.iter().map(|token| token.kind).collect();
+        assert_eq!(kinds, [Kind::And, Kind::Quad, Kind::Row, Kind::Row]);
+    }
+
+    #[test]
+    fn refuses() {
+        for tex in [
+            r"\left. a",
+            r"\left a",
+            r"\left",
+            r"\sum",
+            "|x|",
+            "é",
+            r"\begin{cases}",
+            r"\begin{align}",
+            r"\end{align}",
+            r"\label",
+            r"\label{",
+            r"\text{a b}",
+            "\\",
+            r"\begin{align}\end{split}",
+            "<",
+        ] {
+            assert!(lex(tex).is_err(), "{tex}");
+        }
+    }
+}

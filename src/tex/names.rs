@@ -1,0 +1,50 @@
+//! What a reader must be told of a formula's vocabulary.
+
+use super::Name;
+
+/// The names that are read in a special way. All else is a symbol of one letter, and a bracket after it a factor.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Names {
+    /// Names that a bracket turns into a call, without mark and primes: `F_1`, `\dot{Z}`. They must match with
+    /// accents and subscript: with `\dot{Z}` here, `\dot{Z}(t)` is a call and `\dot{Z}_k(t)` a product.
+    pub functions: Vec<Name>,
+    /// Names of several letters that are one symbol where the letters stand in a run: `eta`.
+    pub words: Vec<String>,
+    /// Matrices whose trace and determinant may be written: `DP`.
+    pub matrices: Vec<Name>,
+}
+
+impl Names {
+    /// Whether `name`, whatever its mark and primes, was declared a function.
+    pub(super) fn is_function(&self, name: &Name) -> bool {
+        self.functions.iter().any(|function| {
+            function.base == name.base
+                && function.accents == name.accents
+                && function.subscript == name.subscript
+        })
+    }
+
+    /// The longest declared word that `run` starts with.
+    pub(super) fn word_at_start(&self, run: &str) -> Option<&str> {
+        let fits = self
+            .words
+            .iter()
+            .filter(|word| !word.is_empty() && run.starts_with(word.as_str()));
+        fits.max_by_key(|word| word.len()).map(String::as_str)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn longest_word_wins() {
+        let names = Names {
+            words: vec!["et".into(), "eta".into(), String::new()],
+            ..Names::default()
+        };
+        assert_eq!(names.word_at_start("etab"), Some("eta"));
+        assert_eq!(names.word_at_start("e"), None);
+    }
+}

@@ -1,0 +1,66 @@
+//! A piece of formula as it was written, and what may stand beside it.
+
+use super::Tree;
+use super::error::Fault;
+use super::token::{Kind, Token};
+
+/// How a piece of formula was written, as far as it bears on what may stand beside it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// A bare number.
+    Literal,
+    /// A fraction: a power of it needs brackets.
+    Fraction,
+    /// A product or a power: a power of it needs brackets, even where TeX braces stand around it.
+    Knot,
+    /// A sum, a negation or a quotient with a slash.
+    Open,
+    /// Such a one between TeX braces, which do not print: nothing may stand beside it.
+    Braced,
+    /// All else, which stands for itself.
+    Plain,
+    /// Between visible brackets.
+    Bracketed,
+}
+
+/// A tree and how it was written.
+pub(super) struct Part {
+    pub tree: Tree,
+    pub form: Form,
+}
+
+/// Refuses neighbours that print as something else: `2 3`, `2\frac{1}{2}`.
+pub(super) fn readable(before: Form, factor: &Part, token: Token<'_>) -> Result<(), Fault> {
+    let literal = factor.form == Form::Literal;
+    let numbers = matches!(&factor.tree, Tree::Quotient(above, below, _)
+        if matches!((&**above, &**below), (Tree::Number(_), Tree::Number(_))));
+    let after_number = before == Form::Literal;
+    let mixed = after_number && factor.form == Form::Fraction && numbers;
+    if mixed || (literal && (after_number || token.text.starts_with('.'))) {
+        let instead = "write \\cdot between them";
+        return Err(Fault::ambiguous(
+            token.at,
+            "a number right after another factor",
+            instead,
+        ));
+    }
+    Ok(())
+}
+
+/// Whether a factor may begin with a token of this kind.
+pub(super) fn starts_factor(kind: Kind) -> bool {
+    matches!(
+        kind,
+        Kind::Number
+            | Kind::Letter
+            | Kind::Word
+            | Kind::Accent
+            | Kind::Function
+            | Kind::Invariant(_)
+            | Kind::Fraction
+            | Kind::Root
+            | Kind::Partial
+            | Kind::Open(_)
+            | Kind::BraceOpen
+    )
+}

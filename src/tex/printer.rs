@@ -1,0 +1,181 @@
+//! Tree -> TeX that reads back to the same tree, given the same [`Names`](super::Names).
+
+use super::{Equation, Invariant, Name, Tree};
+use crate::number::Rational;
+use std::fmt;
+
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let plain = self.base.clone();
+        let accented = self
+            .accents
+            .iter()
+            .fold(plain, |inner, accent| format!("{accent}{{{inner}}}"));
+        f.write_str(&accented)?;
+        if !self.subscript.is_empty() {
+            write!(f, "_{}", script(&self.subscript))?;
+        }
+        for _ in 0..self.primes {
+            f.write_str("'")?;
+        }
+        match self.mark.len() {
+            0 => Ok(()),
+            // A single letter would be a symbolic power.
+            1 if self.mark.starts_with(|c: char| c.is_ascii_alphabetic()) => {
+                write!(f, "^{{\\text{{{}}}}}", self.mark)
+            }
+            _ => write!(f, "^{}", script(&self.mark)),
+        }
+    }
+}
+
+/// A script in braces, where it needs them.
+fn script(text: &str) -> String {
+    let command = text.strip_prefix('\\');
+    let letters = |name: &str| name.bytes().all(|byte| byte.is_ascii_alphabetic());
+    match text.chars().count() == 1 || command.is_some_and(letters) {
+        true => text.to_owned(),
+        false => format!("{{{text}}}"),
+    }
+}
+
+impl fmt::Display for Equation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}", self.left, self.right)
+    }
+}
+
+impl fmt::Display for Tree {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&sum(self))
+    }
+}
+
+/// A tree where any sum may stand.
+fn sum(tree: &Tree) -> String {
+    let Tree::Sum(terms) = tree else {
+        return signed(tree, true);
+    };
+    let mut out = String::new();
+    for term in terms {
+        out.push_str(&signed(term, out.is_empty()));
+    }
+    if out.is_empty() { "0".into() } else { out }
+}
+
+/// A term with its sign, as the first of a sum or a later one.
+fn signed(tree: &Tree, first: bool) -> String {
+    let (sign, body) = match tree {
+        Tree::Negate(body) => ("-", &**body),
+        Tree::PlusMinus(body) => ("\\pm", &**body),
+        Tree::MinusPlus(body) => ("\\mp", &**body),
+        body => ("+", body),
+    };
+    let body = term(body);
+    match (first, sign) {
+        (true, "+") => body,
+        (true, "-") => format!("-{body}"),
+        (true, _) => format!("{sign} {body}"),
+        (false, _) => format!(" {sign} {body}"),
+    }
+}
+
+/// A tree where a product may stand.
+fn term(tree: &Tree) -> String {
+    let Tree::Product(factors) = tree else {
+        return factor(tree);
+    };
+    let mut out = String::new();
+    let mut before: Option<&Tree> = None;
+    for next in factors {
+        let text = factor(next);
+        match before {
+            None => {}
+            Some(before) if needs_dot(before, next, &text) => out.push_str(" \\cdot "),
+            Some(_) => out.push(' '),
+        }
+        out.push_str(&text);
+        before = Some(next);
+    }
+    if out.is_empty() { "1".into() } else { out }
+}
+
+/// Whether juxtaposition would read as something else: a number after a factor, a mixed fraction, a call.
+fn needs_dot(before: &Tree, next: &Tree, text: &str) -> bool {
+    let digit = text.starts_with(|c: char| c.is_ascii_digit());
+    let bracket = text.starts_with(['(', '[']) || text.starts_with("\\{");
+    let numbers = |tree: &Tree| match tree {
+        Tree::Quotient(above, below, _) => {
+            matches!((&**above, &**below), (Tree::Number(_), Tree::Number(_)))
+        }
+        Tree::Number(_) => true,
+        _ => false,
+    };
+    let mixed = matches!(before, Tree::Number(_)) && numbers(next);
+    digit || mixed || (bracket && matches!(before, Tree::Symbol(..)))
+}
+
+fn factor(tree: &Tree) -> String {
+    match tree {
+        Tree::Number(value) => number(value),
+        Tree::Symbol(name, _) => name.to_string(),
+        Tree::Call(name, argument, _) => format!("{name}({})", sum(argument)),
+        Tree::Partial { of, by, .. } => format!("\\frac{{\\partial {of}}}{{\\partial {by}}}"),
+        Tree::Invariant { kind, of, .. } => format!("{}({of})", invariant(*kind)),
+        Tree::Quotient(above, below, _) => format!("\\frac{{{}}}{{{}}}", sum(above), sum(below)),
+        Tree::Root(radicand, _) => format!("\\sqrt{{{}}}", sum(radicand)),
+        Tree::Power(base, exponent, _) => power(base, *exponent),
+        Tree::Negate(_)
+        | Tree::Sum(_)
+        | Tree::Product(_)
+        | Tree::PlusMinus(_)
+        | Tree::MinusPlus(_) => bracketed(tree),
+    }
+}
+
+fn power(base: &Tree, exponent: i32) -> String {
+    let exponent = script(&exponent.to_string());
+    let before_argument = !exponent.starts_with("{-");
+    match base {
+        Tree::Number(_) | Tree::Root(..) => format!("{}^{exponent}", factor(base)),
+        Tree::Symbol(name, _) if name.mark.is_empty() && name.primes == 0 => {
+            format!("{name}^{exponent}")
+        }
+        Tree::Call(name, argument, _)
+            if before_argument && name.mark.is_empty() && name.primes == 0 =>
+        {
+            format!("{name}^{exponent}({})", sum(argument))
+        }
+        base => format!("{}^{exponent}", bracketed(base)),
+    }
+}
+
+/// `tree` between brackets that differ from those within.
+fn bracketed(tree: &Tree) -> String {
+    let inner = sum(tree);
+    match (inner.contains('('), inner.contains('[')) {
+        (true, false) => format!("[{inner}]"),
+        (_, true) if !inner.contains("\\{") => format!("\\{{{inner}\\}}"),
+        _ => format!("({inner})"),
+    }
+}
+
+fn invariant(kind: Invariant) -> &'static str {
+    match kind {
+        Invariant::Trace => "Tr",
+        Invariant::Determinant => "Det",
+    }
+}
+
+/// A decimal where there is a finite one; the reader makes no other numbers.
+fn number(value: &Rational) -> String {
+    match value.to_decimal() {
+        Some(decimal) if decimal.starts_with('-') => format!("({decimal})"),
+        Some(decimal) => decimal,
+        None => format!(
+            "\\frac{{{}}}{{{}}}",
+            value.0.numerator(),
+            value.0.denominator()
+        ),
+    }
+}

@@ -1,0 +1,154 @@
+//! Where one equation of a display ends and the next begins.
+//!
+//! A comma, a full stop or an "and" outside brackets always divides. A new row or a wide blank divides too,
+//! unless one side of it cannot stand alone: `x = a \\ + b` and `x = \\ a` are one equation each.
+
+use super::error::Fault;
+use super::token::{Kind, Token};
+
+/// What stands between two dividers.
+struct Piece<'a> {
+    tokens: Vec<Token<'a>>,
+    /// Divided from the piece before by more than a row or a blank.
+    hard: bool,
+    /// Holds an `=` outside brackets.
+    equals: bool,
+}
+
+/// The tokens of each equation, in order; none is empty.
+pub(super) fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Vec<Token<'_>>>, Fault> {
+    let mut whole: Vec<Piece<'_>> = Vec::new();
+    for piece in pieces(tokens) {
+        match whole.last_mut() {
+            Some(before) if continues(before, &piece)? => {
+                before.equals |= piece.equals;
+                before.tokens.extend(piece.tokens);
+            }
+            _ => whole.push(piece),
+        }
+    }
+    Ok(whole.into_iter().map(|piece| piece.tokens).collect())
+}
+
+fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
+    let fresh = |hard| Piece {
+        tokens: Vec::new(),
+        hard,
+        equals: false,
+    };
+    let (mut done, mut piece, mut depth) = (Vec::new(), fresh(true), 0usize);
+    for token in tokens {
+        match token.kind {
+            Kind::Open(_) | Kind::BraceOpen => depth += 1,
+            Kind::Close(_) | Kind::BraceClose => depth = depth.saturating_sub(1),
+            // Within brackets a new row is a blank.
+            Kind::Row | Kind::Quad if depth > 0 => continue,
+            Kind::Equals => piece.equals |= depth == 0,
+            Kind::Comma | Kind::Stop | Kind::And | Kind::Row | Kind::Quad if depth == 0 => {
+                let hard = !matches!(token.kind, Kind::Row | Kind::Quad);
+                if piece.tokens.is_empty() {
+                    piece.hard |= hard;
+                } else {
+                    done.push(std::mem::replace(&mut piece, fresh(hard)));
+                }
+                continue;
+            }
+            _ => {}
+        }
+        piece.tokens.push(token);
+    }
+    if !piece.tokens.is_empty() {
+        done.push(piece);
+    }
+    done
+}
+
+/// Whether `piece` belongs to the equation `before`.
+fn continues(before: &Piece<'_>, piece: &Piece<'_>) -> Result<bool, Fault> {
+    if piece.hard {
+        return Ok(false);
+    }
+    let first = first_token(&piece.tokens);
+    let operator = first.is_some_and(|token| is_operator(token.kind));
+    if ends_open(&before.tokens) || first.is_some_and(|token| token.kind == Kind::Equals) {
+        return Ok(true);
+    }
+    match first {
+        Some(token) if operator && piece.equals && token.kind != Kind::Minus => {
+            let instead = "end the equation before it with a comma, or give the row no `=`";
+            let found = format!("a row that starts with {} and has an `=`", token.text);
+            Err(Fault::ambiguous(token.at, &found, instead))
+        }
+        _ => Ok(operator && !piece.equals),
+    }
+}
+
+/// The first token that is no part of an empty group.
+fn first_token<'a>(tokens: &[Token<'a>]) -> Option<Token<'a>> {
+    let mut rest = tokens;
+    while let [open, close, tail @ ..] = rest {
+        match (open.kind, close.kind) {
+            (Kind::BraceOpen, Kind::BraceClose) => rest = tail,
+            _ => break,
+        }
+    }
+    rest.first().copied()
+}
+
+/// Whether the last token waits for more; the `-` of `Z_k^-` does not.
+fn ends_open(tokens: &[Token<'_>]) -> bool {
+    match tokens {
+        [.., before, last] => {
+            let waits = is_operator(last.kind) || last.kind == Kind::Equals;
+            waits && !matches!(before.kind, Kind::Sup | Kind::Sub)
+        }
+        [only] => is_operator(only.kind) || only.kind == Kind::Equals,
+        [] => false,
+    }
+}
+
+fn is_operator(kind: Kind) -> bool {
+    matches!(
+        kind,
+        Kind::Plus
+            | Kind::Minus
+            | Kind::PlusMinus
+            | Kind::MinusPlus
+            | Kind::Times
+            | Kind::Star
+            | Kind::Slash
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::lexer::lex;
+    use super::*;
+
+    fn divided(tex: &str) -> Vec<String> {
+        let join = |tokens: Vec<Token<'_>>| tokens.iter().map(|token| token.text).collect();
+        let statements = statements(lex(tex).unwrap()).unwrap();
+        statements.into_iter().map(join).collect()
+    }
+
+    #[test]
+    fn divides_at_commas_and_rows() {
+        assert_eq!(
+            divided(r"a = b, c = d; \qquad e = f \\ g = h \text{and} i=j."),
+            ["a=b", "c=d", "e=f", "g=h", "i=j"]
+        );
+        assert_eq!(
+            divided(r"\lambda_{1,2} = (a \\ + b)"),
+            [r"\lambda_{1,2}=(a+b)"]
+        );
+        assert!(divided(r", \\ .").is_empty());
+    }
+
+    #[test]
+    fn rows_that_cannot_stand_alone_continue() {
+        assert_eq!(divided(r"a = b \\ {}+ c \\ = d"), ["a=b{}+c=d"]);
+        assert_eq!(divided(r"a = \\ b + \quad c"), ["a=b+c"]);
+        assert_eq!(divided(r"a = Z^- \\ -d = c"), ["a=Z^-", "-d=c"]);
+        assert!(statements(lex(r"a = b \\ + c = d").unwrap()).is_err());
+    }
+}

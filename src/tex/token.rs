@@ -1,0 +1,61 @@
+//! What the reader sees of the source.
+
+use super::Invariant;
+
+/// The kinds of visible brackets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Bracket {
+    Round,
+    Square,
+    Curly,
+}
+
+/// What a token is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// Digits, perhaps with a decimal point.
+    Number,
+    /// A Latin letter, or a command that prints one.
+    Letter,
+    /// A word set upright: `\mathrm{Tr}`, `\text{in}`; the text is the word alone.
+    Word,
+    Accent,
+    /// An elementary function; the text is its command.
+    Function,
+    Invariant(Invariant),
+    Fraction,
+    Root,
+    Partial,
+    Open(Bracket),
+    Close(Bracket),
+    BraceOpen,
+    BraceClose,
+    Sub,
+    Sup,
+    Prime,
+    Plus,
+    Minus,
+    PlusMinus,
+    MinusPlus,
+    Times,
+    Star,
+    Slash,
+    Equals,
+    Comma,
+    Stop,
+    Row,
+    Quad,
+    /// `\text{and}` and its like between equations.
+    And,
+}
+
+/// A token: its kind, its canonical text, and where it stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Token<'a> {
+    pub kind: Kind,
+    pub text: &'a str,
+    pub at: usize,
+    pub end: usize,
+    /// The rest of a number whose first digit went to a script or an argument, as the 2 of `\frac12`.
+    pub split: bool,
+}
