@@ -1,4 +1,6 @@
 //! Symbolic-numeric verification of printed formulas.
 
+pub mod cli;
 pub mod number;
+pub mod report;
 pub mod tex;
