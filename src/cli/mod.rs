@@ -23,7 +23,7 @@ const STATUS_HELP: &str = "Exit status: 0 all as expected; 1 a verdict or value 
 
 /// Reads formulas as a paper prints them and decides for each whether it follows from its premises.
 #[derive(Debug, Parser)]
-#[command(name = "vibro-audit", version, about, after_help = STATUS_HELP, arg_required_else_help = true)]
+#[command(name = "vibro-audit", version, after_help = STATUS_HELP, arg_required_else_help = true)]
 struct Line {
     #[command(flatten)]
     options: Options,
