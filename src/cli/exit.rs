@@ -1,0 +1,57 @@
+//! The exit status.
+
+use std::process::ExitCode;
+
+/// What the exit status says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Exit {
+    /// All is as expected: 0.
+    AsExpected,
+    /// A verdict or a value is not as expected: 1.
+    NotAsExpected,
+    /// The input cannot be used: 2.
+    Unusable,
+}
+
+impl Exit {
+    /// [`Exit::AsExpected`] where `as_expected` holds, else [`Exit::NotAsExpected`].
+    pub const fn from_verdict(as_expected: bool) -> Self {
+        if as_expected {
+            Self::AsExpected
+        } else {
+            Self::NotAsExpected
+        }
+    }
+
+    /// The number the shell sees.
+    pub const fn code(self) -> u8 {
+        match self {
+            Self::AsExpected => 0,
+            Self::NotAsExpected => 1,
+            Self::Unusable => 2,
+        }
+    }
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> Self {
+        Self::from(exit.code())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scripts_may_rely_on_the_numbers() {
+        assert_eq!(
+            [Exit::AsExpected, Exit::NotAsExpected, Exit::Unusable].map(Exit::code),
+            [0, 1, 2]
+        );
+        assert_eq!(
+            [true, false].map(Exit::from_verdict),
+            [Exit::AsExpected, Exit::NotAsExpected]
+        );
+    }
+}

@@ -1,0 +1,97 @@
+//! The commands, thin: each reads its arguments, asks the library, and hands back an [`Answer`].
+
+mod answer;
+mod audit;
+mod exit;
+mod failure;
+mod options;
+mod source;
+mod trade;
+
+pub use answer::{Answer, Content};
+pub use exit::Exit;
+pub use failure::Failure;
+pub use options::Options;
+pub use source::{Source, SourceError, SourceProblem};
+
+use clap::{Parser, Subcommand};
+use std::ffi::OsString;
+use std::io::Write;
+
+const STATUS_HELP: &str = "Exit status: 0 all as expected; 1 a verdict or value is not as expected; 2 the input \
+                           cannot be used.";
+
+/// Reads formulas as a paper prints them and decides for each whether it follows from its premises.
+#[derive(Debug, Parser)]
+#[command(name = "vibro-audit", version, after_help = STATUS_HELP, arg_required_else_help = true)]
+struct Line {
+    #[command(flatten)]
+    options: Options,
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Audit(audit::Arguments),
+    Trade(trade::Arguments),
+}
+
+impl Command {
+    fn run(&self, options: &Options) -> Result<Answer, Failure> {
+        match self {
+            Self::Audit(arguments) => audit::run(arguments, options),
+            Self::Trade(arguments) => trade::run(arguments, options),
+        }
+    }
+}
+
+/// Runs the command line `arguments`, the program's name first, and answers with the exit status.
+///
+/// Tables go to stdout or `--out`; errors to stderr as one line `error: what, where, what to do`.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
+    let line = match Line::try_parse_from(arguments) {
+        Ok(line) => line,
+        Err(error) => {
+            // `--help | head` may close the pipe early: that is the reader's choice, not an error.
+            let _ = error.print();
+            return if error.use_stderr() {
+                Exit::Unusable
+            } else {
+                Exit::AsExpected
+            };
+        }
+    };
+    run_line(&line).unwrap_or_else(|failure| {
+        // Where stderr is closed the status alone has to say it.
+        let _ = writeln!(std::io::stderr(), "error: {failure}");
+        Exit::Unusable
+    })
+}
+
+fn run_line(line: &Line) -> Result<Exit, Failure> {
+    let output = line.options.output();
+    output.check()?;
+    let answer = line.command.run(&line.options)?;
+    answer.write(&output, &line.options)?;
+    Ok(answer.exit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Line::command().debug_assert();
+    }
+
+    #[test]
+    fn options_may_stand_before_or_after_the_command() {
+        for arguments in [["--digits", "30", "audit"], ["audit", "--digits", "30"]] {
+            let line = Line::try_parse_from(["vibro-audit"].into_iter().chain(arguments)).unwrap();
+            assert_eq!(line.options.digits, Some(30));
+        }
+    }
+}

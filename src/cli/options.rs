@@ -1,0 +1,76 @@
+//! The options that every command knows.
+
+use crate::report::{DEFAULT_DIGITS, Format, Output};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use std::path::PathBuf;
+
+/// The most digits that can be asked for: beyond, a slip of the keyboard is likelier than a need.
+const MOST_DIGITS: i64 = 10_000;
+
+/// The options that every command knows.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Options {
+    /// How to print tables
+    #[arg(long, global = true, value_name = "FORMAT", default_value = Format::Text.name(), value_parser = format_parser())]
+    pub format: Format,
+    /// Write to this file instead of stdout; it is there whole or not at all
+    #[arg(long, global = true, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// How many significant digits to reach and, in text, to print [default: 12]
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=MOST_DIGITS))]
+    pub digits: Option<u32>,
+}
+
+impl Options {
+    /// Where to write.
+    pub fn output(&self) -> Output {
+        self.out.clone().map_or(Output::Stdout, Output::File)
+    }
+
+    /// The significant figures of a number in text.
+    pub fn figures(&self) -> usize {
+        self.digits
+            .and_then(|digits| usize::try_from(digits).ok())
+            .unwrap_or(DEFAULT_DIGITS)
+    }
+}
+
+/// Lists the formats in help and in errors, which a plain `FromStr` parser could not.
+fn format_parser() -> impl TypedValueParser<Value = Format> {
+    PossibleValuesParser::new(Format::ALL.map(Format::name)).try_map(|name| name.parse::<Format>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    #[derive(Debug, Parser)]
+    struct Line {
+        #[command(flatten)]
+        options: Options,
+    }
+
+    #[test]
+    fn without_options_text_goes_to_stdout_with_twelve_figures() {
+        let options = Line::try_parse_from(["vibro-audit"]).unwrap().options;
+        assert_eq!(
+            (options.format, options.output(), options.figures()),
+            (Format::Text, Output::Stdout, 12)
+        );
+    }
+
+    #[test]
+    fn every_format_is_understood_and_zero_digits_are_not() {
+        for format in Format::ALL {
+            let line = Line::try_parse_from(["vibro-audit", "--format", format.name()]).unwrap();
+            assert_eq!(line.options.format, format);
+        }
+        for digits in ["0", "-1", "1.5", "NaN", "10001"] {
+            assert!(
+                Line::try_parse_from(["vibro-audit", "--digits", digits]).is_err(),
+                "{digits}"
+            );
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! Where a command reads from: a file, `-` for stdin.
+
+use std::fs;
+use std::io::{self, Read};
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// A file, or stdin.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// Standard input, named `-`.
+    Stdin,
+    /// A file; one that is called `-` can be named `./-`.
+    File(PathBuf),
+}
+
+/// Input that cannot be read.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot read {place}: {problem}")]
+pub struct SourceError {
+    /// The path as the user gave it, or `stdin`.
+    pub place: String,
+    /// What failed.
+    pub problem: SourceProblem,
+}
+
+/// What failed.
+#[derive(Debug, thiserror::Error)]
+pub enum SourceProblem {
+    /// Nothing stands at the path.
+    #[error("there is no such file; give the path of a file, or `-` for stdin")]
+    Missing,
+    /// The path is a directory.
+    #[error("it is a directory; name a file in it")]
+    Directory,
+    /// The bytes are no text.
+    #[error("it is not UTF-8 from byte {0} on; save it as UTF-8")]
+    NotText(usize),
+    /// The system refused.
+    #[error("{0}")]
+    System(io::Error),
+}
+
+impl From<io::Error> for SourceProblem {
+    fn from(error: io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::NotFound => Self::Missing,
+            io::ErrorKind::IsADirectory => Self::Directory,
+            _ => Self::System(error),
+        }
+    }
+}
+
+impl FromStr for Source {
+    type Err = std::convert::Infallible;
+
+    fn from_str(argument: &str) -> Result<Self, Self::Err> {
+        Ok(if argument == "-" {
+            Self::Stdin
+        } else {
+            Self::File(PathBuf::from(argument))
+        })
+    }
+}
+
+impl Source {
+    /// How errors name the place: the path as given, or `stdin`.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Stdin => "stdin".to_owned(),
+            Self::File(path) => path.display().to_string(),
+        }
+    }
+
+    /// The whole text.
+    pub fn read(&self) -> Result<String, SourceError> {
+        self.text().map_err(|problem| SourceError {
+            place: self.name(),
+            problem,
+        })
+    }
+
+    fn text(&self) -> Result<String, SourceProblem> {
+        let bytes = match self {
+            Self::Stdin => {
+                let mut bytes = Vec::new();
+                io::stdin().lock().read_to_end(&mut bytes)?;
+                bytes
+            }
+            Self::File(path) => fs::read(path)?,
+        };
+        String::from_utf8(bytes).map_err(|error| SourceProblem::NotText(error.utf8_error().valid_up_to()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_dash_is_stdin_and_all_else_a_file() {
+        assert_eq!("-".parse(), Ok(Source::Stdin));
+        assert_eq!("./-".parse(), Ok(Source::File(PathBuf::from("./-"))));
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_named_with_what_to_do() {
+        let missing = Source::File(PathBuf::from("no/such/sheet.toml")).read().unwrap_err();
+        assert!(matches!(missing.problem, SourceProblem::Missing), "{missing}");
+        assert!(
+            missing.to_string().starts_with("cannot read no/such/sheet.toml: "),
+            "{missing}"
+        );
+        let directory = Source::File(std::env::temp_dir()).read().unwrap_err();
+        assert!(matches!(directory.problem, SourceProblem::Directory), "{directory}");
+    }
+}

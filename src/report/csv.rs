@@ -1,0 +1,59 @@
+//! A table as CSV.
+
+use super::figures::{whole, whole_list};
+use super::{Cell, Table};
+use std::borrow::Cow;
+use std::io::{self, Write};
+
+/// Writes a header and one record per row.
+pub fn write(table: &Table, to: &mut dyn Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(to);
+    writer
+        .write_record(table.columns().iter().map(|column| &column.name))
+        .map_err(to_io)?;
+    for row in table.rows() {
+        writer
+            .write_record(row.iter().map(|cell| field(cell).into_owned().into_bytes()))
+            .map_err(to_io)?;
+    }
+    writer.flush()
+}
+
+/// The cell without any quoting.
+pub fn field(cell: &Cell) -> Cow<'_, str> {
+    match cell {
+        Cell::Text(text) => Cow::Borrowed(text),
+        Cell::Number(number) => Cow::Owned(whole(*number)),
+        Cell::Numbers(numbers) => Cow::Owned(whole_list(numbers)),
+        Cell::Integer(integer) => Cow::Owned(integer.to_string()),
+        Cell::Flag(flag) => Cow::Borrowed(if *flag { "true" } else { "false" }),
+        Cell::Empty => Cow::Borrowed(""),
+    }
+}
+
+/// The csv crate's own conversion hides the kind, by which a broken pipe is told from a full disk.
+fn to_io(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fields_with_commas_quotes_and_line_breaks_are_quoted() {
+        let mut table = Table::new(["text", "numbers", "none"]);
+        table
+            .push([Cell::from("a,\"b\"\nc"), Cell::from(vec![0.1, -2.0]), Cell::Empty])
+            .unwrap();
+        let mut bytes = Vec::new();
+        write(&table, &mut bytes).unwrap();
+        assert_eq!(
+            String::from_utf8(bytes).unwrap(),
+            "text,numbers,none\n\"a,\"\"b\"\"\nc\",0.1;-2.0,\n"
+        );
+    }
+}

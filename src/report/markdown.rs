@@ -1,0 +1,55 @@
+//! A table as Markdown.
+
+use super::csv::field;
+use super::{Cell, Table};
+use std::io::{self, Write};
+
+/// Writes a header, a rule that aligns columns of numbers to the right, and one line per row.
+pub fn write(table: &Table, to: &mut dyn Write) -> io::Result<()> {
+    write_line(to, table.columns().iter().map(|column| escape(&column.name)))?;
+    let rule = (0..table.columns().len()).map(|index| {
+        let rule = if table.is_numeric(index) { "---:" } else { "---" };
+        rule.to_owned()
+    });
+    write_line(to, rule)?;
+    for row in table.rows() {
+        write_line(to, row.iter().map(|cell: &Cell| escape(&field(cell))))?;
+    }
+    Ok(())
+}
+
+fn write_line(to: &mut dyn Write, cells: impl Iterator<Item = String>) -> io::Result<()> {
+    to.write_all(b"|")?;
+    for cell in cells {
+        write!(to, " {cell} |")?;
+    }
+    to.write_all(b"\n")
+}
+
+/// What would end the cell or change how the rest of it reads.
+fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '|' | '\\' | '*' | '`' | '<' => escaped.extend(['\\', c]),
+            c if c.is_control() => escaped.push(' '),
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bar_or_a_line_break_does_not_end_the_cell() {
+        let mut table = Table::new(["label", "x"]);
+        table.push([Cell::from("|r_B| < 1\nalways"), Cell::from(0.25)]).unwrap();
+        let mut bytes = Vec::new();
+        write(&table, &mut bytes).unwrap();
+        let expected = "| label | x |\n| --- | ---: |\n| \\|r_B\\| \\< 1 always | 0.25 |\n";
+        assert_eq!(String::from_utf8(bytes).unwrap(), expected);
+    }
+}

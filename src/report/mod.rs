@@ -1,0 +1,31 @@
+//! Tables, and how they reach the reader: text, CSV, JSON or Markdown, on stdout or in a file.
+//!
+//! A command fills a [`Table`]; [`Table::write`] prints it in a [`Format`]; an [`Output`] says where to.
+//! CSV, JSON and Markdown print every number so that it reads back to the same value; only text rounds.
+//!
+//! ```
+//! use vibro_audit::report::{Cell, Format, Table};
+//!
+//! let mut table = Table::new(["label", "digits"]);
+//! table.push([Cell::from("22"), Cell::from(0.1 + 0.2)])?;
+//! let mut text = Vec::new();
+//! table.write(&mut text, Format::Csv, 3)?;
+//! assert_eq!(String::from_utf8(text)?, "label,digits\n22,0.30000000000000004\n");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod csv;
+mod figures;
+mod format;
+mod json;
+mod markdown;
+mod output;
+mod table;
+mod text;
+
+pub use format::{Format, UnknownFormat};
+pub use output::{Output, OutputError, OutputProblem};
+pub use table::{Cell, Column, RowError, Table};
+
+/// Significant figures of a number in text where the user names none.
+pub const DEFAULT_DIGITS: usize = 12;

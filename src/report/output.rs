@@ -1,0 +1,311 @@
+//! Where a command writes: stdout, or a file that is there whole or not at all.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// A place to write to.
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub enum Output {
+    /// Standard output. A reader that stops reading (`| head`) is not an error.
+    #[default]
+    Stdout,
+    /// A file, replaced as a whole once everything is written.
+    File(PathBuf),
+}
+
+/// A file or stdout that could not be written.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot write {place}: {problem}")]
+pub struct OutputError {
+    /// `stdout`, or the path as the user gave it.
+    pub place: String,
+    /// What failed.
+    pub problem: OutputProblem,
+}
+
+/// What failed.
+#[derive(Debug, thiserror::Error)]
+pub enum OutputProblem {
+    /// The path is a directory.
+    #[error("it is a directory; name a file in it")]
+    Directory,
+    /// The directory that the file would be in does not exist.
+    #[error("there is no directory {0}; create it first")]
+    NoDirectory(String),
+    /// The file exists and is protected.
+    #[error("it is read-only; choose another file or change its permissions")]
+    ReadOnly,
+    /// The system refused to open, write or rename.
+    #[error("{doing}: {source}")]
+    System {
+        /// What was being done.
+        doing: &'static str,
+        /// The system's answer.
+        source: io::Error,
+    },
+}
+
+impl OutputProblem {
+    fn system(doing: &'static str) -> impl Fn(io::Error) -> Self {
+        move |source| Self::System { doing, source }
+    }
+}
+
+/// How a path is to be written.
+enum Target {
+    /// Beside this path, then renamed to it; links are already followed.
+    Replace(PathBuf),
+    /// A device or a pipe: renaming a file to it would destroy it.
+    Direct(PathBuf),
+}
+
+impl Output {
+    /// Looks whether the place can be written, so that no long computation is lost to a wrong path.
+    pub fn check(&self) -> Result<(), OutputError> {
+        match self {
+            Self::Stdout => Ok(()),
+            Self::File(path) => target(path).map(drop).map_err(|problem| self.error(problem)),
+        }
+    }
+
+    /// Calls `print` with a buffered writer and brings what it wrote to the place. A file is written beside its
+    /// path and renamed; on any error nothing of it remains, and what stood there before stands unharmed.
+    pub fn write(&self, print: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), OutputError> {
+        match self {
+            Self::Stdout => write_stdout(print),
+            Self::File(path) => match target(path) {
+                Ok(Target::Replace(path)) => replace(&path, print),
+                Ok(Target::Direct(path)) => write_direct(&path, print),
+                Err(problem) => Err(problem),
+            },
+        }
+        .map_err(|problem| self.error(problem))
+    }
+
+    fn error(&self, problem: OutputProblem) -> OutputError {
+        let place = match self {
+            Self::Stdout => "stdout".to_owned(),
+            Self::File(path) => path.display().to_string(),
+        };
+        OutputError { place, problem }
+    }
+}
+
+fn write_stdout(print: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), OutputProblem> {
+    let mut writer = BufWriter::new(io::stdout().lock());
+    let written = print(&mut writer).and_then(|()| writer.flush());
+    // Without this, a dropped BufWriter would try once more to write what has just failed.
+    drop(writer.into_parts());
+    unless_broken_pipe(written).map_err(OutputProblem::system("writing"))
+}
+
+fn write_direct(path: &Path, print: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), OutputProblem> {
+    let file = OpenOptions::new()
+        .write(true)
+        .open(path)
+        .map_err(OutputProblem::system("opening"))?;
+    let mut writer = BufWriter::new(file);
+    let written = print(&mut writer).and_then(|()| writer.flush());
+    drop(writer.into_parts());
+    unless_broken_pipe(written).map_err(OutputProblem::system("writing"))
+}
+
+fn unless_broken_pipe(written: io::Result<()>) -> io::Result<()> {
+    match written {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        other => other,
+    }
+}
+
+fn target(path: &Path) -> Result<Target, OutputProblem> {
+    match fs::metadata(path) {
+        Ok(found) if found.is_dir() => Err(OutputProblem::Directory),
+        Ok(found) if !found.is_file() => Ok(Target::Direct(path.to_owned())),
+        Ok(found) if found.permissions().readonly() => Err(OutputProblem::ReadOnly),
+        // A link keeps being a link: what it points to is replaced.
+        Ok(_) => path
+            .canonicalize()
+            .map(Target::Replace)
+            .map_err(OutputProblem::system("following links")),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => new_file(path),
+        Err(source) => Err(OutputProblem::System {
+            doing: "opening",
+            source,
+        }),
+    }
+}
+
+/// A path where nothing stands yet: its directory must.
+fn new_file(path: &Path) -> Result<Target, OutputProblem> {
+    let ends_as_directory = path.as_os_str().to_string_lossy().ends_with(std::path::MAIN_SEPARATOR);
+    if path.file_name().is_none() || ends_as_directory {
+        return Err(OutputProblem::Directory);
+    }
+    match directory_of(path) {
+        directory if directory.is_dir() => Ok(Target::Replace(path.to_owned())),
+        directory => Err(OutputProblem::NoDirectory(directory.display().to_string())),
+    }
+}
+
+fn directory_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
+}
+
+fn replace(path: &Path, print: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), OutputProblem> {
+    let (temporary, file) =
+        create_beside(path).map_err(OutputProblem::system("creating a temporary file beside it"))?;
+    // Removes the temporary on every way out but success, a panic in `print` included.
+    let mut guard = Temporary {
+        path: temporary,
+        keep: false,
+    };
+    let mut writer = BufWriter::new(file);
+    let written = print(&mut writer).and_then(|()| writer.flush());
+    let (file, _) = writer.into_parts();
+    written
+        .and_then(|()| file.sync_all())
+        .map_err(OutputProblem::system("writing"))?;
+    if let Ok(before) = fs::metadata(path) {
+        file.set_permissions(before.permissions())
+            .map_err(OutputProblem::system("keeping its permissions"))?;
+    }
+    drop(file);
+    fs::rename(&guard.path, path).map_err(OutputProblem::system("renaming the temporary file"))?;
+    guard.keep = true;
+    Ok(())
+}
+
+/// A new file beside `path`, hidden, under a name that nothing has yet.
+fn create_beside(path: &Path) -> io::Result<(PathBuf, File)> {
+    const ATTEMPTS: u32 = 100;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    // A long name with something added might pass the limit of the file system.
+    let name: String = name.chars().take(40).collect();
+    let mut last = io::Error::from(io::ErrorKind::AlreadyExists);
+    for attempt in 0..ATTEMPTS {
+        let beside = directory_of(path).join(format!(".{name}.{}-{attempt}.tmp", std::process::id()));
+        match OpenOptions::new().write(true).create_new(true).open(&beside) {
+            Ok(file) => return Ok((beside, file)),
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => last = error,
+            Err(error) => return Err(error),
+        }
+    }
+    Err(last)
+}
+
+struct Temporary {
+    path: PathBuf,
+    keep: bool,
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        if !self.keep {
+            // Nothing to be done where even this fails; the error that led here is reported.
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An empty directory of its own for each test, removed at its end.
+    struct Scratch(PathBuf);
+
+    impl Scratch {
+        fn new(name: &str) -> Self {
+            let path = std::env::temp_dir().join(format!("vibro-audit-output-{}-{name}", std::process::id()));
+            fs::create_dir_all(&path).unwrap();
+            Self(path)
+        }
+
+        fn names(&self) -> Vec<String> {
+            let entries = fs::read_dir(&self.0).unwrap();
+            entries
+                .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
+                .collect()
+        }
+    }
+
+    impl Drop for Scratch {
+        fn drop(&mut self) {
+            let _ = fs::remove_dir_all(&self.0);
+        }
+    }
+
+    fn write(path: &Path, text: &str) -> Result<(), OutputError> {
+        Output::File(path.to_owned()).write(|to| to.write_all(text.as_bytes()))
+    }
+
+    #[test]
+    fn a_file_is_written_whole_and_replaced_whole() {
+        let scratch = Scratch::new("whole");
+        let path = scratch.0.join("table.csv");
+        write(&path, "one").unwrap();
+        write(&path, "two").unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "two");
+        assert_eq!(scratch.names(), ["table.csv"]);
+    }
+
+    #[test]
+    fn an_error_midway_leaves_the_old_file_and_no_temporary() {
+        let scratch = Scratch::new("midway");
+        let path = scratch.0.join("table.csv");
+        write(&path, "old").unwrap();
+        let error = Output::File(path.clone())
+            .write(|to| {
+                to.write_all(&[b'x'; 100_000])?;
+                Err(io::Error::from(io::ErrorKind::StorageFull))
+            })
+            .unwrap_err();
+        assert!(error.to_string().contains("table.csv: writing: "), "{error}");
+        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+        assert_eq!(scratch.names(), ["table.csv"]);
+    }
+
+    #[test]
+    fn a_directory_is_refused_and_a_missing_one_is_named() {
+        let scratch = Scratch::new("directory");
+        let onto = Output::File(scratch.0.clone()).check().unwrap_err();
+        assert!(matches!(onto.problem, OutputProblem::Directory), "{onto}");
+        let into = Output::File(scratch.0.join("none/table.csv")).check().unwrap_err();
+        assert!(into.to_string().contains("there is no directory"), "{into}");
+        let slash = Output::File(scratch.0.join("new/")).check().unwrap_err();
+        assert!(matches!(slash.problem, OutputProblem::Directory), "{slash}");
+        assert!(scratch.names().is_empty());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_a_link_and_a_device_a_device() {
+        let scratch = Scratch::new("link");
+        let (file, link) = (scratch.0.join("file"), scratch.0.join("link"));
+        write(&file, "old").unwrap();
+        std::os::unix::fs::symlink(&file, &link).unwrap();
+        write(&link, "new").unwrap();
+        assert!(link.is_symlink());
+        assert_eq!(fs::read_to_string(&file).unwrap(), "new");
+        write(Path::new("/dev/null"), "nothing").unwrap();
+        assert!(!Path::new("/dev/null").is_file());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_read_only_file_is_left_alone() {
+        let scratch = Scratch::new("protected");
+        let path = scratch.0.join("golden.csv");
+        write(&path, "golden").unwrap();
+        let mut permissions = fs::metadata(&path).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&path, permissions).unwrap();
+        let error = write(&path, "new").unwrap_err();
+        assert!(matches!(error.problem, OutputProblem::ReadOnly), "{error}");
+        assert_eq!(fs::read_to_string(&path).unwrap(), "golden");
+    }
+}

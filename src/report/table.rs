@@ -1,0 +1,176 @@
+//! A table: what a command has to say, before any layout.
+
+use super::{Format, csv, json, markdown, text};
+use std::io::{self, Write};
+
+/// One value of a row.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub enum Cell {
+    /// Words, a formula, a counterexample.
+    Text(String),
+    /// A number; infinities and NaN are written `inf`, `-inf`, `NaN`.
+    Number(f64),
+    /// The numbers of one motion in word order: joined by `;`, in JSON an array.
+    Numbers(Vec<f64>),
+    /// A count; never rounded.
+    Integer(i64),
+    /// `true` or `false`.
+    Flag(bool),
+    /// Nothing is known or nothing applies: an empty field, in JSON `null`.
+    #[default]
+    Empty,
+}
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Self {
+        Self::Text(text)
+    }
+}
+
+impl From<f64> for Cell {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<Vec<f64>> for Cell {
+    fn from(numbers: Vec<f64>) -> Self {
+        Self::Numbers(numbers)
+    }
+}
+
+impl From<i64> for Cell {
+    fn from(integer: i64) -> Self {
+        Self::Integer(integer)
+    }
+}
+
+impl From<bool> for Cell {
+    fn from(flag: bool) -> Self {
+        Self::Flag(flag)
+    }
+}
+
+/// `None` is an empty cell: what is not known is never guessed.
+impl<T: Into<Cell>> From<Option<T>> for Cell {
+    fn from(value: Option<T>) -> Self {
+        value.map_or(Self::Empty, Into::into)
+    }
+}
+
+/// A column, by the name that scripts rely on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// The name in the header of CSV, text and Markdown, and the key in JSON.
+    pub name: String,
+}
+
+impl<S: Into<String>> From<S> for Column {
+    fn from(name: S) -> Self {
+        Self { name: name.into() }
+    }
+}
+
+/// A row whose length is not that of the header.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("a row of {found} cells in a table of {expected} columns ({columns})")]
+pub struct RowError {
+    /// The number of columns of the table.
+    pub expected: usize,
+    /// The number of cells of the row.
+    pub found: usize,
+    /// The names of the columns.
+    pub columns: String,
+}
+
+/// Columns and rows; every row has a cell for every column.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Table {
+    columns: Vec<Column>,
+    rows: Vec<Vec<Cell>>,
+}
+
+impl Table {
+    /// A table of these columns and no rows yet. Names should differ: they are the keys in JSON.
+    pub fn new<C: Into<Column>>(columns: impl IntoIterator<Item = C>) -> Self {
+        Self {
+            columns: columns.into_iter().map(Into::into).collect(),
+            rows: Vec::new(),
+        }
+    }
+
+    /// Adds a row, which must have as many cells as the table has columns.
+    pub fn push(&mut self, row: impl Into<Vec<Cell>>) -> Result<(), RowError> {
+        let row = row.into();
+        if row.len() != self.columns.len() {
+            let names: Vec<&str> = self.columns.iter().map(|column| column.name.as_str()).collect();
+            return Err(RowError {
+                expected: self.columns.len(),
+                found: row.len(),
+                columns: names.join(","),
+            });
+        }
+        self.rows.push(row);
+        Ok(())
+    }
+
+    /// The columns, in order.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// The rows, in order.
+    pub fn rows(&self) -> &[Vec<Cell>] {
+        &self.rows
+    }
+
+    /// Whether the column holds numbers or counts and nothing else but empty cells: such a column is aligned right.
+    pub fn is_numeric(&self, index: usize) -> bool {
+        let mut cells = self
+            .rows
+            .iter()
+            .filter_map(|row| row.get(index))
+            .filter(|cell| **cell != Cell::Empty)
+            .peekable();
+        cells.peek().is_some() && cells.all(|cell| matches!(cell, Cell::Number(_) | Cell::Integer(_)))
+    }
+
+    /// Writes the table. `digits` is the number of significant figures in text, at least 1; the other formats
+    /// print every number whole.
+    pub fn write(&self, to: &mut dyn Write, format: Format, digits: usize) -> io::Result<()> {
+        match format {
+            Format::Text => text::write(self, to, digits),
+            Format::Csv => csv::write(self, to),
+            Format::Json => json::write(self, to),
+            Format::Markdown => markdown::write(self, to),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_of_another_length_is_refused_and_not_kept() {
+        let mut table = Table::new(["label", "verdict"]);
+        let error = table.push([Cell::from("22")]).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "a row of 1 cells in a table of 2 columns (label,verdict)"
+        );
+        assert!(table.rows().is_empty());
+    }
+
+    #[test]
+    fn what_is_not_known_is_an_empty_cell() {
+        assert_eq!(Cell::from(None::<f64>), Cell::Empty);
+        assert_eq!(Cell::from(Some(0.5)), Cell::Number(0.5));
+    }
+}

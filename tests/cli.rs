@@ -1,0 +1,154 @@
+//! The binary as a script sees it: exit status, stdout, stderr.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+fn command(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
+    command.args(arguments).stdin(Stdio::null());
+    command
+}
+
+fn run(arguments: &[&str]) -> Output {
+    command(arguments).output().unwrap()
+}
+
+/// Asserts that the input was refused: status 2, nothing on stdout, one message on stderr that has `words`.
+fn assert_refused(arguments: &[&str], words: &[&str]) {
+    let output = run(arguments);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+    assert!(output.stdout.is_empty(), "{arguments:?} printed on stdout");
+    assert!(message.starts_with("error: "), "{arguments:?}: {message}");
+    assert!(
+        !message.contains("panicked") && !message.contains("backtrace"),
+        "{message}"
+    );
+    assert!(
+        !message.contains('\u{1b}'),
+        "colours where there is no terminal: {message:?}"
+    );
+    for word in words {
+        assert!(message.contains(word), "{arguments:?} does not say `{word}`: {message}");
+    }
+}
+
+/// An empty directory of its own for each test, removed at its end.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str) -> Self {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("cli-{name}"));
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.0.join(name).to_str().unwrap().to_owned()
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+#[test]
+fn help_and_version_succeed_on_stdout() {
+    for arguments in [
+        &["--help"][..],
+        &["help"],
+        &["audit", "--help"],
+        &["trade", "--help"],
+        &["--version"],
+    ] {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}");
+        assert!(!output.stdout.is_empty() && output.stderr.is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn help_names_every_command_format_and_exit_status() {
+    let help = String::from_utf8(run(&["--help"]).stdout).unwrap();
+    for word in [
+        "audit",
+        "trade",
+        "--format",
+        "text, csv, json, markdown",
+        "--out",
+        "--digits",
+        "Exit status: 0",
+    ] {
+        assert!(help.contains(word), "help does not say `{word}`:\n{help}");
+    }
+}
+
+#[test]
+fn no_command_at_all_shows_help_and_is_refused() {
+    let output = run(&[]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8(output.stderr).unwrap().contains("Usage: vibro-audit"));
+}
+
+#[test]
+fn an_unknown_command_option_task_or_format_is_refused() {
+    assert_refused(&["prove"], &["prove"]);
+    assert_refused(&["audit", "--colour"], &["--colour"]);
+    assert_refused(&["trade", "tea"], &["tea", "dp"]);
+    assert_refused(
+        &["audit", "--format", "xml"],
+        &["xml", "text", "csv", "json", "markdown"],
+    );
+    assert_refused(&["audit", "--digits", "NaN"], &["NaN", "--digits"]);
+    assert_refused(&["audit", "--digits", "0"], &["0", "--digits"]);
+}
+
+#[test]
+fn a_sheet_that_cannot_be_read_is_named() {
+    let scratch = Scratch::new("sheet");
+    assert_refused(&["audit", &scratch.path("none.toml")], &["none.toml", "no such file"]);
+    assert_refused(&["audit", &scratch.path("")], &["directory"]);
+    fs::write(scratch.path("bytes.toml"), b"title = \"\xff\"").unwrap();
+    assert_refused(
+        &["audit", &scratch.path("bytes.toml")],
+        &["bytes.toml", "UTF-8", "byte 9"],
+    );
+}
+
+#[test]
+fn out_into_a_missing_directory_is_refused_and_creates_nothing() {
+    let scratch = Scratch::new("missing");
+    assert_refused(
+        &["audit", "--out", &scratch.path("none/table.csv")],
+        &["none/table.csv", "no directory"],
+    );
+    assert_eq!(fs::read_dir(&scratch.0).unwrap().count(), 0);
+}
+
+#[test]
+fn out_onto_a_directory_is_refused() {
+    let scratch = Scratch::new("directory");
+    assert_refused(&["audit", "--out", &scratch.path("")], &["it is a directory"]);
+    assert_refused(&["audit", "--out", &scratch.path("new/")], &["it is a directory"]);
+    assert_eq!(fs::read_dir(&scratch.0).unwrap().count(), 0);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_stops_reading_is_no_error() {
+    for arguments in [&["--help"][..], &["audit", "--help"]] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let output = command(arguments)
+            .stdout(writer)
+            .stderr(Stdio::piped())
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}");
+        assert_eq!(String::from_utf8(output.stderr).unwrap(), "", "{arguments:?}");
+    }
+}

@@ -1,0 +1,97 @@
+//! The rules of the house, held by tests: who may use whom, how long a file may be, what may not panic, and that
+//! no golden file lies about unused. Each rule is a function that is itself shown sources that break it.
+
+mod arrows;
+mod golden;
+mod habits;
+mod source;
+
+use std::fs;
+use std::path::Path;
+
+/// A file by its path from the root of the project, with `/` between the parts.
+#[derive(Clone, Debug)]
+struct File {
+    path: String,
+    text: String,
+}
+
+impl File {
+    fn new(path: &str, text: &str) -> Self {
+        Self {
+            path: path.to_owned(),
+            text: text.to_owned(),
+        }
+    }
+}
+
+/// Every file under `place`, a folder or a file of the project, in the order of their paths. What is not there
+/// gives none: a project without golden files yet has none to check.
+fn files(place: &str) -> Vec<File> {
+    let mut found = Vec::new();
+    collect(&Path::new(env!("CARGO_MANIFEST_DIR")).join(place), place, &mut found);
+    found.sort_by(|left, right| left.path.cmp(&right.path));
+    found
+}
+
+fn collect(path: &Path, name: &str, found: &mut Vec<File>) {
+    if path.is_dir() {
+        for entry in fs::read_dir(path).unwrap() {
+            let entry = entry.unwrap();
+            let child = format!("{name}/{}", entry.file_name().to_string_lossy());
+            collect(&entry.path(), &child, found);
+        }
+    } else if path.is_file() {
+        let text = String::from_utf8_lossy(&fs::read(path).unwrap()).into_owned();
+        found.push(File {
+            path: name.to_owned(),
+            text,
+        });
+    }
+}
+
+fn sources() -> Vec<File> {
+    let sources: Vec<File> = files("src")
+        .into_iter()
+        .filter(|file| file.path.ends_with(".rs"))
+        .collect();
+    assert!(sources.len() > 5, "the sources were not found");
+    sources
+}
+
+fn assert_clean(complaints: &[String]) {
+    assert!(
+        complaints.is_empty(),
+        "{} complaints\n{}",
+        complaints.len(),
+        complaints.join("\n")
+    );
+}
+
+#[test]
+fn each_folder_uses_only_what_stands_before_it_in_its_stack() {
+    assert_clean(&arrows::check(&sources()));
+}
+
+#[test]
+fn no_source_file_is_longer_than_allowed() {
+    assert_clean(&habits::check_lengths(&sources(), habits::LONGER));
+}
+
+#[test]
+fn nothing_outside_tests_can_panic_by_its_own_word() {
+    assert_clean(&habits::check_panics(&sources()));
+}
+
+#[test]
+fn every_golden_file_is_named_where_it_is_used() {
+    let places = ["src", "tests", "benches", "README.md", ".ci"];
+    // These tests name golden files that do not exist, to show that the check can fail.
+    let users: Vec<File> = places
+        .into_iter()
+        .flat_map(files)
+        .filter(|file| !file.path.starts_with("tests/house/"))
+        .collect();
+    let golden: Vec<String> = files("golden").into_iter().map(|file| file.path).collect();
+    assert_clean(&golden::check(&golden, &users));
+}
