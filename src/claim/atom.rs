@@ -36,16 +36,26 @@ pub struct Atoms {
 impl Atoms {
     /// No quantities yet; impacts are numbered by `letter` when shown.
     pub fn new(letter: &str) -> Self {
-        Self { list: Vec::new(), letter: letter.to_string() }
+        Self {
+            list: Vec::new(),
+            letter: letter.to_string(),
+        }
     }
 
     /// The variable of a quantity.
     pub fn variable(&mut self, atom: Atom) -> Variable {
         let same = |known: &Atom| match (known, &atom) {
             // Arguments are compared as written: equal ones have one form, as they have no denominator.
-            (Atom::Value { function: f, argument: a }, Atom::Value { function: g, argument: b }) => {
-                f == g && a.has_form_of(b)
-            }
+            (
+                Atom::Value {
+                    function: f,
+                    argument: a,
+                },
+                Atom::Value {
+                    function: g,
+                    argument: b,
+                },
+            ) => f == g && a.has_form_of(b),
             (Atom::Value { .. }, _) | (_, Atom::Value { .. }) => false,
             (known, atom) => known == atom,
         };
@@ -68,7 +78,10 @@ impl Atoms {
 
     /// The quantity as an author would write it.
     pub fn show(&self, variable: Variable) -> String {
-        let numbered = |name: &Name, index: i32| Name { subscript: subscript_of(index, &self.letter), ..name.clone() };
+        let numbered = |name: &Name, index: i32| Name {
+            subscript: subscript_of(index, &self.letter),
+            ..name.clone()
+        };
         match self.atom(variable) {
             None => "?".to_string(),
             Some(Atom::Symbol(name)) => name.to_string(),
@@ -76,14 +89,24 @@ impl Atoms {
             Some(Atom::Running) => "t".to_string(),
             Some(Atom::State { state, index, after }) => {
                 let mark = if *after { "+" } else { "" }.to_string();
-                Name { mark, ..numbered(state, *index) }.to_string()
+                Name {
+                    mark,
+                    ..numbered(state, *index)
+                }
+                .to_string()
             }
             Some(Atom::Value { function, argument }) => format!("{function}({})", self.show_time(argument)),
             Some(Atom::Partial { of, by }) => {
                 format!(r"\frac{{\partial {}}}{{\partial {}}}", self.show(*of), self.show(*by))
             }
-            Some(Atom::Invariant { kind: Invariant::Trace, of }) => format!("Tr({of})"),
-            Some(Atom::Invariant { kind: Invariant::Determinant, of }) => format!("Det({of})"),
+            Some(Atom::Invariant {
+                kind: Invariant::Trace,
+                of,
+            }) => format!("Tr({of})"),
+            Some(Atom::Invariant {
+                kind: Invariant::Determinant,
+                of,
+            }) => format!("Det({of})"),
             Some(Atom::Root { radicand }) => format!(r"\sqrt{{{}}}", self.show_fraction(radicand)),
         }
     }
@@ -123,7 +146,10 @@ impl Atoms {
             }
             for &(variable, exponent) in monomial.factors().iter().rev() {
                 let base = self.show(variable);
-                let simple = !matches!(self.atom(variable), Some(Atom::State { after: true, .. } | Atom::Partial { .. }));
+                let simple = !matches!(
+                    self.atom(variable),
+                    Some(Atom::State { after: true, .. } | Atom::Partial { .. })
+                );
                 factors.push(match (exponent, simple) {
                     (1, _) => base,
                     (_, true) => format!("{base}^{{{exponent}}}"),

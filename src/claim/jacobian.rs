@@ -47,10 +47,9 @@ impl Jacobians {
                     by: quantities(by, &mut reading).ok_or(format!("map `{name}`: `by` must list times and states"))?,
                     equations: Vec::new(),
                 }),
-                Map::Equations(equations) => Kind::Step(
-                    explicit(equations, &mut reading)
-                        .ok_or(format!("map `{name}`: its equations must take the states at one impact to the next"))?,
-                ),
+                Map::Equations(equations) => Kind::Step(explicit(equations, &mut reading).ok_or(format!(
+                    "map `{name}`: its equations must take the states at one impact to the next"
+                ))?),
             };
             maps.push((name.clone(), kind));
         }
@@ -94,17 +93,22 @@ impl Jacobians {
     fn product(&self, name: &Name, atoms: &mut Atoms, left: usize) -> Option<DMatrix<Fraction>> {
         match &self.maps.iter().find(|(known, _)| known == name)?.1 {
             Kind::Step(step) => Some(DMatrix::from_fn(step.of.len(), step.by.len(), |row, column| {
-                Fraction::variable(atoms.variable(Atom::Partial { of: step.of[row], by: step.by[column] }))
+                Fraction::variable(atoms.variable(Atom::Partial {
+                    of: step.of[row],
+                    by: step.by[column],
+                }))
             })),
             Kind::Product(_) if left == 0 => None,
-            Kind::Product(factors) => factors.iter().try_fold(None, |product: Option<DMatrix<Fraction>>, factor| {
-                let next = self.product(factor, atoms, left - 1)?;
-                Some(Some(match product {
-                    Some(product) if product.ncols() != next.nrows() => return None,
-                    Some(product) => product * next,
-                    None => next,
-                }))
-            })?,
+            Kind::Product(factors) => factors
+                .iter()
+                .try_fold(None, |product: Option<DMatrix<Fraction>>, factor| {
+                    let next = self.product(factor, atoms, left - 1)?;
+                    Some(Some(match product {
+                        Some(product) if product.ncols() != next.nrows() => return None,
+                        Some(product) => product * next,
+                        None => next,
+                    }))
+                })?,
         }
     }
 }
@@ -115,7 +119,10 @@ pub fn invariant(kind: Invariant, matrix: &DMatrix<Fraction>) -> Option<Fraction
         return None;
     }
     Some(match kind {
-        Invariant::Trace => matrix.diagonal().iter().fold(Fraction::zero(), |sum, entry| sum + entry.clone()),
+        Invariant::Trace => matrix
+            .diagonal()
+            .iter()
+            .fold(Fraction::zero(), |sum, entry| sum + entry.clone()),
         Invariant::Determinant => determinant(matrix),
     })
 }
@@ -164,8 +171,18 @@ fn explicit(equations: &[Equation], reading: &mut Reading) -> Option<Step> {
     }
     order.sort();
     let (first, last) = (order.first()?.0, order.last()?.0);
-    let side = |index| order.iter().filter(|(i, ..)| *i == index).map(|(.., v)| *v).collect::<Vec<_>>();
-    (first < last).then(|| Step { of: side(last), by: side(first), equations: equations.to_vec() })
+    let side = |index| {
+        order
+            .iter()
+            .filter(|(i, ..)| *i == index)
+            .map(|(.., v)| *v)
+            .collect::<Vec<_>>()
+    };
+    (first < last).then(|| Step {
+        of: side(last),
+        by: side(first),
+        equations: equations.to_vec(),
+    })
 }
 
 /// An equation that the premises imply for the derivatives of a map.
@@ -185,21 +202,40 @@ pub fn differentiate(
 ) -> Result<Vec<Derived>, Meaningless> {
     let mut order: Vec<&(usize, Polynomial)> = premises.iter().collect();
     let has_state = |p: &Polynomial, atoms: &Atoms| {
-        p.variables().iter().any(|&v| matches!(atoms.atom(v), Some(Atom::State { .. })))
+        p.variables()
+            .iter()
+            .any(|&v| matches!(atoms.atom(v), Some(Atom::State { .. })))
     };
     order.sort_by_key(|(_, residual)| !has_state(residual, reading.atoms));
     let (mut derived, mut unknown, mut rows) = (Vec::new(), BTreeSet::new(), Vec::new());
-    let Some(&first) = step.by.first() else { return Ok(derived) };
+    let Some(&first) = step.by.first() else {
+        return Ok(derived);
+    };
     for (premise, residual) in order {
         let slope = along(residual, first, step, reading)?;
-        unknown.extend(residual.variables().into_iter().filter(|v| depends(*v, step, reading.atoms)));
+        unknown.extend(
+            residual
+                .variables()
+                .into_iter()
+                .filter(|v| depends(*v, step, reading.atoms)),
+        );
         rows.push(slope.clone());
-        derived.push(Derived { premise: *premise, by: first, residual: slope });
+        derived.push(Derived {
+            premise: *premise,
+            by: first,
+            residual: slope,
+        });
         for &by in step.by.iter().skip(1) {
-            derived.push(Derived { premise: *premise, by, residual: along(residual, by, step, reading)? });
+            derived.push(Derived {
+                premise: *premise,
+                by,
+                residual: along(residual, by, step, reading)?,
+            });
         }
-        let columns: Vec<Variable> =
-            unknown.iter().map(|&of| reading.atoms.variable(Atom::Partial { of, by: first })).collect();
+        let columns: Vec<Variable> = unknown
+            .iter()
+            .map(|&of| reading.atoms.variable(Atom::Partial { of, by: first }))
+            .collect();
         if step.of.iter().all(|of| unknown.contains(of)) && rank(&rows, &columns) >= unknown.len() {
             break;
         }
@@ -213,12 +249,7 @@ fn depends(variable: Variable, step: &Step, atoms: &Atoms) -> bool {
 }
 
 /// The derivative of a residual by one of the quantities the step starts from, the others held.
-fn along(
-    residual: &Polynomial,
-    by: Variable,
-    step: &Step,
-    reading: &mut Reading,
-) -> Result<Polynomial, Meaningless> {
+fn along(residual: &Polynomial, by: Variable, step: &Step, reading: &mut Reading) -> Result<Polynomial, Meaningless> {
     let mut failure = None;
     let slope = Derivation::new(|variable| {
         slope_of(variable, by, step, reading).unwrap_or_else(|error| {
@@ -235,25 +266,34 @@ fn slope_of(variable: Variable, by: Variable, step: &Step, reading: &mut Reading
         return Ok(Fraction::from_integer(1));
     }
     if depends(variable, step, reading.atoms) {
-        return Ok(Fraction::variable(reading.atoms.variable(Atom::Partial { of: variable, by })));
+        return Ok(Fraction::variable(
+            reading.atoms.variable(Atom::Partial { of: variable, by }),
+        ));
     }
     match reading.atoms.atom(variable).cloned() {
         Some(Atom::Value { function, argument }) => {
             let mut inner = Fraction::zero();
             for inside in argument.variables() {
                 let slope = slope_of(inside, by, step, reading)?;
-                let along = Fraction::from(argument.numerator().derivative(inside)) / Fraction::from(argument.denominator());
+                let along =
+                    Fraction::from(argument.numerator().derivative(inside)) / Fraction::from(argument.denominator());
                 inner += along * slope;
             }
-            if inner.is_zero() { Ok(inner) } else { Ok(inner * reading.slope(&function, &argument)?) }
+            if inner.is_zero() {
+                Ok(inner)
+            } else {
+                Ok(inner * reading.slope(&function, &argument)?)
+            }
         }
         Some(Atom::Root { radicand }) => {
             let mut inner = Fraction::zero();
             let mut failure = None;
-            let slope = Derivation::new(|v| slope_of(v, by, step, reading).unwrap_or_else(|error| {
-                failure = Some(error);
-                Fraction::zero()
-            }))
+            let slope = Derivation::new(|v| {
+                slope_of(v, by, step, reading).unwrap_or_else(|error| {
+                    failure = Some(error);
+                    Fraction::zero()
+                })
+            })
             .of(&radicand);
             inner += slope / (Fraction::from_integer(2) * Fraction::variable(variable));
             failure.map_or(Ok(inner), Err)
@@ -268,13 +308,19 @@ fn rank(rows: &[Polynomial], columns: &[Variable]) -> usize {
     let mut matrix: Vec<Vec<Rational>> = rows
         .iter()
         .map(|row| {
-            let slope = |column: &Variable| row.derivative(*column).evaluate(&anywhere).unwrap_or_else(Rational::zero);
+            let slope = |column: &Variable| {
+                row.derivative(*column)
+                    .evaluate(&anywhere)
+                    .unwrap_or_else(Rational::zero)
+            };
             columns.iter().map(slope).collect()
         })
         .collect();
     let mut rank = 0;
     for column in 0..columns.len() {
-        let Some(pivot) = (rank..matrix.len()).find(|&row| !matrix[row][column].is_zero()) else { continue };
+        let Some(pivot) = (rank..matrix.len()).find(|&row| !matrix[row][column].is_zero()) else {
+            continue;
+        };
         matrix.swap(rank, pivot);
         let lead = matrix[rank].clone();
         for row in matrix.iter_mut().skip(rank + 1) {

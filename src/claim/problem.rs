@@ -35,6 +35,9 @@ pub struct Problem<'a> {
     pub meaning: Meaning,
     /// What is solved after that, to be put in one after the other.
     pub late: Vec<Step>,
+    /// Squares of roots met, and values of roots whose sign is known.
+    pub squares: Vec<(Variable, Fraction)>,
+    pub roots: Vec<(Variable, Fraction)>,
     /// The residuals before times were solved for, with the premise each comes from.
     raw: Vec<(usize, Fraction)>,
     periods: Vec<(crate::tex::Name, Fraction)>,
@@ -59,6 +62,8 @@ impl<'a> Problem<'a> {
             givens: Vec::new(),
             meaning: Meaning::default(),
             late: Vec::new(),
+            squares: Vec::new(),
+            roots: Vec::new(),
             raw: Vec::new(),
             periods: Vec::new(),
         };
@@ -79,8 +84,13 @@ impl<'a> Problem<'a> {
     fn raw_residual(&mut self, index: usize) -> Result<Fraction, Fault> {
         let statement = &self.statements.premises[index];
         let blank = Meaning::default();
-        let mut reading =
-            Reading::new(self.vocabulary, &self.jacobians, &mut self.atoms, &blank, &statement.locals);
+        let mut reading = Reading::new(
+            self.vocabulary,
+            &self.jacobians,
+            &mut self.atoms,
+            &blank,
+            &statement.locals,
+        );
         reading.first = statement.first;
         statement.residual(&mut reading)
     }
@@ -134,9 +144,9 @@ impl<'a> Problem<'a> {
     fn is_motion(&self, law: &Fraction) -> bool {
         let states = &self.vocabulary.states;
         law.variables().iter().any(|&v| match self.atoms.atom(v) {
-            Some(Atom::Value { function, .. }) => {
-                states.iter().any(|s| s == function || s.dotted() == *function || s.dotted().dotted() == *function)
-            }
+            Some(Atom::Value { function, .. }) => states
+                .iter()
+                .any(|s| s == function || s.dotted() == *function || s.dotted().dotted() == *function),
             _ => false,
         })
     }
@@ -151,8 +161,13 @@ impl<'a> Problem<'a> {
             }
             let statement = &self.statements.premises[*index];
             let start = statement.first.or(self.statements.first).unwrap_or(0);
-            let mut reading =
-                Reading::new(self.vocabulary, &self.jacobians, &mut self.atoms, &blank, &statement.locals);
+            let mut reading = Reading::new(
+                self.vocabulary,
+                &self.jacobians,
+                &mut self.atoms,
+                &blank,
+                &statement.locals,
+            );
             let here = |error: Meaningless| statement.fault(0, error.to_string());
             for consequence in motion::consequences(law, start, &mut reading).map_err(here)? {
                 let known = if running {
@@ -216,7 +231,11 @@ impl<'a> Problem<'a> {
             return Ok(derived);
         }
         let bound = self.bound_times()?;
-        let steps: Vec<_> = self.jacobians.steps().map(|(name, step)| (name.clone(), step.clone())).collect();
+        let steps: Vec<_> = self
+            .jacobians
+            .steps()
+            .map(|(name, step)| (name.clone(), step.clone()))
+            .collect();
         let mut silent = true;
         for (name, step) in steps {
             let residuals = if step.equations.is_empty() {
@@ -234,7 +253,10 @@ impl<'a> Problem<'a> {
                     None => name.to_string(),
                 };
                 let label = format!(r"\partial({label})/\partial {}", self.atoms.show(equation.by));
-                derived.push(Given { label, residual: equation.residual });
+                derived.push(Given {
+                    label,
+                    residual: equation.residual,
+                });
             }
         }
         self.jacobians.opaque = silent && !self.statements.has_partials;
@@ -258,13 +280,15 @@ impl<'a> Problem<'a> {
                 };
                 moved && !self.impacts_of(v, bound, 0).is_empty()
             });
-            let of_maps = variables.iter().any(|&v| {
-                matches!(self.atoms.atom(v), Some(Atom::Partial { .. } | Atom::Invariant { .. }))
-            });
+            let of_maps = variables
+                .iter()
+                .any(|&v| matches!(self.atoms.atom(v), Some(Atom::Partial { .. } | Atom::Invariant { .. })));
             !is_pure && !of_maps && speaks && impacts(&variables).is_subset(&of_step)
         };
         let fitting = self.raw.iter().filter(|(_, residual)| fits(residual));
-        fitting.map(|(index, residual)| (*index, residual.numerator().clone())).collect()
+        fitting
+            .map(|(index, residual)| (*index, residual.numerator().clone()))
+            .collect()
     }
 
     fn explicit_equations(
@@ -277,12 +301,18 @@ impl<'a> Problem<'a> {
         for equation in &step.equations {
             let mut reading = Reading::new(self.vocabulary, &self.jacobians, &mut self.atoms, &blank, &[]);
             let unreadable = |error: EvaluationError<Meaningless>| {
-                Fault::new(format!("the equations of the map `{name}`: {}", super::premise::message(&error)))
+                Fault::new(format!(
+                    "the equations of the map `{name}`: {}",
+                    super::premise::message(&error)
+                ))
             };
             let left = reading.tree(&equation.left).map_err(unreadable)?;
             let residual = left - reading.tree(&equation.right).map_err(unreadable)?;
             residuals.push((usize::MAX, residual.numerator().clone()));
-            self.givens.push(Given { label: name.to_string(), residual: residual.numerator().clone() });
+            self.givens.push(Given {
+                label: name.to_string(),
+                residual: residual.numerator().clone(),
+            });
         }
         Ok(residuals)
     }
@@ -290,7 +320,10 @@ impl<'a> Problem<'a> {
     /// The impacts that a quantity belongs to.
     fn impacts_of(&self, variable: Variable, bound: &Meaning, depth: usize) -> BTreeSet<i32> {
         let inside = |f: &Fraction| -> BTreeSet<i32> {
-            f.variables().into_iter().flat_map(|v| self.impacts_of(v, bound, depth + 1)).collect()
+            f.variables()
+                .into_iter()
+                .flat_map(|v| self.impacts_of(v, bound, depth + 1))
+                .collect()
         };
         match self.atoms.atom(variable) {
             _ if depth > 8 => BTreeSet::new(),
@@ -319,11 +352,21 @@ impl<'a> Problem<'a> {
             _ => None,
         };
         let with_times = self.pure().into_iter().filter(|(_, residual)| {
-            residual.variables().iter().any(|&v| matches!(self.atoms.atom(v), Some(Atom::Time { .. })))
+            residual
+                .variables()
+                .iter()
+                .any(|&v| matches!(self.atoms.atom(v), Some(Atom::Time { .. })))
         });
-        let premises = with_times.map(|(origin, residual)| algebra::Premise { residual, origin }).collect();
-        let steps = algebra::solve(premises, &rank, GENERIC).map(|solution| solution.steps).unwrap_or_default();
-        Ok(Meaning { values: back_substituted(&steps)?, periods: Vec::new() })
+        let premises = with_times
+            .map(|(origin, residual)| algebra::Premise { residual, origin })
+            .collect();
+        let steps = algebra::solve(premises, &rank, GENERIC)
+            .map(|solution| solution.steps)
+            .unwrap_or_default();
+        Ok(Meaning {
+            values: back_substituted(&steps)?,
+            periods: Vec::new(),
+        })
     }
 
     /// Solves what is said of times and parameters alone, so that the times at which functions are taken are known.
@@ -332,9 +375,14 @@ impl<'a> Problem<'a> {
         let mut premises = Vec::new();
         for (name, tree) in &self.vocabulary.abbreviations {
             let mut reading = Reading::new(self.vocabulary, &self.jacobians, &mut self.atoms, &blank, &[]);
-            let value = reading.tree(tree).map_err(|error| Fault::new(super::premise::message(&error)))?;
+            let value = reading
+                .tree(tree)
+                .map_err(|error| Fault::new(super::premise::message(&error)))?;
             let short = Fraction::variable(self.atoms.variable(Atom::Symbol(name.clone())));
-            premises.push(algebra::Premise { residual: (short - value).numerator().clone(), origin: usize::MAX });
+            premises.push(algebra::Premise {
+                residual: (short - value).numerator().clone(),
+                origin: usize::MAX,
+            });
         }
         let known = premises.len();
         for (origin, residual) in self.pure() {
@@ -342,7 +390,11 @@ impl<'a> Problem<'a> {
         }
         let mut left_over = BTreeSet::new();
         let solution = loop {
-            let now = premises.iter().filter(|p| !left_over.contains(&p.origin)).cloned().collect();
+            let now = premises
+                .iter()
+                .filter(|p| !left_over.contains(&p.origin))
+                .cloned()
+                .collect();
             match algebra::solve(now, &|v| self.rank_of_time(v), GENERIC) {
                 Ok(solution) => break solution,
                 Err(Failure::Contradiction(origins)) => return Err(self.contradiction(&origins)),
@@ -351,15 +403,25 @@ impl<'a> Problem<'a> {
                     left_over.extend(origins.into_iter().filter(|o| *o != usize::MAX));
                 }
                 Err(Failure::Nonlinear(_)) => {
-                    return Err(Fault::new("the abbreviations of [symbols] cannot be solved for the times in them"));
+                    return Err(Fault::new(
+                        "the abbreviations of [symbols] cannot be solved for the times in them",
+                    ));
                 }
             }
         };
         self.meaning.values = back_substituted(&solution.steps)?;
-        let used: BTreeSet<usize> = solution.steps.iter().map(|s| s.origin).chain(solution.redundant).collect();
+        let used: BTreeSet<usize> = solution
+            .steps
+            .iter()
+            .map(|s| s.origin)
+            .chain(solution.redundant)
+            .collect();
         for premise in premises.iter().skip(known).filter(|p| used.contains(&p.origin)) {
             let label = self.statements.label(self.raw[premise.origin].0);
-            self.givens.push(Given { label, residual: premise.residual.clone() });
+            self.givens.push(Given {
+                label,
+                residual: premise.residual.clone(),
+            });
         }
         let mut position = 0;
         self.raw.retain(|_| {
@@ -390,7 +452,9 @@ impl<'a> Problem<'a> {
         let mut periods = std::mem::take(&mut self.periods);
         for (name, tree) in &self.vocabulary.periods {
             let mut reading = Reading::new(self.vocabulary, &self.jacobians, &mut self.atoms, &blank, &[]);
-            let period = reading.tree(tree).map_err(|error| Fault::new(super::premise::message(&error)))?;
+            let period = reading
+                .tree(tree)
+                .map_err(|error| Fault::new(super::premise::message(&error)))?;
             periods.push((name.clone(), period));
         }
         let mut next = 0;
@@ -409,7 +473,10 @@ impl<'a> Problem<'a> {
             next += 1;
         }
         for (name, period) in periods {
-            let period = self.meaning.restrict(&period, &mut self.atoms).map_err(|e| Fault::new(e.to_string()))?;
+            let period = self
+                .meaning
+                .restrict(&period, &mut self.atoms)
+                .map_err(|e| Fault::new(e.to_string()))?;
             if !period.is_zero() && !self.meaning.periods.iter().any(|(known, _)| *known == name) {
                 self.meaning.periods.push((name, period));
             }
@@ -426,7 +493,10 @@ impl<'a> Problem<'a> {
             let residual = residual.map_err(|_| {
                 Fault::new("with the other premises, a denominator in it is zero everywhere").of(&label)
             })?;
-            restricted.push(Given { label, residual: residual.numerator().primitive() });
+            restricted.push(Given {
+                label,
+                residual: residual.numerator().primitive(),
+            });
         }
         for given in std::mem::take(&mut self.givens) {
             let function = self.meaning.restrict(&Fraction::from(given.residual), &mut self.atoms);
@@ -434,7 +504,8 @@ impl<'a> Problem<'a> {
             restricted.push(Given { residual, ..given });
         }
         self.givens = restricted;
-        self.givens.extend(self.periodic_states());
+        let repeated = self.periodic_states();
+        self.givens.extend(repeated);
         Ok(())
     }
 
@@ -449,15 +520,31 @@ impl<'a> Problem<'a> {
             }
             for index in 1..=3 {
                 let [early, late] = [0, index].map(|index| {
-                    let time = self.atoms.variable(Atom::Time { family: family.clone(), index });
-                    let time = self.meaning.values.get(&time).cloned().unwrap_or_else(|| Fraction::variable(time));
-                    self.meaning.apply_period(&state, time)
+                    let time = self.atoms.variable(Atom::Time {
+                        family: family.clone(),
+                        index,
+                    });
+                    let time = self
+                        .meaning
+                        .values
+                        .get(&time)
+                        .cloned()
+                        .unwrap_or_else(|| Fraction::variable(time));
+                    self.meaning.reduced(&state, time)
                 });
                 if early.has_form_of(&late) {
-                    let [a, b] = [0, index]
-                        .map(|index| self.atoms.variable(Atom::State { state: state.clone(), index, after: false }));
+                    let [a, b] = [0, index].map(|index| {
+                        self.atoms.variable(Atom::State {
+                            state: state.clone(),
+                            index,
+                            after: false,
+                        })
+                    });
                     let residual = Polynomial::variable(a).minus(&Polynomial::variable(b));
-                    equal.push(Given { label: format!("the period of {state}"), residual });
+                    equal.push(Given {
+                        label: format!("the period of {state}"),
+                        residual,
+                    });
                 }
             }
         }
@@ -472,13 +559,18 @@ impl<'a> Problem<'a> {
             }
         }
         let premises = self.givens.iter().enumerate();
-        let premises = premises.map(|(origin, given)| algebra::Premise { residual: given.residual.clone(), origin });
+        let premises = premises.map(|(origin, given)| algebra::Premise {
+            residual: given.residual.clone(),
+            origin,
+        });
         let rank = |v: Variable| if fixed.contains(&v) { None } else { self.rank(v) };
         let solution = algebra::solve(premises.collect(), &rank, GENERIC).map_err(|failure| match failure {
             Failure::Contradiction(origins) => self.contradiction_of(&origins),
             Failure::Nonlinear(origins) => {
                 let labels = self.labels(&origins);
-                Fault::new(format!("the premises cannot be solved one after the other: {labels} cannot be solved linearly for a symbol"))
+                Fault::new(format!(
+                    "the premises cannot be solved one after the other: {labels} cannot be solved linearly for a symbol"
+                ))
             }
         })?;
         let simple = |step: &Step| {
@@ -488,13 +580,37 @@ impl<'a> Problem<'a> {
         let (early, late) = solution.steps.split_at(early);
         let mut values = back_substituted(early)?;
         // What was solved of times speaks of parameters that may have been solved since.
-        let known = Meaning { values: values.clone(), periods: Vec::new() };
+        let known = Meaning {
+            values: values.clone(),
+            periods: Vec::new(),
+        };
         for (variable, value) in &self.meaning.values {
             values.insert(*variable, known.apply(value).map_err(|e| Fault::new(e.to_string()))?);
         }
         self.meaning.values = values;
         self.late = late.to_vec();
         Ok(())
+    }
+
+    /// The square of a quantity by the relations of the vocabulary.
+    pub fn relation(&mut self, atom: &Atom) -> Option<Fraction> {
+        let name = match atom {
+            Atom::Symbol(name) => name,
+            Atom::Value { function, .. } => function,
+            _ => return None,
+        };
+        let relation = self.vocabulary.relations.iter().find(|equation| match &equation.left {
+            Tree::Power(base, 2, _) => match base.as_ref() {
+                Tree::Symbol(known, _) | Tree::Call(known, ..) => known == name,
+                _ => false,
+            },
+            _ => false,
+        })?;
+        let mut reading = self.reading();
+        match atom {
+            Atom::Value { argument, .. } => reading.at_time(&relation.right, argument.clone()).ok(),
+            _ => reading.tree(&relation.right).ok(),
+        }
     }
 
     fn rank(&self, variable: Variable) -> Option<u32> {
@@ -533,19 +649,31 @@ impl<'a> Problem<'a> {
     }
 
     fn labels(&self, origins: &BTreeSet<usize>) -> String {
-        let labels: BTreeSet<String> = origins.iter().filter_map(|&n| Some(self.givens.get(n)?.label.clone())).collect();
-        labels.iter().map(|label| format!("({label})")).collect::<Vec<_>>().join(", ")
+        let labels: BTreeSet<String> = origins
+            .iter()
+            .filter_map(|&n| Some(self.givens.get(n)?.label.clone()))
+            .collect();
+        labels
+            .iter()
+            .map(|label| format!("({label})"))
+            .collect::<Vec<_>>()
+            .join(", ")
     }
 
     fn contradiction_of(&self, origins: &BTreeSet<usize>) -> Fault {
-        Fault::new(format!("its premises have no common solution: {} contradict each other", self.labels(origins)))
+        Fault::new(format!(
+            "its premises have no common solution: {} contradict each other",
+            self.labels(origins)
+        ))
     }
 
     fn contradiction(&self, origins: &BTreeSet<usize>) -> Fault {
         let label = |&n: &usize| Some(format!("({})", self.statements.label(self.raw.get(n)?.0)));
         let labels: BTreeSet<String> = origins.iter().filter_map(label).collect();
         let labels = labels.into_iter().collect::<Vec<_>>().join(", ");
-        Fault::new(format!("its premises have no common solution: {labels} contradict each other"))
+        Fault::new(format!(
+            "its premises have no common solution: {labels} contradict each other"
+        ))
     }
 }
 
@@ -563,10 +691,17 @@ fn back_substituted(steps: &[Step]) -> Result<std::collections::HashMap<Variable
 fn number_times(vocabulary: &Vocabulary, atoms: &mut Atoms) {
     for family in &vocabulary.times {
         for index in 0..=3 {
-            atoms.variable(Atom::Time { family: family.clone(), index });
+            atoms.variable(Atom::Time {
+                family: family.clone(),
+                index,
+            });
         }
     }
-    for name in vocabulary.parameters.iter().chain(vocabulary.abbreviations.iter().map(|(name, _)| name)) {
+    for name in vocabulary
+        .parameters
+        .iter()
+        .chain(vocabulary.abbreviations.iter().map(|(name, _)| name))
+    {
         atoms.variable(Atom::Symbol(name.clone()));
     }
 }

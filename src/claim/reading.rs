@@ -4,8 +4,8 @@ use super::atom::{Atom, Atoms};
 use super::jacobian::Jacobians;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::algebra::{Fraction, Undefined, Variable};
-use crate::number::{Field, Rational};
-use crate::tex::{EvaluationError, Invariant, Name, Scope, Tree, evaluate};
+use crate::number::Rational;
+use crate::tex::{EvaluationError, Invariant, Name, Scope, Tree, Unsupported, evaluate};
 use num_traits::Zero;
 use std::collections::HashMap;
 
@@ -26,6 +26,8 @@ pub enum Meaningless {
     NotSquare(String),
     #[error("a denominator is zero everywhere")]
     Undefined(#[from] Undefined),
+    #[error(transparent)]
+    Unsupported(#[from] Unsupported),
 }
 
 /// What is known of the quantities: values of some, periods of some functions.
@@ -96,7 +98,11 @@ impl<'a> Reading<'a> {
     /// The value of a quantity, as far as it is known.
     fn resolve(&mut self, atom: Atom) -> Fraction {
         let variable = self.atoms.variable(atom);
-        self.meaning.values.get(&variable).cloned().unwrap_or_else(|| Fraction::variable(variable))
+        self.meaning
+            .values
+            .get(&variable)
+            .cloned()
+            .unwrap_or_else(|| Fraction::variable(variable))
     }
 
     /// The quantity of an indexed time or state.
@@ -110,25 +116,45 @@ impl<'a> Reading<'a> {
         }
         if self.vocabulary.states.contains(&bare) && matches!(name.mark.as_str(), "" | "-" | "+") {
             let after = name.mark == "+" && !self.vocabulary.continuous.contains(&bare);
-            return Some(Atom::State { state: bare, index, after });
+            return Some(Atom::State {
+                state: bare,
+                index,
+                after,
+            });
         }
         None
     }
 
     /// The value of the function `name` at a time.
     fn value(&mut self, name: &Name, time: Fraction) -> Result<Fraction, Meaningless> {
-        let function = Name { primes: 0, mark: String::new(), ..name.clone() };
+        let function = Name {
+            primes: 0,
+            mark: String::new(),
+            ..name.clone()
+        };
         if name.primes > 0 {
-            let lower = Name { primes: name.primes - 1, ..name.clone() };
+            let lower = Name {
+                primes: name.primes - 1,
+                ..name.clone()
+            };
             if let Some(derivative) = self.derivative(&function) {
                 return match derivative {
-                    Derivative::Name(next) => self.value(&Name { primes: lower.primes, ..next }, time),
+                    Derivative::Name(next) => self.value(
+                        &Name {
+                            primes: lower.primes,
+                            ..next
+                        },
+                        time,
+                    ),
                     Derivative::Tree(tree) if lower.primes == 0 => self.at_time(&tree, time),
                     Derivative::Tree(_) => Err(Meaningless::NotAFunction(name.to_string())),
                 };
             }
         }
-        let function = Name { primes: name.primes, ..function };
+        let function = Name {
+            primes: name.primes,
+            ..function
+        };
         let argument = self.meaning.reduced(&function, time);
         Ok(self.resolve(Atom::Value { function, argument }))
     }
@@ -145,27 +171,43 @@ impl<'a> Reading<'a> {
     }
 
     fn is_function(&self, name: &Name) -> bool {
-        let plain = Name { primes: 0, ..name.clone() };
+        let plain = Name {
+            primes: 0,
+            ..name.clone()
+        };
         self.vocabulary.functions.iter().any(|(function, _)| *function == plain)
     }
 
     /// Whether this is a state, or a derivative of one, in flight.
     fn is_motion(&self, name: &Name) -> bool {
-        let plain = Name { primes: 0, mark: String::new(), ..name.clone() };
+        let plain = Name {
+            primes: 0,
+            mark: String::new(),
+            ..name.clone()
+        };
         let states = &self.vocabulary.states;
-        states.iter().any(|s| *s == plain || s.dotted() == plain || s.dotted().dotted() == plain)
+        states
+            .iter()
+            .any(|s| *s == plain || s.dotted() == plain || s.dotted().dotted() == plain)
     }
 
     /// The derivative by time of the value of a function at `time`.
     pub fn slope(&mut self, function: &Name, time: &Fraction) -> Result<Fraction, Meaningless> {
-        let name = Name { primes: function.primes + 1, ..function.clone() };
-        if self.is_motion(&Name { primes: 0, ..function.clone() }) {
+        let name = Name {
+            primes: function.primes + 1,
+            ..function.clone()
+        };
+        if self.is_motion(&Name {
+            primes: 0,
+            ..function.clone()
+        }) {
             return self.value(&function.dotted(), time.clone());
         }
         self.value(&name, time.clone())
     }
 
-    fn at_time(&mut self, tree: &Tree, time: Fraction) -> Result<Fraction, Meaningless> {
+    /// The function a tree stands for at a time.
+    pub fn at_time(&mut self, tree: &Tree, time: Fraction) -> Result<Fraction, Meaningless> {
         let outer = self.running.replace(time);
         let result = self.nested(tree);
         self.running = outer;
@@ -198,7 +240,10 @@ impl<'a> Reading<'a> {
     }
 
     fn unknown(&self, name: &Name) -> Meaningless {
-        Meaningless::Unknown { name: name.to_string(), known: self.vocabulary.known() }
+        Meaningless::Unknown {
+            name: name.to_string(),
+            known: self.vocabulary.known(),
+        }
     }
 
     /// Whether a name needs no definition.
@@ -235,14 +280,23 @@ impl Scope<Fraction> for Reading<'_> {
             return Ok(self.resolve(atom));
         }
         if self.vocabulary.running.as_ref() == Some(name) {
-            return Ok(self.running.clone().unwrap_or_else(|| Fraction::variable(self.atoms.variable(Atom::Running))));
+            return Ok(self
+                .running
+                .clone()
+                .unwrap_or_else(|| Fraction::variable(self.atoms.variable(Atom::Running))));
         }
         if name.mark.is_empty() && (self.is_function(name) || self.is_motion(name)) {
             let running = self.running.clone();
             let time = running.unwrap_or_else(|| Fraction::variable(self.atoms.variable(Atom::Running)));
             return self.value(name, time);
         }
-        if name.base == r"\pi" && *name == (Name { base: name.base.clone(), ..Name::default() }) {
+        if name.base == r"\pi"
+            && *name
+                == (Name {
+                    base: name.base.clone(),
+                    ..Name::default()
+                })
+        {
             return Ok(self.resolve(Atom::Symbol(name.clone())));
         }
         Err(self.unknown(name))
@@ -272,8 +326,13 @@ impl Scope<Fraction> for Reading<'_> {
     }
 
     fn partial(&mut self, of: &Name, by: &Name) -> Result<Fraction, Meaningless> {
-        let none = Meaningless::NoMap { of: of.to_string(), by: by.to_string() };
-        let (Some(above), Some(below)) = (self.quantity(of), self.quantity(by)) else { return Err(none) };
+        let none = Meaningless::NoMap {
+            of: of.to_string(),
+            by: by.to_string(),
+        };
+        let (Some(above), Some(below)) = (self.quantity(of), self.quantity(by)) else {
+            return Err(none);
+        };
         let (above, below) = (self.atoms.variable(above), self.atoms.variable(below));
         let entry = self.jacobians.entry(above, below, self.atoms).ok_or(none)?;
         Ok(self.meaning.apply(&entry)?)
@@ -284,7 +343,10 @@ impl Scope<Fraction> for Reading<'_> {
             return Ok(self.resolve(Atom::Invariant { kind, of: of.clone() }));
         }
         let matrix = self.jacobians.matrix(of, self.atoms).ok_or_else(|| self.unknown(of))?;
-        let entries = matrix.iter().map(|entry| self.meaning.apply(entry)).collect::<Result<Vec<_>, _>>()?;
+        let entries = matrix
+            .iter()
+            .map(|entry| self.meaning.apply(entry))
+            .collect::<Result<Vec<_>, _>>()?;
         let matrix = nalgebra::DMatrix::from_vec(matrix.nrows(), matrix.ncols(), entries);
         super::jacobian::invariant(kind, &matrix).ok_or_else(|| Meaningless::NotSquare(of.to_string()))
     }
@@ -311,19 +373,34 @@ impl Scope<Fraction> for Reading<'_> {
 
 impl Meaning {
     /// The time less whole periods of the function.
-    fn reduced(&self, function: &Name, time: Fraction) -> Fraction {
-        let Some((_, period)) = self.periods.iter().find(|(name, _)| name == function) else { return time };
+    pub fn reduced(&self, function: &Name, time: Fraction) -> Fraction {
+        let Some((_, period)) = self.periods.iter().find(|(name, _)| name == function) else {
+            return time;
+        };
         // The variable that only the later impacts have, or the constant where the period is a number.
-        let Some((monomial, _)) = period.numerator().terms().first() else { return time };
+        let Some((monomial, _)) = period.numerator().terms().first() else {
+            return time;
+        };
         let part = |f: &Fraction| {
-            let above = f.numerator().terms().iter().find(|(m, _)| m == monomial).map(|(_, c)| c.clone());
+            let above = f
+                .numerator()
+                .terms()
+                .iter()
+                .find(|(m, _)| m == monomial)
+                .map(|(_, c)| c.clone());
             let below = f.denominator().as_constant()?;
-            Some(Rational(dashu_ratio::RBig::from(above.unwrap_or_default()) / dashu_ratio::RBig::from(below)))
+            Some(Rational(
+                dashu_ratio::RBig::from(above.unwrap_or_default()) / dashu_ratio::RBig::from(below),
+            ))
         };
         match (part(&time), part(period)) {
             (Some(have), Some(one)) if !one.is_zero() => {
                 let whole = Rational(dashu_ratio::RBig::from((have / one).0.floor()));
-                if whole.is_zero() { time } else { time - period.clone() * Fraction::from(&whole) }
+                if whole.is_zero() {
+                    time
+                } else {
+                    time - period.clone() * Fraction::from(&whole)
+                }
             }
             _ => time,
         }
@@ -331,10 +408,13 @@ impl Meaning {
 
     /// The function with all that is known put in. No known value holds a quantity that is itself known.
     pub fn apply(&self, function: &Fraction) -> Result<Fraction, Undefined> {
-        function.variables().into_iter().try_fold(function.clone(), |f, variable| match self.values.get(&variable) {
-            Some(value) => f.substituted(variable, value),
-            None => Ok(f),
-        })
+        function
+            .variables()
+            .into_iter()
+            .try_fold(function.clone(), |f, variable| match self.values.get(&variable) {
+                Some(value) => f.substituted(variable, value),
+                None => Ok(f),
+            })
     }
 
     /// Rewrites a function read without this meaning: times and parameters by their values, the values of functions
@@ -350,7 +430,10 @@ impl Meaning {
                     if moved == variable && !self.values.contains_key(&variable) {
                         continue;
                     }
-                    self.values.get(&moved).cloned().unwrap_or_else(|| Fraction::variable(moved))
+                    self.values
+                        .get(&moved)
+                        .cloned()
+                        .unwrap_or_else(|| Fraction::variable(moved))
                 }
                 _ => match self.values.get(&variable) {
                     Some(value) => value.clone(),

@@ -21,7 +21,11 @@ pub fn either_root(radicand: &Fraction) -> Option<Fraction> {
 pub fn of_square(radicand: &Fraction) -> Option<Fraction> {
     let root = either_root(radicand)?;
     let value = root.as_constant()?;
-    Some(Fraction::from(&if value.0 < dashu_ratio::RBig::ZERO { -value } else { value }))
+    Some(Fraction::from(&if value.0 < dashu_ratio::RBig::ZERO {
+        -value
+    } else {
+        value
+    }))
 }
 
 #[cfg(test)]

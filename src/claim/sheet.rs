@@ -2,7 +2,7 @@
 
 use super::verdict::Verdict;
 use super::vocabulary::Vocabulary;
-use crate::tex::{Equation, Tree, read};
+use crate::tex::{Equation, read};
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -73,7 +73,10 @@ impl Source {
 
     /// A fault at byte `at` of the TeX.
     pub fn fault(&self, at: usize, message: impl Into<String>) -> Fault {
-        let at = (0..=at.min(self.tex.len())).rev().find(|&n| self.tex.is_char_boundary(n)).unwrap_or(0);
+        let at = (0..=at.min(self.tex.len()))
+            .rev()
+            .find(|&n| self.tex.is_char_boundary(n))
+            .unwrap_or(0);
         let (before, after) = self.tex.split_at(at);
         let line_start = before.rfind('\n').map_or(0, |n| n + 1);
         let head = before.get(line_start..).unwrap_or_default();
@@ -88,7 +91,12 @@ impl Source {
             (self.line + row, column + 1)
         };
         let shown = format!("    {head}{tail}\n    {}^", " ".repeat(column)).replace('\t', " ");
-        Fault { message: message.into(), label: None, place: Some(place), shown: Some(shown) }
+        Fault {
+            message: message.into(),
+            label: None,
+            place: Some(place),
+            shown: Some(shown),
+        }
     }
 }
 
@@ -107,7 +115,12 @@ pub struct Fault {
 impl Fault {
     /// A fault without a place.
     pub fn new(message: impl Into<String>) -> Self {
-        Self { message: message.into(), label: None, place: None, shown: None }
+        Self {
+            message: message.into(),
+            label: None,
+            place: None,
+            shown: None,
+        }
     }
 
     /// The fault, said of the equation `label` where none is named yet.
@@ -147,6 +160,8 @@ impl std::error::Error for Fault {}
 pub struct Symbols {
     pub parameters: Vec<String>,
     pub generic: Option<Vec<String>>,
+    pub positive: Vec<String>,
+    pub at_most_one: Vec<String>,
     pub times: Vec<String>,
     pub states: Vec<String>,
     pub continuous: Vec<String>,
@@ -246,7 +261,11 @@ impl Sheet {
             None => vocabulary.clone(),
             Some(symbols) => Vocabulary::read(&with_labels(symbols.get_ref(), &raw.equation)).map_err(|fault| {
                 let here = Source::new(text, &Spanned::new(symbols.span(), String::new()));
-                Fault { message: format!("[symbols] {}", fault.message), ..fault }.at(&here)
+                Fault {
+                    message: format!("[symbols] {}", fault.message),
+                    ..fault
+                }
+                .at(&here)
             })?,
         };
         let positions = positions(text, &raw.equation)?;
@@ -263,7 +282,11 @@ impl Sheet {
             let read = read_entry(text, entry, &positions, &vocabulary, wanted);
             entries.push(read.map_err(|fault| fault.of(label))?);
         }
-        let sheet = Self { title: raw.title, vocabulary, entries };
+        let sheet = Self {
+            title: raw.title,
+            vocabulary,
+            entries,
+        };
         sheet.refuse_circles()?;
         Ok(sheet)
     }
@@ -308,7 +331,12 @@ fn parse(text: &str) -> Result<RawSheet, Fault> {
 /// The symbols with each map that lists labels of the sheet given the TeX of these instead.
 fn with_labels(symbols: &Symbols, entries: &[RawEntry]) -> Symbols {
     let mut symbols = symbols.clone();
-    let tex = |label: &String| entries.iter().find(|e| e.label.get_ref() == label).map(|e| e.tex.get_ref().clone());
+    let tex = |label: &String| {
+        entries
+            .iter()
+            .find(|e| e.label.get_ref() == label)
+            .map(|e| e.tex.get_ref().clone())
+    };
     for entry in symbols.maps.values_mut() {
         if let MapEntry::List(list) = entry
             && let Some(equations) = list.iter().map(tex).collect::<Option<Vec<_>>>()
@@ -343,12 +371,19 @@ fn read_entry(
     wanted: bool,
 ) -> Result<Entry, Fault> {
     let tex = Source::new(text, &raw.tex);
-    let equations = if wanted { read_tex(&tex, vocabulary)? } else { Vec::new() };
+    let equations = if wanted {
+        read_tex(&tex, vocabulary)?
+    } else {
+        Vec::new()
+    };
     let sourced = |list: &[Spanned<String>]| -> Result<Vec<(Equation, Source)>, Fault> {
         let sources = list.iter().map(|text_of| Source::new(text, text_of));
         let read = sources.map(|source| {
             let equations = read_tex(&source, vocabulary)?;
-            Ok(equations.into_iter().map(|equation| (equation, source.clone())).collect::<Vec<_>>())
+            Ok(equations
+                .into_iter()
+                .map(|equation| (equation, source.clone()))
+                .collect::<Vec<_>>())
         });
         Ok(read.collect::<Result<Vec<_>, Fault>>()?.concat())
     };
@@ -356,7 +391,10 @@ fn read_entry(
     for label in raw.follows_from.iter().flatten() {
         let Some(&position) = positions.get(label.get_ref().as_str()) else {
             let known = positions.keys().copied().collect::<Vec<_>>().join(", ");
-            let problem = format!("follows from `{}`, which is no label here (there are: {known})", label.get_ref());
+            let problem = format!(
+                "follows from `{}`, which is no label here (there are: {known})",
+                label.get_ref()
+            );
             return Err(Fault::new(problem).at(&Source::new(text, label)));
         };
         if !follows_from.contains(&position) {
@@ -380,22 +418,4 @@ fn read_entry(
 
 fn read_tex(source: &Source, vocabulary: &Vocabulary) -> Result<Vec<Equation>, Fault> {
     read(&source.tex, &vocabulary.names).map_err(|error| source.fault(error.at, error.reason.to_string()))
-}
-
-/// Whether `name` stands in the tree.
-pub(super) fn mentions(tree: &Tree, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
-    if test(tree) {
-        return true;
-    }
-    match tree {
-        Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => false,
-        Tree::Call(_, inner, _)
-        | Tree::Negate(inner)
-        | Tree::Power(inner, ..)
-        | Tree::Root(inner, _)
-        | Tree::PlusMinus(inner)
-        | Tree::MinusPlus(inner) => mentions(inner, test),
-        Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| mentions(part, test)),
-        Tree::Quotient(above, below, _) => mentions(above, test) || mentions(below, test),
-    }
 }

@@ -17,7 +17,11 @@ pub fn rewrite(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
         Tree::Number(_) | Tree::Invariant { .. } => tree.clone(),
         Tree::Symbol(name, _) => new(name).unwrap_or_else(|| tree.clone()),
         Tree::Call(name, argument, at) => Tree::Call(name.clone(), boxed(argument), *at),
-        Tree::Partial { of, by, at } => Tree::Partial { of: renamed(of), by: renamed(by), at: *at },
+        Tree::Partial { of, by, at } => Tree::Partial {
+            of: renamed(of),
+            by: renamed(by),
+            at: *at,
+        },
         Tree::Negate(inner) => Tree::Negate(boxed(inner)),
         Tree::Sum(terms) => Tree::Sum(terms.iter().map(again).collect()),
         Tree::Product(factors) => Tree::Product(factors.iter().map(again).collect()),
@@ -31,7 +35,11 @@ pub fn rewrite(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
 
 /// The equation with both sides rewritten.
 pub fn rewrite_equation(equation: &Equation, new: &dyn Fn(&Name) -> Option<Tree>) -> Equation {
-    Equation { left: rewrite(&equation.left, new), right: rewrite(&equation.right, new), ..equation.clone() }
+    Equation {
+        left: rewrite(&equation.left, new),
+        right: rewrite(&equation.right, new),
+        ..equation.clone()
+    }
 }
 
 /// Whether any node of the tree passes the test.
@@ -60,11 +68,18 @@ impl Vocabulary {
     fn impact(&self, name: &Name) -> Option<i32> {
         let bare = name.bare();
         let indexed = self.times.contains(&bare) || self.states.contains(&bare);
-        if indexed { index_of(&name.subscript, &self.index) } else { None }
+        if indexed {
+            index_of(&name.subscript, &self.index)
+        } else {
+            None
+        }
     }
 
     fn abbreviated(&self, name: &Name) -> Option<&Tree> {
-        self.abbreviations.iter().find(|(known, _)| known == name).map(|(_, tree)| tree)
+        self.abbreviations
+            .iter()
+            .find(|(known, _)| known == name)
+            .map(|(_, tree)| tree)
     }
 
     /// The impacts that an equation speaks of.
@@ -101,7 +116,13 @@ impl Vocabulary {
         }
         rewrite_equation(&self.expanded(equation), &|name| {
             let subscript = subscript_of(self.impact(name)? + by, &self.index);
-            Some(Tree::Symbol(Name { subscript, ..name.clone() }, At::default()))
+            Some(Tree::Symbol(
+                Name {
+                    subscript,
+                    ..name.clone()
+                },
+                At::default(),
+            ))
         })
     }
 
@@ -114,13 +135,24 @@ impl Vocabulary {
             _ => false,
         });
         let replaces_times = pairs.iter().any(|(from, _)| self.times.contains(&from.bare()));
-        let equation = if replaces_times { self.expanded(equation) } else { equation.clone() };
+        let equation = if replaces_times {
+            self.expanded(equation)
+        } else {
+            equation.clone()
+        };
         rewrite_equation(&equation, &|name| {
-            let plain = Name { mark: String::new(), ..name.clone() };
+            let plain = Name {
+                mark: String::new(),
+                ..name.clone()
+            };
             find(name).or_else(|| match find(&plain) {
-                Some(Tree::Symbol(to, at)) if !self.times.contains(&plain.bare()) => {
-                    Some(Tree::Symbol(Name { mark: name.mark.clone(), ..to }, at))
-                }
+                Some(Tree::Symbol(to, at)) if !self.times.contains(&plain.bare()) => Some(Tree::Symbol(
+                    Name {
+                        mark: name.mark.clone(),
+                        ..to
+                    },
+                    at,
+                )),
                 // A state that an impact does not change is the same with a mark and without.
                 Some(tree) if name.mark == "-" || self.continuous.contains(&plain.bare()) => Some(tree),
                 _ if timed => self.state_moved(name, &find),
@@ -134,8 +166,17 @@ impl Vocabulary {
             return None;
         }
         let family = self.times.first()?;
-        match find(&Name { subscript: name.subscript.clone(), ..family.clone() })? {
-            Tree::Symbol(time, at) => Some(Tree::Symbol(Name { subscript: time.subscript, ..name.clone() }, at)),
+        match find(&Name {
+            subscript: name.subscript.clone(),
+            ..family.clone()
+        })? {
+            Tree::Symbol(time, at) => Some(Tree::Symbol(
+                Name {
+                    subscript: time.subscript,
+                    ..name.clone()
+                },
+                at,
+            )),
             _ => None,
         }
     }

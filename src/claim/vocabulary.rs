@@ -21,6 +21,9 @@ pub struct Vocabulary {
     pub parameters: Vec<Name>,
     /// Parameters and abbreviations that premises are solved for last.
     pub generic: Vec<Name>,
+    /// Symbols that are positive, and those among them that do not exceed 1.
+    pub positive: Vec<Name>,
+    pub at_most_one: Vec<Name>,
     /// The letter that numbers impacts: `k`.
     pub index: String,
     /// Families of times, without index; the first is that of the impacts.
@@ -59,13 +62,21 @@ pub fn index_of(subscript: &str, letter: &str) -> Option<i32> {
 
 /// The subscript of impact number `index`.
 pub fn subscript_of(index: i32, letter: &str) -> String {
-    if index == 0 { letter.to_string() } else { format!("{letter}{index:+}") }
+    if index == 0 {
+        letter.to_string()
+    } else {
+        format!("{letter}{index:+}")
+    }
 }
 
 impl Name {
     /// The name without subscript, mark and primes.
     pub(super) fn bare(&self) -> Self {
-        Self { base: self.base.clone(), accents: self.accents.clone(), ..Self::default() }
+        Self {
+            base: self.base.clone(),
+            accents: self.accents.clone(),
+            ..Self::default()
+        }
     }
 
     /// The name of the derivative by time: one dot more.
@@ -86,7 +97,10 @@ impl Vocabulary {
     /// # Errors
     /// A [`Fault`] that quotes the entry that cannot be read.
     pub fn read(symbols: &Symbols) -> Result<Self, Fault> {
-        let mut vocabulary = Self { names: first_names(symbols)?, ..Self::default() };
+        let mut vocabulary = Self {
+            names: first_names(symbols)?,
+            ..Self::default()
+        };
         vocabulary.parameters = vocabulary.list(&symbols.parameters)?;
         vocabulary.states = vocabulary.list(&symbols.states)?;
         vocabulary.continuous = vocabulary.list(&symbols.continuous)?;
@@ -97,13 +111,19 @@ impl Vocabulary {
         vocabulary.continuous = as_states(&vocabulary.continuous);
         vocabulary.read_functions(symbols)?;
         for (name, period) in symbols.periods.pairs()? {
-            vocabulary.periods.push((vocabulary.name(&name)?, vocabulary.expression(&period)?));
+            vocabulary
+                .periods
+                .push((vocabulary.name(&name)?, vocabulary.expression(&period)?));
         }
         for (name, meaning) in symbols.abbreviations.pairs()? {
-            vocabulary.abbreviations.push((vocabulary.name(&name)?, vocabulary.expression(&meaning)?));
+            vocabulary
+                .abbreviations
+                .push((vocabulary.name(&name)?, vocabulary.expression(&meaning)?));
         }
         for (square, value) in symbols.relations.pairs()? {
-            vocabulary.relations.extend(vocabulary.equations(&format!("{square} = {value}"))?);
+            vocabulary
+                .relations
+                .extend(vocabulary.equations(&format!("{square} = {value}"))?);
         }
         vocabulary.generic = match &symbols.generic {
             Some(generic) => vocabulary.list(generic)?,
@@ -112,6 +132,9 @@ impl Vocabulary {
                 vocabulary.parameters.iter().cloned().chain(abbreviations).collect()
             }
         };
+        vocabulary.at_most_one = vocabulary.list(&symbols.at_most_one)?;
+        vocabulary.positive = vocabulary.list(&symbols.positive)?;
+        vocabulary.positive.extend(vocabulary.at_most_one.clone());
         vocabulary.read_maps(symbols)?;
         vocabulary.refuse_twice()?;
         Ok(vocabulary)
@@ -144,11 +167,16 @@ impl Vocabulary {
 
     fn read_functions(&mut self, symbols: &Symbols) -> Result<(), Fault> {
         let pairs = symbols.functions.pairs()?;
-        let functions = pairs.iter().map(|(name, _)| self.name(name)).collect::<Result<Vec<_>, _>>()?;
+        let functions = pairs
+            .iter()
+            .map(|(name, _)| self.name(name))
+            .collect::<Result<Vec<_>, _>>()?;
         self.names.functions = functions.clone();
         for state in &self.states {
             // The motion law is a formula for the derivative of the last state.
-            self.names.functions.extend([state.clone(), state.dotted(), state.dotted().dotted()]);
+            self.names
+                .functions
+                .extend([state.clone(), state.dotted(), state.dotted().dotted()]);
         }
         for (name, (_, derivative)) in functions.into_iter().zip(&pairs) {
             let derivative = match derivative.trim() {
@@ -161,7 +189,11 @@ impl Vocabulary {
     }
 
     fn read_maps(&mut self, symbols: &Symbols) -> Result<(), Fault> {
-        let names = symbols.maps.keys().map(|name| self.name(name)).collect::<Result<Vec<_>, _>>()?;
+        let names = symbols
+            .maps
+            .keys()
+            .map(|name| self.name(name))
+            .collect::<Result<Vec<_>, _>>()?;
         self.names.matrices = names.clone();
         for (name, entry) in names.into_iter().zip(symbols.maps.values()) {
             let map = match entry {
@@ -170,7 +202,10 @@ impl Vocabulary {
                     by: by.iter().map(|tex| self.expression(tex)).collect::<Result<_, _>>()?,
                 },
                 super::sheet::MapEntry::List(list) if list.iter().any(|tex| tex.contains('=')) => {
-                    let equations = list.iter().map(|tex| self.equations(tex)).collect::<Result<Vec<_>, _>>()?;
+                    let equations = list
+                        .iter()
+                        .map(|tex| self.equations(tex))
+                        .collect::<Result<Vec<_>, _>>()?;
                     Map::Equations(equations.concat())
                 }
                 super::sheet::MapEntry::List(list) => self.product(&list.join(" "))?,
@@ -188,7 +223,9 @@ impl Vocabulary {
             if self.names.matrices.contains(&name) {
                 return Ok(name);
             }
-            Err(Fault::new(format!("`{word}` is no map: name maps, or write equations with `=`")))
+            Err(Fault::new(format!(
+                "`{word}` is no map: name maps, or write equations with `=`"
+            )))
         });
         Ok(Map::Product(factors.collect::<Result<_, _>>()?))
     }
@@ -198,7 +235,13 @@ impl Vocabulary {
         let functions = self.functions.iter().map(|(name, _)| name);
         let abbreviations = self.abbreviations.iter().map(|(name, _)| name);
         let mut seen: Vec<&Name> = Vec::new();
-        for name in self.parameters.iter().chain(functions).chain(abbreviations).chain(&self.states) {
+        for name in self
+            .parameters
+            .iter()
+            .chain(functions)
+            .chain(abbreviations)
+            .chain(&self.states)
+        {
             if seen.contains(&name) {
                 return Err(Fault::new(format!("`{name}` is declared twice")));
             }
@@ -230,9 +273,19 @@ impl Vocabulary {
         let abbreviations = self.abbreviations.iter().map(|(name, _)| name.to_string());
         let indexed = self.times.iter().chain(&self.states).map(|name| {
             let subscript = self.index.clone();
-            Name { subscript, ..name.clone() }.to_string()
+            Name {
+                subscript,
+                ..name.clone()
+            }
+            .to_string()
         });
-        let all = self.parameters.iter().map(Name::to_string).chain(abbreviations).chain(indexed).chain(functions);
+        let all = self
+            .parameters
+            .iter()
+            .map(Name::to_string)
+            .chain(abbreviations)
+            .chain(indexed)
+            .chain(functions);
         all.collect::<Vec<_>>().join(", ")
     }
 }
@@ -252,11 +305,21 @@ fn first_names(symbols: &Symbols) -> Result<Names, Fault> {
     for pair in pairs {
         texts.extend(pair.pairs()?.into_iter().map(|(name, _)| name));
     }
-    texts.extend(symbols.parameters.iter().chain(&symbols.times).chain(&symbols.states).cloned());
+    texts.extend(
+        symbols
+            .parameters
+            .iter()
+            .chain(&symbols.times)
+            .chain(&symbols.states)
+            .cloned(),
+    );
     texts.extend(symbols.maps.keys().cloned());
     let word = |text: &String| -> String { text.trim().chars().take_while(char::is_ascii_alphabetic).collect() };
     let words = texts.iter().map(word).filter(|word| word.len() > 1).collect();
-    Ok(Names { words, ..Names::default() })
+    Ok(Names {
+        words,
+        ..Names::default()
+    })
 }
 
 #[cfg(test)]

@@ -46,11 +46,7 @@ pub trait Field:
                 square = square.clone() * square;
             }
         }
-        if exponent < 0 {
-            Self::one() / result
-        } else {
-            result
-        }
+        if exponent < 0 { Self::one() / result } else { result }
     }
 }
 

@@ -50,11 +50,7 @@ impl<'a> Reader<'a> {
             (Some(_), Form::Literal | Form::Plain | Form::Bracketed) => Ok(raise(tree, power)),
             (Some(_), _) => {
                 let instead = "write brackets around what is raised";
-                Err(Fault::ambiguous(
-                    at,
-                    "a power of something without brackets",
-                    instead,
-                ))
+                Err(Fault::ambiguous(at, "a power of something without brackets", instead))
             }
         }
     }
@@ -114,9 +110,7 @@ impl<'a> Reader<'a> {
 
     fn fraction(&mut self, token: Token<'a>) -> Result<Part, Fault> {
         self.next += 1;
-        let partial = self
-            .look(1)
-            .is_some_and(|token| token.kind == Kind::Partial);
+        let partial = self.look(1).is_some_and(|token| token.kind == Kind::Partial);
         if partial && self.peek_kind() == Some(Kind::BraceOpen) {
             let tree = self.stacked_partial(token.at)?;
             return self.carried(tree, Form::Fraction);
@@ -133,11 +127,7 @@ impl<'a> Reader<'a> {
             match (index(self, 1), index(self, 2)) {
                 (Some("2"), Some("]")) => self.next += 3,
                 _ => {
-                    return Err(Fault::unsupported(
-                        token.at,
-                        "this root",
-                        "only square roots are read",
-                    ));
+                    return Err(Fault::unsupported(token.at, "this root", "only square roots are read"));
                 }
             }
         }
@@ -162,11 +152,7 @@ impl<'a> Reader<'a> {
         self.partial_sign()?;
         let by = self.full_name()?;
         if self.peek_kind() == Some(Kind::Partial) {
-            return Err(Fault::unsupported(
-                self.here(),
-                "a second derivative",
-                PARTNER,
-            ));
+            return Err(Fault::unsupported(self.here(), "a second derivative", PARTNER));
         }
         self.close_brace(below)?;
         let of = match of {
@@ -200,11 +186,7 @@ impl<'a> Reader<'a> {
         self.skip_empty();
         if self.peek_kind().is_some_and(starts_factor) {
             let instead = "write \\frac{\\partial ..}{\\partial ..}, or brackets around it";
-            return Err(Fault::ambiguous(
-                self.here(),
-                "a factor right after a divisor",
-                instead,
-            ));
+            return Err(Fault::ambiguous(self.here(), "a factor right after a divisor", instead));
         }
         let at = At(token.at);
         // As a quotient with a slash, it is no base of a power and no content of bare braces.

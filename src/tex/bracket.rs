@@ -37,12 +37,7 @@ impl<'a> Reader<'a> {
                 let (open, close) = (format!("`{}`", open.text), format!("`{}`", token.text));
                 Err(Fault::new(token.at, Reason::Mismatched { open, close }))
             }
-            Some(token)
-                if matches!(
-                    token.kind,
-                    Kind::Sub | Kind::Sup | Kind::Comma | Kind::Equals
-                ) =>
-            {
+            Some(token) if matches!(token.kind, Kind::Sub | Kind::Sup | Kind::Comma | Kind::Equals) => {
                 let wanted = format!("a closing bracket for `{}`", open.text);
                 Err(Fault::unexpected(token.at, token.text, &wanted))
             }

@@ -73,8 +73,8 @@ const LETTERS: &[&str] = &[
 
 /// Functions that are known without a declaration, longest first where one starts another.
 const FUNCTIONS: &[&str] = &[
-    "\\arccos", "\\arcsin", "\\arctan", "\\sinh", "\\cosh", "\\tanh", "\\sin", "\\cos", "\\tan",
-    "\\exp", "\\log", "\\ln",
+    "\\arccos", "\\arcsin", "\\arctan", "\\sinh", "\\cosh", "\\tanh", "\\sin", "\\cos", "\\tan", "\\exp", "\\log",
+    "\\ln",
 ];
 
 const SKIPPED: &[&str] = &[
@@ -125,11 +125,7 @@ pub(super) fn elementary(word: &str) -> Option<&'static str> {
 
 /// The elementary function that a run of letters starts with.
 pub(super) fn elementary_at_start(run: &str) -> Option<&'static str> {
-    let starts = |command: &&&str| {
-        command
-            .strip_prefix('\\')
-            .is_some_and(|name| run.starts_with(name))
-    };
+    let starts = |command: &&&str| command.strip_prefix('\\').is_some_and(|name| run.starts_with(name));
     FUNCTIONS.iter().find(starts).copied()
 }
 
@@ -165,19 +161,15 @@ fn structure(text: &str) -> Option<Command> {
         "\\hspace" => Command::Space,
         "\\label" | "\\tag" | "\\phantom" | "\\hphantom" | "\\vphantom" => Command::SkipGroup,
         "\\left" | "\\right" => Command::Sized,
-        "\\mathrm" | "\\mathbf" | "\\mathit" | "\\mathsf" | "\\mathnormal" | "\\boldsymbol"
-        | "\\bm" | "\\rm" | "\\bf" | "\\it" => Command::Font,
-        "\\text" | "\\textrm" | "\\textit" | "\\textbf" | "\\mbox" | "\\operatorname" => {
-            Command::Text
-        }
+        "\\mathrm" | "\\mathbf" | "\\mathit" | "\\mathsf" | "\\mathnormal" | "\\boldsymbol" | "\\bm" | "\\rm"
+        | "\\bf" | "\\it" => Command::Font,
+        "\\text" | "\\textrm" | "\\textit" | "\\textbf" | "\\mbox" | "\\operatorname" => Command::Text,
         "\\begin" => Command::Begin,
         "\\end" => Command::End,
         "\\frac" | "\\dfrac" | "\\tfrac" | "\\cfrac" => Command::Token(Kind::Fraction),
         "\\sqrt" => Command::Token(Kind::Root),
         "\\partial" => Command::Token(Kind::Partial),
-        "\\dot" | "\\ddot" | "\\hat" | "\\tilde" | "\\vec" | "\\overline" => {
-            Command::Token(Kind::Accent)
-        }
+        "\\dot" | "\\ddot" | "\\hat" | "\\tilde" | "\\vec" | "\\overline" => Command::Token(Kind::Accent),
         "\\bar" => Command::Spelled(Kind::Accent, "\\overline"),
         "\\widehat" => Command::Spelled(Kind::Accent, "\\hat"),
         "\\widetilde" => Command::Spelled(Kind::Accent, "\\tilde"),
@@ -211,10 +203,8 @@ fn hint(text: &str) -> &'static str {
         "\\over" => ": write \\frac{..}{..}",
         "\\bigg/" | "\\middle" => ": write / alone",
         "\\vert" | "\\lvert" | "\\rvert" | "\\mid" | "\\|" => ": absolute values are not supported",
-        "\\leq" | "\\geq" | "\\le" | "\\ge" | "\\lt" | "\\gt" | "\\neq" | "\\ne" | "\\approx"
-        | "\\sim" | "\\simeq" | "\\mapsto" | "\\longmapsto" | "\\to" | "\\rightarrow" | "\\in" => {
-            ": only equations are read"
-        }
+        "\\leq" | "\\geq" | "\\le" | "\\ge" | "\\lt" | "\\gt" | "\\neq" | "\\ne" | "\\approx" | "\\sim" | "\\simeq"
+        | "\\mapsto" | "\\longmapsto" | "\\to" | "\\rightarrow" | "\\in" => ": only equations are read",
         _ => "",
     }
 }

@@ -10,10 +10,7 @@ pub enum Reason {
     #[error("no equation here: write `left = right`")]
     NoEquation,
     #[error("cannot read {found} here{instead}")]
-    Unreadable {
-        found: String,
-        instead: &'static str,
-    },
+    Unreadable { found: String, instead: &'static str },
     #[error("found {found} where {wanted} must stand")]
     Unexpected { found: String, wanted: String },
     #[error("{open} is not closed")]
@@ -23,15 +20,9 @@ pub enum Reason {
     #[error("{open} is closed by {close}")]
     Mismatched { open: String, close: String },
     #[error("{found} can be read in more than one way: {instead}")]
-    Ambiguous {
-        found: String,
-        instead: &'static str,
-    },
+    Ambiguous { found: String, instead: &'static str },
     #[error("{found} cannot be read: {instead}")]
-    Unsupported {
-        found: String,
-        instead: &'static str,
-    },
+    Unsupported { found: String, instead: &'static str },
     #[error("{found} is no known matrix (known: {known})")]
     UnknownMatrix { found: String, known: String },
     #[error("{found} is no declared name: declare it, or set its letters apart")]
@@ -55,10 +46,7 @@ pub struct ReadError {
 impl ReadError {
     /// The offending line of `tex` and a caret beneath the place.
     pub fn caret(&self, tex: &str) -> String {
-        let line = tex
-            .split('\n')
-            .nth(self.line.saturating_sub(1))
-            .unwrap_or("");
+        let line = tex.split('\n').nth(self.line.saturating_sub(1)).unwrap_or("");
         // A tab would shift the caret, so it is shown as one blank.
         let shown = line.trim_end_matches('\r').replace('\t', " ");
         let indent = " ".repeat(self.column.saturating_sub(1));

@@ -39,9 +39,7 @@ pub trait Scope<F: Field> {
 
     /// A printed number in the field.
     fn number(&mut self, value: &Rational) -> Result<F, Self::Error> {
-        value
-            .embed()
-            .ok_or_else(|| Unsupported::Number(value.clone()).into())
+        value.embed().ok_or_else(|| Unsupported::Number(value.clone()).into())
     }
 
     /// Which sign `\pm` stands for: `Some(true)` the upper, `None` neither.
@@ -77,9 +75,7 @@ impl<F: Field, S: BuildHasher> Scope<F> for HashMap<Name, F, S> {
     type Error = Unsupported;
 
     fn symbol(&mut self, name: &Name) -> Result<F, Unsupported> {
-        self.get(name)
-            .cloned()
-            .ok_or_else(|| Unsupported::Symbol(name.clone()))
+        self.get(name).cloned().ok_or_else(|| Unsupported::Symbol(name.clone()))
     }
 }
 
@@ -88,9 +84,7 @@ impl<F: Field> Scope<F> for BTreeMap<Name, F> {
     type Error = Unsupported;
 
     fn symbol(&mut self, name: &Name) -> Result<F, Unsupported> {
-        self.get(name)
-            .cloned()
-            .ok_or_else(|| Unsupported::Symbol(name.clone()))
+        self.get(name).cloned().ok_or_else(|| Unsupported::Symbol(name.clone()))
     }
 }
 
@@ -115,10 +109,7 @@ impl<E> EvaluationError<E> {
 }
 
 /// The value of `tree`, its names as `scope` has them.
-pub fn evaluate<F: Field, S: Scope<F>>(
-    tree: &Tree,
-    scope: &mut S,
-) -> Result<F, EvaluationError<S::Error>> {
+pub fn evaluate<F: Field, S: Scope<F>>(tree: &Tree, scope: &mut S) -> Result<F, EvaluationError<S::Error>> {
     match tree {
         Tree::Number(value) => known(scope.number(value), tree),
         Tree::Symbol(name, _) => known(scope.symbol(name), tree),
@@ -141,10 +132,7 @@ pub fn evaluate<F: Field, S: Scope<F>>(
 type Value<F, E> = Result<F, EvaluationError<E>>;
 
 fn known<F, E>(value: Result<F, E>, tree: &Tree) -> Value<F, E> {
-    value.map_err(|error| EvaluationError::Scope {
-        error,
-        at: place(tree),
-    })
+    value.map_err(|error| EvaluationError::Scope { error, at: place(tree) })
 }
 
 #[inline(never)]
@@ -166,12 +154,7 @@ fn product<F: Field, S: Scope<F>>(factors: &[Tree], scope: &mut S) -> Value<F, S
 }
 
 #[inline(never)]
-fn quotient<F: Field, S: Scope<F>>(
-    above: &Tree,
-    below: &Tree,
-    at: usize,
-    scope: &mut S,
-) -> Value<F, S::Error> {
+fn quotient<F: Field, S: Scope<F>>(above: &Tree, below: &Tree, at: usize, scope: &mut S) -> Value<F, S::Error> {
     let denominator: F = evaluate(below, scope)?;
     if scope.is_zero(&denominator) {
         return Err(EvaluationError::DivisionByZero { at });
@@ -180,12 +163,7 @@ fn quotient<F: Field, S: Scope<F>>(
 }
 
 #[inline(never)]
-fn power<F: Field, S: Scope<F>>(
-    base: &Tree,
-    exponent: i32,
-    at: usize,
-    scope: &mut S,
-) -> Value<F, S::Error> {
+fn power<F: Field, S: Scope<F>>(base: &Tree, exponent: i32, at: usize, scope: &mut S) -> Value<F, S::Error> {
     let base: F = evaluate(base, scope)?;
     if exponent >= 0 {
         return Ok(base.to_power(exponent));
@@ -212,11 +190,7 @@ fn root<F: Field, S: Scope<F>>(radicand: &Tree, at: At, scope: &mut S) -> Value<
 }
 
 #[inline(never)]
-fn signed<F: Field, S: Scope<F>>(
-    body: &Tree,
-    plus_above: bool,
-    scope: &mut S,
-) -> Value<F, S::Error> {
+fn signed<F: Field, S: Scope<F>>(body: &Tree, plus_above: bool, scope: &mut S) -> Value<F, S::Error> {
     let Some(upper) = scope.upper_sign() else {
         return Err(EvaluationError::Sign { at: place(body) });
     };

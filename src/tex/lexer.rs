@@ -17,11 +17,7 @@ pub(super) fn lex(tex: &str) -> Result<Vec<Token<'_>>, Fault> {
         lexer.step(c)?;
     }
     if let Some((at, text)) = lexer.sized {
-        return Err(Fault::unexpected(
-            tex.len().max(at),
-            text,
-            "a bracket after it",
-        ));
+        return Err(Fault::unexpected(tex.len().max(at), text, "a bracket after it"));
     }
     match lexer.environments.pop() {
         Some((at, name)) => Err(Fault::unclosed(at, &format!("\\begin{{{name}}}"))),
@@ -60,9 +56,7 @@ impl<'a> Lexer<'a> {
             c if c.is_ascii_alphabetic() => return self.push(Kind::Letter, 1),
             ':' if rest.starts_with(":=") => return self.push(Kind::Equals, 2),
             c => {
-                let kind = sign(c).ok_or_else(|| {
-                    Fault::unreadable(self.at, c.encode_utf8(&mut [0; 4]), hint(c))
-                })?;
+                let kind = sign(c).ok_or_else(|| Fault::unreadable(self.at, c.encode_utf8(&mut [0; 4]), hint(c)))?;
                 return self.push(kind, c.len_utf8());
             }
         }
@@ -144,9 +138,7 @@ impl<'a> Lexer<'a> {
             return;
         };
         let units = ["pt", "em", "ex", "mm", "cm", "in"];
-        let value = units
-            .iter()
-            .find_map(|unit| option.trim().strip_suffix(unit));
+        let value = units.iter().find_map(|unit| option.trim().strip_suffix(unit));
         if value.is_some_and(|value| value.trim().parse::<f32>().is_ok()) {
             self.at += option.len() + 2;
         }
@@ -270,8 +262,7 @@ fn digit_at(text: &str, offset: usize) -> bool {
 fn number_length(rest: &str) -> usize {
     let digits = |from: usize| {
         let tail = rest.get(from..).unwrap_or("");
-        tail.find(|c: char| !c.is_ascii_digit())
-            .unwrap_or(tail.len())
+        tail.find(|c: char| !c.is_ascii_digit()).unwrap_or(tail.len())
     };
     let whole = digits(0);
     let point = rest.get(whole..).is_some_and(|tail| tail.starts_with('.'));
@@ -329,18 +320,12 @@ mod tests {
 
     #[test]
     fn numbers_end_before_a_full_stop() {
-        assert_eq!(
-            texts("0.26 .5 2. 3.x"),
-            ["0.26", ".5", "2", ".", "3", ".", "x"]
-        );
+        assert_eq!(texts("0.26 .5 2. 3.x"), ["0.26", ".5", "2", ".", "3", ".", "x"]);
     }
 
     #[test]
     fn fonts_make_words_and_are_gone_otherwise() {
-        assert_eq!(
-            texts(r"\mathrm{Tr} \mathbf{H} \rm B"),
-            ["Tr", "{", "H", "}", "B"]
-        );
+        assert_eq!(texts(r"\mathrm{Tr} \mathbf{H} \rm B"), ["Tr", "{", "H", "}", "B"]);
         let tokens = lex(r"\text{ and } \quad \\[2pt] \\*").unwrap();
         let kinds: Vec<Kind> = tokens.iter().map(|token| token.kind).collect();
         assert_eq!(kinds, [Kind::And, Kind::Quad, Kind::Row, Kind::Row]);

@@ -125,11 +125,7 @@ fn factor(tree: &Tree) -> String {
         Tree::Quotient(above, below, _) => format!("\\frac{{{}}}{{{}}}", sum(above), sum(below)),
         Tree::Root(radicand, _) => format!("\\sqrt{{{}}}", sum(radicand)),
         Tree::Power(base, exponent, _) => power(base, *exponent),
-        Tree::Negate(_)
-        | Tree::Sum(_)
-        | Tree::Product(_)
-        | Tree::PlusMinus(_)
-        | Tree::MinusPlus(_) => bracketed(tree),
+        Tree::Negate(_) | Tree::Sum(_) | Tree::Product(_) | Tree::PlusMinus(_) | Tree::MinusPlus(_) => bracketed(tree),
     }
 }
 
@@ -141,9 +137,7 @@ fn power(base: &Tree, exponent: i32) -> String {
         Tree::Symbol(name, _) if name.mark.is_empty() && name.primes == 0 => {
             format!("{name}^{exponent}")
         }
-        Tree::Call(name, argument, _)
-            if before_argument && name.mark.is_empty() && name.primes == 0 =>
-        {
+        Tree::Call(name, argument, _) if before_argument && name.mark.is_empty() && name.primes == 0 => {
             format!("{name}^{exponent}({})", sum(argument))
         }
         base => format!("{}^{exponent}", bracketed(base)),
@@ -172,10 +166,6 @@ fn number(value: &Rational) -> String {
     match value.to_decimal() {
         Some(decimal) if decimal.starts_with('-') => format!("({decimal})"),
         Some(decimal) => decimal,
-        None => format!(
-            "\\frac{{{}}}{{{}}}",
-            value.0.numerator(),
-            value.0.denominator()
-        ),
+        None => format!("\\frac{{{}}}{{{}}}", value.0.numerator(), value.0.denominator()),
     }
 }

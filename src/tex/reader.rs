@@ -71,11 +71,7 @@ fn divided(tex: &str) -> Result<Vec<Vec<Token<'_>>>, Fault> {
 fn single<'a>(tex: &'a str, names: &'a Names) -> Result<Reader<'a>, Fault> {
     let mut all = divided(tex)?.into_iter();
     let Some(tokens) = all.next() else {
-        return Err(Fault::unexpected(
-            tex.trim_end().len(),
-            "nothing",
-            "a formula",
-        ));
+        return Err(Fault::unexpected(tex.trim_end().len(), "nothing", "a formula"));
     };
     match all.next().and_then(|more| more.first().copied()) {
         Some(token) => Err(Fault::unexpected(token.at, token.text, "the end")),
@@ -156,9 +152,7 @@ impl<'a> Reader<'a> {
     /// Skips `{}`, which authors put before a sign for its spacing.
     pub(super) fn skip_empty(&mut self) {
         while self.peek_kind() == Some(Kind::BraceOpen)
-            && self
-                .look(1)
-                .is_some_and(|token| token.kind == Kind::BraceClose)
+            && self.look(1).is_some_and(|token| token.kind == Kind::BraceClose)
         {
             self.next += 2;
         }
@@ -200,10 +194,7 @@ impl<'a> Reader<'a> {
 
     /// Where the token before the next one ends.
     fn look_back(&self) -> usize {
-        let before = self
-            .next
-            .checked_sub(1)
-            .and_then(|last| self.tokens.get(last));
+        let before = self.next.checked_sub(1).and_then(|last| self.tokens.get(last));
         before.map_or(0, |token| token.end)
     }
 
@@ -337,17 +328,14 @@ impl<'a> Reader<'a> {
                 return Err(Fault::new(at, Reason::TooDeep { most }));
             }
         }
-        let whole =
-            matches!(tree, Tree::Number(value) if value.0.is_int()) && form == Form::Literal;
+        let whole = matches!(tree, Tree::Number(value) if value.0.is_int()) && form == Form::Literal;
         let instead = "write \\frac{..}{..}, or brackets around the divisor";
         match self.peek_kind() {
             // `x/\partial a/\partial b`
             _ if form == Form::Open => Err(Fault::ambiguous(at, "a slash in a divisor", instead)),
-            Some(kind) if starts_factor(kind) && !whole => Err(Fault::ambiguous(
-                at,
-                "a factor right after a divisor",
-                instead,
-            )),
+            Some(kind) if starts_factor(kind) && !whole => {
+                Err(Fault::ambiguous(at, "a factor right after a divisor", instead))
+            }
             _ => Ok(()),
         }
     }
@@ -361,10 +349,7 @@ fn product(mut factors: Vec<Tree>) -> Tree {
 }
 
 fn is_sign(kind: Kind) -> bool {
-    matches!(
-        kind,
-        Kind::Plus | Kind::Minus | Kind::PlusMinus | Kind::MinusPlus
-    )
+    matches!(kind, Kind::Plus | Kind::Minus | Kind::PlusMinus | Kind::MinusPlus)
 }
 
 fn is_operation(kind: Kind) -> bool {

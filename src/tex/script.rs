@@ -43,11 +43,7 @@ impl Exponent {
         match self.twice < 0 {
             true => {
                 let instead = "write the power behind brackets around the call, or the inverse function's own name";
-                Err(Fault::ambiguous(
-                    self.at,
-                    "a negative power of a function",
-                    instead,
-                ))
+                Err(Fault::ambiguous(self.at, "a negative power of a function", instead))
             }
             false => Ok(self),
         }
@@ -88,16 +84,8 @@ impl<'a> Reader<'a> {
         };
         let instead = "only a name may carry it";
         match token.kind {
-            Kind::Sub => Err(Fault::unsupported(
-                token.at,
-                "a subscript on an expression",
-                instead,
-            )),
-            Kind::Prime => Err(Fault::unsupported(
-                token.at,
-                "a prime on an expression",
-                instead,
-            )),
+            Kind::Sub => Err(Fault::unsupported(token.at, "a subscript on an expression", instead)),
+            Kind::Prime => Err(Fault::unsupported(token.at, "a prime on an expression", instead)),
             Kind::Sup => match self.superscript()? {
                 Superscript::Power(exponent) => match self.peek() {
                     Some(next) if matches!(next.kind, Kind::Sub | Kind::Sup | Kind::Prime) => {
@@ -105,11 +93,7 @@ impl<'a> Reader<'a> {
                     }
                     _ => Ok(Some(exponent)),
                 },
-                _ => Err(Fault::unsupported(
-                    token.at,
-                    "a mark on an expression",
-                    instead,
-                )),
+                _ => Err(Fault::unsupported(token.at, "a mark on an expression", instead)),
             },
             _ => Ok(None),
         }
@@ -125,9 +109,7 @@ impl<'a> Reader<'a> {
     }
 
     pub(super) fn superscript(&mut self) -> Result<Superscript, Fault> {
-        let braced = self
-            .look(1)
-            .is_some_and(|token| token.kind == Kind::BraceOpen);
+        let braced = self.look(1).is_some_and(|token| token.kind == Kind::BraceOpen);
         let (at, content) = self.script_tokens()?;
         let meaning = meaning(at, &content)?;
         if let (Superscript::Mark(_), false, Some(next)) = (&meaning, braced, self.peek())
@@ -217,9 +199,7 @@ fn double(at: usize, found: &str) -> Fault {
 
 fn more_primes(primes: u8, more: u8, at: usize) -> Result<u8, Fault> {
     let most = usize::from(u8::MAX);
-    primes
-        .checked_add(more)
-        .ok_or(Fault::new(at, Reason::TooDeep { most }))
+    primes.checked_add(more).ok_or(Fault::new(at, Reason::TooDeep { most }))
 }
 
 /// The text of a subscript, without blanks, braces and fonts.
@@ -227,18 +207,13 @@ fn subscript_text(content: &[Token<'_>]) -> Result<String, Fault> {
     let mut text = String::new();
     let mut before: Option<Token<'_>> = None;
     for (place, token) in content.iter().enumerate() {
-        let scripted = place >= 2
-            && content
-                .get(place - 2)
-                .is_some_and(|token| token.kind == Kind::Sub);
+        let scripted = place >= 2 && content.get(place - 2).is_some_and(|token| token.kind == Kind::Sub);
         let nested = before.is_some_and(|before| before.kind == Kind::Sub);
         let fits = match token.kind {
             Kind::Letter | Kind::Word | Kind::Number => {
                 !nested || token.text.len() == 1 || token.text.starts_with('\\')
             }
-            Kind::Plus | Kind::Minus | Kind::Star | Kind::Comma | Kind::Slash => {
-                !nested && token.text != ";"
-            }
+            Kind::Plus | Kind::Minus | Kind::Star | Kind::Comma | Kind::Slash => !nested && token.text != ";",
             Kind::Open(Bracket::Round) | Kind::Close(Bracket::Round) | Kind::Prime => !nested,
             Kind::Sub => !nested && !scripted && before.is_some(),
             _ => false,
@@ -255,9 +230,7 @@ fn subscript_text(content: &[Token<'_>]) -> Result<String, Fault> {
         before = Some(*token);
     }
     match before {
-        Some(last) if last.kind == Kind::Sub => {
-            Err(Fault::unexpected(last.at, "_", "a plain subscript"))
-        }
+        Some(last) if last.kind == Kind::Sub => Err(Fault::unexpected(last.at, "_", "a plain subscript")),
         _ => Ok(text),
     }
 }
@@ -328,18 +301,12 @@ fn meaning(at: usize, content: &[Token<'_>]) -> Result<Superscript, Fault> {
     match kinds.as_slice() {
         [] => Err(Fault::unexpected(at, "nothing", "a superscript")),
         [Kind::Minus | Kind::Plus | Kind::Star] | [Kind::Word] => Ok(Superscript::Mark(text())),
-        [
-            Kind::Open(Bracket::Round),
-            Kind::Number,
-            Kind::Close(Bracket::Round),
-        ] => Ok(Superscript::Mark(text())),
+        [Kind::Open(Bracket::Round), Kind::Number, Kind::Close(Bracket::Round)] => Ok(Superscript::Mark(text())),
         [Kind::Prime, rest @ ..] if rest.iter().all(|kind| *kind == Kind::Prime) => {
             let primes = u8::try_from(kinds.len()).unwrap_or(u8::MAX);
             Ok(Superscript::Primes(more_primes(0, primes, at)?))
         }
-        [Kind::Letter, Kind::Letter, ..] if content.iter().all(is_latin) => {
-            Ok(Superscript::Mark(text()))
-        }
+        [Kind::Letter, Kind::Letter, ..] if content.iter().all(is_latin) => Ok(Superscript::Mark(text())),
         [Kind::Minus, ..] => exponent(at, content.get(1..).unwrap_or(&[]), true),
         [Kind::Plus, ..] => exponent(at, content.get(1..).unwrap_or(&[]), false),
         _ => exponent(at, content, false),
@@ -380,7 +347,5 @@ fn doubled(above: &Rational, below: &Rational) -> Option<i32> {
     }
     let half = below.clone() / Rational::from_integer(2);
     let twice = (above.clone() / half).to_integer()?;
-    i32::try_from(twice)
-        .ok()
-        .filter(|twice| twice.abs() <= 2 * HIGHEST)
+    i32::try_from(twice).ok().filter(|twice| twice.abs() <= 2 * HIGHEST)
 }

@@ -110,13 +110,7 @@ fn ends_open(tokens: &[Token<'_>]) -> bool {
 fn is_operator(kind: Kind) -> bool {
     matches!(
         kind,
-        Kind::Plus
-            | Kind::Minus
-            | Kind::PlusMinus
-            | Kind::MinusPlus
-            | Kind::Times
-            | Kind::Star
-            | Kind::Slash
+        Kind::Plus | Kind::Minus | Kind::PlusMinus | Kind::MinusPlus | Kind::Times | Kind::Star | Kind::Slash
     )
 }
 
@@ -137,10 +131,7 @@ mod tests {
             divided(r"a = b, c = d; \qquad e = f \\ g = h \text{and} i=j."),
             ["a=b", "c=d", "e=f", "g=h", "i=j"]
         );
-        assert_eq!(
-            divided(r"\lambda_{1,2} = (a \\ + b)"),
-            [r"\lambda_{1,2}=(a+b)"]
-        );
+        assert_eq!(divided(r"\lambda_{1,2} = (a \\ + b)"), [r"\lambda_{1,2}=(a+b)"]);
         assert!(divided(r", \\ .").is_empty());
     }
 

@@ -15,11 +15,7 @@ impl<'a> Reader<'a> {
         let at = self.here();
         match self.scripts(&mut name)? {
             None => Ok(name),
-            Some(_) => Err(Fault::unsupported(
-                at,
-                "a power here",
-                "a name alone must stand here",
-            )),
+            Some(_) => Err(Fault::unsupported(at, "a power here", "a name alone must stand here")),
         }
     }
 
@@ -152,11 +148,7 @@ impl<'a> Reader<'a> {
         match kind {
             Bracket::Curly => {
                 let instead = "an argument stands in ( ) or [ ]; write \\cdot for a product";
-                Err(Fault::ambiguous(
-                    self.here(),
-                    "\\{ after a function",
-                    instead,
-                ))
+                Err(Fault::ambiguous(self.here(), "\\{ after a function", instead))
             }
             _ => Ok(()),
         }
@@ -178,16 +170,10 @@ impl<'a> Reader<'a> {
             _ => {
                 let argument = self.bare_argument()?;
                 let call = Tree::Call(base(function), Box::new(argument), At(at));
-                return Ok(raise(
-                    call,
-                    power.map(Exponent::before_argument).transpose()?,
-                ));
+                return Ok(raise(call, power.map(Exponent::before_argument).transpose()?));
             }
         };
-        self.call(
-            Tree::Call(base(function), Box::new(argument), At(at)),
-            power,
-        )
+        self.call(Tree::Call(base(function), Box::new(argument), At(at)), power)
     }
 
     /// The argument of `\cos\theta`: it must be plain that it is no more than one symbol, number or fraction.
@@ -231,13 +217,8 @@ impl<'a> Reader<'a> {
     /// Whether a bracket stands behind the next `skip` tokens and, perhaps, a power.
     fn bracket_follows(&self, skip: usize) -> bool {
         let mut ahead = skip;
-        if self
-            .look(ahead)
-            .is_some_and(|token| token.kind == Kind::Sup)
-        {
-            let braced = self
-                .look(ahead + 1)
-                .is_some_and(|token| token.kind == Kind::BraceOpen);
+        if self.look(ahead).is_some_and(|token| token.kind == Kind::Sup) {
+            let braced = self.look(ahead + 1).is_some_and(|token| token.kind == Kind::BraceOpen);
             // A power is short; looking further would make long input slow.
             let close = (2..12).find(|more| {
                 self.look(ahead + more)

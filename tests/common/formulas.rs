@@ -19,11 +19,7 @@ pub fn names() -> Names {
 
 /// Number, how many equations stand there, TeX.
 pub const PAPER: &[(&str, usize, &str)] = &[
-    (
-        "1",
-        1,
-        r"\ddot{X}(\tau) = \frac{\hat{F}(w\tau + \phi)}{M} \tag{1}",
-    ),
+    ("1", 1, r"\ddot{X}(\tau) = \frac{\hat{F}(w\tau + \phi)}{M} \tag{1}"),
     (
         "3",
         1,
@@ -138,9 +134,5 @@ pub const PAPER: &[(&str, usize, &str)] = &[
         1,
         r"\epsilon_3 = f(t_{k+1}) T_2 + \overline{g} T_2 + r_T \epsilon_1",
     ),
-    (
-        "22",
-        1,
-        r"\epsilon_4 = f(t_k) T_1 + \overline{g} T_1 + \dot{Z}_k r_B",
-    ),
+    ("22", 1, r"\epsilon_4 = f(t_k) T_1 + \overline{g} T_1 + \dot{Z}_k r_B"),
 ];

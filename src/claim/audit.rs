@@ -1,0 +1,123 @@
+//! A whole sheet decided.
+
+use super::counterexample::Counterexample;
+use super::problem::Problem;
+use super::proof::{Outcome, decide};
+use super::sheet::{Fault, Role, Sheet};
+use super::verdict::Verdict;
+
+/// What was decided of one claim, and why.
+#[derive(Clone, Debug)]
+pub struct Decision {
+    pub label: String,
+    pub verdict: Verdict,
+    pub expected: Verdict,
+    pub counterexample: Option<Counterexample>,
+    pub reason: String,
+}
+
+impl Decision {
+    /// Whether the verdict is the one that the sheet expects.
+    pub fn is_expected(&self) -> bool {
+        self.verdict == self.expected
+    }
+}
+
+impl Sheet {
+    /// Decides every claim, in the order of the sheet.
+    ///
+    /// # Errors
+    /// A [`Fault`] where a claim or a premise makes no sense.
+    pub fn audit(&self) -> Result<Vec<Decision>, Fault> {
+        let mut decisions = Vec::new();
+        for (position, entry) in self.entries.iter().enumerate() {
+            if entry.role == Role::Claim {
+                decisions.push(self.decide(position).map_err(|f| f.of(&entry.label).at(&entry.tex))?);
+            }
+        }
+        self.mention_refuted(&mut decisions);
+        Ok(decisions)
+    }
+
+    /// Decides the claim at a position of the sheet.
+    ///
+    /// # Errors
+    /// As [`Sheet::audit`].
+    pub fn decide(&self, position: usize) -> Result<Decision, Fault> {
+        let Some(entry) = self.entries.get(position) else {
+            return Err(Fault::new("there is no such equation"));
+        };
+        let mut problem = Problem::new(self, position)?;
+        let claims = problem.statements.claims.clone();
+        let mut decision = Decision {
+            label: entry.label.clone(),
+            verdict: Verdict::Proved,
+            expected: entry.expect,
+            counterexample: None,
+            reason: format!("follows from {}", self.named(&entry.follows_from)),
+        };
+        for (number, equation) in claims.iter().enumerate() {
+            let which = if claims.len() > 1 {
+                format!("equation {} of {}: ", number + 1, claims.len())
+            } else {
+                String::new()
+            };
+            let (verdict, reason) = match decide(&mut problem, entry, equation)? {
+                Outcome::Holds => continue,
+                Outcome::Nowhere => (
+                    Verdict::Refuted,
+                    "nowhere defined: a denominator vanishes wherever the premises hold",
+                ),
+                Outcome::Unshown => (
+                    Verdict::Undecided,
+                    "the sides differ as functions, but no point in small rationals shows it",
+                ),
+                Outcome::Fails(counterexample) => {
+                    decision.counterexample = Some(counterexample);
+                    (
+                        Verdict::Refuted,
+                        "does not follow: at the counterexample the premises hold and the sides differ",
+                    )
+                }
+            };
+            decision.verdict = verdict;
+            decision.reason = format!("{which}{reason}");
+            break;
+        }
+        Ok(decision)
+    }
+
+    fn named(&self, positions: &[usize]) -> String {
+        let labels = positions
+            .iter()
+            .filter_map(|&n| self.entries.get(n))
+            .map(|entry| format!("({})", entry.label));
+        labels.collect::<Vec<_>>().join(", ")
+    }
+
+    /// Says of each decision that rests on a refuted claim that it does.
+    fn mention_refuted(&self, decisions: &mut [Decision]) {
+        let refuted: Vec<String> = decisions
+            .iter()
+            .filter(|d| d.verdict == Verdict::Refuted)
+            .map(|d| d.label.clone())
+            .collect();
+        for decision in decisions {
+            let Some(entry) = self.find(&decision.label).and_then(|n| self.entries.get(n)) else {
+                continue;
+            };
+            let premises = entry.follows_from.iter().filter_map(|&n| self.entries.get(n));
+            let wrong: Vec<String> = premises
+                .filter(|p| refuted.contains(&p.label))
+                .map(|p| format!("({})", p.label))
+                .collect();
+            if !wrong.is_empty() {
+                decision.reason = format!(
+                    "{}; taken as given although refuted: {}",
+                    decision.reason,
+                    wrong.join(", ")
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,327 @@
+//! What a claim rests on, statement by statement: premises with their substitutions made, and definitions.
+
+use super::atom::Atoms;
+use super::jacobian::Jacobians;
+use super::reading::{Local, Meaning, Meaningless, Reading};
+use super::sheet::{Entry, Fault, Sheet, Source};
+use super::substitute::any_side;
+use super::vocabulary::{Vocabulary, index_of};
+use crate::algebra::Fraction;
+use crate::number::Rational;
+use crate::tex::{Equation, EvaluationError, Name, Tree};
+
+/// One equation that is taken as true.
+#[derive(Clone, Debug)]
+pub struct Statement {
+    pub label: String,
+    pub equation: Equation,
+    /// The symbols defined beside it.
+    pub locals: Vec<Local>,
+    /// The first impact it speaks of.
+    pub first: Option<i32>,
+    source: Source,
+}
+
+/// All that bears on one claim.
+#[derive(Clone, Debug, Default)]
+pub struct Statements {
+    pub premises: Vec<Statement>,
+    /// The symbols that the claim may use beyond the vocabulary.
+    pub locals: Vec<Local>,
+    /// The equations to be decided.
+    pub claims: Vec<Equation>,
+    /// The first impact that the claim speaks of.
+    pub first: Option<i32>,
+    /// Whether the claim holds at every time of a flight.
+    pub claim_runs: bool,
+    /// Whether anything is said of partial derivatives, traces or determinants.
+    pub speaks_of_maps: bool,
+    /// Whether a partial derivative is written out anywhere.
+    pub has_partials: bool,
+}
+
+impl Statement {
+    /// Left side minus right side.
+    pub fn residual(&self, reading: &mut Reading) -> Result<Fraction, Fault> {
+        let mut side = |tree: &Tree| {
+            let value = reading.tree(tree);
+            value.map_err(|error| self.fault(error.at(), message(&error)))
+        };
+        Ok(side(&self.equation.left)? - side(&self.equation.right)?)
+    }
+
+    /// A fault in this statement.
+    pub fn fault(&self, at: usize, message: String) -> Fault {
+        self.source.fault(at, message).of(&self.label)
+    }
+}
+
+/// What an error of evaluation means to the writer of a sheet.
+pub fn message(error: &EvaluationError<Meaningless>) -> String {
+    match error {
+        EvaluationError::Scope { error, .. } => error.to_string(),
+        EvaluationError::DivisionByZero { .. } => "this denominator is zero everywhere".to_string(),
+        EvaluationError::Sign { .. } => r"`\pm` can stand in a claim only".to_string(),
+    }
+}
+
+impl Statements {
+    /// Gathers what bears on the entry at `position`.
+    ///
+    /// # Errors
+    /// A [`Fault`] where a definition or a substitution makes no sense, or nothing is left to decide.
+    pub fn gather(sheet: &Sheet, position: usize, jacobians: &Jacobians, atoms: &mut Atoms) -> Result<Self, Fault> {
+        let Some(claim) = sheet.entries.get(position) else {
+            return Ok(Self::default());
+        };
+        let mut gathering = Gathering {
+            vocabulary: &sheet.vocabulary,
+            jacobians,
+            atoms,
+            found: Self::default(),
+        };
+        for premise in claim.follows_from.iter().filter_map(|&n| sheet.entries.get(n)) {
+            gathering.premise(premise)?;
+        }
+        gathering.claim(claim)?;
+        gathering.substitute(claim)?;
+        Ok(gathering.found.with_overview(&sheet.vocabulary))
+    }
+
+    /// The label of a premise, for a reader.
+    pub fn label(&self, index: usize) -> String {
+        self.premises.get(index).map(|s| s.label.clone()).unwrap_or_default()
+    }
+
+    fn with_overview(mut self, vocabulary: &Vocabulary) -> Self {
+        let definitions: Vec<Equation> = self.locals.iter().map(Local::as_equation).collect();
+        let of_claim = || self.claims.iter().chain(&definitions);
+        self.first = of_claim().flat_map(|equation| vocabulary.impacts(equation)).min();
+        self.claim_runs = of_claim().any(|equation| runs(equation, vocabulary));
+        let everything: Vec<&Equation> = of_claim().chain(self.premises.iter().map(|s| &s.equation)).collect();
+        let any = |test: fn(&Tree) -> bool| {
+            everything
+                .iter()
+                .any(|equation| any_side(equation, &mut |node| test(node)))
+        };
+        self.has_partials = any(|node| matches!(node, Tree::Partial { .. }));
+        self.speaks_of_maps = self.has_partials || any(|node| matches!(node, Tree::Invariant { .. }));
+        // A law of flight is said of every impact: it is taken at the one the claim starts from.
+        let first = self.first;
+        for statement in &mut self.premises {
+            let start = vocabulary.impacts(&statement.equation).first().copied();
+            if let (Some(start), Some(first)) = (start, first)
+                && first > start
+                && runs(&statement.equation, vocabulary)
+            {
+                statement.equation = vocabulary.shifted(&statement.equation, first - start);
+            }
+            statement.first = vocabulary.impacts(&statement.equation).first().copied();
+        }
+        self
+    }
+}
+
+impl Local {
+    fn as_equation(&self) -> Equation {
+        let zero = Tree::Number(<Rational as num_traits::Zero>::zero());
+        Equation {
+            left: self.tree.clone(),
+            right: zero,
+            at: Default::default(),
+            end: Default::default(),
+        }
+    }
+}
+
+/// Whether an equation is said of a running time: by its symbol, or by a function without a bracket.
+fn runs(equation: &Equation, vocabulary: &Vocabulary) -> bool {
+    any_side(equation, &mut |node| match node {
+        Tree::Symbol(name, _) => {
+            vocabulary.running.as_ref() == Some(name)
+                || (vocabulary.names.functions.contains(name) && !vocabulary.parameters.contains(name))
+        }
+        _ => false,
+    })
+}
+
+struct Gathering<'a> {
+    vocabulary: &'a Vocabulary,
+    jacobians: &'a Jacobians,
+    atoms: &'a mut Atoms,
+    found: Statements,
+}
+
+impl Gathering<'_> {
+    /// Whether the equation gives a symbol that nothing else does.
+    fn defines(&mut self, equation: &Equation, locals: &[Local]) -> Option<Name> {
+        let Tree::Symbol(name, _) = &equation.left else {
+            return None;
+        };
+        if locals.iter().any(|local| local.name == *name) || pair_of(name).is_some() {
+            return None;
+        }
+        let blank = Meaning::default();
+        let known = Reading::new(self.vocabulary, self.jacobians, self.atoms, &blank, &[]).knows(name);
+        (!known).then(|| name.clone())
+    }
+
+    fn premise(&mut self, entry: &Entry) -> Result<(), Fault> {
+        let (own, more) = self.local(entry)?;
+        for equation in &entry.equations {
+            let shared = self.found.locals.clone();
+            match self.defines(equation, &shared) {
+                // A definition uses what stands beside it; others see only its name.
+                Some(name) => self.found.locals.push(Local {
+                    name,
+                    tree: inlined(&equation.right, &own),
+                }),
+                None => self.push(entry, equation.clone(), entry.tex.clone(), &own),
+            }
+        }
+        for (equation, source) in more {
+            self.push(entry, equation, source, &own);
+        }
+        Ok(())
+    }
+
+    /// The definitions beside an entry, and the equations among them that define nothing new.
+    fn local(&mut self, entry: &Entry) -> Result<(Vec<Local>, Vec<(Equation, Source)>), Fault> {
+        let (mut own, mut more): (Vec<Local>, _) = (Vec::new(), Vec::new());
+        for (equation, source) in &entry.local {
+            match self.defines(equation, &[]) {
+                Some(name) if own.iter().any(|local| local.name == name) => {
+                    return Err(source
+                        .fault(equation.at.0, format!("`{name}` is defined twice"))
+                        .of(&entry.label));
+                }
+                Some(name) => own.push(Local {
+                    name,
+                    tree: equation.right.clone(),
+                }),
+                None => more.push((equation.clone(), source.clone())),
+            }
+        }
+        Ok((own, more))
+    }
+
+    fn push(&mut self, entry: &Entry, equation: Equation, source: Source, own: &[Local]) {
+        let locals = own.to_vec();
+        self.found.premises.push(Statement {
+            label: entry.label.clone(),
+            equation,
+            locals,
+            first: None,
+            source,
+        });
+    }
+
+    fn claim(&mut self, entry: &Entry) -> Result<(), Fault> {
+        let (own, more) = self.local(entry)?;
+        // What the claim defines for itself goes before what a premise calls by the same name.
+        self.found
+            .locals
+            .retain(|shared| own.iter().all(|local| local.name != shared.name));
+        self.found.locals.extend(own.clone());
+        for equation in &entry.equations {
+            let known = self.found.locals.clone();
+            match self.defines(equation, &known) {
+                Some(name) => self.found.locals.push(Local {
+                    name,
+                    tree: equation.right.clone(),
+                }),
+                None => self.found.claims.push(equation.clone()),
+            }
+        }
+        for (equation, source) in more {
+            self.push(entry, equation, source, &own);
+        }
+        // Premises may use definitions that other premises give.
+        let shared = self.found.locals.clone();
+        for statement in &mut self.found.premises {
+            let new = shared
+                .iter()
+                .filter(|s| statement.locals.iter().all(|own| own.name != s.name));
+            let new: Vec<Local> = new.cloned().collect();
+            statement.locals.extend(new);
+        }
+        if self.found.claims.is_empty() {
+            let problem = "nothing to decide: each left side is a symbol that is known from nowhere else";
+            let name = entry
+                .equations
+                .first()
+                .map(|equation| equation.left.to_string())
+                .unwrap_or_default();
+            return Err(entry
+                .tex
+                .fault(0, format!("unknown symbol `{name}`; {problem}"))
+                .of(&entry.label));
+        }
+        Ok(())
+    }
+
+    /// Makes the substitutions of `with` in the premises.
+    fn substitute(&mut self, claim: &Entry) -> Result<(), Fault> {
+        let (mut pairs, mut shift) = (Vec::new(), 0);
+        let mut more = Vec::new();
+        for (equation, source) in &claim.with {
+            let fault = |message: String| source.fault(equation.at.0, message).of(&claim.label);
+            match &equation.left {
+                Tree::Symbol(name, _) if name.to_string() == self.vocabulary.index => {
+                    let by = index_of(&equation.right.to_string().replace(' ', ""), &self.vocabulary.index);
+                    shift =
+                        by.ok_or_else(|| fault(format!("`{name}` can be replaced by `{name}+1` and the like only")))?;
+                }
+                Tree::Symbol(name, _) => {
+                    let blank = Meaning::default();
+                    let locals = self.found.locals.clone();
+                    let mut reading = Reading::new(self.vocabulary, self.jacobians, self.atoms, &blank, &locals);
+                    for side in [&equation.left, &equation.right] {
+                        reading
+                            .tree(side)
+                            .map_err(|e| source.fault(e.at(), message(&e)).of(&claim.label))?;
+                    }
+                    pairs.push((name.clone(), equation.right.clone()));
+                }
+                _ => more.push((equation.clone(), source.clone())),
+            }
+        }
+        for statement in &mut self.found.premises {
+            let shifted = self.vocabulary.shifted(&statement.equation, shift);
+            statement.equation = self.vocabulary.substituted(&shifted, &pairs);
+            for local in &mut statement.locals {
+                let whole = Equation {
+                    right: local.tree.clone(),
+                    ..local.as_equation()
+                };
+                local.tree = self
+                    .vocabulary
+                    .substituted(&self.vocabulary.shifted(&whole, shift), &pairs)
+                    .right;
+            }
+        }
+        for (equation, source) in more {
+            self.push(claim, equation, source, &[]);
+        }
+        Ok(())
+    }
+}
+
+/// The tree with local definitions put in, as deep as they go without circles.
+fn inlined(tree: &Tree, own: &[Local]) -> Tree {
+    own.iter().rev().fold(tree.clone(), |tree, _| {
+        super::substitute::rewrite(&tree, &|name| {
+            own.iter()
+                .find(|local| local.name == *name)
+                .map(|local| local.tree.clone())
+        })
+    })
+}
+
+/// The symbol `\lambda` of a pair such as `\lambda_{1,2}`.
+pub fn pair_of(name: &Name) -> Option<Name> {
+    (name.subscript == "1,2" || name.subscript == r"\pm").then(|| Name {
+        subscript: String::new(),
+        ..name.clone()
+    })
+}

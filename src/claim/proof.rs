@@ -1,0 +1,274 @@
+//! Deciding a claim by the exact normal form.
+
+use super::atom::Atom;
+use super::counterexample::{self, Counterexample};
+use super::premise::{message, pair_of};
+use super::problem::Problem;
+use super::reading::Reading;
+use super::root::either_root;
+use super::sheet::{Entry, Fault};
+use super::substitute::any_side;
+use crate::algebra::{Fraction, Polynomial, Variable};
+use crate::number::Field;
+use crate::tex::{Equation, EvaluationError, Tree};
+use num_traits::Zero;
+
+/// What came of one equation.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    Holds,
+    Fails(Counterexample),
+    /// A denominator vanishes wherever the premises hold.
+    Nowhere,
+    /// Different from zero as a function, but no point was found to show it: the premises leave no rational one.
+    Unshown,
+}
+
+/// What an equation asks of the two sides.
+#[derive(Clone, Debug)]
+pub enum Question {
+    Equal {
+        left: Fraction,
+        right: Fraction,
+    },
+    /// A right side with `\pm`: the left is one of the two.
+    OneOf {
+        left: Fraction,
+        right: [Fraction; 2],
+    },
+    /// The two roots of `c + b x + a x^2`.
+    Roots {
+        polynomial: [Fraction; 3],
+        right: [Fraction; 2],
+    },
+}
+
+impl Question {
+    /// The functions that are zero exactly where the equation holds.
+    pub fn residuals(&self) -> Vec<Fraction> {
+        match self {
+            Self::Equal { left, right } => vec![left.clone() - right.clone()],
+            Self::OneOf { left, right: [a, b] } => vec![(left.clone() - a.clone()) * (left.clone() - b.clone())],
+            Self::Roots {
+                polynomial: [c, b, a],
+                right: [x, y],
+            } => vec![
+                a.clone() * (x.clone() + y.clone()) + b.clone(),
+                a.clone() * x.clone() * y.clone() - c.clone(),
+            ],
+        }
+    }
+}
+
+/// Decides one equation of a claim.
+///
+/// # Errors
+/// A [`Fault`] where the equation speaks of something unknown.
+pub fn decide(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Result<Outcome, Fault> {
+    let Some(question) = ask(problem, entry, equation)? else {
+        return Ok(Outcome::Nowhere);
+    };
+    let residuals = question.residuals();
+    if residuals.iter().any(|residual| below_vanishes(problem, residual)) {
+        return Ok(Outcome::Nowhere);
+    }
+    if residuals.iter().all(|residual| vanishes(problem, residual.numerator())) {
+        return Ok(Outcome::Holds);
+    }
+    Ok(counterexample::search(problem, equation, &question).map_or(Outcome::Unshown, Outcome::Fails))
+}
+
+/// Evaluates both sides with all that is known; `None` where a denominator vanishes.
+pub fn ask(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Result<Option<Question>, Fault> {
+    let known = problem.knowledge();
+    let test = |f: &Fraction| known.vanishes(f.numerator());
+    let read = |problem: &mut Problem, tree: &Tree, upper: Option<bool>| {
+        let mut reading: Reading = problem.reading();
+        reading.upper = upper;
+        reading.vanishes = Some(&test);
+        reading.first = None;
+        match reading.tree(tree) {
+            Ok(value) => Ok(Some(value)),
+            Err(EvaluationError::DivisionByZero { .. }) => Ok(None),
+            Err(error) => Err(entry.tex.fault(error.at(), message(&error)).of(&entry.label)),
+        }
+    };
+    let pair = match &equation.left {
+        Tree::Symbol(name, at) => pair_of(name).map(|base| Tree::Symbol(base, *at)),
+        _ => None,
+    };
+    let Some(left) = read(problem, pair.as_ref().unwrap_or(&equation.left), None)? else {
+        return Ok(None);
+    };
+    let has_sign = any_side(equation, &mut |n| matches!(n, Tree::PlusMinus(_) | Tree::MinusPlus(_)));
+    if pair.is_none() && !has_sign {
+        return Ok(read(problem, &equation.right, None)?.map(|right| Question::Equal { left, right }));
+    }
+    let (Some(plus), Some(minus)) = (
+        read(problem, &equation.right, Some(true))?,
+        read(problem, &equation.right, Some(false))?,
+    ) else {
+        return Ok(None);
+    };
+    let right = [plus, minus];
+    match pair.and_then(|_| quadratic(problem, &left)) {
+        Some(polynomial) => Ok(Some(Question::Roots { polynomial, right })),
+        None => Ok(Some(Question::OneOf { left, right })),
+    }
+}
+
+/// The coefficients of the premise that is quadratic in the symbol that `left` is.
+fn quadratic(problem: &Problem, left: &Fraction) -> Option<[Fraction; 3]> {
+    let variable = *left.variables().first()?;
+    if *left != Fraction::variable(variable) {
+        return None;
+    }
+    let given = problem
+        .givens
+        .iter()
+        .find(|given| given.residual.degree(variable) == 2)?;
+    let known = |p: &Polynomial| problem.meaning.apply(&Fraction::from(p.clone())).ok();
+    match given.residual.coefficients(variable).as_slice() {
+        [c, b, a] => Some([known(c)?, known(b)?, known(a)?]),
+        _ => None,
+    }
+}
+
+fn below_vanishes(problem: &mut Problem, function: &Fraction) -> bool {
+    function.factors().iter().any(|(factor, _)| vanishes(problem, factor))
+}
+
+/// Whether a polynomial is zero wherever the premises hold.
+pub fn vanishes(problem: &mut Problem, polynomial: &Polynomial) -> bool {
+    problem.meet_squares(polynomial);
+    problem.knowledge().vanishes(polynomial)
+}
+
+/// What is known beyond the meaning of names: later values, and squares of roots.
+#[derive(Clone, Debug, Default)]
+pub struct Knowledge {
+    pub late: Vec<crate::algebra::Step>,
+    /// Variables with their squares, innermost first; the sign of a root that is a function is not known.
+    pub squares: Vec<(Variable, Fraction)>,
+    /// Values of roots whose sign is known.
+    pub roots: Vec<(Variable, Fraction)>,
+}
+
+impl Knowledge {
+    /// Whether a polynomial is zero wherever the premises hold.
+    pub fn vanishes(&self, polynomial: &Polynomial) -> bool {
+        if polynomial.is_zero() {
+            return true;
+        }
+        let start = self
+            .roots
+            .iter()
+            .try_fold(Fraction::from(polynomial.clone()), |f, (variable, value)| {
+                f.substituted(*variable, value)
+            });
+        let Ok(start) = start else { return false };
+        let mut parts = vec![start];
+        for (root, square) in self.squares.iter().rev() {
+            parts = parts
+                .iter()
+                .flat_map(|part| split(part.numerator(), *root, square))
+                .collect();
+        }
+        parts.iter().all(|part| self.settled(part).is_zero())
+    }
+
+    /// The function with the later values put in; where that makes a denominator vanish, as far as it goes.
+    fn settled(&self, function: &Fraction) -> Fraction {
+        self.late.iter().fold(function.clone(), |f, step| {
+            if f.is_zero() {
+                return f;
+            }
+            // The numerator decides, and it has no denominator that could vanish.
+            let inserted = Fraction::from(f.numerator().clone()).substituted(step.variable, &step.value);
+            inserted.unwrap_or(f)
+        })
+    }
+}
+
+/// `a` and `b` of `a + b root`, even powers of the root replaced by its square.
+fn split(polynomial: &Polynomial, root: Variable, square: &Fraction) -> [Fraction; 2] {
+    let mut parts = [Fraction::zero(), Fraction::zero()];
+    for (power, coefficient) in polynomial.coefficients(root).into_iter().enumerate() {
+        parts[power % 2] += Fraction::from(coefficient) * square.to_power(power as i32 / 2);
+    }
+    parts
+}
+
+impl Problem<'_> {
+    /// What is known beyond the meaning of names.
+    pub fn knowledge(&self) -> Knowledge {
+        Knowledge {
+            late: self.late.clone(),
+            squares: self.squares.clone(),
+            roots: self.roots.clone(),
+        }
+    }
+
+    /// Learns the squares of the roots in a polynomial, and of the roots in these.
+    pub fn meet_squares(&mut self, polynomial: &Polynomial) {
+        let mut open: Vec<Variable> = polynomial.variables().into_iter().collect();
+        while let Some(variable) = open.pop() {
+            let known = self
+                .squares
+                .iter()
+                .chain(&self.roots)
+                .any(|(known, _)| *known == variable);
+            if known {
+                continue;
+            }
+            let Some(square) = self.square_of(variable) else {
+                continue;
+            };
+            open.extend(square.variables());
+            match self.root_of(&square) {
+                Some(root) => self.roots.push((variable, root)),
+                None => self.squares.push((variable, square)),
+            }
+        }
+        // A root inside another was made before it.
+        self.squares.sort_by_key(|(variable, _)| *variable);
+        self.roots.sort_by_key(|(variable, _)| std::cmp::Reverse(*variable));
+    }
+
+    fn square_of(&mut self, variable: Variable) -> Option<Fraction> {
+        match self.atoms.atom(variable)?.clone() {
+            Atom::Root { radicand } => Some(radicand),
+            atom => self.relation(&atom),
+        }
+    }
+
+    /// The root of a square whose sign is known, or its multiple of a root met before.
+    fn root_of(&self, square: &Fraction) -> Option<Fraction> {
+        let signed = |root: Fraction| {
+            let negative = self.sign(&root)?;
+            Some(if negative { -root } else { root })
+        };
+        if let Some(root) = either_root(square) {
+            return signed(root);
+        }
+        self.squares.iter().find_map(|(other, known)| {
+            let factor = either_root(&(square.clone() / known.clone()))?;
+            Some(signed(factor)? * Fraction::variable(*other))
+        })
+    }
+
+    /// Whether a function is negative, where it has one sign for all values that its symbols may take.
+    fn sign(&self, function: &Fraction) -> Option<bool> {
+        let of = |polynomial: &Polynomial| {
+            let positive = |v: &Variable| match self.atoms.atom(*v) {
+                Some(Atom::Symbol(name)) => self.vocabulary.positive.contains(name),
+                _ => false,
+            };
+            let signs = || polynomial.terms().iter().map(|(_, c)| *c < dashu_int::IBig::ZERO);
+            let one_sign = signs().all(|negative| negative) || !signs().any(|negative| negative);
+            let first = signs().next()?;
+            (one_sign && polynomial.variables().iter().all(positive)).then_some(first)
+        };
+        Some(of(function.numerator())? != of(&function.denominator())?)
+    }
+}
