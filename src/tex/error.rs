@@ -66,15 +66,17 @@ impl ReadError {
     }
 }
 
-/// A reason and its byte offset, before line and column are known.
+/// A reason and its byte offset, before line and column are known. Small, because it is part of every result of
+/// the recursive reader, whose stack must stay small.
 #[derive(Debug)]
 pub(super) struct Fault {
-    reason: Reason,
+    reason: Box<Reason>,
     at: usize,
 }
 
 impl Fault {
     pub(super) fn new(at: usize, reason: Reason) -> Self {
+        let reason = Box::new(reason);
         Self { reason, at }
     }
 
@@ -113,7 +115,7 @@ impl Fault {
         let line = before.matches('\n').count() + 1;
         let last = before.rsplit('\n').next().unwrap_or("");
         ReadError {
-            reason: self.reason,
+            reason: *self.reason,
             at,
             line,
             column: last.chars().count() + 1,
