@@ -119,7 +119,11 @@ impl<'a> Reader<'a> {
     fn subscript(&mut self) -> Result<String, Fault> {
         let (at, content) = self.script_tokens()?;
         let text = subscript_text(&content)?;
-        match text.is_empty() {
+        let brackets = |open| text.matches(open).count();
+        if brackets('(') != brackets(')') {
+            return Err(Fault::unexpected(at, &text, "a plain subscript"));
+        }
+        match text.split(',').any(str::is_empty) {
             true => Err(Fault::unexpected(at, "nothing", "a subscript")),
             false => Ok(canonical(&text)),
         }

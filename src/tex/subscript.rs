@@ -128,6 +128,8 @@ mod tests {
         refuse(&[
             ("x_12", "write { }"),
             ("x_{}", "`nothing`"),
+            ("x_{1,}", "`nothing`"),
+            ("x_{(}", "plain subscript"),
             ("x_a_b", "second subscript"),
             ("{x_a}_b", "second subscript"),
             ("x_{a^2}", "plain subscript"),
