@@ -123,7 +123,11 @@ fn deep_input_is_an_error_and_no_overflow() {
                 Some('{') => "}",
                 _ => "",
             };
-            assert_safe(&format!("{tex}a{}", close.repeat(count)));
+            let closed = format!("{tex}a{}", close.repeat(count));
+            assert_safe(&closed);
+            if let Ok(tree) = read_expression(&closed, &names()) {
+                assert!(evaluate(&tree, &mut Hashed).is_ok(), "{unit} {count}");
+            }
         }
     }
 }

@@ -26,7 +26,7 @@ impl<'a> Reader<'a> {
             Kind::Function => {
                 let function = super::command::elementary(token.text);
                 let function = function.ok_or_else(|| self.instead_of("a function"))?;
-                self.elementary(function)
+                self.elementary(function, 1)
             }
             Kind::Invariant(kind) => self.invariant(kind, 1),
             Kind::Number => self.number(token),

@@ -1,6 +1,6 @@
 //! What a bracket makes of a name: calls, elementary functions, traces and determinants.
 
-use super::command::{elementary, invariant};
+use super::command::{elementary, elementary_at_start, invariant};
 use super::error::{Fault, Reason};
 use super::part::{Form, Part, starts_factor};
 use super::reader::Reader;
@@ -17,11 +17,14 @@ impl<'a> Reader<'a> {
                 return self.invariant(kind, 1);
             }
             if let Some(function) = elementary(token.text) {
-                return self.elementary(function);
+                return self.elementary(function, 1);
             }
         }
         if let Some((kind, length)) = self.plain_invariant() {
             return self.invariant(kind, length);
+        }
+        if let Some((function, length)) = self.plain_elementary() {
+            return self.elementary(function, length);
         }
         let name = self.bare_name()?;
         self.symbol(name, token.at)
@@ -68,10 +71,14 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// An elementary function, whose name stands next.
-    pub(super) fn elementary(&mut self, function: &'static str) -> Result<Part, Fault> {
+    /// An elementary function, whose name is the next `length` tokens.
+    pub(super) fn elementary(
+        &mut self,
+        function: &'static str,
+        length: usize,
+    ) -> Result<Part, Fault> {
         let at = self.here();
-        self.next += 1;
+        self.next += length;
         let power = match self.peek_kind() {
             Some(Kind::Sup | Kind::Sub | Kind::Prime) => self.power()?,
             _ => None,
@@ -122,6 +129,16 @@ impl<'a> Reader<'a> {
         let length = [3, 2].into_iter().find(fits)?;
         let kind = run.get(..length).and_then(invariant)?;
         self.bracket_follows(length).then_some((kind, length))
+    }
+
+    /// Whether `cos(` or its like stands next, in letters: which, and how many letters. Without the bracket such
+    /// letters are an error, not a product.
+    fn plain_elementary(&self) -> Option<(&'static str, usize)> {
+        let run = self.letters(true);
+        let function =
+            elementary_at_start(&run).filter(|_| self.names.word_at_start(&run).is_none())?;
+        let length = function.len() - 1;
+        self.bracket_follows(length).then_some((function, length))
     }
 
     /// Whether a bracket stands behind the next `skip` tokens and, perhaps, a power.
@@ -256,6 +273,9 @@ mod tests {
             (r"\cos^2(x)", r"(^ <\cos x> 2)"),
             (r"\sin^2\theta", r"(^ <\sin \theta> 2)"),
             (r"\operatorname{cos}(x)", r"<\cos x>"),
+            (r"cos(\pi t + \phi)", r"<\cos (+ (* \pi t) \phi)>"),
+            ("2sin^2[x]", r"(* 2 (^ <\sin x> 2))"),
+            ("gsin(x)", r"(* g <\sin x>)"),
             (r"\arctan(x) \ln(y)", r"(* <\arctan x> <\ln y>)"),
         ]);
         for tex in [

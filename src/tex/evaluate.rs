@@ -58,16 +58,22 @@ pub trait Scope<F: Field> {
 /// What a scope does not know.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unsupported {
+    /// A symbol.
     #[error("{0} has no value")]
     Symbol(Name),
+    /// A function.
     #[error("{0} is no known function")]
     Call(Name),
+    /// A partial derivative: of what, by what.
     #[error("the derivative of {0} with respect to {1} is not known")]
     Partial(Box<Name>, Box<Name>),
+    /// A trace or determinant of this matrix.
     #[error("{0} is no known matrix")]
     Invariant(Name),
+    /// A square root.
     #[error("a square root has no value here")]
     Root,
+    /// A number whose denominator is zero in the field.
     #[error("{0} has no value here")]
     Number(Rational),
 }
@@ -97,10 +103,13 @@ impl<F: Field> Scope<F> for BTreeMap<Name, F> {
 /// Why a tree has no value, and the byte offset of the place in its TeX.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum EvaluationError<E> {
+    /// The scope gave no value.
     #[error("{error}")]
     Scope { error: E, at: usize },
+    /// A denominator, or the base of a negative power, is zero.
     #[error("a denominator is zero")]
     DivisionByZero { at: usize },
+    /// The scope chose neither sign of `\pm`.
     #[error("no sign was chosen for \\pm")]
     Sign { at: usize },
 }

@@ -68,7 +68,7 @@ impl<'a> Reader<'a> {
             return Ok(base(&word));
         }
         if let Some(function) = elementary_at_start(&run) {
-            let instead = "write it with a backslash, or its letters apart for a product";
+            let instead = "write it with a backslash or a bracket behind it, or its letters apart for a product";
             let found = function.trim_start_matches('\\');
             return Err(Fault::ambiguous(first.at, &format!("`{found}`"), instead));
         }
@@ -157,7 +157,8 @@ mod tests {
         ]);
         refuse(&[
             (r"\mathrm{abc}", "no declared name"),
-            ("-gsin b", "write it with a backslash"),
+            ("-gsin b", "a bracket behind it"),
+            (r"cos\theta", "a bracket behind it"),
         ]);
     }
 }
