@@ -1,6 +1,9 @@
 //! A whole sheet decided.
 
+use super::atom::Atoms;
 use super::counterexample::Counterexample;
+use super::jacobian::Jacobians;
+use super::premise::Statements;
 use super::problem::Problem;
 use super::proof::{Outcome, decide};
 use super::sheet::{Fault, Role, Sheet};
@@ -37,6 +40,16 @@ impl Sheet {
         }
         self.mention_refuted(&mut decisions);
         Ok(decisions)
+    }
+
+    /// What bears on the claim at a position: its premises with all substitutions made, its definitions, itself.
+    ///
+    /// # Errors
+    /// A [`Fault`] where a definition or a substitution makes no sense.
+    pub fn statements(&self, position: usize) -> Result<Statements, Fault> {
+        let mut atoms = Atoms::new(&self.vocabulary.index);
+        let jacobians = Jacobians::new(&self.vocabulary, &mut atoms).map_err(Fault::new)?;
+        Statements::gather(self, position, &jacobians, &mut atoms)
     }
 
     /// Decides the claim at a position of the sheet.

@@ -137,7 +137,11 @@ fn determinant(matrix: &DMatrix<Fraction>) -> Fraction {
         if entry.is_zero() {
             return sum;
         }
-        let product = entry * determinant(&matrix.clone().remove_row(0).remove_column(column));
+        // Not nalgebra's remove_column: in 0.35 it drops twice what it removes.
+        let minor = DMatrix::from_fn(matrix.nrows() - 1, matrix.ncols() - 1, |i, j| {
+            matrix[(i + 1, if j < column { j } else { j + 1 })].clone()
+        });
+        let product = entry * determinant(&minor);
         if column % 2 == 0 { sum + product } else { sum - product }
     })
 }

@@ -17,6 +17,8 @@ mod vocabulary;
 
 pub use audit::Decision;
 pub use counterexample::Counterexample;
+pub use premise::{Statement, Statements};
+pub use reading::Local;
 pub use sheet::{Entry, Fault, Role, Sheet, read_symbols};
 pub use verdict::Verdict;
-pub use vocabulary::Vocabulary;
+pub use vocabulary::{Map, Vocabulary, index_of};

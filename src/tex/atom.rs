@@ -1,9 +1,9 @@
 //! Factors: numbers, brackets, braces, fractions, roots and partial derivatives.
 
+use super::call::raise;
 use super::error::Fault;
 use super::part::{Form, Part, starts_factor};
 use super::reader::Reader;
-use super::symbol::raise;
 use super::token::{Bracket, Kind, Token};
 use super::{At, Name, Tree};
 use crate::number::Rational;
@@ -26,7 +26,7 @@ impl<'a> Reader<'a> {
             Kind::Function => {
                 let function = super::command::elementary(token.text);
                 let function = function.ok_or_else(|| self.instead_of("a function"))?;
-                self.elementary(function)
+                self.elementary(function, 1)
             }
             Kind::Invariant(kind) => self.invariant(kind, 1),
             Kind::Number => self.number(token),
@@ -42,7 +42,7 @@ impl<'a> Reader<'a> {
     }
 
     /// `tree` with the power that follows it, if `form` may carry one.
-    fn carried(&mut self, tree: Tree, form: Form) -> Result<Part, Fault> {
+    fn carried(&mut self, tree: Box<Tree>, form: Form) -> Result<Part, Fault> {
         let at = self.here();
         let power = self.power()?;
         match (power, form) {
@@ -61,7 +61,7 @@ impl<'a> Reader<'a> {
             return Err(Fault::ambiguous(token.at, "this digit", instead));
         }
         self.next += 1;
-        let tree = Tree::Number(value(token)?);
+        let tree = Box::new(Tree::Number(value(token)?));
         self.carried(tree, Form::Literal)
     }
 
@@ -71,14 +71,22 @@ impl<'a> Reader<'a> {
         let part = self.sum_part()?;
         self.close_brace(at)?;
         match (part.tree, part.form) {
-            (Tree::Symbol(name, at), Form::Plain) => self.symbol(name, at.0),
+            (tree, Form::Plain) if matches!(*tree, Tree::Symbol(..)) => self.rescripted(*tree),
             (tree, Form::Open) => self.carried(tree, Form::Braced),
             (tree, form) => self.carried(tree, form),
         }
     }
 
+    /// A symbol between braces, with the scripts and the argument behind them.
+    fn rescripted(&mut self, symbol: Tree) -> Result<Part, Fault> {
+        match symbol {
+            Tree::Symbol(name, at) => self.symbol(name, at.0),
+            tree => self.carried(Box::new(tree), Form::Plain),
+        }
+    }
+
     /// What a command such as `\sqrt` takes: a group, a digit or a letter.
-    fn argument(&mut self) -> Result<Tree, Fault> {
+    fn argument(&mut self) -> Result<Box<Tree>, Fault> {
         let Some(token) = self.peek() else {
             return Err(self.instead_of("an argument in { }"));
         };
@@ -93,7 +101,7 @@ impl<'a> Reader<'a> {
             }
             Kind::Number => {
                 let digit = self.first_digit(token)?;
-                value(digit).map(Tree::Number)
+                value(digit).map(|value| Box::new(Tree::Number(value)))
             }
             Kind::Letter => {
                 self.next += 1;
@@ -102,7 +110,7 @@ impl<'a> Reader<'a> {
                     base,
                     ..Name::default()
                 };
-                Ok(Tree::Symbol(name, At(token.at)))
+                Ok(Box::new(Tree::Symbol(name, At(token.at))))
             }
             _ => Err(self.instead_of("an argument in { }")),
         }
@@ -113,11 +121,12 @@ impl<'a> Reader<'a> {
         let partial = self.look(1).is_some_and(|token| token.kind == Kind::Partial);
         if partial && self.peek_kind() == Some(Kind::BraceOpen) {
             let tree = self.stacked_partial(token.at)?;
-            return self.carried(tree, Form::Fraction);
+            return self.carried(Box::new(tree), Form::Fraction);
         }
-        let above = Box::new(self.argument()?);
-        let below = Box::new(self.argument()?);
-        self.carried(Tree::Quotient(above, below, At(token.at)), Form::Fraction)
+        let above = self.argument()?;
+        let below = self.argument()?;
+        let tree = Tree::Quotient(above, below, At(token.at));
+        self.carried(Box::new(tree), Form::Fraction)
     }
 
     fn root(&mut self, token: Token<'a>) -> Result<Part, Fault> {
@@ -131,8 +140,8 @@ impl<'a> Reader<'a> {
                 }
             }
         }
-        let radicand = Box::new(self.argument()?);
-        self.carried(Tree::Root(radicand, At(token.at)), Form::Plain)
+        let radicand = self.argument()?;
+        self.carried(Box::new(Tree::Root(radicand, At(token.at))), Form::Plain)
     }
 
     /// `\frac{\partial a}{\partial b}` or `\frac{\partial}{\partial b} a`, after its command.
@@ -190,7 +199,7 @@ impl<'a> Reader<'a> {
         }
         let at = At(token.at);
         // As a quotient with a slash, it is no base of a power and no content of bare braces.
-        let tree = Tree::Partial { of, by, at };
+        let tree = Box::new(Tree::Partial { of, by, at });
         let form = Form::Open;
         Ok(Part { tree, form })
     }
@@ -221,4 +230,70 @@ fn value(token: Token<'_>) -> Result<Rational, Fault> {
     }
     let unreadable = || Fault::unreadable(token.at, token.text, "");
     Rational::from_decimal(token.text).ok_or_else(unreadable)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::spelled::{check, refuse};
+
+    #[test]
+    fn numbers_and_arguments() {
+        check(&[
+            ("0.26", "13/50"),
+            (".5", "1/2"),
+            ("2", "2"),
+            (r"\frac12", "(/ 1 2)"),
+            (r"\frac 1 2", "(/ 1 2)"),
+            (r"\frac{1}2", "(/ 1 2)"),
+            (r"\frac1{r_B}", "(/ 1 r_B)"),
+            (r"\dfrac{a}{b} \tfrac{a}{b} \cfrac{a}{b}", "(* (/ a b) (/ a b) (/ a b))"),
+            (r"\frac\pi2 x", r"(* (/ \pi 2) x)"),
+            (r"\sqrt{a + b}", "(sqrt (+ a b))"),
+            (r"\sqrt 2", "(sqrt 2)"),
+            (r"\sqrt[2]{x}^3", "(^ (sqrt x) 3)"),
+        ]);
+        refuse(&[
+            (r"\frac123", "write { }"),
+            (r"\sqrt23", "write { }"),
+            (r"\sqrt x_k", "only a name"),
+            (r"\sqrt[3]{x}", "only square roots"),
+            (r"\frac{}{2}{3}", "an argument"),
+            (r"\frac{1}", "an argument"),
+            (r"\frac1.5", "a digit"),
+            (r"\frac(a)(b)", "an argument"),
+            (&"1".repeat(1001), "so long a number"),
+        ]);
+    }
+
+    #[test]
+    fn partial_derivatives() {
+        for tex in [
+            r"\frac{\partial t_{k+1}}{\partial t_k}",
+            r"\dfrac{\partial t_{k+1}}{\partial t_k}",
+            r"\tfrac{\partial{t_{k+1}}}{\partial{t_k}}",
+            r"\partial t_{k+1}/\partial t_k",
+            r"\frac{\partial}{\partial t_k} t_{k+1}",
+            r"\frac{\partial}{\partial t_k}(t_{k+1})",
+        ] {
+            check(&[(tex, "d(t_{k+1})/d(t_k)")]);
+        }
+        check(&[
+            (
+                r"\frac{\partial \dot{Z}_{k+1}}{\partial \dot{Z}_k} [f(t) + a]",
+                r"(* d(\dot{Z}_{k+1})/d(\dot{Z}_k) (+ <f t> a))",
+            ),
+            (r"(\frac{\partial a}{\partial b})^2", "(^ d(a)/d(b) 2)"),
+        ]);
+        refuse(&[
+            (r"\frac{\partial^2 a}{\partial b^2}", "higher order"),
+            (r"\frac{\partial a}{\partial b \partial c}", "second derivative"),
+            (r"\frac{\partial a}{\partial b^2}", "a power here"),
+            (r"\frac{\partial f(t)}{\partial t}", "`}`"),
+            (r"\frac{a}{\partial t}", r"\partial alone"),
+            (r"\partial a", r"\partial alone"),
+            (r"\frac{\partial a}{b}", r"\partial"),
+            (r"\partial a/\partial b c", "brackets around it"),
+            (r"\frac{\partial a}{\partial b}^2", "write brackets"),
+        ]);
+    }
 }

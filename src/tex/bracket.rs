@@ -7,7 +7,7 @@ use super::token::{Bracket, Kind, Token};
 
 impl<'a> Reader<'a> {
     /// The content of the visible bracket that stands next, and its place.
-    pub(super) fn bracketed(&mut self) -> Result<Tree, Fault> {
+    pub(super) fn bracketed(&mut self) -> Result<Box<Tree>, Fault> {
         let Some((open, kind)) = self.open() else {
             return Err(self.instead_of("a bracket"));
         };
@@ -56,5 +56,25 @@ impl<'a> Reader<'a> {
             }
             Some(token) => Err(Fault::unexpected(token.at, token.text, "`}`")),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::spelled::{check, refuse};
+
+    #[test]
+    fn brackets_match() {
+        check(&[(r"\left[ \{ a \rbrace + \lbrack b \rbrack \right]", "(+ a b)")]);
+        refuse(&[
+            ("a (b + c", "column 3: `(` is not closed"),
+            ("a + b)", "column 6: `)` closes nothing"),
+            ("(a]", "`(` is closed by `]`"),
+            ("(a, b)", "a closing bracket for `(`"),
+            ("{a", "`{` is not closed"),
+            ("a}", "`}` closes nothing"),
+            ("(a}", "`(` is not closed"),
+            ("()", "where a factor"),
+        ]);
     }
 }

@@ -3,28 +3,40 @@
 /// What stood in the way of reading a formula; each message says what to write instead where that is known.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Reason {
+    /// Longer than any formula.
     #[error("the formula is {bytes} bytes long; at most {most} are read")]
     TooLong { bytes: usize, most: usize },
+    /// Nested deeper than the stack of the walks over the tree allows.
     #[error("nested deeper than {most} levels")]
     TooDeep { most: usize },
+    /// Nothing, or an expression without `=`.
     #[error("no equation here: write `left = right`")]
     NoEquation,
+    /// A sign or command that has no meaning here.
     #[error("cannot read {found} here{instead}")]
     Unreadable { found: String, instead: &'static str },
+    /// Something known, but out of place.
     #[error("found {found} where {wanted} must stand")]
     Unexpected { found: String, wanted: String },
+    /// A bracket, brace or environment without its end.
     #[error("{open} is not closed")]
     Unclosed { open: String },
+    /// An end without its beginning.
     #[error("{close} closes nothing")]
     Unopened { close: String },
+    /// A bracket of one kind closed by one of another.
     #[error("{open} is closed by {close}")]
     Mismatched { open: String, close: String },
+    /// Something that authors mean different things by.
     #[error("{found} can be read in more than one way: {instead}")]
     Ambiguous { found: String, instead: &'static str },
+    /// Something with a clear meaning that is not supported.
     #[error("{found} cannot be read: {instead}")]
     Unsupported { found: String, instead: &'static str },
+    /// A trace or determinant of something that was not declared a matrix.
     #[error("{found} is no known matrix (known: {known})")]
     UnknownMatrix { found: String, known: String },
+    /// An upright word that was not declared.
     #[error("{found} is no declared name: declare it, or set its letters apart")]
     UnknownWord { found: String },
 }
@@ -54,15 +66,17 @@ impl ReadError {
     }
 }
 
-/// A reason and its byte offset, before line and column are known.
+/// A reason and its byte offset, before line and column are known. Small, because it is part of every result of
+/// the recursive reader, whose stack must stay small.
 #[derive(Debug)]
 pub(super) struct Fault {
-    reason: Reason,
+    reason: Box<Reason>,
     at: usize,
 }
 
 impl Fault {
     pub(super) fn new(at: usize, reason: Reason) -> Self {
+        let reason = Box::new(reason);
         Self { reason, at }
     }
 
@@ -101,7 +115,7 @@ impl Fault {
         let line = before.matches('\n').count() + 1;
         let last = before.rsplit('\n').next().unwrap_or("");
         ReadError {
-            reason: self.reason,
+            reason: *self.reason,
             at,
             line,
             column: last.chars().count() + 1,

@@ -22,7 +22,7 @@ pub trait Scope<F: Field> {
 
     /// The value of a partial derivative.
     fn partial(&mut self, of: &Name, by: &Name) -> Result<F, Self::Error> {
-        Err(Unsupported::Partial(of.clone(), by.clone()).into())
+        Err(Unsupported::Partial(Box::new(of.clone()), Box::new(by.clone())).into())
     }
 
     /// The value of a trace or a determinant.
@@ -56,16 +56,22 @@ pub trait Scope<F: Field> {
 /// What a scope does not know.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unsupported {
+    /// A symbol.
     #[error("{0} has no value")]
     Symbol(Name),
+    /// A function.
     #[error("{0} is no known function")]
     Call(Name),
+    /// A partial derivative: of what, by what.
     #[error("the derivative of {0} with respect to {1} is not known")]
-    Partial(Name, Name),
+    Partial(Box<Name>, Box<Name>),
+    /// A trace or determinant of this matrix.
     #[error("{0} is no known matrix")]
     Invariant(Name),
+    /// A square root.
     #[error("a square root has no value here")]
     Root,
+    /// A number whose denominator is zero in the field.
     #[error("{0} has no value here")]
     Number(Rational),
 }
@@ -91,10 +97,13 @@ impl<F: Field> Scope<F> for BTreeMap<Name, F> {
 /// Why a tree has no value, and the byte offset of the place in its TeX.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum EvaluationError<E> {
+    /// The scope gave no value.
     #[error("{error}")]
     Scope { error: E, at: usize },
+    /// A denominator, or the base of a negative power, is zero.
     #[error("a denominator is zero")]
     DivisionByZero { at: usize },
+    /// The scope chose neither sign of `\pm`.
     #[error("no sign was chosen for \\pm")]
     Sign { at: usize },
 }
@@ -214,5 +223,85 @@ fn place(tree: &Tree) -> usize {
             .iter()
             .find(|part| !matches!(part, Tree::Number(_)))
             .map_or(0, place),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::spelled::names;
+    use super::super::{read_expression, read_name};
+    use super::*;
+
+    /// A scope that knows it all: symbols are 3, functions double, roots of squares below 100.
+    struct Known(Option<bool>);
+
+    impl Scope<Rational> for Known {
+        type Error = Unsupported;
+
+        fn symbol(&mut self, _: &Name) -> Result<Rational, Unsupported> {
+            Ok(Rational::from_integer(3))
+        }
+        fn call(&mut self, _: &Name, argument: &Tree) -> Result<Rational, Unsupported> {
+            let value = evaluate(argument, self).map_err(|_| Unsupported::Root)?;
+            Ok(value * Rational::from_integer(2))
+        }
+        fn root(&mut self, radicand: Rational) -> Result<Rational, Unsupported> {
+            let squares = (0..10).map(Rational::from_integer);
+            let fits = |root: &Rational| root.clone() * root.clone() == radicand;
+            squares.into_iter().find(fits).ok_or(Unsupported::Root)
+        }
+        fn upper_sign(&self) -> Option<bool> {
+            self.0
+        }
+    }
+
+    fn value(tex: &str, sign: Option<bool>) -> Result<Rational, EvaluationError<Unsupported>> {
+        evaluate(&read_expression(tex, &names()).unwrap(), &mut Known(sign))
+    }
+
+    #[test]
+    fn every_kind_of_node() {
+        for (tex, numerator, denominator) in [
+            ("a - 1/2 + 0.25", 11, 4),
+            ("-a b^2", -27, 1),
+            ("a^{-2}", 1, 9),
+            ("f(a + 1)", 8, 1),
+            (r"\sqrt{a b} - 9^{-1/2}", 8, 3),
+            ("0^0", 1, 1),
+        ] {
+            assert_eq!(value(tex, None).ok(), Rational::new(numerator, denominator), "{tex}");
+        }
+        for (sign, wanted) in [(true, 2), (false, 4)] {
+            assert_eq!(value(r"a \mp 1", Some(sign)), Ok(Rational::from_integer(wanted)));
+        }
+    }
+
+    #[test]
+    fn what_has_no_value_is_placed() {
+        let at = |tex: &str| value(tex, None).map_err(|error| error.at());
+        assert_eq!(
+            value(r"1 + \frac{a}{b - 3}", None),
+            Err(EvaluationError::DivisionByZero { at: 4 })
+        );
+        assert!(matches!(
+            value("a + (a - b)^{-1}", None),
+            Err(EvaluationError::DivisionByZero { .. })
+        ));
+        assert_eq!(value(r"1 \pm a", None), Err(EvaluationError::Sign { at: 6 }));
+        assert_eq!(at(r"a + \frac{\partial a}{\partial b}"), Err(4));
+        assert_eq!(at(r"a + Tr(DP)"), Err(4));
+        assert_eq!(at(r"a + \sqrt{2}"), Err(4));
+    }
+
+    #[test]
+    fn a_table_is_a_scope() {
+        let r = read_name("r_B", &names()).unwrap();
+        let mut table = BTreeMap::from([(r.clone(), Rational::from_integer(5))]);
+        let tree = read_expression("2 r_B + x", &names()).unwrap();
+        let error = evaluate(&tree, &mut table).unwrap_err();
+        assert_eq!((error.to_string(), error.at()), ("x has no value".to_owned(), 8));
+        let mut table = HashMap::from([(r, Rational::from_integer(5))]);
+        table.insert(read_name("x", &names()).unwrap(), Rational::from_integer(1));
+        assert_eq!(evaluate(&tree, &mut table), Ok(Rational::from_integer(11)));
     }
 }

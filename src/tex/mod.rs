@@ -1,8 +1,28 @@
 //! TeX formulas: read, print, evaluate over any [`Field`](crate::number::Field).
+//!
+//! ```
+//! use std::collections::BTreeMap;
+//! use vibro_audit::number::{Field, Rational};
+//! use vibro_audit::tex::{Names, evaluate, read, read_name};
+//!
+//! let names = Names::default();
+//! let equations = read(r"\epsilon = \frac1{1 - r_B r_T}, \qquad T = T_1 + T_2", &names)?;
+//! assert_eq!(equations[0].to_string(), r"\epsilon = \frac{1}{1 - r_B r_T}");
+//!
+//! let half = Rational::from_ratio(1, 2);
+//! let mut scope = BTreeMap::from([(read_name("r_B", &names)?, half.clone()), (read_name("r_T", &names)?, half)]);
+//! assert_eq!(evaluate(&equations[0].right, &mut scope)?, Rational::from_ratio(4, 3));
+//!
+//! let error = read("a = b \\leq c", &names).unwrap_err();
+//! assert_eq!(error.caret("a = b \\leq c"), "a = b \\leq c\n      ^");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod atom;
 mod bracket;
+mod call;
 mod command;
+mod display;
 mod error;
 mod evaluate;
 mod lexer;
@@ -11,13 +31,16 @@ mod part;
 mod printer;
 mod reader;
 mod script;
+#[cfg(test)]
+mod spelled;
 mod statement;
+mod subscript;
 mod symbol;
 mod token;
 mod tree;
 
+pub use display::{read, read_expression, read_name};
 pub use error::{ReadError, Reason};
 pub use evaluate::{EvaluationError, Scope, Unsupported, evaluate};
 pub use names::Names;
-pub use reader::{read, read_expression, read_name};
 pub use tree::{At, Equation, Invariant, Name, Tree};

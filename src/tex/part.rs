@@ -23,16 +23,16 @@ pub(super) enum Form {
     Bracketed,
 }
 
-/// A tree and how it was written.
+/// A tree and how it was written. The box keeps the stack of the recursive reader small.
 pub(super) struct Part {
-    pub tree: Tree,
+    pub tree: Box<Tree>,
     pub form: Form,
 }
 
 /// Refuses neighbours that print as something else: `2 3`, `2\frac{1}{2}`.
 pub(super) fn readable(before: Form, factor: &Part, token: Token<'_>) -> Result<(), Fault> {
     let literal = factor.form == Form::Literal;
-    let numbers = matches!(&factor.tree, Tree::Quotient(above, below, _)
+    let numbers = matches!(&*factor.tree, Tree::Quotient(above, below, _)
         if matches!((&**above, &**below), (Tree::Number(_), Tree::Number(_))));
     let after_number = before == Form::Literal;
     let mixed = after_number && factor.form == Form::Fraction && numbers;

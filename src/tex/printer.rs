@@ -33,7 +33,11 @@ impl fmt::Display for Name {
 fn script(text: &str) -> String {
     let command = text.strip_prefix('\\');
     let letters = |name: &str| name.bytes().all(|byte| byte.is_ascii_alphabetic());
-    match text.chars().count() == 1 || command.is_some_and(letters) {
+    let single = |text: &str| match text.as_bytes() {
+        [byte] => byte.is_ascii_alphanumeric() || b"+-*".contains(byte),
+        _ => false,
+    };
+    match single(text) || command.is_some_and(letters) {
         true => text.to_owned(),
         false => format!("{{{text}}}"),
     }
@@ -112,7 +116,15 @@ fn needs_dot(before: &Tree, next: &Tree, text: &str) -> bool {
         _ => false,
     };
     let mixed = matches!(before, Tree::Number(_)) && numbers(next);
-    digit || mixed || (bracket && matches!(before, Tree::Symbol(..)))
+    digit || mixed || (bracket && may_call(before))
+}
+
+/// Whether a bracket behind `tree` might read as its argument: the printer does not know which names are functions.
+fn may_call(tree: &Tree) -> bool {
+    match tree {
+        Tree::Power(base, ..) => matches!(**base, Tree::Symbol(..)),
+        _ => matches!(tree, Tree::Symbol(..)),
+    }
 }
 
 fn factor(tree: &Tree) -> String {
@@ -167,5 +179,39 @@ fn number(value: &Rational) -> String {
         Some(decimal) if decimal.starts_with('-') => format!("({decimal})"),
         Some(decimal) => decimal,
         None => format!("\\frac{{{}}}{{{}}}", value.0.numerator(), value.0.denominator()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::spelled::names;
+    use super::super::{read, read_expression};
+
+    #[test]
+    fn prints_what_an_author_would() {
+        for (tex, wanted) in [
+            (r"\dot Z_{1+k}", r"\dot{Z}_{k+1}"),
+            ("r_{B}T_{1}", "r_B T_1"),
+            (r"a-(b-(c+d))", "a - [b - (c + d)]"),
+            (r"1/2 T_1", r"\frac{1}{2} T_1"),
+            ("2 \\cdot 3 \\cdot x_1 \\cdot 2", r"2 \cdot 3 x_1 \cdot 2"),
+            (r"2 \cdot \frac12", r"2 \cdot \frac{1}{2}"),
+            (r"r_B\cdot(a+b)(c+d)", r"r_B \cdot (a + b) (c + d)"),
+            (r"\left(F_1(t)\right)^2", "F_1^2(t)"),
+            ("(F_1(t))^{-1}", "[F_1(t)]^{-1}"),
+            (r"(\frac a b)^2", r"(\frac{a}{b})^2"),
+            (r"(Z_k^-)^2", "(Z_k^-)^2"),
+            ("0.50 x", "0.5 x"),
+            (r"\partial a/\partial b", r"\frac{\partial a}{\partial b}"),
+            (r"[\operatorname{tr}(DP)]^2 - 4\det DP", "[Tr(DP)]^2 - 4 Det(DP)"),
+            (r"-(\pm (-a))", r"-[\pm (-a)]"),
+        ] {
+            let tree = read_expression(tex, &names()).unwrap();
+            assert_eq!(tree.to_string(), wanted, "{tex}");
+            assert_eq!(read_expression(wanted, &names()).unwrap(), tree, "{tex}");
+        }
+        let equations = read("-d&=a=b", &names()).unwrap();
+        let printed: Vec<String> = equations.iter().map(ToString::to_string).collect();
+        assert_eq!(printed, ["-d = a", "a = b"]);
     }
 }

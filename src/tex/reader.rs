@@ -1,90 +1,20 @@
-//! TeX -> tree: equations, sums and products. Where TeX authors mean different things by one spelling, reading
+//! TeX -> tree: sums and products. Where TeX authors mean different things by one spelling, reading
 //! fails and says what to write instead; nothing is guessed.
 
 use super::error::{Fault, Reason};
-use super::lexer::lex;
 use super::part::{Form, Part, readable, starts_factor};
-use super::statement::statements;
-use super::token::{Bracket, Kind, Token};
-use super::{At, Equation, Name, Names, ReadError, Tree};
+use super::token::{Kind, Token};
+use super::{At, Names, Tree};
 
-/// The longest formula that is read, in bytes.
-const LONGEST: usize = 100_000;
 /// The deepest nesting that is read: it bounds the stack that reading and all later walks of the tree need.
-const DEEPEST: usize = 200;
-
-/// Reads the equations of a display, in order; a chain `a = b = c` gives `a = b` and `b = c`.
-pub fn read(tex: &str, names: &Names) -> Result<Vec<Equation>, ReadError> {
-    read_equations(tex, names).map_err(|fault| fault.located(tex))
-}
-
-/// Reads an expression, without an `=`.
-pub fn read_expression(tex: &str, names: &Names) -> Result<Tree, ReadError> {
-    let read = || {
-        let mut reader = single(tex, names)?;
-        let tree = reader.sum()?;
-        reader.finish("the end of the expression").map(|()| tree)
-    };
-    read().map_err(|fault| fault.located(tex))
-}
-
-/// Reads one name, such as `\dot{Z}_{k+1}^-`, as a formula would hold it.
-pub fn read_name(tex: &str, names: &Names) -> Result<Name, ReadError> {
-    let read = || {
-        let mut reader = single(tex, names)?;
-        let name = reader.full_name()?;
-        reader.finish("the end of the name").map(|()| name)
-    };
-    read().map_err(|fault| fault.located(tex))
-}
-
-fn read_equations(tex: &str, names: &Names) -> Result<Vec<Equation>, Fault> {
-    let mut equations = Vec::new();
-    for tokens in divided(tex)? {
-        // Text taken from a PDF carries the number of the display along.
-        if !equations.is_empty() && is_number_of_display(&tokens) {
-            continue;
-        }
-        Reader::new(tokens, names).chain(&mut equations)?;
-    }
-    match equations.is_empty() {
-        true => Err(Fault::new(0, Reason::NoEquation)),
-        false => Ok(equations),
-    }
-}
-
-/// `(23)` or `(20a)`.
-fn is_number_of_display(tokens: &[Token<'_>]) -> bool {
-    let kinds: Vec<Kind> = tokens.iter().map(|token| token.kind).take(5).collect();
-    let (open, close) = (Kind::Open(Bracket::Round), Kind::Close(Bracket::Round));
-    kinds == [open, Kind::Number, close] || kinds == [open, Kind::Number, Kind::Letter, close]
-}
-
-fn divided(tex: &str) -> Result<Vec<Vec<Token<'_>>>, Fault> {
-    let (bytes, most) = (tex.len(), LONGEST);
-    if bytes > most {
-        return Err(Fault::new(0, Reason::TooLong { bytes, most }));
-    }
-    statements(lex(tex)?)
-}
-
-fn single<'a>(tex: &'a str, names: &'a Names) -> Result<Reader<'a>, Fault> {
-    let mut all = divided(tex)?.into_iter();
-    let Some(tokens) = all.next() else {
-        return Err(Fault::unexpected(tex.trim_end().len(), "nothing", "a formula"));
-    };
-    match all.next().and_then(|more| more.first().copied()) {
-        Some(token) => Err(Fault::unexpected(token.at, token.text, "the end")),
-        None => Ok(Reader::new(tokens, names)),
-    }
-}
+pub(super) const DEEPEST: usize = 100;
 
 /// The tokens of one equation and how far they are read.
 pub(super) struct Reader<'a> {
     pub(super) tokens: Vec<Token<'a>>,
     pub(super) next: usize,
     /// The byte offset behind the last token.
-    end: usize,
+    pub(super) end: usize,
     depth: usize,
     /// Slashes that follow a slash in their term: each deepens the tree without any nesting.
     divisions: usize,
@@ -92,7 +22,7 @@ pub(super) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    fn new(tokens: Vec<Token<'a>>, names: &'a Names) -> Self {
+    pub(super) fn new(tokens: Vec<Token<'a>>, names: &'a Names) -> Self {
         let end = tokens.last().map_or(0, |token| token.end);
         Self {
             tokens,
@@ -158,48 +88,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn finish(&self, wanted: &str) -> Result<(), Fault> {
-        match self.peek() {
-            None => Ok(()),
-            Some(token) if matches!(token.kind, Kind::Close(_) | Kind::BraceClose) => {
-                let close = format!("`{}`", token.text);
-                Err(Fault::new(token.at, Reason::Unopened { close }))
-            }
-            Some(_) => Err(self.instead_of(wanted)),
-        }
-    }
-
-    /// `a = b = c`, appended to `equations`.
-    fn chain(&mut self, equations: &mut Vec<Equation>) -> Result<(), Fault> {
-        let mut at = self.here();
-        let mut left = self.sum()?;
-        if self.peek().is_none() {
-            return Err(Fault::new(at, Reason::NoEquation));
-        }
-        while self.take(Kind::Equals).is_some() {
-            let start = self.here();
-            let right = self.sum()?;
-            let end = self.look_back();
-            let left = std::mem::replace(&mut left, right.clone());
-            equations.push(Equation {
-                left,
-                right,
-                at: At(at),
-                end: At(end),
-            });
-            at = start;
-        }
-        self.finish("`=`, an operator or the end of the equation")
-    }
-
-    /// Where the token before the next one ends.
-    fn look_back(&self) -> usize {
-        let before = self.next.checked_sub(1).and_then(|last| self.tokens.get(last));
-        before.map_or(0, |token| token.end)
-    }
-
     /// A sum, up to what cannot belong to it.
-    pub(super) fn sum(&mut self) -> Result<Tree, Fault> {
+    pub(super) fn sum(&mut self) -> Result<Box<Tree>, Fault> {
         self.sum_part().map(|part| part.tree)
     }
 
@@ -216,14 +106,14 @@ impl<'a> Reader<'a> {
     }
 
     fn more_terms(&mut self, first: Part) -> Result<Part, Fault> {
-        let mut terms = vec![self.beside(first)?];
+        let mut terms = vec![*self.beside(first)?];
         while self.peek_kind().is_some_and(is_sign) {
             let term = self.signed_term()?;
-            terms.push(self.beside(term)?);
+            terms.push(*self.beside(term)?);
             self.skip_empty();
         }
         Ok(Part {
-            tree: Tree::Sum(terms),
+            tree: Box::new(Tree::Sum(terms)),
             form: Form::Open,
         })
     }
@@ -239,9 +129,9 @@ impl<'a> Reader<'a> {
         let term = self.term()?;
         let term = self.beside(term)?;
         let tree = match kind {
-            Kind::Minus => Tree::Negate(Box::new(term)),
-            Kind::PlusMinus => Tree::PlusMinus(Box::new(term)),
-            Kind::MinusPlus => Tree::MinusPlus(Box::new(term)),
+            Kind::Minus => Box::new(Tree::Negate(term)),
+            Kind::PlusMinus => Box::new(Tree::PlusMinus(term)),
+            Kind::MinusPlus => Box::new(Tree::MinusPlus(term)),
             _ => term,
         };
         let form = Form::Open;
@@ -260,7 +150,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The tree of `part`, if something may stand beside it.
-    fn beside(&self, part: Part) -> Result<Tree, Fault> {
+    fn beside(&self, part: Part) -> Result<Box<Tree>, Fault> {
         match part.form {
             Form::Braced => {
                 let instead = "TeX braces do not print; write ( ) around it";
@@ -286,7 +176,7 @@ impl<'a> Reader<'a> {
 
     fn more_factors(&mut self, first: Part) -> Result<Part, Fault> {
         let mut form = first.form;
-        let mut factors = vec![self.beside(first)?];
+        let mut factors = vec![*self.beside(first)?];
         let mut divided = false;
         while let Some(token) = self.peek() {
             let juxtaposed = starts_factor(token.kind);
@@ -306,11 +196,10 @@ impl<'a> Reader<'a> {
             self.skip_empty();
             if token.kind == Kind::Slash {
                 self.divisor(by, &tree, token.at, divided)?;
-                let above = Box::new(product(factors));
-                factors = vec![Tree::Quotient(above, Box::new(tree), At(token.at))];
+                factors = vec![Tree::Quotient(product(factors), tree, At(token.at))];
                 divided = true;
             } else {
-                factors.push(tree);
+                factors.push(*tree);
             }
             form = by;
         }
@@ -341,11 +230,11 @@ impl<'a> Reader<'a> {
     }
 }
 
-fn product(mut factors: Vec<Tree>) -> Tree {
-    match factors.len() {
+fn product(mut factors: Vec<Tree>) -> Box<Tree> {
+    Box::new(match factors.len() {
         1 => factors.remove(0),
         _ => Tree::Product(factors),
-    }
+    })
 }
 
 fn is_sign(kind: Kind) -> bool {
@@ -354,4 +243,69 @@ fn is_sign(kind: Kind) -> bool {
 
 fn is_operation(kind: Kind) -> bool {
     matches!(kind, Kind::Times | Kind::Star | Kind::Slash)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::spelled::{check, refuse};
+
+    #[test]
+    fn sums_and_signs() {
+        check(&[
+            ("a - b + c", "(+ a (- b) c)"),
+            ("-a b + c", "(+ (- (* a b)) c)"),
+            ("+a", "a"),
+            ("-(-r)", "(- (- r))"),
+            ("(-r_B)", "(- r_B)"),
+            ("a − b", "(+ a (- b))"),
+            ("a {}- b {}", "(+ a (- b))"),
+            (r"-b \pm c \mp d", "(+ (- b) (+- c) (-+ d))"),
+            (r"\pm c", "(+- c)"),
+            ("a + (b - c)", "(+ a (+ b (- c)))"),
+            ("((a))", "a"),
+            ("{a + b}", "(+ a b)"),
+        ]);
+        refuse(&[
+            ("2 -- b", "a negative one needs brackets"),
+            ("a + -b", "a negative one needs brackets"),
+            (r"a \cdot -b", "a negative one needs brackets"),
+            (r"a \cdot {} -b", "a negative one needs brackets"),
+            ("a + ", "found `the end` where a factor"),
+            ("a - {b + c}", "TeX braces do not print"),
+            ("a{-b}", "TeX braces do not print"),
+            ("a {b/c}", "TeX braces do not print"),
+            ("", "found `nothing`"),
+            ("a = b", "the end of the expression"),
+            ("a, b", "found `b` where the end"),
+        ]);
+    }
+
+    #[test]
+    fn products_and_slashes() {
+        check(&[
+            (r"a b \cdot c \times d * e \ast f", "(* a b c d e f)"),
+            ("a(b c)", "(* a (* b c))"),
+            ("a/b/c", "(/ (/ a b) c)"),
+            (r"a b \div c \cdot d", "(* (/ (* a b) c) d)"),
+            ("1/2 T_1", "(* (/ 1 2) T_1)"),
+            ("1/2(a + b)", "(* (/ 1 2) (+ a b))"),
+            ("-a/b", "(- (/ a b))"),
+            (r"2\frac{a}{b}", "(* 2 (/ a b))"),
+            (r"2 \cdot 3", "(* 2 3)"),
+            (r"{a b} c", "(* (* a b) c)"),
+        ]);
+        refuse(&[
+            ("a/b c", r"write \frac"),
+            ("1/r_B(a)", r"write \frac"),
+            ("1/0.5 x", r"write \frac"),
+            ("1/(2) x", r"write \frac"),
+            ("1/2^2 x", r"write \frac"),
+            (r"x/\partial a/\partial b", r"write \frac"),
+            ("2 3", r"write \cdot"),
+            ("1/2 3", r"write \cdot"),
+            (r"2\frac{1}{2}", r"write \cdot"),
+            ("x.5", r"write \cdot"),
+            ("a \\over b", r"write \frac"),
+        ]);
+    }
 }

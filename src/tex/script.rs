@@ -2,6 +2,7 @@
 
 use super::error::{Fault, Reason};
 use super::reader::Reader;
+use super::subscript::{canonical, plain, subscript_text};
 use super::token::{Bracket, Kind, Token};
 use super::{At, Name, Tree};
 use crate::number::{Field, Rational};
@@ -26,13 +27,13 @@ pub(super) struct Exponent {
 
 impl Exponent {
     /// `tree` to this power.
-    pub(super) fn of(self, tree: Tree) -> Tree {
+    pub(super) fn of(self, tree: Box<Tree>) -> Tree {
         let at = At(self.at);
         match (self.twice % 2 == 0, self.twice) {
-            (true, twice) => Tree::Power(Box::new(tree), twice / 2, at),
-            (false, 1) => Tree::Root(Box::new(tree), at),
+            (true, twice) => Tree::Power(tree, twice / 2, at),
+            (false, 1) => Tree::Root(tree, at),
             (false, twice) => {
-                let root = Tree::Root(Box::new(tree), at);
+                let root = Tree::Root(tree, at);
                 Tree::Power(Box::new(root), twice, at)
             }
         }
@@ -102,7 +103,11 @@ impl<'a> Reader<'a> {
     fn subscript(&mut self) -> Result<String, Fault> {
         let (at, content) = self.script_tokens()?;
         let text = subscript_text(&content)?;
-        match text.is_empty() {
+        let brackets = |open| text.matches(open).count();
+        if brackets('(') != brackets(')') {
+            return Err(Fault::unexpected(at, &text, "a plain subscript"));
+        }
+        match text.split(',').any(str::is_empty) {
             true => Err(Fault::unexpected(at, "nothing", "a subscript")),
             false => Ok(canonical(&text)),
         }
@@ -202,98 +207,6 @@ fn more_primes(primes: u8, more: u8, at: usize) -> Result<u8, Fault> {
     primes.checked_add(more).ok_or(Fault::new(at, Reason::TooDeep { most }))
 }
 
-/// The text of a subscript, without blanks, braces and fonts.
-fn subscript_text(content: &[Token<'_>]) -> Result<String, Fault> {
-    let mut text = String::new();
-    let mut before: Option<Token<'_>> = None;
-    for (place, token) in content.iter().enumerate() {
-        let scripted = place >= 2 && content.get(place - 2).is_some_and(|token| token.kind == Kind::Sub);
-        let nested = before.is_some_and(|before| before.kind == Kind::Sub);
-        let fits = match token.kind {
-            Kind::Letter | Kind::Word | Kind::Number => {
-                !nested || token.text.len() == 1 || token.text.starts_with('\\')
-            }
-            Kind::Plus | Kind::Minus | Kind::Star | Kind::Comma | Kind::Slash => !nested && token.text != ";",
-            Kind::Open(Bracket::Round) | Kind::Close(Bracket::Round) | Kind::Prime => !nested,
-            Kind::Sub => !nested && !scripted && before.is_some(),
-            _ => false,
-        };
-        if !fits {
-            return Err(Fault::unexpected(token.at, token.text, "a plain subscript"));
-        }
-        // A command must not run into the letter behind it.
-        let letter = token.text.starts_with(|c: char| c.is_ascii_alphabetic());
-        if letter && before.is_some_and(|before| before.text.starts_with('\\')) {
-            text.push(' ');
-        }
-        text.push_str(plain(token));
-        before = Some(*token);
-    }
-    match before {
-        Some(last) if last.kind == Kind::Sub => Err(Fault::unexpected(last.at, "_", "a plain subscript")),
-        _ => Ok(text),
-    }
-}
-
-/// The text of a sign as ASCII.
-fn plain<'a>(token: &Token<'a>) -> &'a str {
-    match token.kind {
-        Kind::Minus => "-",
-        Kind::Star => "*",
-        Kind::Slash => "/",
-        Kind::Prime => "'",
-        _ => token.text,
-    }
-}
-
-/// `1+k` -> `k+1`: in each index the integers come last, added up, so that equal times have equal names.
-fn canonical(text: &str) -> String {
-    let parts: Vec<String> = text.split(',').map(index).collect();
-    parts.join(",")
-}
-
-fn index(text: &str) -> String {
-    ordered(text).unwrap_or_else(|| text.to_owned())
-}
-
-fn ordered(text: &str) -> Option<String> {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "+-\\ ".contains(c);
-    if !text.contains(['+', '-']) || !text.chars().all(plain) {
-        return None;
-    }
-    let (mut symbols, mut constant): (Vec<(String, char)>, i64) = (Vec::new(), 0);
-    let signed = text.replace('-', "+-");
-    for (place, term) in signed.split('+').enumerate() {
-        let (sign, body) = match term.strip_prefix('-') {
-            Some(body) => ('-', body),
-            None => ('+', term),
-        };
-        match body.parse::<i32>() {
-            Ok(value) if sign == '-' => constant -= i64::from(value),
-            Ok(value) => constant += i64::from(value),
-            Err(_) if body.is_empty() && place == 0 => {}
-            Err(_) if body.is_empty() || body.contains('-') => return None,
-            Err(_) => symbols.push((body.to_owned(), sign)),
-        }
-    }
-    if symbols.is_empty() {
-        return None;
-    }
-    // Added indices first, so that no minus need lead where it can be helped.
-    symbols.sort_by(|a, b| a.1.cmp(&b.1).then_with(|| a.0.cmp(&b.0)));
-    let mut out = String::new();
-    for (body, sign) in &symbols {
-        if *sign == '-' || !out.is_empty() {
-            out.push(*sign);
-        }
-        out.push_str(body);
-    }
-    if constant != 0 {
-        out.push_str(&format!("{constant:+}"));
-    }
-    Some(out)
-}
-
 /// What the tokens of a superscript mean.
 fn meaning(at: usize, content: &[Token<'_>]) -> Result<Superscript, Fault> {
     let kinds: Vec<Kind> = content.iter().map(|token| token.kind).collect();
@@ -348,4 +261,75 @@ fn doubled(above: &Rational, below: &Rational) -> Option<i32> {
     let half = below.clone() / Rational::from_integer(2);
     let twice = (above.clone() / half).to_integer()?;
     i32::try_from(twice).ok().filter(|twice| twice.abs() <= 2 * HIGHEST)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::spelled::{check, refuse};
+
+    #[test]
+    fn powers() {
+        check(&[
+            ("x^2", "(^ x 2)"),
+            ("x^{-1}", "(^ x -1)"),
+            ("x^{2}_k", "(^ x_k 2)"),
+            ("x_k^2", "(^ x_k 2)"),
+            ("{x}^2", "(^ x 2)"),
+            ("(x)^2", "(^ x 2)"),
+            ("{(a-b)}^2", "(^ (+ a (- b)) 2)"),
+            ("x^{1/2}", "(sqrt x)"),
+            (r"x^{\frac12}", "(sqrt x)"),
+            (r"x^{-\frac{3}{2}}", "(^ (sqrt x) -3)"),
+            ("x^{0.5}", "(sqrt x)"),
+            ("x^{+2}", "(^ x 2)"),
+            ("x^{1000}", "(^ x 1000)"),
+            ("(Z_k^-)^2", "(^ Z_k^- 2)"),
+            ("2^3", "(^ 2 3)"),
+        ]);
+        refuse(&[
+            ("x^n", "symbolic power"),
+            (r"x^{\alpha}", "symbolic power"),
+            ("x^{(n+1)}", "symbolic power"),
+            ("x^{2n}", "symbolic power"),
+            ("x^{1001}", "up to 1000"),
+            ("x^{1/3}", "multiples of 1/2"),
+            ("x^{1/0}", "multiples of 1/2"),
+            ("x^{99999999999999999999999}", "multiples of 1/2"),
+            ("x^12", "write { }"),
+            ("x^2^3", "second superscript"),
+            ("(x)^2^3", "second script"),
+            ("Z_k^{-}^2", "second superscript"),
+            ("Z^-2", "write ^{-2}"),
+            (r"\frac{a}{b}^2", "write brackets"),
+            ("{a b}^2", "write brackets"),
+            ("{x^2}^3", "write brackets"),
+            ("x^{}", "`nothing`"),
+            ("x^", "`the end`"),
+            ("x^{2", "`{` is not closed"),
+            ("(a)^-", "only a name"),
+            ("(a)_k", "only a name"),
+            ("(a)'", "only a name"),
+        ]);
+    }
+
+    #[test]
+    fn marks_and_primes() {
+        check(&[
+            ("Z_k^-", "Z_k^-"),
+            ("Z^{-}_k", "Z_k^-"),
+            (r"\mathbf{H}_k^*", "H_k^*"),
+            (r"H_k^{\ast}", "H_k^*"),
+            ("U_k^{imp}", "U_k^{imp}"),
+            (r"U_k^{\mathrm{imp}}", "U_k^{imp}"),
+            (r"U^{\text{T}}", r"U^{\text{T}}"),
+            ("U^{(1)}", "U^{(1)}"),
+            ("F_1'(t)", "<F_1' t>"),
+            (r"F_1^{\prime}(t)", "<F_1' t>"),
+            (r"f^\prime(t)", "<f' t>"),
+            ("f''(t)", "<f'' t>"),
+            (r"f^{\prime\prime}(t)", "<f'' t>"),
+            ("f'^2(t)", "(^ <f' t> 2)"),
+        ]);
+        refuse(&[(&format!("f{}", "'".repeat(300)), "nested deeper")]);
+    }
 }

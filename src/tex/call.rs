@@ -1,0 +1,330 @@
+//! What a bracket makes of a name: calls, elementary functions, traces and determinants.
+
+use super::command::{elementary, elementary_at_start, invariant};
+use super::error::{Fault, Reason};
+use super::part::{Form, Part, starts_factor};
+use super::reader::Reader;
+use super::script::Exponent;
+use super::symbol::base;
+use super::token::{Bracket, Kind, Token};
+use super::{At, Invariant, Name, Tree};
+
+impl<'a> Reader<'a> {
+    /// What begins with a letter, a word or an accent: a symbol, a call, a trace or an elementary function.
+    pub(super) fn named(&mut self, token: Token<'a>) -> Result<Part, Fault> {
+        if token.kind == Kind::Word {
+            if let Some(kind) = invariant(token.text) {
+                return self.invariant(kind, 1);
+            }
+            if let Some(function) = elementary(token.text) {
+                return self.elementary(function, 1);
+            }
+        }
+        if let Some((kind, length)) = self.plain_invariant() {
+            return self.invariant(kind, length);
+        }
+        if let Some((function, length)) = self.plain_elementary() {
+            return self.elementary(function, length);
+        }
+        let name = self.bare_name()?;
+        self.symbol(name, token.at)
+    }
+
+    /// `name` with the scripts and the argument that follow it.
+    pub(super) fn symbol(&mut self, mut name: Name, at: usize) -> Result<Part, Fault> {
+        let power = self.scripts(&mut name)?;
+        match self.peek_kind() {
+            Some(Kind::Open(kind)) if self.names.is_function(&name) => {
+                self.argument_bracket(kind)?;
+                let argument = self.bracketed()?;
+                self.call(Box::new(Tree::Call(name, argument, At(at))), power)
+            }
+            _ => Ok(raise(Box::new(Tree::Symbol(name, At(at))), power)),
+        }
+    }
+
+    /// A finished call: the power before its argument, or the one behind.
+    fn call(&mut self, call: Box<Tree>, before: Option<Exponent>) -> Result<Part, Fault> {
+        let before = before.map(Exponent::before_argument).transpose()?;
+        let at = self.here();
+        match (before, self.power()?) {
+            (Some(_), Some(_)) => Err(Fault::unsupported(
+                at,
+                "a second power of one call",
+                "put brackets around the first",
+            )),
+            (power, None) | (None, power) => Ok(raise(call, power)),
+        }
+    }
+
+    fn argument_bracket(&self, kind: Bracket) -> Result<(), Fault> {
+        match kind {
+            Bracket::Curly => {
+                let instead = "an argument stands in ( ) or [ ]; write \\cdot for a product";
+                Err(Fault::ambiguous(self.here(), "\\{ after a function", instead))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// An elementary function, whose name is the next `length` tokens.
+    pub(super) fn elementary(&mut self, function: &'static str, length: usize) -> Result<Part, Fault> {
+        let at = self.here();
+        self.next += length;
+        let power = match self.peek_kind() {
+            Some(Kind::Sup | Kind::Sub | Kind::Prime) => self.power()?,
+            _ => None,
+        };
+        let Some(Kind::Open(kind)) = self.peek_kind() else {
+            let argument = self.bare_argument()?;
+            let power = power.map(Exponent::before_argument).transpose()?;
+            return Ok(raise(elementary_call(function, argument, at), power));
+        };
+        self.argument_bracket(kind)?;
+        let argument = self.bracketed()?;
+        self.call(elementary_call(function, argument, at), power)
+    }
+
+    /// The argument of `\cos\theta`: it must be plain that it is no more than one symbol, number or fraction.
+    fn bare_argument(&mut self) -> Result<Box<Tree>, Fault> {
+        self.deepen()?;
+        let at = self.here();
+        let brackets = || {
+            let instead = "write brackets around the argument";
+            Fault::ambiguous(at, "an argument without brackets", instead)
+        };
+        match self.peek_kind() {
+            Some(kind) if starts_factor(kind) && kind != Kind::Function => {}
+            _ => return Err(self.instead_of("the argument of the function")),
+        }
+        let part = self.factor()?;
+        self.rise();
+        let atom = match part.form {
+            Form::Literal | Form::Fraction | Form::Bracketed => true,
+            Form::Plain => matches!(*part.tree, Tree::Symbol(..)),
+            _ => false,
+        };
+        self.skip_empty();
+        let more = self
+            .peek_kind()
+            .is_some_and(|kind| starts_factor(kind) || kind == Kind::Slash);
+        match atom && !more {
+            true => Ok(part.tree),
+            false => Err(brackets()),
+        }
+    }
+
+    /// Whether `Tr(`, `det^2[` and their like stand next, in letters: which, and how many letters.
+    fn plain_invariant(&self) -> Option<(Invariant, usize)> {
+        let run = self.letters(true);
+        let fits = |length: &usize| run.get(..*length).and_then(invariant).is_some();
+        let length = [3, 2].into_iter().find(fits)?;
+        let kind = run.get(..length).and_then(invariant)?;
+        self.bracket_follows(length).then_some((kind, length))
+    }
+
+    /// Whether `cos(` or its like stands next, in letters: which, and how many letters. Without the bracket such
+    /// letters are an error, not a product.
+    fn plain_elementary(&self) -> Option<(&'static str, usize)> {
+        let run = self.letters(true);
+        let function = elementary_at_start(&run).filter(|_| self.names.word_at_start(&run).is_none())?;
+        let length = function.len() - 1;
+        self.bracket_follows(length).then_some((function, length))
+    }
+
+    /// Whether a bracket stands behind the next `skip` tokens and, perhaps, a power.
+    fn bracket_follows(&self, skip: usize) -> bool {
+        let mut ahead = skip;
+        if self.look(ahead).is_some_and(|token| token.kind == Kind::Sup) {
+            let braced = self.look(ahead + 1).is_some_and(|token| token.kind == Kind::BraceOpen);
+            // A power is short; looking further would make long input slow.
+            let close = (2..12).find(|more| {
+                self.look(ahead + more)
+                    .is_some_and(|token| token.kind == Kind::BraceClose)
+            });
+            ahead += match (braced, close) {
+                (true, Some(close)) => close + 1,
+                (true, None) => return false,
+                (false, _) => 2,
+            };
+        }
+        let after = self.look(ahead).map(|token| token.kind);
+        matches!(after, Some(Kind::Open(Bracket::Round | Bracket::Square)))
+    }
+
+    /// A trace or determinant, whose name is the next `length` tokens.
+    pub(super) fn invariant(&mut self, kind: Invariant, length: usize) -> Result<Part, Fault> {
+        let at = self.here();
+        self.next += length;
+        let power = match self.peek_kind() {
+            Some(Kind::Sup | Kind::Sub | Kind::Prime) => self.power()?,
+            _ => None,
+        };
+        let of = match self.open() {
+            Some((open, bracket)) => {
+                let name = self.matrix()?;
+                // `DP(H_k)` says where the matrix is taken; the name alone matters.
+                if let Some(Kind::Open(Bracket::Round | Bracket::Square)) = self.peek_kind() {
+                    self.bracketed()?;
+                }
+                self.close(open, bracket)?;
+                name
+            }
+            None => self.matrix()?,
+        };
+        let at = At(at);
+        self.call(Box::new(Tree::Invariant { kind, of, at }), power)
+    }
+
+    /// The name of a declared matrix.
+    fn matrix(&mut self) -> Result<Name, Fault> {
+        let at = self.here();
+        let letters = self.letters(false);
+        let mut name = match (letters.is_empty(), self.take(Kind::Word)) {
+            (false, _) => {
+                self.next += letters.len();
+                base(&letters)
+            }
+            (true, Some(word)) => base(word.text),
+            (true, None) => self.bare_name()?,
+        };
+        let power = self.scripts(&mut name)?;
+        if power.is_none() && self.names.matrices.contains(&name) {
+            return Ok(name);
+        }
+        let known: Vec<String> = self.names.matrices.iter().map(Name::to_string).collect();
+        let known = known.join(", ");
+        let found = format!("`{name}`");
+        Err(Fault::new(at, Reason::UnknownMatrix { found, known }))
+    }
+}
+
+fn elementary_call(function: &str, argument: Box<Tree>, at: usize) -> Box<Tree> {
+    Box::new(Tree::Call(base(function), argument, At(at)))
+}
+
+/// `tree` to `power`.
+pub(super) fn raise(tree: Box<Tree>, power: Option<Exponent>) -> Part {
+    match power {
+        Some(exponent) => Part {
+            tree: Box::new(exponent.of(tree)),
+            form: Form::Knot,
+        },
+        None => Part {
+            tree,
+            form: Form::Plain,
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::spelled::{check, refuse};
+
+    #[test]
+    fn calls_and_products() {
+        check(&[
+            ("F_1(t_k)", "<F_1 t_k>"),
+            ("F_{1}[t_k]", "<F_1 t_k>"),
+            (r"F_1\left(t_k\right)", "<F_1 t_k>"),
+            ("{F_1}(t)", "<F_1 t>"),
+            (r"\dot{Z}^{-}(t_k)", r"<\dot{Z}^- t_k>"),
+            (r"\dot{Z}_k^-(t - t_k)", r"(* \dot{Z}_k^- (+ t (- t_k)))"),
+            (r"\overline{g}(t - t_k)", r"(* \overline{g} (+ t (- t_k)))"),
+            (r"F_1 \cdot (t)", "(* F_1 t)"),
+            ("f^2(t_k)", "(^ <f t_k> 2)"),
+            ("f(t_k)^2", "(^ <f t_k> 2)"),
+            ("f(t)(t - a)", "(* <f t> (+ t (- a)))"),
+            ("f", "f"),
+        ]);
+        refuse(&[
+            ("f^{-1}(t)", "inverse function"),
+            ("f^2(t)^2", "second power"),
+            (r"f\{t\}", "an argument stands in"),
+            ("f(t", "`(` is not closed"),
+        ]);
+    }
+
+    #[test]
+    fn elementary_functions() {
+        check(&[
+            (r"\cos(\pi t)", r"<\cos (* \pi t)>"),
+            (r"\sin[x]", r"<\sin x>"),
+            (r"2\cos\theta", r"(* 2 <\cos \theta>)"),
+            (r"\cos\theta \cdot x", r"(* <\cos \theta> x)"),
+            (r"\cos 2 + 1", r"(+ <\cos 2> 1)"),
+            (r"\cos\frac{\pi}{2}", r"<\cos (/ \pi 2)>"),
+            (r"\cos t_k", r"<\cos t_k>"),
+            (r"\cos{\theta}", r"<\cos \theta>"),
+            (r"\cos^2(x)", r"(^ <\cos x> 2)"),
+            (r"\sin^2\theta", r"(^ <\sin \theta> 2)"),
+            (r"\operatorname{cos}(x)", r"<\cos x>"),
+            (r"cos(\pi t + \phi)", r"<\cos (+ (* \pi t) \phi)>"),
+            ("2sin^2[x]", r"(* 2 (^ <\sin x> 2))"),
+            ("gsin(x)", r"(* g <\sin x>)"),
+            (r"\arctan(x) \ln(y)", r"(* <\arctan x> <\ln y>)"),
+        ]);
+        for tex in [
+            r"\sin \pi t",
+            r"\cos\theta/2",
+            r"\cos\theta(x)",
+            r"\cos\theta^2",
+            r"\cos{a+b}",
+            r"\cos F_1(t)",
+        ] {
+            refuse(&[(tex, "write brackets around the argument")]);
+        }
+        refuse(&[
+            (r"\cos", "the argument of the function"),
+            (r"\cos -x", "the argument of the function"),
+            (r"\cos\sin x", "the argument of the function"),
+            (r"\cos^{-1}(x)", "inverse function"),
+            (r"\cos^{-1} x", "inverse function"),
+            (r"\log_2(x)", "only a name"),
+        ]);
+    }
+
+    #[test]
+    fn traces_and_determinants() {
+        for tex in [
+            "Tr(DP)",
+            r"\mathrm{Tr}(DP)",
+            r"\text{Tr}[DP]",
+            r"\operatorname{Tr}\left( DP \right)",
+            r"\operatorname{tr}(DP)",
+            r"\mathrm{tr}(D P)",
+            "tr(DP)",
+            r"Tr(DP(\mathbf{H}_k^*))",
+            r"\mathrm{Tr}\,\mathrm{DP}",
+            r"Tr(\mathbf{DP})",
+        ] {
+            check(&[(tex, "trace(DP)")]);
+        }
+        for tex in [
+            "Det(DP)",
+            r"\det(DP)",
+            r"\det DP",
+            "det(DP)",
+            r"\mathrm{det}(DP)",
+            r"\text{Det}(DP)",
+        ] {
+            check(&[(tex, "determinant(DP)")]);
+        }
+        for tex in ["[Tr(DP)]^2", "Tr(DP)^2", "Tr^2(DP)", "Tr^{2}(DP)", r"\mathrm{Tr}^2(DP)"] {
+            check(&[(tex, "(^ trace(DP) 2)")]);
+        }
+        check(&[
+            ("T r(a)", "(* T r a)"),
+            ("Tr + 1", "(+ (* T r) 1)"),
+            ("4 \\cdot Det(DP)", "(* 4 determinant(DP))"),
+            ("aTr(DP)", "(* a trace(DP))"),
+        ]);
+        refuse(&[
+            ("Tr(A)", "`A` is no known matrix (known: DP)"),
+            ("Tr(DP", "`(` is not closed"),
+            ("Tr(DP_2)", "is no known matrix"),
+            ("Tr^{-1}(DP)", "inverse function"),
+            (r"\det", "a name"),
+        ]);
+    }
+}

@@ -1,0 +1,190 @@
+//! A whole display: its equations, an expression or a name.
+
+use super::error::{Fault, Reason};
+use super::lexer::lex;
+use super::reader::Reader;
+use super::statement::statements;
+use super::token::{Bracket, Kind, Token};
+use super::{At, Equation, Name, Names, ReadError, Tree};
+
+/// The longest formula that is read, in bytes.
+const LONGEST: usize = 100_000;
+/// Reads the equations of a display, in order; a chain `a = b = c` gives `a = b` and `b = c`.
+pub fn read(tex: &str, names: &Names) -> Result<Vec<Equation>, ReadError> {
+    read_equations(tex, names).map_err(|fault| fault.located(tex))
+}
+
+/// Reads an expression, without an `=`.
+pub fn read_expression(tex: &str, names: &Names) -> Result<Tree, ReadError> {
+    let read = || {
+        let mut reader = single(tex, names)?;
+        let tree = reader.sum()?;
+        reader.finish("the end of the expression").map(|()| *tree)
+    };
+    read().map_err(|fault| fault.located(tex))
+}
+
+/// Reads one name, such as `\dot{Z}_{k+1}^-`, as a formula would hold it.
+pub fn read_name(tex: &str, names: &Names) -> Result<Name, ReadError> {
+    let read = || {
+        let mut reader = single(tex, names)?;
+        let name = reader.full_name()?;
+        reader.finish("the end of the name").map(|()| name)
+    };
+    read().map_err(|fault| fault.located(tex))
+}
+
+fn read_equations(tex: &str, names: &Names) -> Result<Vec<Equation>, Fault> {
+    let mut equations = Vec::new();
+    for tokens in divided(tex)? {
+        // Text taken from a PDF carries the number of the display along.
+        if !equations.is_empty() && is_number_of_display(&tokens) {
+            continue;
+        }
+        Reader::new(tokens, names).chain(&mut equations)?;
+    }
+    match equations.is_empty() {
+        true => Err(Fault::new(0, Reason::NoEquation)),
+        false => Ok(equations),
+    }
+}
+
+/// `(23)` or `(20a)`.
+fn is_number_of_display(tokens: &[Token<'_>]) -> bool {
+    let kinds: Vec<Kind> = tokens.iter().map(|token| token.kind).take(5).collect();
+    let (open, close) = (Kind::Open(Bracket::Round), Kind::Close(Bracket::Round));
+    kinds == [open, Kind::Number, close] || kinds == [open, Kind::Number, Kind::Letter, close]
+}
+
+fn divided(tex: &str) -> Result<Vec<Vec<Token<'_>>>, Fault> {
+    let (bytes, most) = (tex.len(), LONGEST);
+    if bytes > most {
+        return Err(Fault::new(0, Reason::TooLong { bytes, most }));
+    }
+    statements(lex(tex)?)
+}
+
+fn single<'a>(tex: &'a str, names: &'a Names) -> Result<Reader<'a>, Fault> {
+    let mut all = divided(tex)?.into_iter();
+    let Some(tokens) = all.next() else {
+        return Err(Fault::unexpected(tex.trim_end().len(), "nothing", "a formula"));
+    };
+    match all.next().and_then(|more| more.first().copied()) {
+        Some(token) => Err(Fault::unexpected(token.at, token.text, "the end")),
+        None => Ok(Reader::new(tokens, names)),
+    }
+}
+
+impl Reader<'_> {
+    fn finish(&self, wanted: &str) -> Result<(), Fault> {
+        match self.peek() {
+            None => Ok(()),
+            Some(token) if matches!(token.kind, Kind::Close(_) | Kind::BraceClose) => {
+                let close = format!("`{}`", token.text);
+                Err(Fault::new(token.at, Reason::Unopened { close }))
+            }
+            Some(_) => Err(self.instead_of(wanted)),
+        }
+    }
+
+    /// `a = b = c`, appended to `equations`.
+    fn chain(&mut self, equations: &mut Vec<Equation>) -> Result<(), Fault> {
+        let mut at = self.here();
+        let mut left = *self.sum()?;
+        if self.peek().is_none() {
+            return Err(Fault::new(at, Reason::NoEquation));
+        }
+        while self.take(Kind::Equals).is_some() {
+            let start = self.here();
+            let right = *self.sum()?;
+            let end = self.look_back();
+            let left = std::mem::replace(&mut left, right.clone());
+            equations.push(Equation {
+                left,
+                right,
+                at: At(at),
+                end: At(end),
+            });
+            at = start;
+        }
+        self.finish("`=`, an operator or the end of the equation")
+    }
+
+    /// Where the token before the next one ends.
+    fn look_back(&self) -> usize {
+        let before = self.next.checked_sub(1).and_then(|last| self.tokens.get(last));
+        before.map_or(0, |token| token.end)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::reader::DEEPEST;
+    use super::super::spelled::names;
+    use super::*;
+
+    #[test]
+    fn displays() {
+        let count = |tex: &str| read(tex, &names()).map(|equations| equations.len());
+        for (tex, wanted) in [
+            ("a = b = c", 2),
+            (r"a := b \equiv c.", 2),
+            (r"\begin{align} a &= b + \\ &\quad c \\ &= d, \\ -e &= f \end{align}", 3),
+            (r"a = b \text{ and } c = d \text{where} e = f;", 3),
+            (r"a = b, \quad (23)", 1),
+            (r"a = b \qquad (20a)", 1),
+            ("x = 2.", 1),
+        ] {
+            assert_eq!(count(tex).map_err(|error| error.to_string()), Ok(wanted), "{tex}");
+        }
+        for tex in [
+            "",
+            "a",
+            "(23)",
+            "a = ",
+            "= a",
+            "a = b, c",
+            "a = b) = c",
+            "x = 0,26",
+            "a = b \\\\ c",
+            "a == b",
+        ] {
+            assert!(count(tex).is_err(), "{tex}");
+        }
+        let equations = read("a = b = c + d.", &names()).unwrap();
+        let places: Vec<_> = equations
+            .iter()
+            .map(|equation| (equation.at.0, equation.end.0))
+            .collect();
+        assert_eq!(places, [(0, 5), (4, 13)]);
+    }
+
+    #[test]
+    fn what_is_too_much_is_refused() {
+        let names = Names::default();
+        for unit in [
+            "(",
+            "[",
+            "{",
+            "-",
+            r"\frac{",
+            r"\sqrt{",
+            r"\dot",
+            r"\dot{",
+            "x^{",
+            "x_{",
+            r"\cos",
+            r"\text{cos}",
+            "a/",
+        ] {
+            let deep = unit.repeat(99_000 / unit.len());
+            assert!(read(&deep, &names).is_err(), "{unit}");
+            assert!(read_name(&deep, &names).is_err(), "{unit}");
+        }
+        let nested = |levels: usize| format!("{}a{}", "(".repeat(levels), ")".repeat(levels));
+        assert!(read_expression(&nested(DEEPEST - 1), &names).is_ok());
+        assert!(read_expression(&nested(DEEPEST + 1), &names).is_err());
+        assert!(read_expression(&"a".repeat(LONGEST + 1), &names).is_err());
+        assert!(read_expression(&"a".repeat(LONGEST), &names).is_ok());
+    }
+}
