@@ -32,6 +32,19 @@ pub struct Solution {
     pub redundant: Vec<usize>,
 }
 
+/// Whether and how soon a variable is solved for; within a kind the lower number is the sooner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Rank {
+    /// A variable that stands for what others determine: an equation with such a variable serves to find it.
+    Dependent(u32),
+    /// Any other.
+    Ordinary(u32),
+    /// A variable that stays free as long as anything else can be solved for, and is taken to be different from zero.
+    Generic(u32),
+    /// A variable that is never solved for, different from zero.
+    Fixed,
+}
+
 /// Why a system could not be solved.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Failure {
@@ -46,21 +59,12 @@ const MOST_CHOICES: usize = 2000;
 
 /// Solves the equations in whatever order works.
 ///
-/// `rank` says which variables may be solved for (`None`: never), the lower the sooner; ranks from `generic` up are
-/// solved for only where nothing else is left, and are taken to be different from zero.
+/// `rank` says which variables may be solved for, and how soon.
 ///
 /// # Errors
 /// [`Failure`], with the equations at fault.
-pub fn solve(
-    premises: Vec<Premise>,
-    rank: &dyn Fn(Variable) -> Option<u32>,
-    generic: u32,
-) -> Result<Solution, Failure> {
-    let mut search = Search {
-        rank,
-        generic,
-        choices: 0,
-    };
+pub fn solve(premises: Vec<Premise>, rank: &dyn Fn(Variable) -> Rank) -> Result<Solution, Failure> {
+    let mut search = Search { rank, choices: 0 };
     let pending = premises
         .into_iter()
         .map(|p| Pending {
@@ -82,14 +86,24 @@ struct Pending {
 
 /// A way to go on: which pending equation, for which variable, at what cost.
 struct Choice {
-    cost: (bool, bool, u32, usize, usize),
+    cost: (Class, bool, Rank, usize, usize),
     equation: usize,
     variable: Variable,
 }
 
+/// How good a choice is. What brings no denominator comes first, then what equations with dependent variables are
+/// for; what brings denominators into all others waits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Class {
+    Plain,
+    Dependent,
+    WithDenominator,
+    Misused,
+    Generic,
+}
+
 struct Search<'a> {
-    rank: &'a dyn Fn(Variable) -> Option<u32>,
-    generic: u32,
+    rank: &'a dyn Fn(Variable) -> Rank,
     choices: usize,
 }
 
@@ -156,19 +170,25 @@ impl Search<'_> {
     fn choices(&self, pending: &[Pending]) -> Vec<Choice> {
         let mut choices = Vec::new();
         for (equation, p) in pending.iter().enumerate() {
-            for variable in p.residual.variables() {
-                let Some(rank) = (self.rank)(variable) else { continue };
-                if p.residual.degree(variable) != 1 {
-                    continue;
-                }
-                let coefficients = p.residual.coefficients(variable);
-                let slope = coefficients.get(1).map_or(0, |c| c.terms().len());
-                let constant = coefficients.get(1).is_some_and(|c| c.as_constant().is_some());
-                let cost = (rank >= self.generic, !constant, rank, slope, p.residual.terms().len());
+            let uses = p.residual.uses();
+            let of_dependents = uses
+                .iter()
+                .any(|u| matches!((self.rank)(u.variable), Rank::Dependent(_)));
+            for usage in uses.iter().filter(|usage| usage.degree == 1) {
+                let class = match (self.rank)(usage.variable) {
+                    Rank::Fixed => continue,
+                    Rank::Generic(_) => Class::Generic,
+                    Rank::Dependent(_) => Class::Dependent,
+                    Rank::Ordinary(_) if of_dependents => Class::Misused,
+                    Rank::Ordinary(_) if usage.is_plain => Class::Plain,
+                    Rank::Ordinary(_) => Class::WithDenominator,
+                };
+                let rank = (self.rank)(usage.variable);
+                let cost = (class, !usage.is_plain, rank, usage.terms, p.residual.terms().len());
                 choices.push(Choice {
                     cost,
                     equation,
-                    variable,
+                    variable: usage.variable,
                 });
             }
         }
@@ -178,7 +198,7 @@ impl Search<'_> {
     /// Divides by the generic variables that divide every term, as they are not zero.
     fn drop_generic_factor(&self, residual: &mut Polynomial) {
         let common = residual.common_monomial();
-        let is_generic = |v: Variable| (self.rank)(v).is_none_or(|rank| rank >= self.generic);
+        let is_generic = |v: Variable| matches!((self.rank)(v), Rank::Generic(_) | Rank::Fixed);
         // A lone power of a generic variable says that the variable is zero, and stays.
         if common.is_one() || (residual.terms().len() == 1 && common.factors().iter().all(|&(v, _)| is_generic(v))) {
             return;
@@ -194,7 +214,14 @@ mod tests {
     use super::*;
     use num_traits::Zero;
 
-    const GENERIC: u32 = 100;
+    /// Variables from 100 on are generic.
+    fn rank(variable: Variable) -> Rank {
+        if variable.0 < 100 {
+            Rank::Ordinary(variable.0)
+        } else {
+            Rank::Generic(variable.0)
+        }
+    }
 
     fn x(n: u32) -> Polynomial {
         Polynomial::variable(Variable(n))

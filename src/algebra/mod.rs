@@ -9,7 +9,7 @@ mod polynomial;
 mod relation;
 
 pub use derivation::Derivation;
-pub use elimination::{Failure, Premise, Solution, Step, solve};
+pub use elimination::{Failure, Premise, Rank, Solution, Step, solve};
 pub use fraction::{Fraction, Undefined};
 pub use monomial::{Monomial, Variable};
 pub use polynomial::Polynomial;

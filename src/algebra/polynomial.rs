@@ -14,6 +14,18 @@ pub struct Polynomial {
     terms: Vec<(Monomial, IBig)>,
 }
 
+/// How a polynomial uses a variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Usage {
+    pub variable: Variable,
+    /// Its highest power.
+    pub degree: u32,
+    /// The number of terms that hold it.
+    pub terms: usize,
+    /// Whether it stands in no term with another variable.
+    pub is_plain: bool,
+}
+
 impl Polynomial {
     /// The constant `value`.
     pub fn constant(value: IBig) -> Self {
@@ -64,6 +76,30 @@ impl Polynomial {
             .iter()
             .flat_map(|(m, _)| m.factors().iter().map(|(v, _)| *v))
             .collect()
+    }
+
+    /// How each variable is used.
+    pub fn uses(&self) -> Vec<Usage> {
+        let mut uses: Vec<Usage> = Vec::new();
+        for (monomial, _) in &self.terms {
+            let is_alone = monomial.factors().len() == 1;
+            for &(variable, exponent) in monomial.factors() {
+                match uses.iter_mut().find(|usage| usage.variable == variable) {
+                    Some(usage) => {
+                        usage.degree = usage.degree.max(exponent);
+                        usage.terms += 1;
+                        usage.is_plain &= is_alone;
+                    }
+                    None => uses.push(Usage {
+                        variable,
+                        degree: exponent,
+                        terms: 1,
+                        is_plain: is_alone,
+                    }),
+                }
+            }
+        }
+        uses
     }
 
     /// Whether `variable` occurs.

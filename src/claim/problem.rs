@@ -8,13 +8,10 @@ use super::reading::{Meaning, Meaningless, Reading};
 use super::sheet::{Fault, Sheet};
 use super::substitute::any_side;
 use super::vocabulary::Vocabulary;
-use crate::algebra::{self, Failure, Fraction, Polynomial, Step, Variable};
+use crate::algebra::{self, Failure, Fraction, Polynomial, Rank, Step, Variable};
 use crate::tex::{EvaluationError, Tree};
 use num_traits::Zero;
 use std::collections::BTreeSet;
-
-/// Ranks from here up belong to what stays free as long as anything else can be solved for.
-const GENERIC: u32 = 1000;
 
 /// An equation that holds, over quantities.
 #[derive(Clone, Debug)]
@@ -348,8 +345,8 @@ impl<'a> Problem<'a> {
     /// Parameters in terms of the times of impacts, such as the period `T = t_{k+2} - t_k`.
     fn bound_times(&mut self) -> Result<Meaning, Fault> {
         let rank = |v: Variable| match self.atoms.atom(v) {
-            Some(Atom::Symbol(_)) => Some(0),
-            _ => None,
+            Some(Atom::Symbol(_)) => Rank::Ordinary(0),
+            _ => Rank::Fixed,
         };
         let with_times = self.pure().into_iter().filter(|(_, residual)| {
             residual
@@ -360,7 +357,7 @@ impl<'a> Problem<'a> {
         let premises = with_times
             .map(|(origin, residual)| algebra::Premise { residual, origin })
             .collect();
-        let steps = algebra::solve(premises, &rank, GENERIC)
+        let steps = algebra::solve(premises, &rank)
             .map(|solution| solution.steps)
             .unwrap_or_default();
         Ok(Meaning {
@@ -395,7 +392,7 @@ impl<'a> Problem<'a> {
                 .filter(|p| !left_over.contains(&p.origin))
                 .cloned()
                 .collect();
-            match algebra::solve(now, &|v| self.rank_of_time(v), GENERIC) {
+            match algebra::solve(now, &|v| self.rank_of_time(v)) {
                 Ok(solution) => break solution,
                 Err(Failure::Contradiction(origins)) => return Err(self.contradiction(&origins)),
                 // What is not linear may become so when the other premises are used.
@@ -431,19 +428,26 @@ impl<'a> Problem<'a> {
         Ok(())
     }
 
-    fn rank_of_time(&self, variable: Variable) -> Option<u32> {
-        match self.atoms.atom(variable)? {
-            // The first impact's time stays, the others follow from it.
-            Atom::Time { index, .. } if Some(*index) != self.statements.first.or(Some(0)) => {
-                Some((100 - index).max(0) as u32)
+    fn rank_of_time(&self, variable: Variable) -> Rank {
+        match self.atoms.atom(variable) {
+            // The first impact's time stays, the others follow from it, the later ones sooner.
+            Some(Atom::Time { index, .. }) if Some(*index) != self.statements.first.or(Some(0)) => {
+                Rank::Ordinary((100 - index).max(0) as u32)
             }
-            Atom::Time { .. } => Some(4 * GENERIC),
-            Atom::Symbol(name) if name.base == r"\pi" => None,
-            Atom::Symbol(name) => match self.vocabulary.generic.iter().position(|known| known == name) {
-                Some(position) => Some(2 * GENERIC - position as u32),
-                None => Some(500),
-            },
-            _ => None,
+            Some(Atom::Time { .. }) => Rank::Generic(1000),
+            Some(Atom::Symbol(name)) => self.rank_of_symbol(name),
+            _ => Rank::Fixed,
+        }
+    }
+
+    fn rank_of_symbol(&self, name: &crate::tex::Name) -> Rank {
+        if name.base == r"\pi" {
+            return Rank::Fixed;
+        }
+        match self.vocabulary.generic.iter().position(|known| known == name) {
+            // Of two generic symbols the one declared later gives way.
+            Some(position) => Rank::Generic(100_u32.saturating_sub(position as u32)),
+            None => Rank::Ordinary(500),
         }
     }
 
@@ -563,8 +567,8 @@ impl<'a> Problem<'a> {
             residual: given.residual.clone(),
             origin,
         });
-        let rank = |v: Variable| if fixed.contains(&v) { None } else { self.rank(v) };
-        let solution = algebra::solve(premises.collect(), &rank, GENERIC).map_err(|failure| match failure {
+        let rank = |v: Variable| if fixed.contains(&v) { Rank::Fixed } else { self.rank(v) };
+        let solution = algebra::solve(premises.collect(), &rank).map_err(|failure| match failure {
             Failure::Contradiction(origins) => self.contradiction_of(&origins),
             Failure::Nonlinear(origins) => {
                 let labels = self.labels(&origins);
@@ -613,21 +617,19 @@ impl<'a> Problem<'a> {
         }
     }
 
-    fn rank(&self, variable: Variable) -> Option<u32> {
-        match self.atoms.atom(variable)? {
-            Atom::Value { function, .. } => Some(match self.depth(function) {
+    fn rank(&self, variable: Variable) -> Rank {
+        match self.atoms.atom(variable) {
+            Some(Atom::Value { function, .. }) => Rank::Ordinary(match self.depth(function) {
                 Some(depth) => 10 - depth.min(10),
                 None => 20,
             }),
-            Atom::Partial { .. } => Some(30),
-            Atom::Invariant { .. } => Some(40),
-            Atom::State { index, after, .. } => Some(if *after { 50 } else { (100 - index).max(60) as u32 }),
-            Atom::Symbol(name) if name.base == r"\pi" => None,
-            Atom::Symbol(name) => match self.vocabulary.generic.iter().position(|known| known == name) {
-                Some(position) => Some(2 * GENERIC - position as u32),
-                None => Some(500),
-            },
-            Atom::Time { .. } | Atom::Running | Atom::Root { .. } => None,
+            Some(Atom::Partial { .. }) => Rank::Dependent(30),
+            Some(Atom::Invariant { .. }) => Rank::Dependent(40),
+            Some(Atom::State { index, after, .. }) => {
+                Rank::Ordinary(if *after { 50 } else { (100 - index).max(60) as u32 })
+            }
+            Some(Atom::Symbol(name)) => self.rank_of_symbol(name),
+            _ => Rank::Fixed,
         }
     }
 
