@@ -48,9 +48,17 @@ pub enum Tree {
     /// A function's value: `F_1(t_{k+1})`, `\dot{Z}^-(t_k)`, `\cos(\pi t)`.
     Call(Name, Box<Tree>, At),
     /// `\frac{\partial of}{\partial by}`.
-    Partial { of: Name, by: Name, at: At },
+    Partial {
+        of: Name,
+        by: Name,
+        at: At,
+    },
     /// `Tr(DP)`, `Det(DP)`.
-    Invariant { kind: Invariant, of: Name, at: At },
+    Invariant {
+        kind: Invariant,
+        of: Name,
+        at: At,
+    },
     Negate(Box<Tree>),
     /// Two terms or more; a subtracted term is a `Negate`, one after `\pm` a `PlusMinus`.
     Sum(Vec<Tree>),
