@@ -150,7 +150,7 @@ macro_rules! derivable_conversions {
         }
         impl<$($generics)*> PartialEq<f64> for $type {
             fn eq(&self, other: &f64) -> bool {
-                *self == Self::from(*other)
+                self.partial_cmp(other) == Some(std::cmp::Ordering::Equal)
             }
         }
         impl<$($generics)*> PartialOrd<f64> for $type {
