@@ -164,7 +164,8 @@ mod tests {
 
     #[test]
     fn every_quantity_out_of_range_is_named() {
-        let breaks: [(&str, fn(&mut Device<f64>)); 6] = [
+        type Break = fn(&mut Device<f64>);
+        let breaks: [(&str, Break); 6] = [
             ("capsule_mass", |device| device.capsule_mass = 0.0),
             ("forcing_amplitude", |device| {
                 device.forcing_amplitude = f64::NAN

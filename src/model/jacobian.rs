@@ -1,11 +1,11 @@
-//! The derivative DP of the map: by the closed form of (20) to (23), by dual numbers, by differences.
+//! The derivative of a one-impact map: by the closed form of (20) and (21), by dual numbers, by differences.
 //!
 //! The three ways share the flight and nothing else: the closed form is never seen by the other two.
 
 use super::flight::{Flight, FlightError};
-use super::forcing::{Forced, Forcing};
+use super::forcing::Forcing;
 use super::map::Impact;
-use super::motion::{Motion, MotionError, Side};
+use super::motion::{Motion, MotionError};
 use crate::number::{Analytic, Dual, seeded};
 use nalgebra::Matrix2;
 use num_dual::DualNum;
@@ -16,19 +16,10 @@ use num_dual::DualNum;
 /// entries are functions of the time, velocity and duration given, and of nothing solved for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Passage<T> {
-    motion: Motion<T>,
-    forcing: Forcing<T>,
-    impact: Impact<T>,
-    duration: T,
-}
-
-/// Two flights that close a motion: P_2 after P_1, t_{k+2} = t_k and a whole number of periods.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Pair<T> {
-    /// From the bottom to the top.
-    pub first: Passage<T>,
-    /// From the top to the bottom.
-    pub second: Passage<T>,
+    pub(super) motion: Motion<T>,
+    pub(super) forcing: Forcing<T>,
+    pub(super) impact: Impact<T>,
+    pub(super) duration: T,
 }
 
 /// The order of a central difference.
@@ -106,7 +97,8 @@ impl<T: Analytic> Passage<T> {
         self.motion.restitution(self.impact.side).clone()
     }
 
-    fn end(&self) -> T {
+    /// t_{k+1}, not reduced.
+    pub(super) fn end(&self) -> T {
         self.impact.time.clone() + self.duration.clone()
     }
 
@@ -261,146 +253,68 @@ impl<T: Analytic> Passage<T> {
     }
 }
 
-impl<T: Analytic> Pair<T> {
-    /// The two flights from an impact at the bottom, with T_1 and T_2 known; Zdot_{k+1} is taken from (9).
-    ///
-    /// `velocity` and the velocity at the top are not asked to point towards their walls; the ways that fly do.
-    pub fn new(
-        motion: &Motion<T>,
-        forcing: &Forcing<T>,
-        time: &T,
-        velocity: &T,
-        durations: [&T; 2],
-    ) -> Self {
-        let [first, second] = durations;
-        let impact = Impact {
-            side: Side::Bottom,
-            time: time.clone(),
-            velocity: velocity.clone(),
-        };
-        let between = time.clone() + first.clone();
-        let (start, end) = (forcing.at(time), forcing.at(&between));
-        let launch = motion.restitution(Side::Bottom).clone() * velocity.clone();
-        let velocity = motion.g().clone() * first.clone() - launch + end.f1 - start.f1;
-        let top = Impact {
-            side: Side::Top,
-            time: between,
-            velocity,
-        };
-        let second = Passage::new(motion, forcing, &top, second);
-        Self {
-            first: Passage::new(motion, forcing, &impact, first),
-            second,
-        }
-    }
-
-    /// DP = DP_2 DP_1 of (18), each factor by `means`.
-    ///
-    /// # Errors
-    /// Those of `means`.
-    pub fn product(
-        &self,
-        means: impl Fn(&Passage<T>) -> Result<Matrix2<T>, JacobianError>,
-    ) -> Result<Matrix2<T>, JacobianError> {
-        Ok(means(&self.second)? * means(&self.first)?)
-    }
-
-    /// Tr(DP) by (22) with its three misprints mended: a factor epsilon_1 beside the first r_B, a factor epsilon_2
-    /// beside the first r_T, and + r_B Zdot_k replaced by - in epsilon_4. Holds where t_{k+2} is t_k and a whole
-    /// number of periods, whatever the velocities.
-    ///
-    /// # Errors
-    /// `Grazing` where epsilon_1 or epsilon_2, the velocities of arrival up to sign, is exactly 0.
-    pub fn trace_by_formula(&self) -> Result<T, JacobianError> {
-        let Known {
-            g,
-            r_b,
-            r_t,
-            t_1,
-            t_2,
-            v,
-            start,
-            end,
-        } = self.known();
-        let e_1 = not_zero(
-            start.f1.clone() - end.f1.clone() + v.clone() * r_b.clone() - g.clone() * t_1.clone(),
-        )?;
-        let integrals = start.f1 - end.f1 + g.clone() * t_2.clone();
-        let e_2 = not_zero(integrals + r_t.clone() * e_1.clone())?;
-        let e_3 = end.f.clone() * t_2.clone() + g.clone() * t_2.clone() + r_t.clone() * e_1.clone();
-        let e_4 = start.f.clone() * t_1.clone() + g.clone() * t_1.clone() - v * r_b.clone();
-        let (at_start, at_end) = (start.f + g.clone(), end.f + g);
-        let both = e_1.clone() * e_2.clone();
-        let head = (r_b.clone() * e_1.clone() + r_b.clone() * t_1.clone() * at_end.clone())
-            * (r_t.clone() * e_2.clone() - r_t.clone() * t_2.clone() * at_start.clone())
-            / both.clone();
-        let cross = e_3.clone() * e_4.clone() / both;
-        let by_top =
-            r_t * t_2 / e_2.clone() * (at_start.clone() + e_4 / e_1.clone() * at_end.clone());
-        let by_bottom = r_b * t_1 / e_1 * (at_end - e_3 / e_2 * at_start);
-        Ok(head - cross - by_top + by_bottom)
-    }
-
-    /// Det(DP) by (23). Holds where [`Pair::trace_by_formula`] does; on a 1-1 orbit it is (r_B r_T)².
-    ///
-    /// # Errors
-    /// `Grazing` where the denominator, the velocity of arrival at the bottom, is exactly 0.
-    pub fn determinant_by_formula(&self) -> Result<T, JacobianError> {
-        let Known {
-            g,
-            r_b,
-            r_t,
-            t_1,
-            t_2,
-            v,
-            start,
-            end,
-        } = self.known();
-        let both = r_b * r_t.clone();
-        let above = both.clone() * both.clone() * v.clone();
-        let integrals =
-            start.f1.clone() - end.f1.clone() + r_t.clone() * start.f1 - r_t.clone() * end.f1;
-        let below = integrals + g.clone() * t_2 - g * r_t * t_1 + v * both;
-        Ok(above / not_zero(below)?)
-    }
-
-    fn known(&self) -> Known<T> {
-        let Passage {
-            motion,
-            forcing,
-            impact,
-            duration,
-        } = &self.first;
-        Known {
-            g: motion.g().clone(),
-            r_b: motion.restitution(Side::Bottom).clone(),
-            r_t: motion.restitution(Side::Top).clone(),
-            t_1: duration.clone(),
-            t_2: self.second.duration.clone(),
-            v: impact.velocity.clone(),
-            start: forcing.at(&impact.time),
-            end: forcing.at(&self.first.end()),
-        }
-    }
-}
-
-/// What (22) and (23) are written in.
-struct Known<T> {
-    g: T,
-    r_b: T,
-    r_t: T,
-    t_1: T,
-    t_2: T,
-    v: T,
-    start: Forced<T>,
-    end: Forced<T>,
-}
-
 /// `denominator`, unless it is 0 or no number.
-fn not_zero<T: Analytic>(denominator: T) -> Result<T, JacobianError> {
+pub(super) fn not_zero<T: Analytic>(denominator: T) -> Result<T, JacobianError> {
     let velocity = denominator.to_f64();
     if denominator.is_zero() || !velocity.is_finite() {
         return Err(JacobianError::Grazing { velocity });
     }
     Ok(denominator)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Side;
+    use super::*;
+
+    fn passage(side: Side, velocity: f64, duration: f64) -> Passage<f64> {
+        let Ok(motion) = Motion::new(0.12, 0.4, 0.6, 0.3) else {
+            panic!("a motion")
+        };
+        let impact = Impact {
+            side,
+            time: 0.25,
+            velocity,
+        };
+        Passage::new(&motion, &Forcing::harmonic(&0.1), &impact, &duration)
+    }
+
+    #[test]
+    fn three_ways_to_the_same_entries() {
+        for passage in [
+            passage(Side::Bottom, 0.8, 0.9),
+            passage(Side::Top, -0.7, 1.1),
+        ] {
+            let Ok(formula) = passage.by_formula() else {
+                panic!("no grazing")
+            };
+            let apart = |entries: Result<Matrix2<f64>, JacobianError>| {
+                entries.map_or(f64::INFINITY, |entries| (entries - formula).abs().max())
+            };
+            assert!(apart(passage.by_duals()) < 1e-14);
+            // the second arrives slowly, at 0.3, where higher derivatives are large
+            assert!(apart(passage.by_differences(Order::Two)) < 1e-7);
+            assert!(apart(passage.by_differences(Order::Four)) < 1e-6);
+        }
+    }
+
+    #[test]
+    fn the_determinant_of_one_impact_is_r_squared_times_the_ratio_of_velocities() {
+        let passage = passage(Side::Bottom, 0.8, 0.9);
+        let Ok(entries) = passage.by_formula() else {
+            panic!("no grazing")
+        };
+        let arrival = passage
+            .flight(0.0, 0.0)
+            .map_or(f64::NAN, |flight| flight.state(&0.9).velocity);
+        assert!((entries.determinant() - 0.36 * 0.8 / arrival).abs() < 1e-14);
+    }
+
+    #[test]
+    fn where_the_ball_cannot_start_or_arrive_there_is_an_error() {
+        assert!(passage(Side::Bottom, -0.8, 0.9).by_duals().is_err());
+        // an empty flight arrives with minus the launch velocity 0
+        let none = passage(Side::Bottom, 0.0, 0.0).by_formula();
+        assert_eq!(none, Err(JacobianError::Grazing { velocity: 0.0 }));
+    }
 }

@@ -1,6 +1,7 @@
 //! The one-impact maps P_1 to P_4 of equation (8).
 
-use super::flight::{Flight, FlightError, Watch};
+use super::crossing::Watch;
+use super::flight::{Flight, FlightError};
 use super::forcing::Forcing;
 use super::motion::{Motion, Side};
 use crate::number::Analytic;
@@ -64,10 +65,14 @@ fn arrival<T: Analytic>(
 ) -> Result<(T, T), FlightError> {
     let state = flight.state(duration);
     let velocity = state.velocity.to_f64();
-    let speed = flight.state(&T::zero()).velocity.to_f64().abs();
-    // the velocity is a sum of terms no smaller than the launch velocity, each rounded
-    let noise = 4.0 * T::epsilon().to_f64() * speed;
-    if side.sign() * velocity <= noise || velocity.is_nan() {
+    let launch = flight.state(&T::zero()).velocity.to_f64().abs();
+    // The displacement is a sum of terms of this size, so it is off by dy = epsilon times it, and the velocity of
+    // arrival by a dy / v: as much as it is itself where v² = a dy. Four roundings are allowed for.
+    let noise = 4.0 * T::epsilon().to_f64();
+    let size = flight.target(side).to_f64().abs() + launch * duration.to_f64().abs();
+    let blurred = noise * size * state.acceleration.to_f64().abs();
+    let towards = side.sign() * velocity;
+    if towards <= noise * launch || velocity * velocity <= blurred || velocity.is_nan() {
         return Err(FlightError::Grazing { side, velocity });
     }
     let step = (state.displacement - flight.target(side)) / state.velocity;
@@ -221,5 +226,92 @@ impl Map {
             return Err(MapError::Start { map: self });
         }
         Ok(leg(motion, forcing, impact, watch)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn motion() -> Motion<f64> {
+        let Ok(motion) = Motion::new(0.12201, 0.4, 0.5, 0.5) else {
+            panic!("a motion")
+        };
+        motion
+    }
+
+    fn impact(side: Side, time: f64, velocity: f64) -> Impact<f64> {
+        Impact {
+            side,
+            time,
+            velocity,
+        }
+    }
+
+    #[test]
+    fn every_map_leads_between_its_walls() {
+        for map in [Map::P1, Map::P2, Map::P3, Map::P4] {
+            assert_eq!(Map::between(map.from(), map.to()), map);
+        }
+    }
+
+    #[test]
+    fn a_map_says_which_wall_is_wrong() {
+        let forcing = Forcing::harmonic(&0.0);
+        let start = impact(Side::Bottom, 0.16, 0.83);
+        assert!(
+            Map::P1
+                .apply(&motion(), &forcing, &start)
+                .is_ok_and(|leg| leg.to.side == Side::Top)
+        );
+        assert_eq!(
+            Map::P3.apply(&motion(), &forcing, &start),
+            Err(MapError::OtherWall { map: Map::P3 })
+        );
+        let error = Map::P2
+            .apply(&motion(), &forcing, &start)
+            .map_err(|error| error.to_string());
+        assert_eq!(
+            error,
+            Err("P2 starts at the top, the impact is at the other wall".into())
+        );
+        let through = Map::P3.apply_through(&motion(), &forcing, &start);
+        assert!(through.is_ok_and(|leg| leg.to.side == Side::Bottom && leg.to.velocity > 0.0));
+    }
+
+    #[test]
+    fn a_leg_closed_again_from_its_own_duration_stays_as_it_is() {
+        let forcing = Forcing::harmonic(&0.0);
+        let start = impact(Side::Bottom, 0.16, 0.83);
+        let Ok(leg) = next_impact(&motion(), &forcing, &start) else {
+            panic!("a leg")
+        };
+        let Ok(again) = Leg::closed(&motion(), &forcing, &start, leg.to.side, &leg.duration) else {
+            panic!("a leg")
+        };
+        assert!((again.duration - leg.duration).abs() < 1e-15);
+        assert!((again.to.velocity - leg.to.velocity).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_grazing_arrival_has_no_derivative_and_says_so() {
+        // against g = 1 alone a speed of 1 climbs exactly 1/2, to velocity 0
+        let Ok(motion) = Motion::new(1.0, 0.5, 1.0, 1.0) else {
+            panic!("a motion")
+        };
+        let Ok(forcing) = Forcing::periodic(2.0, &[], &[]) else {
+            panic!("a forcing")
+        };
+        let leg = next_impact(&motion, &forcing, &impact(Side::Bottom, 0.0, 1.0));
+        assert!(
+            matches!(
+                leg,
+                Err(FlightError::Grazing {
+                    side: Side::Top,
+                    ..
+                })
+            ),
+            "{leg:?}"
+        );
     }
 }
