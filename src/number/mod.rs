@@ -101,7 +101,7 @@ mod rational;
 mod real;
 mod wide;
 
-pub use counted::{Counted, Counts};
+pub use counted::{Counted, Counts, Machine};
 pub use dual::{Dual, seeded};
 pub use rational::Rational;
 pub use wide::Wide;
