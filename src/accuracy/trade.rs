@@ -147,12 +147,9 @@ fn costs_less(a: &TradeRow, b: &TradeRow) -> bool {
 /// -log10 of a relative error, between 0 and the digits that a number of this `epsilon` holds.
 pub(super) fn digits_of(relative_error: f64, epsilon: f64) -> f64 {
     let most = -(0.5 * epsilon).log10();
-    // NaN, from no answer, is no digit
-    if relative_error.is_nan() {
-        0.0
-    } else {
-        (-relative_error.log10()).clamp(0.0, most)
-    }
+    let digits = -relative_error.log10();
+    // NaN, from no answer, is no digit; and no digit is 0, not -0
+    if digits > 0.0 { digits.min(most) } else { 0.0 }
 }
 
 /// The smallest value with at least the fraction `part` of all values at or below it; 0 of nothing.

@@ -8,6 +8,8 @@ use smallvec::SmallVec;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Wave<T> {
     pub rate: T,
+    /// 1 / rate.
+    pub inverse: T,
     pub along: T,
     pub across: T,
 }
@@ -62,7 +64,7 @@ impl<T: Analytic> Ahead<T> {
             let sin = twice * half_cos;
             let cos = T::one() - fall.clone();
             let lag = lag(&angle, &sin);
-            let inverse = T::one() / wave.rate.clone();
+            let inverse = wave.inverse.clone();
             let (along, across) = (wave.along.clone(), wave.across.clone());
             growth.f += along.clone() * cos + across.clone() * sin.clone();
             growth.f1 += (along.clone() * sin + across.clone() * fall.clone()) * inverse.clone();
@@ -127,6 +129,7 @@ impl<T: Analytic> Ahead<T> {
     pub(super) fn constant(&self) -> Self {
         let waves = self.waves.iter().map(|wave| Wave {
             rate: wave.rate.constant(),
+            inverse: wave.inverse.constant(),
             along: wave.along.constant(),
             across: wave.across.constant(),
         });

@@ -4,10 +4,13 @@ use super::ahead::{Ahead, Wave};
 use crate::number::Analytic;
 use smallvec::SmallVec;
 
-/// A term `cosine cos(order w t) + sine sin(order w t)`.
+/// A term `cosine cos(rate t) + sine sin(rate t)`, rate = 2 pi order / period.
 #[derive(Clone, Debug, PartialEq)]
 struct Harmonic<T> {
     order: i64,
+    rate: T,
+    /// 1 / rate: kept, because divisions are dear.
+    inverse: T,
     cosine: T,
     sine: T,
 }
@@ -51,17 +54,28 @@ pub enum ForcingError {
     },
 }
 
+impl<T: Analytic> Harmonic<T> {
+    fn new(period: &T, order: i64, cosine: T, sine: T) -> Self {
+        let rate = T::from_integer(2 * order) * T::pi() / period.clone();
+        let inverse = T::one() / rate.clone();
+        Self {
+            order,
+            rate,
+            inverse,
+            cosine,
+            sine,
+        }
+    }
+}
+
 impl<T: Analytic> Forcing<T> {
     /// cos(pi t + phase), of period 2.
     pub fn harmonic(phase: &T) -> Self {
         let (sin, cos) = phase.sincos();
-        let first = Harmonic {
-            order: 1,
-            cosine: cos,
-            sine: -sin,
-        };
+        let period = T::from_integer(2);
+        let first = Harmonic::new(&period, 1, cos, -sin);
         Self {
-            period: T::from_integer(2),
+            period,
             harmonics: SmallVec::from_iter([first]),
         }
     }
@@ -87,11 +101,7 @@ impl<T: Analytic> Forcing<T> {
                 }
             }
             if !(cosine.is_zero() && sine.is_zero()) {
-                harmonics.push(Harmonic {
-                    order: index as i64 + 1,
-                    cosine,
-                    sine,
-                });
+                harmonics.push(Harmonic::new(&period, index as i64 + 1, cosine, sine));
             }
         }
         Ok(Self { period, harmonics })
@@ -116,14 +126,15 @@ impl<T: Analytic> Forcing<T> {
 
     /// The same forcing over another number.
     pub fn convert<U: Analytic>(&self, convert: impl Fn(&T) -> U) -> Forcing<U> {
-        let harmonics = self.harmonics.iter().map(|harmonic| Harmonic {
-            order: harmonic.order,
-            cosine: convert(&harmonic.cosine),
-            sine: convert(&harmonic.sine),
+        let period = convert(&self.period);
+        // rates anew: the pi in them has the digits of its number
+        let harmonics = self.harmonics.iter().map(|harmonic| {
+            let (cosine, sine) = (convert(&harmonic.cosine), convert(&harmonic.sine));
+            Harmonic::new(&period, harmonic.order, cosine, sine)
         });
         Forcing {
-            period: convert(&self.period),
             harmonics: harmonics.collect(),
+            period,
         }
     }
 
@@ -135,7 +146,7 @@ impl<T: Analytic> Forcing<T> {
             f2: T::zero(),
         };
         for wave in self.ahead(time).waves() {
-            let inverse = T::one() / wave.rate.clone();
+            let inverse = wave.inverse.clone();
             forced.f += wave.along.clone();
             forced.f1 -= wave.across.clone() * inverse.clone();
             forced.f2 -= wave.along.clone() * inverse.clone() * inverse;
@@ -145,16 +156,14 @@ impl<T: Analytic> Forcing<T> {
 
     /// The forcing as it looks from `time` onwards.
     pub fn ahead(&self, time: &T) -> Ahead<T> {
-        let base = T::from_integer(2) * T::pi() / self.period.clone();
         let time = self.reduced(time);
         let waves = self.harmonics.iter().map(|harmonic| {
-            let rate = base.clone() * T::from_integer(harmonic.order);
-            let (sin, cos) = (rate.clone() * time.clone()).sincos();
+            let (sin, cos) = (harmonic.rate.clone() * time.clone()).sincos();
             let (a, b) = (harmonic.cosine.clone(), harmonic.sine.clone());
-            let along = a.clone() * cos.clone() + b.clone() * sin.clone();
             Wave {
-                rate,
-                along,
+                rate: harmonic.rate.clone(),
+                inverse: harmonic.inverse.clone(),
+                along: a.clone() * cos.clone() + b.clone() * sin.clone(),
                 across: b * cos - a * sin,
             }
         });

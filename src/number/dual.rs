@@ -19,6 +19,10 @@ impl<T: Field + DualNum> Field for Dual<T> {
     fn from_integer(value: i64) -> Self {
         Dual::from_re(T::from_integer(value))
     }
+    fn from_ratio(numerator: i64, denominator: i64) -> Self {
+        // one division of the inner number, where that of dual numbers would be five operations
+        Dual::from_re(T::from_ratio(numerator, denominator))
+    }
 }
 
 /// The chain rule on the functions of the inner number, so that each is evaluated once. Where a function has no
