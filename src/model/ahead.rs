@@ -48,6 +48,13 @@ impl<T: Analytic> Ahead<T> {
         &self.waves
     }
 
+    /// f(t), at the instant itself.
+    pub fn now(&self) -> T {
+        self.waves
+            .iter()
+            .fold(T::zero(), |sum, wave| sum + wave.along.clone())
+    }
+
     /// f(t + s), F_1(t + s) - F_1(t) and F_2(t + s) - F_2(t) - F_1(t) s.
     pub fn growth(&self, s: &T) -> Forced<T> {
         let mut growth = Forced {

@@ -6,7 +6,7 @@
 use super::ahead::Turnings;
 use super::flight::{Flight, FlightError, State};
 use super::motion::Side;
-use super::root::{Sample, root};
+use super::root::{Bracket, Sample, root};
 use crate::number::Analytic;
 
 /// Flights are followed for this many forcing periods. Where gravity is not 0 a flight ends by itself; without
@@ -85,7 +85,12 @@ impl<T: Analytic> Flight<T> {
             let (v, w) = (before.velocity.to_f64(), after.velocity.to_f64());
             let mut found = None;
             if v * w < 0.0 {
-                let turn = root(&low, &high, w > v, |s| self.velocity_sample(s));
+                let bracket = Bracket {
+                    low: &low,
+                    high: &high,
+                    values: [v, w],
+                };
+                let turn = root(&bracket, |s| self.velocity_sample(s));
                 let peak = self.state(&turn);
                 found = self.rise(watch, (&low, &before), (&turn, &peak));
                 if found.is_none() {
@@ -125,17 +130,21 @@ impl<T: Analytic> Flight<T> {
         let target = self.target(side);
         let beyond =
             |state: &State<T>| side.sign() * (state.displacement.clone() - target.clone()).to_f64();
-        let crosses = beyond(low.1) <= 0.0 && beyond(high.1) >= 0.0;
+        let values = [beyond(low.1), beyond(high.1)];
+        let crosses = values[0] <= 0.0 && values[1] >= 0.0;
         // the ball leaves its own wall at the start and is not to be caught there; afterwards a start on the wall,
         // which only rounding makes of a start just inside, does count
         let launching = side == self.side && low.0.is_zero();
         if launching || !crosses {
             return None;
         }
-        let rising = side == Side::Bottom;
-        let duration = root(low.0, high.0, rising, |s| {
-            self.displacement_sample(s, &target)
-        });
+        let values = values.map(|value| side.sign() * value);
+        let bracket = Bracket {
+            low: low.0,
+            high: high.0,
+            values,
+        };
+        let duration = root(&bracket, |s| self.displacement_sample(s, &target));
         Some(Crossing { side, duration })
     }
 
@@ -211,7 +220,7 @@ impl<T: Analytic> Flight<T> {
     /// A ball released with velocity 0 into an acceleration a keeps off its wall for 3 |a| / max|f'|; a third of
     /// that is taken.
     fn release_step(&self) -> f64 {
-        let push = self.state(&T::zero()).acceleration.to_f64().abs();
+        let push = self.push().to_f64().abs();
         push / self.ahead.bound_of_slope().to_f64()
     }
 
@@ -220,9 +229,14 @@ impl<T: Analytic> Flight<T> {
         let wider = reach * (1.0 + 1e-9) + time.to_f64() * T::epsilon().to_f64();
         let high = time.clone() + T::from_f64(wider);
         let target = self.target(side);
-        let duration = root(time, &high, side == Side::Bottom, |s| {
-            self.displacement_sample(s, &target)
-        });
+        // to first order the wall is reached half of the way at least
+        let values = [-side.sign(), side.sign()];
+        let bracket = Bracket {
+            low: time,
+            high: &high,
+            values,
+        };
+        let duration = root(&bracket, |s| self.displacement_sample(s, &target));
         Crossing { side, duration }
     }
 }

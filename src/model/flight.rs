@@ -96,7 +96,7 @@ impl<T: Analytic> Flight<T> {
         }
         let launch = -(motion.restitution(side).clone() * impact.velocity.clone());
         let flight = Self::launched(motion, forcing, side, &impact.time, launch)?;
-        if velocity == 0.0 && side.sign() * flight.state(&T::zero()).acceleration.to_f64() >= 0.0 {
+        if velocity == 0.0 && side.sign() * flight.push().to_f64() >= 0.0 {
             return Err(FlightError::Rest { side });
         }
         Ok(flight)
@@ -129,7 +129,7 @@ impl<T: Analytic> Flight<T> {
             period,
             ahead,
         };
-        let found = flight.state(&T::zero()).acceleration.to_f64();
+        let found = flight.push().to_f64();
         if !found.is_finite() {
             return Err(FlightError::NotFinite {
                 name: "phase",
@@ -142,6 +142,11 @@ impl<T: Analytic> Flight<T> {
     /// The wall the flight starts from.
     pub fn side(&self) -> Side {
         self.side
+    }
+
+    /// f + g at the start.
+    pub(super) fn push(&self) -> T {
+        self.g.clone() + self.ahead.now()
     }
 
     /// Displacement (equation (4) less Z_k), velocity (3) and acceleration a time `s` after the start.

@@ -29,9 +29,8 @@ pub struct Leg<T> {
 }
 
 impl<T: Analytic> Leg<T> {
-    /// The leg from `impact` to `side` whose duration is already known to the precision of `T`: one Newton step
-    /// on Z(duration) = wall, which in dual arithmetic is the implicit function theorem. It serves one level of
-    /// dual numbers over the `T` in which `duration` was solved.
+    /// The leg from `impact` to `side` whose duration is already known to the precision of `T`: Newton steps on
+    /// Z(duration) = wall, which in dual arithmetic are the implicit function theorem, up to third derivatives.
     ///
     /// # Errors
     /// Those of [`Flight::after`]; `Grazing` where the velocity of arrival is 0 within rounding.
@@ -57,7 +56,8 @@ impl<T: Analytic> Leg<T> {
     }
 }
 
-/// Duration and velocity of arrival after one Newton step.
+/// Duration and velocity of arrival after two Newton steps. Each doubles the order to which derivative parts are
+/// right, so two serve three levels of dual numbers.
 fn arrival<T: Analytic>(
     flight: &Flight<T>,
     side: Side,
@@ -65,7 +65,7 @@ fn arrival<T: Analytic>(
 ) -> Result<(T, T), FlightError> {
     let state = flight.state(duration);
     let velocity = state.velocity.to_f64();
-    let launch = flight.state(&T::zero()).velocity.to_f64().abs();
+    let launch = flight.launch.to_f64().abs();
     // The displacement is a sum of terms of this size, so it is off by dy = epsilon times it, and the velocity of
     // arrival by a dy / v: as much as it is itself where v² = a dy. Four roundings are allowed for.
     let noise = 4.0 * T::epsilon().to_f64();
@@ -75,10 +75,12 @@ fn arrival<T: Analytic>(
     if towards <= noise * launch || velocity * velocity <= blurred || velocity.is_nan() {
         return Err(FlightError::Grazing { side, velocity });
     }
-    let step = (state.displacement - flight.target(side)) / state.velocity;
-    let duration = duration.clone() - step;
-    let velocity = flight.state(&duration).velocity;
-    Ok((duration, velocity))
+    let duration = duration.clone() - (state.displacement - flight.target(side)) / state.velocity;
+    let state = flight.state(&duration);
+    let step = (state.displacement - flight.target(side)) / state.velocity.clone();
+    // the velocity goes along to first order in the step: the second order is beyond the third derivative
+    let velocity = state.velocity - state.acceleration * step.clone();
+    Ok((duration - step, velocity))
 }
 
 /// The impact that follows `impact`, at whichever wall comes first, with the flight between them.
@@ -106,9 +108,7 @@ fn leg<T: Analytic>(
     let flight = Flight::after(motion, forcing, impact)?;
     let crossing = flight.crossing(watch)?;
     let side = crossing.side;
-    // each Newton step doubles the order to which derivative parts are right: two serve three levels of duals
-    let (duration, _) = arrival(&flight, side, &crossing.duration)?;
-    let (duration, velocity) = arrival(&flight, side, &duration)?;
+    let (duration, velocity) = arrival(&flight, side, &crossing.duration)?;
     let time = forcing.reduced(&(impact.time.clone() + duration.clone()));
     Ok(Leg {
         from: impact.clone(),

@@ -15,19 +15,25 @@ const MOST_EVALUATIONS: usize = 1000;
 /// Within this many roundings of the summed terms a value is 0 as far as the number can tell.
 const NOISE_ROUNDINGS: f64 = 2.0;
 
-/// The root in [`low`, `high`], where `function` is below 0 at `low` and above at `high` (or the other way
-/// round, with `rising` false). Newton's method kept inside the bracket by bisection, in the precision of `T`.
+/// Two times between which a function changes sign, once, and its values there.
+pub(super) struct Bracket<'a, T> {
+    pub low: &'a T,
+    pub high: &'a T,
+    pub values: [f64; 2],
+}
+
+/// The root in `bracket`. Newton's method from where a straight line would cross, kept inside the bracket by
+/// bisection, in the precision of `T`.
 ///
 /// Accurate to the noise of the function divided by its slope, or to the spacing of `T`. Always ends.
-pub(super) fn root<T: Analytic>(
-    low: &T,
-    high: &T,
-    rising: bool,
-    function: impl Fn(&T) -> Sample<T>,
-) -> T {
+pub(super) fn root<T: Analytic>(bracket: &Bracket<T>, function: impl Fn(&T) -> Sample<T>) -> T {
     let epsilon = T::epsilon().to_f64();
-    let (mut low, mut high) = (low.clone(), high.clone());
-    let mut time = middle(&low, &high);
+    let (mut low, mut high) = (bracket.low.clone(), bracket.high.clone());
+    let [below, above] = bracket.values;
+    let rising = below < above;
+    let part = below.abs() / (below.abs() + above.abs());
+    let part = T::from_f64(if part.is_finite() { part } else { 0.5 });
+    let mut time = low.clone() + (high.clone() - low.clone()) * part;
     for _ in 0..MOST_EVALUATIONS {
         let sample = function(&time);
         let value = sample.value.to_f64();
@@ -73,15 +79,25 @@ mod tests {
         }
     }
 
+    fn found<T: Analytic>(low: T, high: T, function: impl Fn(&T) -> Sample<T>) -> T {
+        let values = [&low, &high].map(|at| function(at).value.to_f64());
+        root(
+            &Bracket {
+                low: &low,
+                high: &high,
+                values,
+            },
+            function,
+        )
+    }
+
     #[test]
     fn a_root_is_found_to_the_last_digit_in_every_number() {
-        assert!((root(&0.0, &5.0, true, |x| cubic(x, &2.0)) - 2.0_f64.cbrt()).abs() < 1e-15);
-        assert!((root(&0.0, &5.0, true, |x| cubic(x, &2.0_f32)) - 2.0_f32.cbrt()).abs() < 3e-7);
+        assert!((found(0.0, 5.0, |x| cubic(x, &2.0)) - 2.0_f64.cbrt()).abs() < 1e-15);
+        assert!((found(0.0, 5.0, |x| cubic(x, &2.0_f32)) - 2.0_f32.cbrt()).abs() < 3e-7);
         let two = Wide::<40>::from_f64(2.0);
-        let found = root(&Wide::from_f64(0.0), &Wide::from_f64(5.0), true, |x| {
-            cubic(x, &two)
-        });
-        assert!((Field::to_power(&found, 3) - two).to_f64().abs() < 1e-40);
+        let cube_root = found(Wide::from_f64(0.0), Wide::from_f64(5.0), |x| cubic(x, &two));
+        assert!((Field::to_power(&cube_root, 3) - two).to_f64().abs() < 1e-40);
     }
 
     #[test]
@@ -91,13 +107,13 @@ mod tests {
             slope: 3.0 * (x - 1.0).powi(2),
             size: 0.0,
         };
-        assert!((root(&-4.0, &3.0, true, flat) - 1.0).abs() < 1e-5);
+        assert!((found(-4.0, 3.0, flat) - 1.0).abs() < 1e-5);
         let falling = |x: &f64| Sample {
             value: 0.25 - x,
             slope: 0.0,
             size: 1.0,
         };
-        assert!((root(&0.0, &1.0, false, falling) - 0.25).abs() < 1e-15);
+        assert!((found(0.0, 1.0, falling) - 0.25).abs() < 1e-15);
     }
 
     #[test]
@@ -107,6 +123,6 @@ mod tests {
             slope: f64::NAN,
             size: f64::NAN,
         };
-        assert!((0.0..=1.0).contains(&root(&0.0, &1.0, true, none)));
+        assert!((0.0..=1.0).contains(&found(0.0, 1.0, none)));
     }
 }
