@@ -227,6 +227,27 @@ proptest! {
     }
 }
 
+proptest! {
+    #[test]
+    fn any_bits_whatever_give_an_answer_or_an_error_and_no_panic(
+        bits in prop::array::uniform8(any::<u64>()), several in any::<bool>(), top in any::<bool>()
+    ) {
+        let [g, d, r_b, r_t, time, velocity, phase, amplitude] = bits.map(f64::from_bits);
+        // restitutions are seldom in range as bits
+        let part = |value: f64| if value.abs() > 1.0 { 1.0 / value.abs() } else { value.abs() };
+        let Ok(motion) = Motion::new(g, d.abs(), part(r_b), part(r_t)) else { return Ok(()) };
+        let both = Forcing::periodic(part(phase), &[amplitude, 0.3], &[]).ok();
+        let forcing = both.filter(|_| several).unwrap_or_else(|| Forcing::harmonic(&phase));
+        let side = if top { Side::Top } else { Side::Bottom };
+        let impact = Impact { side, time, velocity: side.sign() * velocity.abs() };
+        if let Ok(leg) = next_impact(&motion, &forcing, &impact) {
+            prop_assert!(leg.duration >= 0.0);
+            let passage = Passage::new(&motion, &forcing, &impact, &leg.duration);
+            let _ = (passage.by_formula(), passage.by_duals(), passage.by_differences(Order::Four));
+        }
+    }
+}
+
 #[test]
 fn without_gravity_and_drift_a_ball_floats_for_ever() {
     let motion = Motion::new(0.0, 2.0, 0.5, 0.5).expect("a motion");

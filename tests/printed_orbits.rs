@@ -5,7 +5,7 @@ use num_dual::DualNum;
 use vibro_audit::model::{
     Device, Forcing, Impact, Leg, Map, Motion, Pair, Passage, Side, next_impact,
 };
-use vibro_audit::number::{Analytic, Wide};
+use vibro_audit::number::{Analytic, Field, Wide};
 
 type Digits = Wide<40>;
 

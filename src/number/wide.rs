@@ -23,11 +23,14 @@ const GUARD_BITS: usize = 32;
 /// Above this size an angle has no phase left worth computing; its reduction would need as many digits of pi.
 const LARGEST_ANGLE_BITS: isize = 4096;
 
+/// Above this size an exponential leaves the range of the exponents, and takes seconds to find out.
+const LARGEST_EXPONENT_BITS: isize = 62;
+
 /// A binary floating-point number that keeps at least `DIGITS` decimal digits, with 32 guard bits.
 ///
 /// Every operation is rounded to nearest, its relative error below 2^-(3.32 DIGITS + 32). There is no infinity.
 /// What has no value (0/0, 1/0, the root of a negative number, the arc cosine beyond 1, a NaN or infinity read
-/// from f64, the sine of an angle above 2^4096) is **invalid**: it passes through every operation, is not
+/// from f64, the sine of an angle above 2^4096, an exponential of more than 2^62 in size) is **invalid**: it passes through every operation, is not
 /// equal to anything, itself included, has no order and reads as NaN in f64, just as NaN does. Nothing panics.
 #[derive(Clone)]
 pub struct Wide<const DIGITS: usize>(Option<Big>);
@@ -87,16 +90,20 @@ impl<const DIGITS: usize> Wide<DIGITS> {
         }
     }
 
-    /// Whether `self` is so large that its angle cannot be reduced.
-    fn is_beyond_angles(&self) -> bool {
-        let bits = |big: &Big| big.repr().exponent().saturating_add_unsigned(big.digits());
-        self.0
-            .as_ref()
-            .is_some_and(|big| bits(big) > LARGEST_ANGLE_BITS)
+    /// Whether the size of `self` is 2^`bits` or more.
+    fn is_beyond(&self, bits: isize) -> bool {
+        let size = |big: &Big| big.repr().exponent().saturating_add_unsigned(big.digits());
+        self.0.as_ref().is_some_and(|big| size(big) > bits)
     }
 
     pub(crate) fn elementary(&self, function: Elementary) -> Self {
-        if function == Elementary::Tan && self.is_beyond_angles() {
+        use Elementary::{Cosh, Exp, Exp2, ExpM1, Sinh, Tan, Tanh};
+        let largest = match function {
+            Tan => LARGEST_ANGLE_BITS,
+            Exp | Exp2 | ExpM1 | Sinh | Cosh | Tanh => LARGEST_EXPONENT_BITS,
+            _ => isize::MAX,
+        };
+        if self.is_beyond(largest) {
             return Self::INVALID;
         }
         let two = || <Self as Field>::from_integer(2);
@@ -220,7 +227,11 @@ impl<const DIGITS: usize> Analytic for Wide<DIGITS> {
     }
 
     fn sincos(&self) -> (Self, Self) {
-        let Some(big) = self.0.as_ref().filter(|_| !self.is_beyond_angles()) else {
+        let Some(big) = self
+            .0
+            .as_ref()
+            .filter(|_| !self.is_beyond(LARGEST_ANGLE_BITS))
+        else {
             return (Self::INVALID, Self::INVALID);
         };
         let (sin, cos) =
@@ -239,6 +250,9 @@ impl<const DIGITS: usize> Analytic for Wide<DIGITS> {
     }
 
     fn powf(&self, exponent: &Self) -> Self {
+        if exponent.is_beyond(LARGEST_EXPONENT_BITS) {
+            return Self::INVALID;
+        }
         self.binary(exponent, |context, base, exponent| {
             CONSTANTS.with_borrow_mut(|cache| context.powf(base, exponent, Some(cache)))
         })
