@@ -1,8 +1,10 @@
 //! Symbolic-numeric verification of printed formulas.
 
+pub mod accuracy;
 pub mod algebra;
 pub mod claim;
 pub mod cli;
+pub mod model;
 pub mod number;
 pub mod report;
 pub mod tex;

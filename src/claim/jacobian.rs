@@ -85,15 +85,26 @@ impl Jacobians {
         })
     }
 
-    /// The matrix of a map.
-    pub fn matrix(&self, name: &Name, atoms: &mut Atoms) -> Option<DMatrix<Fraction>> {
-        self.product(name, atoms, self.maps.len())
+    /// The matrix of a map, each derivative as `known` has it.
+    pub fn matrix(
+        &self,
+        name: &Name,
+        atoms: &mut Atoms,
+        known: &dyn Fn(Variable) -> Fraction,
+    ) -> Option<DMatrix<Fraction>> {
+        self.product(name, atoms, known, self.maps.len())
     }
 
-    fn product(&self, name: &Name, atoms: &mut Atoms, left: usize) -> Option<DMatrix<Fraction>> {
-        match &self.maps.iter().find(|(known, _)| known == name)?.1 {
+    fn product(
+        &self,
+        name: &Name,
+        atoms: &mut Atoms,
+        known: &dyn Fn(Variable) -> Fraction,
+        left: usize,
+    ) -> Option<DMatrix<Fraction>> {
+        match &self.maps.iter().find(|(map, _)| map == name)?.1 {
             Kind::Step(step) => Some(DMatrix::from_fn(step.of.len(), step.by.len(), |row, column| {
-                Fraction::variable(atoms.variable(Atom::Partial {
+                known(atoms.variable(Atom::Partial {
                     of: step.of[row],
                     by: step.by[column],
                 }))
@@ -102,7 +113,7 @@ impl Jacobians {
             Kind::Product(factors) => factors
                 .iter()
                 .try_fold(None, |product: Option<DMatrix<Fraction>>, factor| {
-                    let next = self.product(factor, atoms, left - 1)?;
+                    let next = self.product(factor, atoms, known, left - 1)?;
                     Some(Some(match product {
                         Some(product) if product.ncols() != next.nrows() => return None,
                         Some(product) => product * next,

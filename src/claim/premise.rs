@@ -286,6 +286,12 @@ impl Gathering<'_> {
                 _ => more.push((equation.clone(), source.clone())),
             }
         }
+        if shift == 0 && pairs.is_empty() {
+            for (equation, source) in more {
+                self.push(claim, equation, source, &[]);
+            }
+            return Ok(());
+        }
         for statement in &mut self.found.premises {
             let shifted = self.vocabulary.shifted(&statement.equation, shift);
             statement.equation = self.vocabulary.substituted(&shifted, &pairs);

@@ -342,12 +342,12 @@ impl Scope<Fraction> for Reading<'_> {
         if self.jacobians.opaque {
             return Ok(self.resolve(Atom::Invariant { kind, of: of.clone() }));
         }
-        let matrix = self.jacobians.matrix(of, self.atoms).ok_or_else(|| self.unknown(of))?;
-        let entries = matrix
-            .iter()
-            .map(|entry| self.meaning.apply(entry))
-            .collect::<Result<Vec<_>, _>>()?;
-        let matrix = nalgebra::DMatrix::from_vec(matrix.nrows(), matrix.ncols(), entries);
+        let meaning = self.meaning;
+        let known = |v: Variable| meaning.values.get(&v).cloned().unwrap_or_else(|| Fraction::variable(v));
+        let matrix = self
+            .jacobians
+            .matrix(of, self.atoms, &known)
+            .ok_or_else(|| self.unknown(of))?;
         super::jacobian::invariant(kind, &matrix).ok_or_else(|| Meaningless::NotSquare(of.to_string()))
     }
 
