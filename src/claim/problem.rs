@@ -385,6 +385,8 @@ impl<'a> Problem<'a> {
         for (origin, residual) in self.pure() {
             premises.push(algebra::Premise { residual, origin });
         }
+        let ranks = self.ranks(|v| self.rank_of_time(v));
+        let rank = |v: Variable| ranks.get(v.0 as usize).copied().unwrap_or(Rank::Fixed);
         let mut left_over = BTreeSet::new();
         let solution = loop {
             let now = premises
@@ -392,7 +394,7 @@ impl<'a> Problem<'a> {
                 .filter(|p| !left_over.contains(&p.origin))
                 .cloned()
                 .collect();
-            match algebra::solve(now, &|v| self.rank_of_time(v)) {
+            match algebra::solve(now, &rank) {
                 Ok(solution) => break solution,
                 Err(Failure::Contradiction(origins)) => return Err(self.contradiction(&origins)),
                 // What is not linear may become so when the other premises are used.
@@ -426,6 +428,11 @@ impl<'a> Problem<'a> {
             !used.contains(&(position - 1))
         });
         Ok(())
+    }
+
+    /// The ranks of all quantities, looked up once: a search asks for them again and again.
+    fn ranks(&self, rank: impl Fn(Variable) -> Rank) -> Vec<Rank> {
+        self.atoms.variables().map(rank).collect()
     }
 
     fn rank_of_time(&self, variable: Variable) -> Rank {
@@ -567,7 +574,8 @@ impl<'a> Problem<'a> {
             residual: given.residual.clone(),
             origin,
         });
-        let rank = |v: Variable| if fixed.contains(&v) { Rank::Fixed } else { self.rank(v) };
+        let ranks = self.ranks(|v| if fixed.contains(&v) { Rank::Fixed } else { self.rank(v) });
+        let rank = |v: Variable| ranks.get(v.0 as usize).copied().unwrap_or(Rank::Fixed);
         let solution = algebra::solve(premises.collect(), &rank).map_err(|failure| match failure {
             Failure::Contradiction(origins) => self.contradiction_of(&origins),
             Failure::Nonlinear(origins) => {
