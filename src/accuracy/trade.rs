@@ -30,7 +30,7 @@ pub struct TradeRow {
 }
 
 impl TradeRow {
-    /// The names of the columns, in the order of [`TradeRow::fields`].
+    /// The names of the columns, in the order of the fields.
     pub const COLUMNS: [&str; 11] = [
         "task",
         "number",
@@ -44,23 +44,6 @@ impl TradeRow {
         "divisions",
         "sincos",
     ];
-
-    /// The row as text, every number so that it reads back to the same value.
-    pub fn fields(&self) -> [String; 11] {
-        [
-            self.task.clone(),
-            self.number.to_string(),
-            self.method.to_string(),
-            self.operations.to_string(),
-            format!("{:e}", self.seconds),
-            self.digits.to_string(),
-            self.on_front.to_string(),
-            self.worst_digits.to_string(),
-            self.median_digits.to_string(),
-            self.divisions.to_string(),
-            self.sincos.to_string(),
-        ]
-    }
 }
 
 /// How much to measure.

@@ -3,11 +3,13 @@
 use super::atom::Atoms;
 use super::counterexample::Counterexample;
 use super::jacobian::Jacobians;
+use super::parting::parting;
 use super::premise::Statements;
 use super::problem::Problem;
 use super::proof::{Outcome, decide};
 use super::sheet::{Fault, Role, Sheet};
 use super::verdict::Verdict;
+use crate::tex::Equation;
 
 /// What was decided of one claim, and why.
 #[derive(Clone, Debug)]
@@ -17,6 +19,8 @@ pub struct Decision {
     pub expected: Verdict,
     pub counterexample: Option<Counterexample>,
     pub reason: String,
+    /// The equation that was not proved, of the several that a label may have.
+    pub failed: Option<Equation>,
 }
 
 impl Decision {
@@ -67,6 +71,7 @@ impl Sheet {
             verdict: Verdict::Proved,
             expected: entry.expect,
             counterexample: None,
+            failed: None,
             reason: format!("follows from {}", self.named(&entry.follows_from)),
         };
         for (number, equation) in claims.iter().enumerate() {
@@ -79,22 +84,24 @@ impl Sheet {
                 Outcome::Holds => continue,
                 Outcome::Nowhere => (
                     Verdict::Refuted,
-                    "nowhere defined: a denominator vanishes wherever the premises hold",
+                    "nowhere defined: a denominator vanishes wherever the premises hold".to_string(),
                 ),
                 Outcome::Unshown => (
                     Verdict::Undecided,
-                    "the sides differ as functions, but no point in small rationals shows it",
+                    "the sides differ as functions, but no point in small rationals shows it".to_string(),
                 ),
                 Outcome::Fails(counterexample) => {
                     decision.counterexample = Some(counterexample);
+                    let mended = parting(&mut problem, entry, equation);
                     (
                         Verdict::Refuted,
-                        "does not follow: at the counterexample the premises hold and the sides differ",
+                        mended.unwrap_or_else(|| "does not follow from its premises".to_string()),
                     )
                 }
             };
             decision.verdict = verdict;
             decision.reason = format!("{which}{reason}");
+            decision.failed = Some(equation.clone());
             break;
         }
         Ok(decision)

@@ -19,6 +19,8 @@ pub struct Counterexample {
     pub point: Vec<(String, Rational)>,
     pub left: String,
     pub right: String,
+    /// The terms of the two sides with their values.
+    pub terms: Vec<(String, Rational)>,
 }
 
 impl std::fmt::Display for Counterexample {
@@ -228,11 +230,29 @@ fn show(problem: &mut Problem, equation: &Equation, point: &Point, left: String,
             }
         }
     }
+    let terms = terms(problem, equation, point);
     Counterexample {
         point: shown,
         left,
         right,
+        terms,
     }
+}
+
+/// The terms of both sides, and their values at the point.
+fn terms(problem: &mut Problem, equation: &Equation, point: &Point) -> Vec<(String, Rational)> {
+    let mut shown = Vec::new();
+    for side in [&equation.left, &equation.right] {
+        let Tree::Sum(parts) = side else { continue };
+        for part in parts {
+            let mut reading = problem.reading();
+            reading.upper = Some(true);
+            if let Some(value) = reading.tree(part).ok().and_then(|value| point.value(&value)) {
+                shown.push((part.to_string(), value));
+            }
+        }
+    }
+    shown
 }
 
 /// The quantities that premises and claim speak of, parameters first.

@@ -2,9 +2,13 @@
 
 mod atom;
 mod audit;
+mod certificate;
 mod counterexample;
+mod explain;
 mod jacobian;
 mod motion;
+mod paper;
+mod parting;
 mod premise;
 mod problem;
 mod proof;
@@ -17,6 +21,7 @@ mod vocabulary;
 
 pub use audit::Decision;
 pub use counterexample::Counterexample;
+pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Statement, Statements};
 pub use reading::Local;
 pub use sheet::{Entry, Fault, Role, Sheet, read_symbols};

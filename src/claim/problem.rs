@@ -32,6 +32,10 @@ pub struct Problem<'a> {
     pub meaning: Meaning,
     /// What is solved after that, to be put in one after the other.
     pub late: Vec<Step>,
+    /// What is known of times and periods alone.
+    pub times: Meaning,
+    /// Which given was solved for which quantity, in this order.
+    pub steps: Vec<(usize, Variable)>,
     /// Squares of roots met, and values of roots whose sign is known.
     pub squares: Vec<(Variable, Fraction)>,
     pub roots: Vec<(Variable, Fraction)>,
@@ -59,6 +63,8 @@ impl<'a> Problem<'a> {
             givens: Vec::new(),
             meaning: Meaning::default(),
             late: Vec::new(),
+            times: Meaning::default(),
+            steps: Vec::new(),
             squares: Vec::new(),
             roots: Vec::new(),
             raw: Vec::new(),
@@ -74,8 +80,24 @@ impl<'a> Problem<'a> {
 
     /// Reads formulas with all that is known.
     pub fn reading(&mut self) -> Reading<'_> {
-        let locals = &self.statements.locals;
-        Reading::new(self.vocabulary, &self.jacobians, &mut self.atoms, &self.meaning, locals)
+        Reading::new(
+            self.vocabulary,
+            &self.jacobians,
+            &mut self.atoms,
+            &self.meaning,
+            &self.statements.locals,
+        )
+    }
+
+    /// Reads formulas with as much known as `meaning` says.
+    pub fn reading_with<'b>(&'b mut self, meaning: &'b Meaning) -> Reading<'b> {
+        Reading::new(
+            self.vocabulary,
+            &self.jacobians,
+            &mut self.atoms,
+            meaning,
+            &self.statements.locals,
+        )
     }
 
     fn raw_residual(&mut self, index: usize) -> Result<Fraction, Fault> {
@@ -599,8 +621,10 @@ impl<'a> Problem<'a> {
         for (variable, value) in &self.meaning.values {
             values.insert(*variable, known.apply(value).map_err(|e| Fault::new(e.to_string()))?);
         }
-        self.meaning.values = values;
         self.late = late.to_vec();
+        let periods = self.meaning.periods.clone();
+        self.times = std::mem::replace(&mut self.meaning, Meaning { values, periods });
+        self.steps = solution.steps.iter().map(|step| (step.origin, step.variable)).collect();
         Ok(())
     }
 

@@ -4,7 +4,7 @@ use super::atom::Atom;
 use super::counterexample::{self, Counterexample};
 use super::premise::{message, pair_of};
 use super::problem::Problem;
-use super::reading::Reading;
+use super::reading::{Meaning, Reading};
 use super::root::either_root;
 use super::sheet::{Entry, Fault};
 use super::substitute::any_side;
@@ -80,10 +80,21 @@ pub fn decide(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Resu
 
 /// Evaluates both sides with all that is known; `None` where a denominator vanishes.
 pub fn ask(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Result<Option<Question>, Fault> {
+    let meaning = problem.meaning.clone();
+    ask_with(problem, &meaning, entry, equation)
+}
+
+/// Evaluates both sides with as much known as `meaning` says.
+pub fn ask_with(
+    problem: &mut Problem,
+    meaning: &Meaning,
+    entry: &Entry,
+    equation: &Equation,
+) -> Result<Option<Question>, Fault> {
     let known = problem.knowledge();
     let test = |f: &Fraction| known.vanishes(f.numerator());
     let read = |problem: &mut Problem, tree: &Tree, upper: Option<bool>| {
-        let mut reading: Reading = problem.reading();
+        let mut reading: Reading = problem.reading_with(meaning);
         reading.upper = upper;
         reading.vanishes = Some(&test);
         reading.first = None;
@@ -111,14 +122,14 @@ pub fn ask(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Result<
         return Ok(None);
     };
     let right = [plus, minus];
-    match pair.and_then(|_| quadratic(problem, &left)) {
+    match pair.and_then(|_| quadratic(problem, meaning, &left)) {
         Some(polynomial) => Ok(Some(Question::Roots { polynomial, right })),
         None => Ok(Some(Question::OneOf { left, right })),
     }
 }
 
 /// The coefficients of the premise that is quadratic in the symbol that `left` is.
-fn quadratic(problem: &Problem, left: &Fraction) -> Option<[Fraction; 3]> {
+fn quadratic(problem: &Problem, meaning: &Meaning, left: &Fraction) -> Option<[Fraction; 3]> {
     let variable = *left.variables().first()?;
     if *left != Fraction::variable(variable) {
         return None;
@@ -127,7 +138,7 @@ fn quadratic(problem: &Problem, left: &Fraction) -> Option<[Fraction; 3]> {
         .givens
         .iter()
         .find(|given| given.residual.degree(variable) == 2)?;
-    let known = |p: &Polynomial| problem.meaning.apply(&Fraction::from(p.clone())).ok();
+    let known = |p: &Polynomial| meaning.apply(&Fraction::from(p.clone())).ok();
     match given.residual.coefficients(variable).as_slice() {
         [c, b, a] => Some([known(c)?, known(b)?, known(a)?]),
         _ => None,

@@ -15,7 +15,10 @@ pub enum Failure {
     /// A command built a row that its own table refuses.
     #[error("{0}: this is a fault of vibro-audit, please report it")]
     Row(#[from] RowError),
-    /// The command is known but not there yet.
-    #[error("`{0}` is not built yet: use a later release")]
-    NotBuilt(&'static str),
+    /// A sheet makes no sense.
+    #[error("{name}: {fault}")]
+    Sheet { name: String, fault: crate::claim::Fault },
+    /// A measurement failed.
+    #[error(transparent)]
+    Trade(#[from] crate::accuracy::TradeError),
 }
