@@ -194,6 +194,12 @@ impl Polynomial {
 
     /// `self / divisor` where the division leaves nothing; `None` otherwise and for a zero divisor.
     pub fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
+        // The last terms must divide as well as the first: most that does not divide is found out here.
+        if let (Some((last, c)), Some((end, e))) = (self.terms.last(), divisor.terms.last())
+            && (last.over(end).is_none() || !(c % e).is_zero())
+        {
+            return None;
+        }
         let (lead, lead_coefficient) = divisor.terms.first()?;
         let mut rest = self.clone();
         let mut quotient = Vec::new();

@@ -3,7 +3,7 @@
 use super::atom::Atom;
 use super::problem::Problem;
 use super::proof::Question;
-use super::reading::{Meaning, Reading};
+use super::reading::{Local, Meaning};
 use super::root::of_square;
 use super::substitute::any;
 use crate::algebra::{Fraction, Polynomial, Variable};
@@ -239,6 +239,27 @@ fn show(problem: &mut Problem, equation: &Equation, point: &Point, left: String,
     }
 }
 
+/// The quantities that one node of a tree names.
+fn quantities(problem: &mut Problem, node: &Tree) -> BTreeSet<Variable> {
+    if let Tree::Symbol(name, _) = node
+        && problem.vocabulary.abbreviations.iter().any(|(known, _)| known == name)
+    {
+        return BTreeSet::from([problem.atoms.variable(Atom::Symbol(name.clone()))]);
+    }
+    if !matches!(
+        node,
+        Tree::Symbol(..) | Tree::Call(..) | Tree::Partial { .. } | Tree::Invariant { .. }
+    ) {
+        return BTreeSet::new();
+    }
+    let blank = Meaning::default();
+    let read = problem.reading_with(&blank).tree(node);
+    let mut met = read.map(|value| value.variables()).unwrap_or_default();
+    // A law that holds at all times has no values at this point.
+    met.retain(|&v| problem.statements.claim_runs || !problem.runs(&Fraction::variable(v)));
+    met
+}
+
 /// The terms of both sides, and their values at the point.
 fn terms(problem: &mut Problem, equation: &Equation, point: &Point) -> Vec<(String, Rational)> {
     let mut shown = Vec::new();
@@ -258,38 +279,32 @@ fn terms(problem: &mut Problem, equation: &Equation, point: &Point) -> Vec<(Stri
 /// The quantities that premises and claim speak of, parameters first.
 fn spoken(problem: &mut Problem, equation: &Equation) -> Vec<Variable> {
     let statements = problem.statements.clone();
-    let mut equations: Vec<(&Equation, &[super::reading::Local])> = statements
-        .premises
-        .iter()
-        .map(|s| (&s.equation, s.locals.as_slice()))
-        .collect();
-    equations.push((equation, &statements.locals));
+    let mut trees: Vec<(&Tree, &[Local])> = vec![
+        (&equation.left, &statements.locals),
+        (&equation.right, &statements.locals),
+    ];
+    for premise in &statements.premises {
+        trees.push((&premise.equation.left, &premise.locals));
+        trees.push((&premise.equation.right, &premise.locals));
+    }
     let mut met = BTreeSet::new();
-    let blank = Meaning::default();
-    for (equation, locals) in equations {
-        for side in [&equation.left, &equation.right] {
-            for tree in std::iter::once(side).chain(locals.iter().map(|local| &local.tree)) {
-                let mut reading = Reading::new(
-                    problem.vocabulary,
-                    &problem.jacobians,
-                    &mut problem.atoms,
-                    &blank,
-                    locals,
-                );
-                reading.upper = Some(true);
-                if let Ok(value) = reading.tree(tree) {
-                    met.extend(value.variables());
+    let mut next = 0;
+    let mut seen: Vec<&Local> = Vec::new();
+    while let Some(&(tree, locals)) = trees.get(next) {
+        next += 1;
+        any(tree, &mut |node| {
+            if let Tree::Symbol(name, _) = node
+                && let Some(local) = locals.iter().find(|local| local.name == *name)
+            {
+                if !seen.iter().any(|known| std::ptr::eq(*known, local)) {
+                    seen.push(local);
+                    trees.push((&local.tree, locals));
                 }
-                any(tree, &mut |node| {
-                    if let Tree::Symbol(name, _) = node
-                        && problem.vocabulary.abbreviations.iter().any(|(known, _)| known == name)
-                    {
-                        met.insert(problem.atoms.variable(Atom::Symbol(name.clone())));
-                    }
-                    false
-                });
+                return false;
             }
-        }
+            met.extend(quantities(problem, node));
+            false
+        });
     }
     let order = |v: &Variable| match problem.atoms.atom(*v) {
         Some(Atom::Symbol(_)) => 0,

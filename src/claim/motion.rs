@@ -225,5 +225,11 @@ pub fn period(law: &Fraction, reading: &mut Reading) -> Result<Option<(Name, Fra
     };
     let shift = late - early.clone();
     let opposite = (a + b).is_zero();
+    let backward = shift
+        .numerator()
+        .terms()
+        .first()
+        .is_some_and(|(_, c)| *c < dashu_int::IBig::ZERO);
+    let shift = if backward { -shift } else { shift };
     Ok((f == g && opposite && early.contains(running) && !shift.contains(running)).then_some((f, shift)))
 }

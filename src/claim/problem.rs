@@ -151,7 +151,7 @@ impl<'a> Problem<'a> {
     }
 
     /// Whether the running time stands in a function.
-    fn runs(&mut self, function: &Fraction) -> bool {
+    pub fn runs(&mut self, function: &Fraction) -> bool {
         let running = self.atoms.variable(Atom::Running);
         function.variables().iter().any(|&v| match self.atoms.atom(v) {
             Some(Atom::Value { argument, .. }) => argument.contains(running),
