@@ -233,8 +233,7 @@ mod tests {
             premises
                 .map(|(origin, residual)| Premise { residual, origin })
                 .collect(),
-            &|v| Some(v.0),
-            GENERIC,
+            &rank,
         )
     }
 

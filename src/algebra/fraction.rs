@@ -120,6 +120,10 @@ impl Fraction {
 
     /// Puts the polynomial `below` under the line: its integer, its variables and the factors already known apart.
     fn divide_by(&mut self, below: &Polynomial) {
+        if below.is_too_large() {
+            self.numerator = below.clone();
+            return;
+        }
         let content = below.content();
         if content < IBig::ZERO {
             self.numerator = self.numerator.negated();

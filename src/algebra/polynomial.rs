@@ -1,18 +1,28 @@
 //! Polynomials in many variables with integer coefficients.
 
 use super::monomial::{Monomial, Variable};
-use crate::number::Rational;
+use crate::number::{Field, Rational};
 use dashu_int::IBig;
-use dashu_int::ops::{DivRem, Gcd};
+use dashu_int::ops::{BitTest, DivRem, Gcd};
 use dashu_ratio::RBig;
 use num_traits::Zero;
 use std::collections::BTreeSet;
 
 /// A sparse polynomial: terms with non-zero coefficients, the largest monomial first.
+///
+/// One that outgrows the limits below is not kept but marked, as a float that overflows is. What it goes into is
+/// marked too, and a marked polynomial is never zero: nothing is proved with it.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Polynomial {
     terms: Vec<(Monomial, IBig)>,
+    too_large: bool,
 }
+
+/// Products of terms that one multiplication may take: half a second.
+const MOST_PRODUCTS: usize = 2_000_000;
+/// The highest power that is expanded or evaluated, and the bits of a coefficient.
+const HIGHEST_POWER: u32 = 20_000;
+const MOST_BITS: usize = 200_000;
 
 /// How a polynomial uses a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,7 +53,22 @@ impl Polynomial {
         if !coefficient.is_zero() {
             terms.push((monomial, coefficient));
         }
-        Self { terms }
+        Self {
+            terms,
+            too_large: false,
+        }
+    }
+
+    fn oversized() -> Self {
+        Self {
+            terms: Vec::new(),
+            too_large: true,
+        }
+    }
+
+    /// Whether the limits were passed, so that nothing more is known.
+    pub fn is_too_large(&self) -> bool {
+        self.too_large
     }
 
     /// The terms, the largest monomial first.
@@ -53,13 +78,13 @@ impl Polynomial {
 
     /// Whether every coefficient is zero.
     pub fn is_zero(&self) -> bool {
-        self.terms.is_empty()
+        self.terms.is_empty() && !self.too_large
     }
 
     /// The value of a constant polynomial.
     pub fn as_constant(&self) -> Option<IBig> {
         match self.terms.as_slice() {
-            [] => Some(IBig::ZERO),
+            [] => (!self.too_large).then_some(IBig::ZERO),
             [(monomial, coefficient)] if monomial.is_one() => Some(coefficient.clone()),
             _ => None,
         }
@@ -114,6 +139,9 @@ impl Polynomial {
 
     /// The coefficients of the powers of `variable`, from the power 0 up.
     pub fn coefficients(&self, variable: Variable) -> Vec<Self> {
+        if self.too_large {
+            return vec![Self::oversized()];
+        }
         let mut by_power = vec![Self::default(); self.degree(variable) as usize + 1];
         for (monomial, coefficient) in &self.terms {
             // Taking the same variable out of monomials of one power leaves their order as it was.
@@ -126,6 +154,9 @@ impl Polynomial {
 
     /// The partial derivative by `variable`, all others held.
     pub fn derivative(&self, variable: Variable) -> Self {
+        if self.too_large {
+            return Self::oversized();
+        }
         let one = Monomial::power(variable, 1);
         Self::collect(
             self.terms
@@ -157,6 +188,7 @@ impl Polynomial {
         }
         Self {
             terms: self.terms.iter().map(|(m, c)| (m.clone(), c * factor)).collect(),
+            too_large: self.too_large,
         }
     }
 
@@ -165,10 +197,18 @@ impl Polynomial {
         if other.is_one() {
             return self.clone();
         }
+        if self.is_zero() || other.is_zero() {
+            return Self::default();
+        }
+        let bits = |p: &Self| p.terms.first().map_or(0, |(_, c)| c.bit_len());
+        let products = self.terms.len().saturating_mul(other.terms.len());
+        if self.too_large || other.too_large || products > MOST_PRODUCTS || bits(self) + bits(other) > MOST_BITS {
+            return Self::oversized();
+        }
         match (self.terms.as_slice(), other.terms.as_slice()) {
-            ([], _) | (_, []) => Self::default(),
             ([term], many) | (many, [term]) => Self {
                 terms: many.iter().map(|(m, c)| (m.times(&term.0), c * &term.1)).collect(),
+                too_large: false,
             },
             (left, right) => {
                 let mut products = Vec::with_capacity(left.len() * right.len());
@@ -182,6 +222,10 @@ impl Polynomial {
 
     /// The power, by squaring.
     pub fn to_power(&self, exponent: u32) -> Self {
+        let highest = self.uses().iter().map(|usage| usage.degree).max().unwrap_or(0);
+        if highest.saturating_mul(exponent) > HIGHEST_POWER {
+            return Self::oversized();
+        }
         let mut result = Self::constant(IBig::ONE);
         for bit in (0..u32::BITS - exponent.leading_zeros()).rev() {
             result = result.times(&result);
@@ -200,6 +244,9 @@ impl Polynomial {
         {
             return None;
         }
+        if self.too_large {
+            return None;
+        }
         let (lead, lead_coefficient) = divisor.terms.first()?;
         let mut rest = self.clone();
         let mut quotient = Vec::new();
@@ -213,7 +260,10 @@ impl Polynomial {
             rest = rest.minus(&divisor.times(&term));
             quotient.extend(term.terms);
         }
-        Some(Self { terms: quotient })
+        Some(Self {
+            terms: quotient,
+            too_large: false,
+        })
     }
 
     /// The greatest integer that divides every coefficient, with the sign of the leading one; 0 for zero.
@@ -249,6 +299,7 @@ impl Polynomial {
                 .iter()
                 .map(|(m, c)| (m.over(monomial).unwrap_or_default(), c / content))
                 .collect(),
+            too_large: self.too_large,
         }
     }
 
@@ -257,16 +308,19 @@ impl Polynomial {
         self.reduced(&self.content(), &Monomial::one())
     }
 
-    /// The value where every variable has one, `None` where one has none.
+    /// The value where every variable has one, `None` where one has none or a power is too high.
     pub fn evaluate(&self, value: &impl Fn(Variable) -> Option<Rational>) -> Option<Rational> {
+        if self.too_large {
+            return None;
+        }
         let mut sum = Rational::zero();
         for (monomial, coefficient) in &self.terms {
             let mut product = Rational(RBig::from(coefficient.clone()));
             for &(variable, exponent) in monomial.factors() {
-                let base = value(variable)?;
-                for _ in 0..exponent {
-                    product *= base.clone();
+                if exponent > HIGHEST_POWER {
+                    return None;
                 }
+                product *= value(variable)?.to_power(exponent as i32);
             }
             sum += product;
         }
@@ -284,16 +338,27 @@ impl Polynomial {
             }
         }
         joined.retain(|(_, c)| !c.is_zero());
-        Self { terms: joined }
+        Self {
+            terms: joined,
+            too_large: false,
+        }
     }
 
     fn merge(&self, other: &Self, subtract: bool) -> Self {
+        if self.too_large || other.too_large {
+            return Self::oversized();
+        }
         let signed = |c: &IBig| if subtract { -c } else { c.clone() };
         let mut terms = Vec::with_capacity(self.terms.len() + other.terms.len());
         let (mut left, mut right) = (self.terms.iter().peekable(), other.terms.iter().peekable());
         loop {
             match (left.peek(), right.peek()) {
-                (None, None) => return Self { terms },
+                (None, None) => {
+                    return Self {
+                        terms,
+                        too_large: false,
+                    };
+                }
                 (Some((m, c)), Some((n, e))) if m == n => {
                     let sum = c + signed(e);
                     if !sum.is_zero() {
@@ -310,7 +375,12 @@ impl Polynomial {
                     terms.push((n.clone(), signed(e)));
                     right.next();
                 }
-                (Some(_), None) => return Self { terms },
+                (Some(_), None) => {
+                    return Self {
+                        terms,
+                        too_large: false,
+                    };
+                }
             }
         }
     }
@@ -325,7 +395,6 @@ impl From<i64> for Polynomial {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Field;
 
     fn x(n: u32) -> Polynomial {
         Polynomial::variable(Variable(n))
@@ -346,6 +415,17 @@ mod tests {
         assert_eq!(sum.to_power(3), sum.times(&sum).times(&sum));
         assert_eq!(sum.to_power(3).terms().len(), 4);
         assert!(sum.to_power(0).is_one());
+    }
+
+    #[test]
+    fn what_outgrows_the_limits_is_never_zero() {
+        let sum = (0..30).fold(Polynomial::from(1), |sum, n| sum.plus(&x(n)));
+        let huge = sum.to_power(40);
+        assert!(huge.is_too_large() && !huge.minus(&huge).is_zero());
+        assert!(huge.times(&Polynomial::default()).is_zero());
+        assert!(x(0).to_power(100_000).is_too_large());
+        let number = (0..40).fold(Polynomial::from(3), |n, _| n.times(&n));
+        assert!(number.is_too_large());
     }
 
     #[test]

@@ -130,6 +130,9 @@ impl Atoms {
 
     /// A polynomial in TeX.
     pub fn show_polynomial(&self, polynomial: &Polynomial) -> String {
+        if polynomial.is_too_large() {
+            return r"\ldots".to_string();
+        }
         let mut text = String::new();
         for (monomial, coefficient) in polynomial.terms() {
             let negative = *coefficient < IBig::ZERO;

@@ -90,6 +90,10 @@ impl Sheet {
                     Verdict::Undecided,
                     "the sides differ as functions, but no point in small rationals shows it".to_string(),
                 ),
+                Outcome::TooLarge => (
+                    Verdict::Undecided,
+                    "too large to expand; the sides agree at every point tried".to_string(),
+                ),
                 Outcome::Fails(counterexample) => {
                     decision.counterexample = Some(counterexample);
                     let mended = parting(&mut problem, entry, equation);

@@ -2,9 +2,10 @@
 
 use super::atom::Atom;
 use super::problem::Problem;
-use super::proof::Question;
+use super::proof::{Question, ask_with};
 use super::reading::{Local, Meaning};
 use super::root::of_square;
+use super::sheet::{Entry, Fault};
 use super::substitute::any;
 use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::number::{Field, Rational};
@@ -47,6 +48,43 @@ pub fn search(problem: &mut Problem, equation: &Equation, question: &Question) -
         let (left, right) = sides(question, &point)?;
         (left != right).then(|| show(problem, equation, &point, left, right))
     })
+}
+
+/// Points at which a formula too large to expand is evaluated instead.
+const POINTS_OF_LARGE: u64 = 20;
+
+/// Searches for a counterexample by evaluating both sides at points, without expanding them.
+///
+/// # Errors
+/// A [`Fault`] where the equation speaks of something unknown.
+pub fn search_by_points(
+    problem: &mut Problem,
+    entry: &Entry,
+    equation: &Equation,
+) -> Result<Option<Counterexample>, Fault> {
+    for seed in 0..POINTS_OF_LARGE {
+        let Some(point) = point(problem, &[], seed) else {
+            continue;
+        };
+        let values = point
+            .0
+            .iter()
+            .map(|(variable, value)| (*variable, Fraction::from(value)))
+            .collect();
+        let meaning = Meaning {
+            values,
+            periods: problem.meaning.periods.clone(),
+        };
+        let Some(question) = ask_with(problem, &meaning, entry, equation)? else {
+            continue;
+        };
+        if let Some((left, right)) = sides(&question, &point)
+            && left != right
+        {
+            return Ok(Some(show(problem, equation, &point, left, right)));
+        }
+    }
+    Ok(None)
 }
 
 /// The two sides at a point, as text; `None` where one of them has no rational value there.

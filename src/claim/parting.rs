@@ -14,6 +14,9 @@ pub fn parting(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Opt
         return None;
     };
     let missing = left.clone() - right.clone();
+    if missing.numerator().is_too_large() {
+        return None;
+    }
     if let Some(text) = simple(problem, &missing) {
         let (sign, text) = match text.strip_prefix('-') {
             Some(text) => ("-", text.to_string()),

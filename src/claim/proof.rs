@@ -22,6 +22,8 @@ pub enum Outcome {
     Nowhere,
     /// Different from zero as a function, but no point was found to show it: the premises leave no rational one.
     Unshown,
+    /// Too large to expand, and true at every point tried.
+    TooLarge,
 }
 
 /// What an equation asks of the two sides.
@@ -69,6 +71,10 @@ pub fn decide(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Resu
         return Ok(Outcome::Nowhere);
     };
     let residuals = question.residuals();
+    if residuals.iter().any(|residual| residual.numerator().is_too_large()) {
+        let found = counterexample::search_by_points(problem, entry, equation)?;
+        return Ok(found.map_or(Outcome::TooLarge, Outcome::Fails));
+    }
     if residuals.iter().any(|residual| below_vanishes(problem, residual)) {
         return Ok(Outcome::Nowhere);
     }
