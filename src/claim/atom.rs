@@ -22,6 +22,8 @@ pub enum Atom {
     Partial { of: Variable, by: Variable },
     /// The trace or determinant of a map that no premise says more of.
     Invariant { kind: Invariant, of: Name },
+    /// The cosine or sine of an angle.
+    Circular { sine: bool, angle: Fraction },
     /// A square root.
     Root { radicand: Fraction },
 }
@@ -56,6 +58,7 @@ impl Atoms {
                     argument: b,
                 },
             ) => f == g && a.has_form_of(b),
+            (Atom::Circular { sine: f, angle: a }, Atom::Circular { sine: g, angle: b }) => f == g && a.has_form_of(b),
             (Atom::Value { .. }, _) | (_, Atom::Value { .. }) => false,
             (known, atom) => known == atom,
         };
@@ -107,6 +110,9 @@ impl Atoms {
                 kind: Invariant::Determinant,
                 of,
             }) => format!("Det({of})"),
+            Some(Atom::Circular { sine, angle }) => {
+                format!(r"\{}({})", if *sine { "sin" } else { "cos" }, self.show_fraction(angle))
+            }
             Some(Atom::Root { radicand }) => format!(r"\sqrt{{{}}}", self.show_fraction(radicand)),
         }
     }

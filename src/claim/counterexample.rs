@@ -27,9 +27,19 @@ pub struct Counterexample {
 impl std::fmt::Display for Counterexample {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         for (name, value) in &self.point {
-            write!(f, "{name}={value}; ")?;
+            write!(f, "{name}={}; ", shown(value))?;
         }
         write!(f, "left={}; right={}", self.left, self.right)
+    }
+}
+
+/// A rational as it is; as a decimal where pi has gone into it.
+pub fn shown(value: &Rational) -> String {
+    let exact = value.to_string();
+    if exact.len() < 90 {
+        exact
+    } else {
+        format!("{:.15}", value.0.to_f64().value())
     }
 }
 
@@ -89,10 +99,10 @@ pub fn search_by_points(
 
 /// The two sides at a point, as text; `None` where one of them has no rational value there.
 fn sides(question: &Question, point: &Point) -> Option<(String, String)> {
-    let text = |value: Rational| value.to_string();
+    let text = |value: Rational| shown(&value);
     let pair = |a: &Rational, b: &Rational| {
         let (low, high) = if a <= b { (a, b) } else { (b, a) };
-        format!("{{{low}, {high}}}")
+        format!("{{{}, {}}}", shown(low), shown(high))
     };
     match question {
         Question::Equal { left, right } => Some((text(point.value(left)?), text(point.value(right)?))),
@@ -158,6 +168,7 @@ pub fn point(problem: &Problem, about: &[Fraction], seed: u64) -> Option<Point> 
             point.0.insert(variable, small(problem, variable, seed));
         }
     }
+    set_angles(problem, &mut point, seed);
     // One free symbol under each root is chosen so that a square stands there, where it is linear.
     for (&root, square) in &rooted {
         make_square(problem, root, square, &mut point, seed);
@@ -199,6 +210,67 @@ pub fn point(problem: &Problem, about: &[Fraction], seed: u64) -> Option<Point> 
             .all(|(factor, _)| point.polynomial(factor).is_some_and(|v| !v.is_zero()))
     };
     about.iter().all(defined).then_some(point)
+}
+
+/// Gives cosines and sines rational values that belong together: quarter turns where the angle is `\pi` times a
+/// free symbol, which takes a value to match, else a Pythagorean pair.
+fn set_angles(problem: &Problem, point: &mut Point, seed: u64) {
+    let circle = problem.atoms.variables().find(|&v| is_circle(problem, v));
+    if let Some(circle) = circle {
+        point.0.insert(circle, circle_constant());
+    }
+    let mut turned = BTreeSet::new();
+    for variable in problem.atoms.variables() {
+        let Some(Atom::Circular { sine, angle }) = problem.atoms.atom(variable) else {
+            continue;
+        };
+        let symbols: Vec<Variable> = angle.variables().into_iter().filter(|v| Some(*v) != circle).collect();
+        let quarter = match (symbols.as_slice(), circle) {
+            (&[symbol], Some(circle)) if angle.contains(circle) && angle.numerator().degree(symbol) == 1 => {
+                let quarters = 1 + (mix(seed ^ u64::from(symbol.0)) % 3) as i64;
+                let scale = Rational::from_ratio(quarters, 2) * below(angle);
+                if turned.insert(symbol) {
+                    point.0.insert(symbol, scale);
+                }
+                Some(quarters)
+            }
+            _ => None,
+        };
+        let key = angle
+            .numerator()
+            .terms()
+            .iter()
+            .flat_map(|(m, _)| m.factors())
+            .fold(7, |k, (v, e)| k * 31 + u64::from(v.0 * 3 + e));
+        let u = Rational::from_ratio((mix(seed ^ key) % 4 + 1) as i64, (mix(seed ^ key) >> 20) as i64 % 4 + 2);
+        let square = u.clone() * u.clone();
+        let one = Rational::from_integer(1);
+        let value = match (quarter, sine) {
+            (Some(quarters), true) => Rational::from_integer([0, 1, 0, -1][(quarters % 4) as usize]),
+            (Some(quarters), false) => Rational::from_integer([1, 0, -1, 0][(quarters % 4) as usize]),
+            (None, true) => (u.clone() + u) / (one + square),
+            (None, false) => (one.clone() - square.clone()) / (one + square),
+        };
+        point.0.insert(variable, value);
+    }
+}
+
+fn is_circle(problem: &Problem, variable: Variable) -> bool {
+    matches!(problem.atoms.atom(variable), Some(Atom::Symbol(name)) if name.base == r"\pi")
+}
+
+/// The denominator of a part of an angle.
+fn below(angle: &Fraction) -> Rational {
+    angle
+        .denominator()
+        .as_constant()
+        .map_or_else(|| Rational::from_integer(1), |n| Rational(dashu_ratio::RBig::from(n)))
+}
+
+/// The circle constant to 50 digits: sides that differ there by more than its error differ.
+fn circle_constant() -> Rational {
+    let digits = "3.14159265358979323846264338327950288419716939937511";
+    Rational::from_decimal(digits).unwrap_or_else(|| Rational::from_ratio(355, 113))
 }
 
 /// Chooses a symbol in a radicand so that the root is a small rational.

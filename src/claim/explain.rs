@@ -2,7 +2,7 @@
 
 use super::audit::Decision;
 use super::certificate::{Certificate, certify};
-use super::counterexample::Counterexample;
+use super::counterexample::{Counterexample, shown};
 use super::problem::Problem;
 use super::proof::{ask, ask_with};
 use super::sheet::{Entry, Fault, Sheet};
@@ -128,7 +128,7 @@ fn certified(text: &mut String, problem: &Problem, certificate: &Certificate) {
 fn worked_out(text: &mut String, counterexample: &Counterexample) {
     let _ = writeln!(text, "counterexample: every premise holds at");
     for (name, value) in &counterexample.point {
-        let _ = writeln!(text, "  {name} = {value}");
+        let _ = writeln!(text, "  {name} = {}", shown(value));
     }
     let _ = writeln!(
         text,
@@ -136,6 +136,6 @@ fn worked_out(text: &mut String, counterexample: &Counterexample) {
         counterexample.left, counterexample.right
     );
     for (term, value) in &counterexample.terms {
-        let _ = writeln!(text, "    {term} = {value}");
+        let _ = writeln!(text, "    {term} = {}", shown(value));
     }
 }

@@ -1,5 +1,6 @@
 //! Partial derivatives of one-impact maps: the premises differentiated implicitly.
 
+use super::angle;
 use super::atom::{Atom, Atoms};
 use super::reading::{Meaningless, Reading};
 use super::vocabulary::{Map, Vocabulary};
@@ -298,6 +299,18 @@ fn slope_of(variable: Variable, by: Variable, step: &Step, reading: &mut Reading
                 Ok(inner)
             } else {
                 Ok(inner * reading.slope(&function, &argument)?)
+            }
+        }
+        Some(Atom::Circular { sine, angle }) => {
+            let mut inner = Fraction::zero();
+            for inside in angle.variables() {
+                let along = Fraction::from(angle.numerator().derivative(inside)) / Fraction::from(angle.denominator());
+                inner += along * slope_of(inside, by, step, reading)?;
+            }
+            if inner.is_zero() {
+                Ok(inner)
+            } else {
+                Ok(inner * angle::slope(sine, &angle, reading.atoms))
             }
         }
         Some(Atom::Root { radicand }) => {

@@ -1,5 +1,6 @@
 //! Sheets of claims: read, decided, explained.
 
+mod angle;
 mod atom;
 mod audit;
 mod certificate;

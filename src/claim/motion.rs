@@ -1,5 +1,6 @@
 //! The laws of a flight: equations that hold at every time `t` between two impacts.
 
+use super::angle;
 use super::atom::Atom;
 use super::reading::{Meaningless, Reading};
 use crate::algebra::{Derivation, Fraction, Undefined, Variable};
@@ -26,14 +27,19 @@ pub fn consequences(law: &Fraction, start: i32, reading: &mut Reading) -> Result
     Ok(laws)
 }
 
-/// A law of functions of time, and what follows from it by differentiating and integrating, at each of `times`.
-pub fn of_functions(law: &Fraction, times: &[Fraction], reading: &mut Reading) -> Result<Vec<Fraction>, Meaningless> {
-    let running = reading.atoms.variable(Atom::Running);
+/// A law of functions of time, and what follows from it by differentiating, at each of `times`, and by integrating
+/// from the first of them to the others and over the whole periods `turns`.
+pub fn of_functions(
+    law: &Fraction,
+    times: &[Fraction],
+    turns: &[Fraction],
+    reading: &mut Reading,
+) -> Result<Vec<Fraction>, Meaningless> {
     let mut known = Vec::new();
     let derivative = slope(law, reading)?;
     for law in [law, &derivative] {
         for time in times {
-            known.push(at_time(law, running, time, reading)?);
+            known.push(at_time(law, time, reading)?);
         }
     }
     let mut integrand = law.clone();
@@ -42,57 +48,68 @@ pub fn of_functions(law: &Fraction, times: &[Fraction], reading: &mut Reading) -
         let Some(integral) = antiderivative(&integrand, reading) else {
             break;
         };
-        integrand = integral.clone() - at_time(&integral, running, first, reading)?;
+        integrand = integral.clone() - at_time(&integral, first, reading)?;
         for time in times.iter().skip(1) {
-            known.push(at_time(&integrand, running, time, reading)?);
+            known.push(at_time(&integrand, time, reading)?);
+        }
+        for turn in turns {
+            known.push(at_time(&integrand, &(first.clone() + turn.clone()), reading)?);
         }
     }
     Ok(known)
 }
 
 /// A law of functions at one time.
-fn at_time(law: &Fraction, running: Variable, time: &Fraction, reading: &mut Reading) -> Result<Fraction, Meaningless> {
-    let mut result = law.clone();
-    for variable in law.variables() {
-        let Some(Atom::Value { function, argument }) = reading.atoms.atom(variable).cloned() else {
-            continue;
-        };
-        let moved = Atom::Value {
-            function,
-            argument: argument.substituted(running, time)?,
-        };
-        result = result.substituted(variable, &Fraction::variable(reading.atoms.variable(moved)))?;
-    }
-    Ok(result.substituted(running, time)?)
+fn at_time(law: &Fraction, time: &Fraction, reading: &mut Reading) -> Result<Fraction, Meaningless> {
+    taken(law, time, reading, &|_| None)
 }
 
 /// The law at an impact: the flight that arrives there, or that departs from there.
 pub fn at_impact(law: &Fraction, index: i32, departs: bool, reading: &mut Reading) -> Result<Fraction, Meaningless> {
-    let running = reading.atoms.variable(Atom::Running);
-    let family = reading.vocabulary.times.first().cloned().unwrap_or_default();
+    let vocabulary = reading.vocabulary;
+    let family = vocabulary.times.first().cloned().unwrap_or_default();
     let time = Fraction::variable(reading.atoms.variable(Atom::Time { family, index }));
+    taken(law, &time, reading, &|state| {
+        let after = departs && !vocabulary.continuous.contains(state);
+        vocabulary.states.contains(state).then(|| Atom::State {
+            state: state.clone(),
+            index,
+            after,
+        })
+    })
+}
+
+/// The law with a time for the running time, and at the running time itself a quantity for each state that has one.
+fn taken(
+    law: &Fraction,
+    time: &Fraction,
+    reading: &mut Reading,
+    state: &dyn Fn(&Name) -> Option<Atom>,
+) -> Result<Fraction, Meaningless> {
+    let running = reading.atoms.variable(Atom::Running);
     let mut result = law.clone();
     for variable in law.variables() {
-        let Some(Atom::Value { function, argument }) = reading.atoms.atom(variable).cloned() else {
-            continue;
-        };
-        let is_state = reading.vocabulary.states.contains(&function);
-        let moved = if is_state && argument == Fraction::variable(running) {
-            let after = departs && !reading.vocabulary.continuous.contains(&function);
-            Atom::State {
-                state: function,
-                index,
-                after,
+        let moved = match reading.atoms.atom(variable).cloned() {
+            Some(Atom::Value { function, argument }) => {
+                let at_impact = if argument == Fraction::variable(running) {
+                    state(&function)
+                } else {
+                    None
+                };
+                let argument = argument.substituted(running, time)?;
+                let moved = at_impact.unwrap_or(Atom::Value { function, argument });
+                Fraction::variable(reading.atoms.variable(moved))
             }
-        } else {
-            Atom::Value {
-                function,
-                argument: argument.substituted(running, &time)?,
+            Some(Atom::Circular { sine, angle }) => {
+                let angle = angle.substituted(running, time)?;
+                let (cosine, its_sine) = angle::cosine_and_sine(&angle, reading.atoms)?;
+                if sine { its_sine } else { cosine }
             }
+            _ => continue,
         };
-        result = result.substituted(variable, &Fraction::variable(reading.atoms.variable(moved)))?;
+        result = result.substituted(variable, &moved)?;
     }
-    Ok(result.substituted(running, &time)?)
+    Ok(result.substituted(running, time)?)
 }
 
 /// The derivative of a law by the running time.
@@ -103,19 +120,17 @@ fn slope(law: &Fraction, reading: &mut Reading) -> Result<Fraction, Meaningless>
         if variable == running {
             return Fraction::from_integer(1);
         }
-        let Some(Atom::Value { function, argument }) = reading.atoms.atom(variable).cloned() else {
-            return Fraction::zero();
-        };
-        let inner = Fraction::from(argument.numerator().derivative(running)) / Fraction::from(argument.denominator());
-        if inner.is_zero() {
-            return inner;
-        }
-        match reading.slope(&function, &argument) {
-            Ok(value) => value * inner,
-            Err(error) => {
-                failure = Some(error);
-                Fraction::zero()
+        let along = |f: &Fraction| Fraction::from(f.numerator().derivative(running)) / Fraction::from(f.denominator());
+        match reading.atoms.atom(variable).cloned() {
+            Some(Atom::Value { function, argument }) if !along(&argument).is_zero() => {
+                let slope = reading.slope(&function, &argument).unwrap_or_else(|error| {
+                    failure = Some(error);
+                    Fraction::zero()
+                });
+                slope * along(&argument)
             }
+            Some(Atom::Circular { sine, angle }) => angle::slope(sine, &angle, reading.atoms) * along(&angle),
+            _ => Fraction::zero(),
         }
     })
     .of(law);
@@ -163,15 +178,21 @@ fn antiderivative(law: &Fraction, reading: &mut Reading) -> Option<Fraction> {
 /// Whether a quantity changes along the flight.
 fn moves(variable: Variable, running: Variable, reading: &Reading) -> bool {
     match reading.atoms.atom(variable) {
-        Some(Atom::Value { argument, .. }) => argument.contains(running),
+        Some(Atom::Value { argument: time, .. } | Atom::Circular { angle: time, .. }) => time.contains(running),
         _ => variable == running,
     }
 }
 
 /// The value of the antiderivative at the same time.
 fn raised(value: Variable, running: Variable, reading: &mut Reading) -> Option<Fraction> {
-    let Some(Atom::Value { function, argument }) = reading.atoms.atom(value).cloned() else {
-        return None;
+    let (function, argument) = match reading.atoms.atom(value).cloned()? {
+        Atom::Value { function, argument } => (function, argument),
+        Atom::Circular { sine, angle } => {
+            let pace = angle.clone() / Fraction::variable(running);
+            let integral = -angle::slope(sine, &angle, reading.atoms);
+            return (!pace.contains(running)).then(|| integral / pace);
+        }
+        _ => return None,
     };
     // The time must run as fast as t does.
     let shift = argument.clone() - Fraction::variable(running);

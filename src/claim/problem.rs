@@ -39,6 +39,8 @@ pub struct Problem<'a> {
     /// Squares of roots met, and values of roots whose sign is known.
     pub squares: Vec<(Variable, Fraction)>,
     pub roots: Vec<(Variable, Fraction)>,
+    /// Laws of functions, with the premise each comes from.
+    function_laws: Vec<(usize, Fraction)>,
     /// The residuals before times were solved for, with the premise each comes from.
     raw: Vec<(usize, Fraction)>,
     periods: Vec<(crate::tex::Name, Fraction)>,
@@ -67,6 +69,7 @@ impl<'a> Problem<'a> {
             steps: Vec::new(),
             squares: Vec::new(),
             roots: Vec::new(),
+            function_laws: Vec::new(),
             raw: Vec::new(),
             periods: Vec::new(),
         };
@@ -130,7 +133,7 @@ impl<'a> Problem<'a> {
             let residual = self.raw_residual(index)?;
             self.sort_in(index, residual, &mut Vec::new())?;
         }
-        self.add_function_laws(&laws)?;
+        self.function_laws = laws.into_iter().filter(|(_, law)| !self.is_motion(law)).collect();
         self.givens.extend(derived);
         Ok(())
     }
@@ -154,7 +157,7 @@ impl<'a> Problem<'a> {
     pub fn runs(&mut self, function: &Fraction) -> bool {
         let running = self.atoms.variable(Atom::Running);
         function.variables().iter().any(|&v| match self.atoms.atom(v) {
-            Some(Atom::Value { argument, .. }) => argument.contains(running),
+            Some(Atom::Value { argument: time, .. } | Atom::Circular { angle: time, .. }) => time.contains(running),
             _ => v == running,
         })
     }
@@ -201,41 +204,60 @@ impl<'a> Problem<'a> {
     }
 
     /// Laws of functions: taken at every time at which any function is.
-    fn add_function_laws(&mut self, laws: &[(usize, Fraction)]) -> Result<(), Fault> {
-        let laws: Vec<&(usize, Fraction)> = laws.iter().filter(|(_, law)| !self.is_motion(law)).collect();
+    fn add_function_laws(&mut self) -> Result<Vec<Given>, Fault> {
+        let laws = std::mem::take(&mut self.function_laws);
         if laws.is_empty() {
-            return Ok(());
+            return Ok(Vec::new());
         }
         self.meet_claim();
         let running = self.atoms.variable(Atom::Running);
         let mut times: Vec<Fraction> = Vec::new();
-        for variable in self.atoms.variables() {
-            if let Some(Atom::Value { argument, .. }) = self.atoms.atom(variable)
-                && !argument.contains(running)
-                && !times.iter().any(|known| known.has_form_of(argument))
-            {
-                times.push(argument.clone());
+        for variable in self.atoms.variables().collect::<Vec<_>>() {
+            let Some(Atom::Value { argument, .. }) = self.atoms.atom(variable).cloned() else {
+                continue;
+            };
+            let Ok(time) = self.meaning.restrict(&Fraction::variable(variable), &mut self.atoms) else {
+                continue;
+            };
+            for variable in time.variables() {
+                if let Some(Atom::Value { argument: time, .. }) = self.atoms.atom(variable)
+                    && !argument.contains(running)
+                    && !times.iter().any(|known| known.has_form_of(time))
+                {
+                    times.push(time.clone());
+                }
+            }
+        }
+        // A period in other symbols would make a relation between angles that has no rational solution.
+        let mut turns: Vec<Fraction> = Vec::new();
+        for (_, period) in &self.meaning.periods {
+            if period.as_constant().is_some() && !turns.contains(period) {
+                turns.push(period.clone());
             }
         }
         let blank = Meaning::default();
+        let mut known = Vec::new();
         for (index, law) in laws {
-            let statement = &self.statements.premises[*index];
+            let statement = &self.statements.premises[index];
             let here = |error: Meaningless| statement.fault(0, error.to_string());
             let mut reading = Reading::new(self.vocabulary, &self.jacobians, &mut self.atoms, &blank, &[]);
-            for known in motion::of_functions(law, &times, &mut reading).map_err(here)? {
-                self.raw.push((*index, known));
+            for residual in motion::of_functions(&law, &times, &turns, &mut reading).map_err(here)? {
+                let restricted = self.meaning.restrict(&residual, &mut self.atoms);
+                let residual = restricted.map_err(|error| here(error.into()))?.numerator().primitive();
+                known.push(Given {
+                    label: statement.label.clone(),
+                    residual,
+                });
             }
         }
-        Ok(())
+        Ok(known)
     }
 
-    /// Reads the claim once without knowledge, so that the times it speaks of are known.
+    /// Reads the claim once, so that the times it speaks of are known.
     fn meet_claim(&mut self) {
-        let blank = Meaning::default();
-        let locals = self.statements.locals.clone();
-        let mut reading = Reading::new(self.vocabulary, &self.jacobians, &mut self.atoms, &blank, &locals);
-        reading.upper = Some(true);
-        for equation in &self.statements.claims {
+        for equation in self.statements.claims.clone() {
+            let mut reading = self.reading();
+            reading.upper = Some(true);
             for side in [&equation.left, &equation.right] {
                 // What is wrong with the claim is said when it is decided.
                 let _ = reading.tree(side);
@@ -347,7 +369,7 @@ impl<'a> Problem<'a> {
         match self.atoms.atom(variable) {
             _ if depth > 8 => BTreeSet::new(),
             Some(Atom::Time { index, .. } | Atom::State { index, .. }) => BTreeSet::from([*index]),
-            Some(Atom::Value { argument, .. }) => inside(argument),
+            Some(Atom::Value { argument: time, .. } | Atom::Circular { angle: time, .. }) => inside(time),
             Some(Atom::Symbol(_)) => bound.values.get(&variable).map(inside).unwrap_or_default(),
             _ => BTreeSet::new(),
         }
@@ -537,6 +559,8 @@ impl<'a> Problem<'a> {
             restricted.push(Given { residual, ..given });
         }
         self.givens = restricted;
+        let of_functions = self.add_function_laws()?;
+        self.givens.extend(of_functions);
         let repeated = self.periodic_states();
         self.givens.extend(repeated);
         Ok(())
@@ -587,8 +611,10 @@ impl<'a> Problem<'a> {
     fn solve(&mut self) -> Result<(), Fault> {
         let mut fixed = BTreeSet::new();
         for variable in self.atoms.variables() {
-            if let Some(Atom::Value { argument, .. }) = self.atoms.atom(variable) {
-                fixed.extend(argument.variables());
+            if let Some(Atom::Value { argument: time, .. } | Atom::Circular { angle: time, .. }) =
+                self.atoms.atom(variable)
+            {
+                fixed.extend(time.variables());
             }
         }
         let premises = self.givens.iter().enumerate();

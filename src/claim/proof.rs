@@ -11,7 +11,7 @@ use super::substitute::any_side;
 use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::number::Field;
 use crate::tex::{Equation, EvaluationError, Tree};
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 /// What came of one equation.
 #[derive(Clone, Debug)]
@@ -184,14 +184,22 @@ impl Knowledge {
                 f.substituted(*variable, value)
             });
         let Ok(start) = start else { return false };
-        let mut parts = vec![start];
+        let mut parts = vec![self.settled(&start)];
         for (root, square) in self.squares.iter().rev() {
+            let square = self.settled_whole(square);
             parts = parts
                 .iter()
-                .flat_map(|part| split(part.numerator(), *root, square))
+                .flat_map(|part| split(part.numerator(), *root, &square))
                 .collect();
         }
-        parts.iter().all(|part| self.settled(part).is_zero())
+        parts.iter().all(Fraction::is_zero)
+    }
+
+    /// The function with the later values put in, denominator and all.
+    fn settled_whole(&self, function: &Fraction) -> Fraction {
+        self.late.iter().fold(function.clone(), |f, step| {
+            f.substituted(step.variable, &step.value).unwrap_or(f)
+        })
     }
 
     /// The function with the later values put in; where that makes a denominator vanish, as far as it goes.
@@ -255,6 +263,10 @@ impl Problem<'_> {
     fn square_of(&mut self, variable: Variable) -> Option<Fraction> {
         match self.atoms.atom(variable)?.clone() {
             Atom::Root { radicand } => Some(radicand),
+            Atom::Circular { sine: true, angle } => {
+                let cosine = Fraction::variable(self.atoms.variable(Atom::Circular { sine: false, angle }));
+                Some(Fraction::one() - cosine.clone() * cosine)
+            }
             atom => self.relation(&atom),
         }
     }

@@ -1,5 +1,6 @@
 //! From the names of a formula to the quantities of the algebra.
 
+use super::angle;
 use super::atom::{Atom, Atoms};
 use super::jacobian::Jacobians;
 use super::vocabulary::{Vocabulary, index_of};
@@ -24,6 +25,10 @@ pub enum Meaningless {
     NoMap { of: String, by: String },
     #[error("`{0}` is a matrix without equal numbers of rows and columns")]
     NotSquare(String),
+    #[error("the angle `{0}` is not a sum of whole multiples")]
+    Angle(String),
+    #[error("`{0}` cannot be decided exactly: of elementary functions only \\cos, \\sin and \\tan can")]
+    Transcendental(String),
     #[error("a denominator is zero everywhere")]
     Undefined(#[from] Undefined),
     #[error(transparent)]
@@ -191,6 +196,30 @@ impl<'a> Reading<'a> {
             .any(|s| *s == plain || s.dotted() == plain || s.dotted().dotted() == plain)
     }
 
+    /// A function that needs no declaration.
+    fn elementary(&mut self, function: &Name, argument: &Tree) -> Result<Fraction, Meaningless> {
+        if !function.base.starts_with('\\')
+            || *function
+                != (Name {
+                    base: function.base.clone(),
+                    ..Name::default()
+                })
+        {
+            return Err(Meaningless::NotAFunction(function.to_string()));
+        }
+        let angle = self.nested(argument)?;
+        let (cosine, sine) = match function.base.as_str() {
+            r"\cos" | r"\sin" | r"\tan" => angle::cosine_and_sine(&angle, self.atoms)?,
+            _ => return Err(Meaningless::Transcendental(function.to_string())),
+        };
+        match function.base.as_str() {
+            r"\cos" => Ok(cosine),
+            r"\sin" => Ok(sine),
+            _ if self.is_zero(&cosine) => Err(Meaningless::Undefined(Undefined)),
+            _ => Ok(sine / cosine),
+        }
+    }
+
     /// The derivative by time of the value of a function at `time`.
     pub fn slope(&mut self, function: &Name, time: &Fraction) -> Result<Fraction, Meaningless> {
         let name = Name {
@@ -305,7 +334,7 @@ impl Scope<Fraction> for Reading<'_> {
     fn call(&mut self, function: &Name, argument: &Tree) -> Result<Fraction, Meaningless> {
         let motion = self.is_motion(function);
         if !motion && !self.is_function(function) {
-            return Err(Meaningless::NotAFunction(function.to_string()));
+            return self.elementary(function, argument);
         }
         if motion
             && function.primes == 0
@@ -434,6 +463,15 @@ impl Meaning {
                         .get(&moved)
                         .cloned()
                         .unwrap_or_else(|| Fraction::variable(moved))
+                }
+                Some(Atom::Circular { sine, angle }) => {
+                    let (restricted, known) = (self.restrict(&angle, atoms)?, angle);
+                    if restricted.has_form_of(&known) {
+                        continue;
+                    }
+                    // An angle that can be read can be read at other times too.
+                    let parts = angle::cosine_and_sine(&restricted, atoms).map_err(|_| Undefined)?;
+                    if sine { parts.1 } else { parts.0 }
                 }
                 _ => match self.values.get(&variable) {
                     Some(value) => value.clone(),
