@@ -2,12 +2,13 @@
 
 use super::atom::Atoms;
 use super::counterexample::Counterexample;
+use super::fault::Fault;
 use super::jacobian::Jacobians;
 use super::parting::parting;
 use super::premise::Statements;
 use super::problem::Problem;
 use super::proof::{Outcome, decide};
-use super::sheet::{Fault, Role, Sheet};
+use super::sheet::{Role, Sheet};
 use super::verdict::Verdict;
 use crate::tex::Equation;
 

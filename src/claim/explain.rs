@@ -3,9 +3,10 @@
 use super::audit::Decision;
 use super::certificate::{Certificate, certify};
 use super::counterexample::{Counterexample, shown};
+use super::fault::Fault;
 use super::problem::Problem;
 use super::proof::{ask, ask_with};
-use super::sheet::{Entry, Fault, Sheet};
+use super::sheet::{Entry, Sheet};
 use super::verdict::Verdict;
 use crate::algebra::Variable;
 use crate::tex::Equation;

@@ -37,7 +37,7 @@ pub struct Step {
 impl Jacobians {
     /// The maps of the vocabulary; the error names a map that makes no sense.
     pub fn new(vocabulary: &Vocabulary, atoms: &mut Atoms) -> Result<Self, String> {
-        let (blank, meaning) = (Self::default(), super::reading::Meaning::default());
+        let (blank, meaning) = (Self::default(), super::meaning::Meaning::default());
         let mut reading = Reading::new(vocabulary, &blank, atoms, &meaning, &[]);
         let mut maps = Vec::new();
         for (name, map) in &vocabulary.maps {

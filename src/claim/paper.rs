@@ -1,6 +1,7 @@
 //! The sheet and the vocabulary that the program carries with it.
 
-use super::sheet::{Fault, Sheet, read_symbols};
+use super::fault::Fault;
+use super::sheet::{Sheet, read_symbols};
 use super::vocabulary::Vocabulary;
 
 /// golden/paper/equations.toml.

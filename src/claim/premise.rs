@@ -1,9 +1,11 @@
 //! What a claim rests on, statement by statement: premises with their substitutions made, and definitions.
 
 use super::atom::Atoms;
+use super::fault::{Fault, Source};
 use super::jacobian::Jacobians;
-use super::reading::{Local, Meaning, Meaningless, Reading};
-use super::sheet::{Entry, Fault, Sheet, Source};
+use super::meaning::Meaning;
+use super::reading::{Local, Meaningless, Reading};
+use super::sheet::{Entry, Sheet};
 use super::substitute::any_side;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::algebra::Fraction;

@@ -2,11 +2,13 @@
 
 use super::atom::Atom;
 use super::counterexample::{self, Counterexample};
+use super::fault::Fault;
+use super::meaning::Meaning;
 use super::premise::{message, pair_of};
 use super::problem::Problem;
-use super::reading::{Meaning, Reading};
+use super::reading::Reading;
 use super::root::either_root;
-use super::sheet::{Entry, Fault};
+use super::sheet::Entry;
 use super::substitute::any_side;
 use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::number::Field;

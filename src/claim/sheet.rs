@@ -1,11 +1,13 @@
 //! Audit sheets: what a person wrote down of a paper, read and checked for sense before anything is decided.
 
+use super::fault::{Fault, Source};
+use super::symbols::{MapEntry, Symbols};
 use super::verdict::Verdict;
 use super::vocabulary::Vocabulary;
 use crate::tex::{Equation, read};
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt;
+
 use toml::Spanned;
 
 /// A sheet, every formula read.
@@ -44,173 +46,6 @@ pub struct Entry {
     /// The entries it follows from, by position in the sheet.
     pub follows_from: Vec<usize>,
     pub expect: Verdict,
-}
-
-/// A piece of TeX and where in the file it starts.
-#[derive(Clone, Debug, Default)]
-pub struct Source {
-    pub tex: String,
-    line: usize,
-    column: usize,
-    /// Whether a place in the TeX is a place in the file (not where the TOML string has escapes).
-    verbatim: bool,
-}
-
-impl Source {
-    fn new(text: &str, value: &Spanned<String>) -> Self {
-        let span = value.span();
-        let raw = text.get(span.clone()).unwrap_or_default();
-        let offset = raw.find(value.get_ref().as_str());
-        let before = text.get(..span.start + offset.unwrap_or(0)).unwrap_or_default();
-        let line_start = before.rfind('\n').map_or(0, |n| n + 1);
-        Self {
-            tex: value.get_ref().clone(),
-            line: before.matches('\n').count() + 1,
-            column: before.get(line_start..).unwrap_or_default().chars().count() + 1,
-            verbatim: offset.is_some(),
-        }
-    }
-
-    /// A fault at byte `at` of the TeX.
-    pub fn fault(&self, at: usize, message: impl Into<String>) -> Fault {
-        let at = (0..=at.min(self.tex.len()))
-            .rev()
-            .find(|&n| self.tex.is_char_boundary(n))
-            .unwrap_or(0);
-        let (before, after) = self.tex.split_at(at);
-        let line_start = before.rfind('\n').map_or(0, |n| n + 1);
-        let head = before.get(line_start..).unwrap_or_default();
-        let tail = after.split('\n').next().unwrap_or_default();
-        let row = before.matches('\n').count();
-        let column = head.chars().count();
-        let place = if !self.verbatim {
-            (self.line, self.column)
-        } else if row == 0 {
-            (self.line, self.column + column)
-        } else {
-            (self.line + row, column + 1)
-        };
-        let shown = format!("    {head}{tail}\n    {}^", " ".repeat(column)).replace('\t', " ");
-        Fault {
-            message: message.into(),
-            label: None,
-            place: Some(place),
-            shown: Some(shown),
-        }
-    }
-}
-
-/// Why a sheet cannot be used: what, and where.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fault {
-    pub message: String,
-    /// The equation at fault.
-    pub label: Option<String>,
-    /// Line and column in the file, from 1.
-    pub place: Option<(usize, usize)>,
-    /// The line of TeX with a caret beneath.
-    shown: Option<String>,
-}
-
-impl Fault {
-    /// A fault without a place.
-    pub fn new(message: impl Into<String>) -> Self {
-        Self {
-            message: message.into(),
-            label: None,
-            place: None,
-            shown: None,
-        }
-    }
-
-    /// The fault, said of the equation `label` where none is named yet.
-    pub fn of(mut self, label: &str) -> Self {
-        self.label.get_or_insert_with(|| label.to_string());
-        self
-    }
-
-    /// The fault, at the start of `source` where it has no place yet.
-    pub fn at(mut self, source: &Source) -> Self {
-        self.place.get_or_insert((source.line, source.column));
-        self
-    }
-}
-
-impl fmt::Display for Fault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some((line, column)) = self.place {
-            write!(f, "line {line}, column {column}: ")?;
-        }
-        if let Some(label) = &self.label {
-            write!(f, "({label}) ")?;
-        }
-        f.write_str(&self.message)?;
-        match &self.shown {
-            Some(shown) => write!(f, "\n{shown}"),
-            None => Ok(()),
-        }
-    }
-}
-
-impl std::error::Error for Fault {}
-
-/// `[symbols]` as it stands in the file.
-#[derive(Clone, Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Symbols {
-    pub parameters: Vec<String>,
-    pub generic: Option<Vec<String>>,
-    pub positive: Vec<String>,
-    pub at_most_one: Vec<String>,
-    pub times: Vec<String>,
-    pub states: Vec<String>,
-    pub continuous: Vec<String>,
-    pub functions: Pairs,
-    pub periods: Pairs,
-    pub abbreviations: Pairs,
-    pub relations: Pairs,
-    pub maps: BTreeMap<String, MapEntry>,
-}
-
-/// Left and right sides, as a table or as a list of equations.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(untagged)]
-pub enum Pairs {
-    Table(BTreeMap<String, String>),
-    List(Vec<String>),
-}
-
-impl Default for Pairs {
-    fn default() -> Self {
-        Self::List(Vec::new())
-    }
-}
-
-impl Pairs {
-    /// The pairs; a list entry without `=` has an empty right side.
-    pub(super) fn pairs(&self) -> Result<Vec<(String, String)>, Fault> {
-        let clean = |a: &str, b: &str| (a.trim().to_string(), b.trim().to_string());
-        match self {
-            Self::Table(table) => Ok(table.iter().map(|(a, b)| clean(a, b)).collect()),
-            Self::List(list) => list
-                .iter()
-                .map(|text| match text.split_once('=') {
-                    Some((_, b)) if b.contains('=') => Err(Fault::new(format!("`{text}` has more than one `=`"))),
-                    Some((a, b)) => Ok(clean(a, b)),
-                    None => Ok(clean(text, "")),
-                })
-                .collect(),
-        }
-    }
-}
-
-/// An entry of `[symbols.maps]`.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(untagged)]
-pub enum MapEntry {
-    Product(String),
-    List(Vec<String>),
-    Of { of: Vec<String>, by: Vec<String> },
 }
 
 #[derive(Deserialize)]
@@ -261,11 +96,7 @@ impl Sheet {
             None => vocabulary.clone(),
             Some(symbols) => Vocabulary::read(&with_labels(symbols.get_ref(), &raw.equation)).map_err(|fault| {
                 let here = Source::new(text, &Spanned::new(symbols.span(), String::new()));
-                Fault {
-                    message: format!("[symbols] {}", fault.message),
-                    ..fault
-                }
-                .at(&here)
+                fault.within("[symbols]").at(&here)
             })?,
         };
         let positions = positions(text, &raw.equation)?;

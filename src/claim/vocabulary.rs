@@ -1,6 +1,7 @@
 //! What the names of a sheet stand for: its `[symbols]`.
 
-use super::sheet::{Fault, Symbols};
+use super::fault::Fault;
+use super::symbols::{MapEntry, Symbols};
 use crate::tex::{At, Equation, Name, Names, Tree, read, read_expression};
 
 /// A matrix of partial derivatives.
@@ -197,19 +198,19 @@ impl Vocabulary {
         self.names.matrices = names.clone();
         for (name, entry) in names.into_iter().zip(symbols.maps.values()) {
             let map = match entry {
-                super::sheet::MapEntry::Of { of, by } => Map::Premises {
+                MapEntry::Of { of, by } => Map::Premises {
                     of: of.iter().map(|tex| self.expression(tex)).collect::<Result<_, _>>()?,
                     by: by.iter().map(|tex| self.expression(tex)).collect::<Result<_, _>>()?,
                 },
-                super::sheet::MapEntry::List(list) if list.iter().any(|tex| tex.contains('=')) => {
+                MapEntry::List(list) if list.iter().any(|tex| tex.contains('=')) => {
                     let equations = list
                         .iter()
                         .map(|tex| self.equations(tex))
                         .collect::<Result<Vec<_>, _>>()?;
                     Map::Equations(equations.concat())
                 }
-                super::sheet::MapEntry::List(list) => self.product(&list.join(" "))?,
-                super::sheet::MapEntry::Product(product) => self.product(product)?,
+                MapEntry::List(list) => self.product(&list.join(" "))?,
+                MapEntry::Product(product) => self.product(product)?,
             };
             self.maps.push((name, map));
         }

@@ -1,0 +1,118 @@
+//! What is wrong with a sheet, and where.
+
+use std::fmt;
+use toml::Spanned;
+
+/// A piece of TeX and where in the file it starts.
+#[derive(Clone, Debug, Default)]
+pub struct Source {
+    pub tex: String,
+    line: usize,
+    column: usize,
+    /// Whether a place in the TeX is a place in the file (not where the TOML string has escapes).
+    verbatim: bool,
+}
+
+impl Source {
+    pub(super) fn new(text: &str, value: &Spanned<String>) -> Self {
+        let span = value.span();
+        let raw = text.get(span.clone()).unwrap_or_default();
+        let offset = raw.find(value.get_ref().as_str());
+        let before = text.get(..span.start + offset.unwrap_or(0)).unwrap_or_default();
+        let line_start = before.rfind('\n').map_or(0, |n| n + 1);
+        Self {
+            tex: value.get_ref().clone(),
+            line: before.matches('\n').count() + 1,
+            column: before.get(line_start..).unwrap_or_default().chars().count() + 1,
+            verbatim: offset.is_some(),
+        }
+    }
+
+    /// A fault at byte `at` of the TeX.
+    pub fn fault(&self, at: usize, message: impl Into<String>) -> Fault {
+        let at = (0..=at.min(self.tex.len()))
+            .rev()
+            .find(|&n| self.tex.is_char_boundary(n))
+            .unwrap_or(0);
+        let (before, after) = self.tex.split_at(at);
+        let line_start = before.rfind('\n').map_or(0, |n| n + 1);
+        let head = before.get(line_start..).unwrap_or_default();
+        let tail = after.split('\n').next().unwrap_or_default();
+        let row = before.matches('\n').count();
+        let column = head.chars().count();
+        let place = if !self.verbatim {
+            (self.line, self.column)
+        } else if row == 0 {
+            (self.line, self.column + column)
+        } else {
+            (self.line + row, column + 1)
+        };
+        let shown = format!("    {head}{tail}\n    {}^", " ".repeat(column)).replace('\t', " ");
+        Fault {
+            message: message.into(),
+            label: None,
+            place: Some(place),
+            shown: Some(shown),
+        }
+    }
+}
+
+/// Why a sheet cannot be used: what, and where.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    pub message: String,
+    /// The equation at fault.
+    pub label: Option<String>,
+    /// Line and column in the file, from 1.
+    pub place: Option<(usize, usize)>,
+    /// The line of TeX with a caret beneath.
+    shown: Option<String>,
+}
+
+impl Fault {
+    /// A fault without a place.
+    pub fn new(message: impl Into<String>) -> Self {
+        Self {
+            message: message.into(),
+            label: None,
+            place: None,
+            shown: None,
+        }
+    }
+
+    /// The fault, said of the equation `label` where none is named yet.
+    pub fn of(mut self, label: &str) -> Self {
+        self.label.get_or_insert_with(|| label.to_string());
+        self
+    }
+
+    /// The fault with a word in front of its message.
+    pub(super) fn within(mut self, part: &str) -> Self {
+        self.message = format!("{part} {}", self.message);
+        self
+    }
+
+    /// The fault, at the start of `source` where it has no place yet.
+    pub fn at(mut self, source: &Source) -> Self {
+        self.place.get_or_insert((source.line, source.column));
+        self
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some((line, column)) = self.place {
+            write!(f, "line {line}, column {column}: ")?;
+        }
+        if let Some(label) = &self.label {
+            write!(f, "({label}) ")?;
+        }
+        f.write_str(&self.message)?;
+        match &self.shown {
+            Some(shown) => write!(f, "\n{shown}"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl std::error::Error for Fault {}

@@ -1,0 +1,64 @@
+//! `[symbols]` as it stands in a sheet.
+
+use super::fault::Fault;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// `[symbols]` as it stands in the file.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Symbols {
+    pub parameters: Vec<String>,
+    pub generic: Option<Vec<String>>,
+    pub positive: Vec<String>,
+    pub at_most_one: Vec<String>,
+    pub times: Vec<String>,
+    pub states: Vec<String>,
+    pub continuous: Vec<String>,
+    pub functions: Pairs,
+    pub periods: Pairs,
+    pub abbreviations: Pairs,
+    pub relations: Pairs,
+    pub maps: BTreeMap<String, MapEntry>,
+}
+
+/// Left and right sides, as a table or as a list of equations.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+pub enum Pairs {
+    Table(BTreeMap<String, String>),
+    List(Vec<String>),
+}
+
+impl Default for Pairs {
+    fn default() -> Self {
+        Self::List(Vec::new())
+    }
+}
+
+impl Pairs {
+    /// The pairs; a list entry without `=` has an empty right side.
+    pub(super) fn pairs(&self) -> Result<Vec<(String, String)>, Fault> {
+        let clean = |a: &str, b: &str| (a.trim().to_string(), b.trim().to_string());
+        match self {
+            Self::Table(table) => Ok(table.iter().map(|(a, b)| clean(a, b)).collect()),
+            Self::List(list) => list
+                .iter()
+                .map(|text| match text.split_once('=') {
+                    Some((_, b)) if b.contains('=') => Err(Fault::new(format!("`{text}` has more than one `=`"))),
+                    Some((a, b)) => Ok(clean(a, b)),
+                    None => Ok(clean(text, "")),
+                })
+                .collect(),
+        }
+    }
+}
+
+/// An entry of `[symbols.maps]`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+pub enum MapEntry {
+    Product(String),
+    List(Vec<String>),
+    Of { of: Vec<String>, by: Vec<String> },
+}
