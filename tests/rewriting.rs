@@ -33,7 +33,8 @@ fn assert_decided(bench: &Bench, text: &str, right: bool) {
 fn premises(bench: &Bench, label: &str) -> Vec<(String, String)> {
     let entry = &bench.paper.entries[bench.paper.find(label).unwrap()];
     let from = entry.follows_from.iter().map(|&n| &bench.paper.entries[n]);
-    from.map(|premise| (premise.label.clone(), premise.tex.tex.clone())).collect()
+    from.map(|premise| (premise.label.clone(), premise.tex.tex.clone()))
+        .collect()
 }
 
 /// The premises written in another way, one equation each, under other names and in another order.
@@ -42,8 +43,15 @@ fn rewritten(bench: &Bench, given: &[(String, String)], dice: &mut Dice) -> Vec<
     for (_, tex) in given {
         for equation in bench.read(tex) {
             let says_function = equation.to_string().contains("(t)");
-            let equation = if says_function { equation } else { rewrite::equation(&equation, false, dice) };
-            found.push((format!("premise {}", found.len()), rewrite::spelling(&equation.to_string(), dice)));
+            let equation = if says_function {
+                equation
+            } else {
+                rewrite::equation(&equation, false, dice)
+            };
+            found.push((
+                format!("premise {}", found.len()),
+                rewrite::spelling(&equation.to_string(), dice),
+            ));
         }
     }
     dice.shuffle(&mut found);
@@ -104,8 +112,12 @@ fn with_fewer_premises() {
         let equations = bench.read(&claim.tex);
         let locals: Vec<Equation> = claim.local.iter().flat_map(|tex| bench.read(tex)).collect();
         for left_out in 0..(1usize << all.len()) - 1 {
-            let kept: Vec<(String, String)> =
-                all.iter().enumerate().filter(|(n, _)| left_out >> n & 1 == 1).map(|(_, p)| p.clone()).collect();
+            let kept: Vec<(String, String)> = all
+                .iter()
+                .enumerate()
+                .filter(|(n, _)| left_out >> n & 1 == 1)
+                .map(|(_, p)| p.clone())
+                .collect();
             if kept.is_empty() {
                 continue;
             }
@@ -122,15 +134,31 @@ fn with_fewer_premises() {
 #[test]
 fn with_more_premises() {
     let bench = Bench::new();
-    for claim in claims(&bench).into_iter().filter(|claim| claim.premises.contains(&"13")) {
+    for claim in claims(&bench)
+        .into_iter()
+        .filter(|claim| claim.premises.contains(&"13"))
+    {
         for extra in ["r_B = r_T", "T = 2"] {
             let mut given = premises(&bench, claim.label);
             given.insert(0, ("extra".into(), extra.into()));
             assert_decided(&bench, &sheet(&given, &claim.tex, &claim.local, &[]), true);
-            let text = sheet(&given, &claim.tex.replace("r_B", "r_X").replace("r_T", "r_B").replace("r_X", "r_T"), &claim.local, &[]);
+            let text = sheet(
+                &given,
+                &claim
+                    .tex
+                    .replace("r_B", "r_X")
+                    .replace("r_T", "r_B")
+                    .replace("r_X", "r_T"),
+                &claim.local,
+                &[],
+            );
             let mut names = claim.premises.to_vec();
             names.push(extra);
-            let swapped = claim.tex.replace("r_B", "r_X").replace("r_T", "r_B").replace("r_X", "r_T");
+            let swapped = claim
+                .tex
+                .replace("r_B", "r_X")
+                .replace("r_T", "r_B")
+                .replace("r_X", "r_T");
             let locals: Vec<Equation> = claim.local.iter().flat_map(|tex| bench.read(tex)).collect();
             assert_decided(&bench, &text, judge::follows(&names, &bench.read(&swapped), &locals));
         }
@@ -148,8 +176,11 @@ fn with_other_premises() {
     let bench = Bench::new();
     let fourteen = &bench.printed("14").0;
     let other = |given: &[&str], tex: &str, right: bool| {
-        let given: Vec<(String, String)> =
-            given.iter().enumerate().map(|(n, tex)| (format!("p{n}"), tex.to_string())).collect();
+        let given: Vec<(String, String)> = given
+            .iter()
+            .enumerate()
+            .map(|(n, tex)| (format!("p{n}"), tex.to_string()))
+            .collect();
         assert_decided(&bench, &sheet(&given, tex, &[], &[]), right);
     };
     let turned = |tex: &str, from: &str, to: &str| {
@@ -165,16 +196,14 @@ fn with_other_premises() {
         (turned(NINE, "-r_B", "-r_B^2"), fourteen.replace("1 - r_B", "1 - r_B^2")),
         (
             turned(NINE, "T_1", "T_2"),
-            r"\dot{Z}_k = \frac{1}{1 - r_B r_T} [\overline{g} T_2 (1 - r_T) - (1 + r_T)(F_1(t_{k+1}) - F_1(t_k))]".into(),
+            r"\dot{Z}_k = \frac{1}{1 - r_B r_T} [\overline{g} T_2 (1 - r_T) - (1 + r_T)(F_1(t_{k+1}) - F_1(t_k))]"
+                .into(),
         ),
         (
             turned(NINE, r"\overline{g}T_1", r"\overline{g}T_1 + d"),
             fourteen.replace(gains, r"(\overline{g}T_1 + F_1(t_{k+1}) - F_1(t_k)) - r_T d"),
         ),
-        (
-            turned(NINE, "- F_1(t_k)", "- F_1(t_{k+2})"),
-            fourteen.clone(),
-        ),
+        (turned(NINE, "- F_1(t_k)", "- F_1(t_{k+2})"), fourteen.clone()),
     ] {
         other(&[&nine, ELEVEN, THIRTEEN], &right, true);
         if right != *fourteen {
@@ -209,7 +238,11 @@ fn with_other_premises() {
     other(&[NINE, &ten], &slope.replace("r_B", "r_T"), true);
     other(&[NINE, &ten], slope, false);
     let ten = turned(TEN, r"\frac{\overline{g}}{2}", r"\overline{g}");
-    other(&[NINE, &ten], &slope.replace(r"- \overline{g}", r"- 2 \overline{g}"), true);
+    other(
+        &[NINE, &ten],
+        &slope.replace(r"- \overline{g}", r"- 2 \overline{g}"),
+        true,
+    );
     other(&[NINE, &ten], slope, false);
     let ten = turned(TEN, r"F_1(t_k) T_1", r"F_1(t_{k+1}) T_1");
     let here = r"\frac{\partial t_{k+1}}{\partial \dot{Z}_k} = \frac{-r_B T_1}{r_B \dot{Z}_k - \overline{g} T_1 + f(t_{k+1}) T_1}";

@@ -13,7 +13,9 @@ type Value = Rational;
 /// Random draws, the same for the same seed and name.
 fn draw(seed: u64, name: &str) -> u64 {
     let start = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0xcbf2_9ce4_8422_2325;
-    let mixed = name.bytes().fold(start, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
+    let mixed = name.bytes().fold(start, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
     let mixed = (mixed ^ (mixed >> 31)).wrapping_mul(0x94d0_49bb_1331_11eb);
     mixed ^ (mixed >> 29)
 }
@@ -29,7 +31,11 @@ fn random(seed: u64, name: &str) -> Value {
 
 fn positive(seed: u64, name: &str) -> Value {
     let value = random(seed, name);
-    if value < Rational::from_integer(0) { -value } else { value }
+    if value < Rational::from_integer(0) {
+        -value
+    } else {
+        value
+    }
 }
 
 /// In (0, 1).
@@ -79,7 +85,11 @@ impl Point {
         if has("r_B = r_T") {
             r_t = r_b.clone();
         }
-        let g = if has("g = 0") { Rational::from_integer(0) } else { random(seed, "g") };
+        let g = if has("g = 0") {
+            Rational::from_integer(0)
+        } else {
+            random(seed, "g")
+        };
         let (mut t_1, mut t_2) = (positive(seed, "T_1"), positive(seed, "T_2"));
         let mut whole = positive(seed, "T");
         if has("13") {
@@ -93,7 +103,11 @@ impl Point {
             whole = Rational::from_integer(2);
         }
         let start = random(seed, "t_k");
-        let times = [start.clone(), start.clone() + t_1.clone(), start + t_1.clone() + t_2.clone()];
+        let times = [
+            start.clone(),
+            start.clone() + t_1.clone(),
+            start + t_1.clone() + t_2.clone(),
+        ];
         let mut d = positive(seed, "d");
         let mut z = [0, 1, 2].map(|n| random(seed, VELOCITIES[n]));
         let draw_at = |name: &str, n: usize| random(seed, &format!("{name} at {n}"));
@@ -173,7 +187,9 @@ impl Point {
             point.symbols.insert(TIMES[n].to_string(), times[n].clone());
             point.symbols.insert(VELOCITIES[n].to_string(), z[n].clone());
             for (name, table) in [("f", &f), ("F_1", &f1), ("F_2", &f2)] {
-                point.values.insert((name.to_string(), times[n].clone()), table[n].clone());
+                point
+                    .values
+                    .insert((name.to_string(), times[n].clone()), table[n].clone());
             }
         }
         if has("13") {
@@ -225,8 +241,7 @@ impl Point {
             let (time, r) = (flight[n], r[n]);
             let push = |f: &Value| f.clone() + g.clone();
             // The slopes of the right side of (10) by the later time, the earlier time and the velocity.
-            let later =
-                g.clone() * time.clone() + f1[n + 1].clone() - f1[n].clone() - r.clone() * z[n].clone();
+            let later = g.clone() * time.clone() + f1[n + 1].clone() - f1[n].clone() - r.clone() * z[n].clone();
             let earlier = r.clone() * z[n].clone() - push(&f[n]) * time.clone();
             let by_velocity = -r.clone() * time.clone();
             let mut of_time = [
@@ -257,9 +272,11 @@ impl Point {
         // Over both flights: DP = DP_2 DP_1.
         for of in [TIMES[2], VELOCITIES[2]] {
             for by in [TIMES[0], VELOCITIES[0]] {
-                let sum = [TIMES[1], VELOCITIES[1]].iter().fold(Rational::from_integer(0), |sum, between| {
-                    sum + self.slope(of, between) * self.slope(between, by)
-                });
+                let sum = [TIMES[1], VELOCITIES[1]]
+                    .iter()
+                    .fold(Rational::from_integer(0), |sum, between| {
+                        sum + self.slope(of, between) * self.slope(between, by)
+                    });
                 self.partials.insert((of.to_string(), by.to_string()), sum);
             }
         }
@@ -294,12 +311,18 @@ impl Point {
     fn holds(&mut self, equation: &Equation) -> Option<bool> {
         let undefined = |error: &EvaluationError<Unsupported>| match error {
             EvaluationError::DivisionByZero { .. } => true,
-            EvaluationError::Scope { error: Unsupported::Root, .. } => false,
+            EvaluationError::Scope {
+                error: Unsupported::Root,
+                ..
+            } => false,
             other => panic!("the judge cannot read {equation}: {other}"),
         };
         let pair = matches!(&equation.left, Tree::Symbol(name, _) if name.subscript == "1,2");
         if let (true, Some([a, b])) = (pair, self.eigenvalues.clone()) {
-            let sides = (self.side(&equation.right, Some(true)), self.side(&equation.right, Some(false)));
+            let sides = (
+                self.side(&equation.right, Some(true)),
+                self.side(&equation.right, Some(false)),
+            );
             return match sides {
                 (Ok(x), Ok(y)) => Some((x == a && y == b) || (x == b && y == a)),
                 (Err(error), _) | (_, Err(error)) if undefined(&error) => None,
@@ -326,14 +349,29 @@ impl Scope<Value> for Point {
                 _ => Unsupported::Number(Rational::from_integer(0)),
             });
         }
-        let mut plain = Name { mark: String::new(), ..name.clone() }.to_string();
+        let mut plain = Name {
+            mark: String::new(),
+            ..name.clone()
+        }
+        .to_string();
         if name.mark == "+" && !name.accents.is_empty() {
             plain.push('+');
         }
         if plain == r"\lambda" {
-            return self.eigenvalues.clone().map(|[a, _]| a).ok_or(Unsupported::Symbol(name.clone()));
+            return self
+                .eigenvalues
+                .clone()
+                .map(|[a, _]| a)
+                .ok_or(Unsupported::Symbol(name.clone()));
         }
-        let known = ["Z_k", "Z_{k+1}", "Z_{k+2}", r"\dot{Z}_k+", r"\dot{Z}_{k+1}+", r"\dot{Z}_{k+2}+"];
+        let known = [
+            "Z_k",
+            "Z_{k+1}",
+            "Z_{k+2}",
+            r"\dot{Z}_k+",
+            r"\dot{Z}_{k+1}+",
+            r"\dot{Z}_{k+2}+",
+        ];
         match self.symbols.get(&plain) {
             Some(value) => Ok(value.clone()),
             None if known.contains(&plain.as_str()) => Ok(random(self.seed, &plain)),
@@ -342,13 +380,20 @@ impl Scope<Value> for Point {
     }
 
     fn call(&mut self, function: &Name, argument: &Tree) -> Result<Value, Unsupported> {
-        let plain = Name { mark: String::new(), ..function.clone() }.to_string();
+        let plain = Name {
+            mark: String::new(),
+            ..function.clone()
+        }
+        .to_string();
         if plain == r"\dot{Z}" || plain == "Z" {
             let Tree::Symbol(time, _) = argument else {
                 return Err(Unsupported::Call(function.clone()));
             };
             if !time.subscript.is_empty() {
-                return self.symbol(&Name { subscript: time.subscript.clone(), ..function.clone() });
+                return self.symbol(&Name {
+                    subscript: time.subscript.clone(),
+                    ..function.clone()
+                });
             }
         }
         let time = evaluate(argument, self).map_err(|_| Unsupported::Call(function.clone()))?;
@@ -357,7 +402,9 @@ impl Scope<Value> for Point {
 
     fn partial(&mut self, of: &Name, by: &Name) -> Result<Value, Unsupported> {
         let found = self.partials.get(&(of.to_string(), by.to_string()));
-        found.cloned().ok_or(Unsupported::Partial(Box::new(of.clone()), Box::new(by.clone())))
+        found
+            .cloned()
+            .ok_or(Unsupported::Partial(Box::new(of.clone()), Box::new(by.clone())))
     }
 
     fn invariant(&mut self, kind: Invariant, of: &Name) -> Result<Value, Unsupported> {
@@ -390,7 +437,9 @@ impl Scope<Value> for Point {
             return Err(Unsupported::Root);
         }
         let (above, below) = (root(above)?, root(radicand.0.denominator().clone())?);
-        Ok(Rational(dashu_ratio::RBig::from(above) / dashu_ratio::RBig::from(below)))
+        Ok(Rational(
+            dashu_ratio::RBig::from(above) / dashu_ratio::RBig::from(below),
+        ))
     }
 
     fn upper_sign(&self) -> Option<bool> {
@@ -412,16 +461,27 @@ impl ExactRoot for dashu_int::UBig {
 /// Whether a claim, all its equations, follows from the premises named: at several points of their solution set it
 /// holds wherever it is defined, and somewhere it is.
 pub fn follows(premises: &[&str], claim: &[Equation], locals: &[Equation]) -> bool {
-    let mut locals: Vec<(Name, Tree)> = locals.iter().map(|equation| (name_of(equation), equation.right.clone())).collect();
+    let mut locals: Vec<(Name, Tree)> = locals
+        .iter()
+        .map(|equation| (name_of(equation), equation.right.clone()))
+        .collect();
     // A symbol that only the claim gives is defined by it.
     let defines = |equation: &&Equation| matches!(&equation.left, Tree::Symbol(name, _) if name.base == r"\Delta");
-    locals.extend(claim.iter().filter(defines).map(|equation| (name_of(equation), equation.right.clone())));
+    locals.extend(
+        claim
+            .iter()
+            .filter(defines)
+            .map(|equation| (name_of(equation), equation.right.clone())),
+    );
     let mut defined = 0;
     for seed in 1..=4 {
         let mut point = Point::new(premises, seed);
         point.locals = locals.clone();
-        let each: Vec<Option<bool>> =
-            claim.iter().filter(|equation| !defines(equation)).map(|equation| point.holds(equation)).collect();
+        let each: Vec<Option<bool>> = claim
+            .iter()
+            .filter(|equation| !defines(equation))
+            .map(|equation| point.holds(equation))
+            .collect();
         if each.contains(&Some(false)) {
             return false;
         }

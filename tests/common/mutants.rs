@@ -9,7 +9,10 @@ fn number(value: i64) -> Tree {
 
 /// The names that may stand in the place of one.
 fn other_names(name: &Name) -> Vec<Name> {
-    let with = |subscript: &str| Name { subscript: subscript.to_string(), ..name.clone() };
+    let with = |subscript: &str| Name {
+        subscript: subscript.to_string(),
+        ..name.clone()
+    };
     let base = name.base.as_str();
     let mut others: Vec<Name> = Vec::new();
     let families: &[&[&str]] = match base {
@@ -22,17 +25,29 @@ fn other_names(name: &Name) -> Vec<Name> {
     };
     for family in families {
         if family.contains(&name.subscript.as_str()) {
-            others.extend(family.iter().filter(|other| **other != name.subscript).map(|other| with(other)));
+            others.extend(
+                family
+                    .iter()
+                    .filter(|other| **other != name.subscript)
+                    .map(|other| with(other)),
+            );
         }
     }
     if name.mark == "-" && !name.accents.is_empty() {
-        others.push(Name { mark: "+".into(), ..name.clone() });
+        others.push(Name {
+            mark: "+".into(),
+            ..name.clone()
+        });
     }
     others
 }
 
 fn other_functions(name: &Name) -> Vec<Name> {
-    let plain = |base: &str, subscript: &str| Name { base: base.into(), subscript: subscript.into(), ..Name::default() };
+    let plain = |base: &str, subscript: &str| Name {
+        base: base.into(),
+        subscript: subscript.into(),
+        ..Name::default()
+    };
     let family = [plain("f", ""), plain("F", "1"), plain("F", "2")];
     if family.contains(name) {
         return family.into_iter().filter(|other| other != name).collect();
@@ -97,23 +112,47 @@ pub fn edits(tree: &Tree) -> Vec<Tree> {
             }
         }
         Tree::Call(name, argument, _) => {
-            found.extend(other_functions(name).into_iter().map(|name| Tree::Call(name, argument.clone(), at)));
             found.extend(
-                edits(argument).into_iter().map(|argument| Tree::Call(name.clone(), boxed(argument), at)),
+                other_functions(name)
+                    .into_iter()
+                    .map(|name| Tree::Call(name, argument.clone(), at)),
+            );
+            found.extend(
+                edits(argument)
+                    .into_iter()
+                    .map(|argument| Tree::Call(name.clone(), boxed(argument), at)),
             );
             if name.mark == "-" {
-                let name = Name { mark: "+".into(), ..name.clone() };
+                let name = Name {
+                    mark: "+".into(),
+                    ..name.clone()
+                };
                 found.push(Tree::Call(name, argument.clone(), at));
             }
             found.push(squared(tree));
         }
         Tree::Partial { of, by, .. } => found.extend(partials(of, by)),
         Tree::Invariant { kind, of, .. } => {
-            let kind = if *kind == Invariant::Trace { Invariant::Determinant } else { Invariant::Trace };
-            found.push(Tree::Invariant { kind, of: of.clone(), at });
+            let kind = if *kind == Invariant::Trace {
+                Invariant::Determinant
+            } else {
+                Invariant::Trace
+            };
+            found.push(Tree::Invariant {
+                kind,
+                of: of.clone(),
+                at,
+            });
             found.extend(["1", "2"].map(|subscript| Tree::Invariant {
-                kind: if kind == Invariant::Trace { Invariant::Determinant } else { Invariant::Trace },
-                of: Name { subscript: subscript.into(), ..of.clone() },
+                kind: if kind == Invariant::Trace {
+                    Invariant::Determinant
+                } else {
+                    Invariant::Trace
+                },
+                of: Name {
+                    subscript: subscript.into(),
+                    ..of.clone()
+                },
                 at,
             }));
         }
@@ -151,15 +190,27 @@ pub fn edits(tree: &Tree) -> Vec<Tree> {
         Tree::Power(base, exponent, _) => {
             found.push(Tree::Power(base.clone(), exponent + 1, at));
             found.push(Tree::Power(base.clone(), exponent - 1, at));
-            found.extend(edits(base).into_iter().map(|base| Tree::Power(boxed(base), *exponent, at)));
+            found.extend(
+                edits(base)
+                    .into_iter()
+                    .map(|base| Tree::Power(boxed(base), *exponent, at)),
+            );
         }
         Tree::Root(body, _) => {
             found.push((**body).clone());
             found.extend(edits(body).into_iter().map(|body| Tree::Root(boxed(body), at)));
         }
         Tree::PlusMinus(body) | Tree::MinusPlus(body) => {
-            let other = if matches!(tree, Tree::PlusMinus(_)) { Tree::MinusPlus } else { Tree::PlusMinus };
-            let same = if matches!(tree, Tree::PlusMinus(_)) { Tree::PlusMinus } else { Tree::MinusPlus };
+            let other = if matches!(tree, Tree::PlusMinus(_)) {
+                Tree::MinusPlus
+            } else {
+                Tree::PlusMinus
+            };
+            let same = if matches!(tree, Tree::PlusMinus(_)) {
+                Tree::PlusMinus
+            } else {
+                Tree::MinusPlus
+            };
             found.extend([(**body).clone(), negated(body), other(body.clone())]);
             found.extend(edits(body).into_iter().map(|body| same(boxed(body))));
         }
@@ -187,7 +238,11 @@ fn of_sum(terms: &[Tree], found: &mut Vec<Tree>) {
 fn of_product(factors: &[Tree], found: &mut Vec<Tree>) {
     for (n, factor) in factors.iter().enumerate() {
         found.push(product(without(factors, n)));
-        found.extend(edits(factor).into_iter().map(|factor| Tree::Product(replaced(factors, n, factor))));
+        found.extend(
+            edits(factor)
+                .into_iter()
+                .map(|factor| Tree::Product(replaced(factors, n, factor))),
+        );
         // A bracket that closes earlier: its last term stands outside, or its first before it.
         if let Tree::Sum(terms) = factor {
             for out in [0, terms.len() - 1] {
@@ -202,28 +257,70 @@ fn of_product(factors: &[Tree], found: &mut Vec<Tree>) {
 /// The derivatives that one edit makes of a derivative, those that the maps of the paper have.
 fn partials(of: &Name, by: &Name) -> Vec<Tree> {
     let swapped = |name: &Name| match name.base.as_str() {
-        "t" => Name { base: "Z".into(), accents: vec![r"\dot".into()], ..name.clone() },
-        _ => Name { base: "t".into(), accents: vec![], ..name.clone() },
+        "t" => Name {
+            base: "Z".into(),
+            accents: vec![r"\dot".into()],
+            ..name.clone()
+        },
+        _ => Name {
+            base: "t".into(),
+            accents: vec![],
+            ..name.clone()
+        },
     };
     let later = |name: &Name| ["k", "k+1", "k+2"].iter().position(|index| *index == name.subscript);
     let mut pairs = vec![(swapped(of), by.clone()), (of.clone(), swapped(by))];
     pairs.extend(other_names(of).into_iter().map(|of| (of, by.clone())));
     pairs.extend(other_names(by).into_iter().map(|by| (of.clone(), by)));
     pairs.retain(|(of, by)| later(of) > later(by));
-    pairs.into_iter().map(|(of, by)| Tree::Partial { of, by, at: At::default() }).collect()
+    pairs
+        .into_iter()
+        .map(|(of, by)| Tree::Partial {
+            of,
+            by,
+            at: At::default(),
+        })
+        .collect()
+}
+
+/// Whether a derivative in the tree is by a quantity that is no earlier.
+#[allow(dead_code)]
+pub fn is_backward(tree: &Tree) -> bool {
+    let later = |name: &Name| ["k", "k+1", "k+2"].iter().position(|index| *index == name.subscript);
+    match tree {
+        Tree::Partial { of, by, .. } => later(of) <= later(by),
+        Tree::Negate(body)
+        | Tree::Power(body, ..)
+        | Tree::Root(body, _)
+        | Tree::PlusMinus(body)
+        | Tree::MinusPlus(body) => is_backward(body),
+        Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(is_backward),
+        Tree::Quotient(above, below, _) => is_backward(above) || is_backward(below),
+        Tree::Number(_) | Tree::Symbol(..) | Tree::Call(..) | Tree::Invariant { .. } => false,
+    }
 }
 
 /// Every equation that one edit makes of this one, and none twice.
 pub fn edited(equation: &Equation, left_too: bool) -> Vec<Equation> {
     let mut found: Vec<Equation> = Vec::new();
-    let mut sides: Vec<(Tree, Tree)> =
-        edits(&equation.right).into_iter().map(|right| (equation.left.clone(), right)).collect();
+    let mut sides: Vec<(Tree, Tree)> = edits(&equation.right)
+        .into_iter()
+        .map(|right| (equation.left.clone(), right))
+        .collect();
     sides.push((equation.left.clone(), negated(&equation.right)));
     if left_too {
-        sides.extend(edits(&equation.left).into_iter().map(|left| (left, equation.right.clone())));
+        sides.extend(
+            edits(&equation.left)
+                .into_iter()
+                .map(|left| (left, equation.right.clone())),
+        );
     }
     for (left, right) in sides {
-        let edited = Equation { left, right, ..equation.clone() };
+        let edited = Equation {
+            left,
+            right,
+            ..equation.clone()
+        };
         if !found.contains(&edited) && edited != *equation {
             found.push(edited);
         }

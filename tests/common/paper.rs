@@ -67,13 +67,20 @@ impl Bench {
             .iter()
             .map(|&(label, premises)| {
                 let (tex, local) = self.printed(label);
-                Claim { label, tex, local, premises }
+                Claim {
+                    label,
+                    tex,
+                    local,
+                    premises,
+                }
             })
             .collect();
         for claim in &mut claims {
             match claim.label {
                 "16" => {
-                    claim.tex = claim.tex.replace(r"F_2(t_k) \right] - F_1(t_k) T_1.", r"F_2(t_k) - F_1(t_k) T_1 \right].");
+                    claim.tex = claim
+                        .tex
+                        .replace(r"F_2(t_k) \right] - F_1(t_k) T_1.", r"F_2(t_k) - F_1(t_k) T_1 \right].");
                 }
                 "22" => {
                     claim.tex = claim.tex.replace("[r_B + r_B T_1(", r"[r_B \epsilon_1 + r_B T_1(");
@@ -109,18 +116,29 @@ impl Bench {
     /// The decision on the last claim of a sheet.
     pub fn decide(&self, text: &str) -> Result<Decision, Fault> {
         let sheet = Sheet::read(text, &self.vocabulary)?;
-        let last = sheet.entries.iter().rposition(|entry| entry.role == Role::Claim).expect("a claim");
+        let last = sheet
+            .entries
+            .iter()
+            .rposition(|entry| entry.role == Role::Claim)
+            .expect("a claim");
         sheet.decide(last)
     }
 }
 
 /// A sheet of premises, label and TeX each, and one claim.
 pub fn sheet(premises: &[(String, String)], tex: &str, local: &[String], with: &[String]) -> String {
-    let quoted = |list: &[String]| list.iter().map(|tex| format!("'''{tex}'''")).collect::<Vec<_>>().join(", ");
+    let quoted = |list: &[String]| {
+        list.iter()
+            .map(|tex| format!("'''{tex}'''"))
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
     let mut text = String::new();
     let mut labels = Vec::new();
     for (label, tex) in premises {
-        text.push_str(&format!("[[equation]]\nlabel = {label:?}\nrole = \"premise\"\ntex = '''{tex}'''\n\n"));
+        text.push_str(&format!(
+            "[[equation]]\nlabel = {label:?}\nrole = \"premise\"\ntex = '''{tex}'''\n\n"
+        ));
         labels.push(format!("{label:?}"));
     }
     text.push_str(&format!(
@@ -134,5 +152,9 @@ pub fn sheet(premises: &[(String, String)], tex: &str, local: &[String], with: &
 
 /// A list of equations as one display.
 pub fn display(equations: &[Equation]) -> String {
-    equations.iter().map(ToString::to_string).collect::<Vec<_>>().join(r", \qquad ")
+    equations
+        .iter()
+        .map(ToString::to_string)
+        .collect::<Vec<_>>()
+        .join(r", \qquad ")
 }

@@ -31,8 +31,20 @@ fn number(value: i64) -> Tree {
 }
 
 fn symbol(base: &str, accent: &str, subscript: &str) -> Tree {
-    let accents = [accent].iter().filter(|a| !a.is_empty()).map(ToString::to_string).collect();
-    Tree::Symbol(Name { base: base.into(), accents, subscript: subscript.into(), ..Name::default() }, at())
+    let accents = [accent]
+        .iter()
+        .filter(|a| !a.is_empty())
+        .map(ToString::to_string)
+        .collect();
+    Tree::Symbol(
+        Name {
+            base: base.into(),
+            accents,
+            subscript: subscript.into(),
+            ..Name::default()
+        },
+        at(),
+    )
 }
 
 /// A quantity that is zero nowhere on the whole.
@@ -69,7 +81,13 @@ fn here(tree: &Tree, periodic: bool, dice: &mut Dice) -> Tree {
         }
         (Tree::Sum(terms), 3) if terms.len() > 2 => {
             let (a, b) = terms.split_at(1 + dice.roll(terms.len() - 1));
-            let group = |part: &[Tree]| if part.len() == 1 { part[0].clone() } else { Tree::Sum(part.to_vec()) };
+            let group = |part: &[Tree]| {
+                if part.len() == 1 {
+                    part[0].clone()
+                } else {
+                    Tree::Sum(part.to_vec())
+                }
+            };
             Tree::Sum(vec![group(a), group(b)])
         }
         (Tree::Sum(terms), 4) => minus(Tree::Sum(terms.iter().map(|term| minus(term.clone())).collect())),
@@ -79,7 +97,9 @@ fn here(tree: &Tree, periodic: bool, dice: &mut Dice) -> Tree {
             Tree::Product(factors)
         }
         (Tree::Product(factors), 2..=5) => {
-            let Some(n) = factors.iter().position(|factor| matches!(factor, Tree::Sum(_))) else { return same() };
+            let Some(n) = factors.iter().position(|factor| matches!(factor, Tree::Sum(_))) else {
+                return same();
+            };
             let Tree::Sum(terms) = &factors[n] else { return same() };
             let each = terms.iter().map(|term| {
                 let mut factors = factors.clone();
@@ -91,7 +111,9 @@ fn here(tree: &Tree, periodic: bool, dice: &mut Dice) -> Tree {
         (Tree::Quotient(above, below, _), 0) => {
             Tree::Product(vec![(**above).clone(), Tree::Power(below.clone(), -1, at())])
         }
-        (Tree::Quotient(above, below, _), 1) => Tree::Product(vec![over(number(1), (**below).clone()), (**above).clone()]),
+        (Tree::Quotient(above, below, _), 1) => {
+            Tree::Product(vec![over(number(1), (**below).clone()), (**above).clone()])
+        }
         (Tree::Quotient(above, below, _), 2) => over(minus((**above).clone()), minus((**below).clone())),
         (Tree::Quotient(above, below, _), 3 | 4) => {
             let Tree::Sum(terms) = &**above else { return same() };
@@ -108,7 +130,9 @@ fn here(tree: &Tree, periodic: bool, dice: &mut Dice) -> Tree {
             _ => same(),
         },
         (Tree::Call(name, argument, _), 0..=3) if name.base != "Z" => {
-            let Tree::Symbol(time, _) = &**argument else { return same() };
+            let Tree::Symbol(time, _) = &**argument else {
+                return same();
+            };
             let (from, step) = match (time.subscript.as_str(), periodic) {
                 ("k+2", true) => return Tree::Call(name.clone(), Box::new(symbol("t", "", "k")), at()),
                 ("k", true) => ("k+2", minus(symbol("T", "", ""))),
@@ -116,7 +140,11 @@ fn here(tree: &Tree, periodic: bool, dice: &mut Dice) -> Tree {
                 ("k+2", _) => ("k+1", symbol("T", "", "2")),
                 _ => return same(),
             };
-            Tree::Call(name.clone(), Box::new(Tree::Sum(vec![symbol("t", "", from), step])), at())
+            Tree::Call(
+                name.clone(),
+                Box::new(Tree::Sum(vec![symbol("t", "", from), step])),
+                at(),
+            )
         }
         (_, 5) => {
             let a = some(dice);
@@ -143,7 +171,11 @@ pub fn rewrite(tree: &Tree, periodic: bool, dice: &mut Dice) -> Tree {
         Tree::Power(base, exponent, at) => Tree::Power(Box::new(inner(base)), *exponent, *at),
         leaf => leaf.clone(),
     };
-    if dice.roll(4) == 0 { here(&rebuilt, periodic, dice) } else { rebuilt }
+    if dice.roll(4) == 0 {
+        here(&rebuilt, periodic, dice)
+    } else {
+        rebuilt
+    }
 }
 
 /// The equation with both sides rewritten, and terms or factors moved across.
@@ -168,7 +200,11 @@ pub fn equation(equation: &Equation, periodic: bool, dice: &mut Dice) -> Equatio
         }
         _ => (left, right),
     };
-    Equation { left, right, ..equation.clone() }
+    Equation {
+        left,
+        right,
+        ..equation.clone()
+    }
 }
 
 /// The same TeX in another spelling.
