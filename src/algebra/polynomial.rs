@@ -18,8 +18,8 @@ pub struct Polynomial {
     too_large: bool,
 }
 
-/// Products of terms that one multiplication may take: half a second.
-const MOST_PRODUCTS: usize = 2_000_000;
+/// Products of terms that one multiplication may take: a tenth of a second.
+const MOST_PRODUCTS: usize = 400_000;
 /// The highest power that is expanded or evaluated, and the bits of a coefficient.
 const HIGHEST_POWER: u32 = 20_000;
 const MOST_BITS: usize = 200_000;

@@ -10,6 +10,7 @@ use super::reading::Local;
 use super::root::of_square;
 use super::sheet::Entry;
 use super::substitute::any;
+use super::surd;
 use crate::algebra::{Fraction, Variable};
 use crate::number::{Field, Rational};
 use crate::tex::{Equation, Tree};
@@ -56,17 +57,20 @@ pub fn search(problem: &mut Problem, equation: &Equation, question: &Question) -
     for residual in &residuals {
         problem.meet_squares(residual.numerator());
     }
-    (0..MOST_POINTS).find_map(|seed| {
+    let tried = if problem.squares.is_empty() {
+        MOST_POINTS
+    } else {
+        MOST_POINTS / 10
+    };
+    let rational = (0..tried).find_map(|seed| {
         let point = point(problem, &residuals, seed)?;
         let (left, right) = sides(question, &point)?;
         (left != right).then(|| show(problem, equation, &point, left, right))
-    })
+    });
+    rational.or_else(|| surd::search(problem, equation, question))
 }
 
-/// Points at which a formula too large to expand is evaluated instead.
-const POINTS_OF_LARGE: u64 = 20;
-
-/// Searches for a counterexample by evaluating both sides at points, without expanding them.
+/// Searches the first `points` points for a counterexample by evaluating both sides at points, without expanding them.
 ///
 /// # Errors
 /// A [`Fault`] where the equation speaks of something unknown.
@@ -74,8 +78,11 @@ pub fn search_by_points(
     problem: &mut Problem,
     entry: &Entry,
     equation: &Equation,
+    points: u64,
 ) -> Result<Option<Counterexample>, Fault> {
-    for seed in 0..POINTS_OF_LARGE {
+    meet(problem, equation);
+    let times = problem.times.clone();
+    for seed in 0..points {
         let Some(point) = point(problem, &[], seed) else {
             continue;
         };
@@ -88,7 +95,7 @@ pub fn search_by_points(
             values,
             periods: problem.meaning.periods.clone(),
         };
-        let Some(question) = ask_with(problem, &meaning, entry, equation)? else {
+        let Some(question) = ask_with(problem, &meaning, Some(&times), entry, equation)? else {
             continue;
         };
         if let Some((left, right)) = sides(&question, &point)
@@ -142,7 +149,13 @@ fn sides(question: &Question, point: &Point) -> Option<(String, String)> {
     }
 }
 
-fn show(problem: &mut Problem, equation: &Equation, point: &Point, left: String, right: String) -> Counterexample {
+pub(super) fn show(
+    problem: &mut Problem,
+    equation: &Equation,
+    point: &Point,
+    left: String,
+    right: String,
+) -> Counterexample {
     let mut shown: Vec<(String, Rational)> = Vec::new();
     for variable in spoken(problem, equation) {
         let value = problem
@@ -161,6 +174,27 @@ fn show(problem: &mut Problem, equation: &Equation, point: &Point, left: String,
         left,
         right,
         terms,
+    }
+}
+
+/// Makes the quantities of an equation known, without evaluating it.
+fn meet(problem: &mut Problem, equation: &Equation) {
+    let locals: Vec<Tree> = problem
+        .statements
+        .locals
+        .iter()
+        .map(|local| local.tree.clone())
+        .collect();
+    for tree in [&equation.left, &equation.right].into_iter().chain(&locals) {
+        any(tree, &mut |node| {
+            if matches!(node, Tree::Symbol(..) | Tree::Call(..) | Tree::Partial { .. }) {
+                let mut reading = problem.reading();
+                reading.upper = Some(true);
+                // What has no meaning is said when the equation is evaluated.
+                let _ = reading.tree(node);
+            }
+            false
+        });
     }
 }
 
@@ -247,6 +281,7 @@ fn spoken(problem: &mut Problem, equation: &Equation) -> Vec<Variable> {
         Some(Atom::Time { .. }) => !abbreviated,
         Some(Atom::Root { .. }) | None => false,
         // An angle is said by its cosine and sine, unless it is so many quarter turns.
+        Some(Atom::Symbol(_)) if problem.pair() == Some(*v) => false,
         Some(Atom::Symbol(_)) => !is_circle(problem, *v) && !is_angle(problem, *v),
         _ => true,
     };

@@ -77,7 +77,7 @@ fn premises(text: &mut String, problem: &Problem) {
 
 fn proof(text: &mut String, problem: &mut Problem, entry: &Entry, equation: &Equation) -> Result<(), Fault> {
     let times = problem.times.clone();
-    let Some(question) = ask_with(problem, &times, entry, equation)? else {
+    let Some(question) = ask_with(problem, &times, None, entry, equation)? else {
         return Ok(());
     };
     for residual in question.residuals() {

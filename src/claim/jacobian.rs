@@ -65,13 +65,17 @@ impl Jacobians {
         })
     }
 
-    /// The derivative of one quantity by another, by the chain rule where impacts lie between.
+    /// The derivative of one quantity by another: 1 and 0 among those a map starts from, by the chain rule where impacts lie between.
     pub fn entry(&self, of: Variable, by: Variable, atoms: &mut Atoms) -> Option<Fraction> {
         self.chain(of, by, atoms, self.maps.len())
     }
 
     fn chain(&self, of: Variable, by: Variable, atoms: &mut Atoms, left: usize) -> Option<Fraction> {
         let here = |step: &Step| step.by.contains(&by);
+        // What a map starts from is independent of one another.
+        if self.steps().any(|(_, step)| here(step) && step.by.contains(&of)) {
+            return Some(Fraction::from_integer(i64::from(of == by)));
+        }
         if self.steps().any(|(_, step)| here(step) && step.of.contains(&of)) {
             return Some(Fraction::variable(atoms.variable(Atom::Partial { of, by })));
         }

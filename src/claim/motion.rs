@@ -21,8 +21,14 @@ pub fn consequences(law: &Fraction, start: i32, reading: &mut Reading) -> Result
         integrand = integral.clone() - at_impact(&integral, start, true, reading)?;
         laws.push(integrand.clone());
     }
-    if laws.len() == 1 || mentions_lowest_state(law, reading) {
-        laws.push(slope(law, reading)?);
+    let mut derivative = law.clone();
+    // A law of a state in flight gives those of its derivatives.
+    for _ in 0..4 {
+        if laws.len() > 1 && !mentions_state(&derivative, reading) {
+            break;
+        }
+        derivative = slope(&derivative, reading)?;
+        laws.push(derivative.clone());
     }
     Ok(laws)
 }
@@ -219,13 +225,11 @@ fn raised(value: Variable, running: Variable, reading: &mut Reading) -> Option<F
     })))
 }
 
-/// Whether the law gives a state whose derivative is a state too, so that differentiating it says something new.
-fn mentions_lowest_state(law: &Fraction, reading: &Reading) -> bool {
+/// Whether the law speaks of a state in flight.
+fn mentions_state(law: &Fraction, reading: &Reading) -> bool {
     let states = &reading.vocabulary.states;
-    let derived = |name: &Name| states.contains(name) && states.contains(&name.dotted());
-    law.variables()
-        .iter()
-        .any(|&v| matches!(reading.atoms.atom(v), Some(Atom::Value { function, .. }) if derived(function)))
+    let is_state = |v: &Variable| matches!(reading.atoms.atom(*v), Some(Atom::Value { function, .. }) if states.contains(function));
+    law.variables().iter().any(is_state)
 }
 
 /// The shift of time under which a law says that a function repeats: `f(t) = f(t + T)`.

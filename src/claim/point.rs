@@ -25,6 +25,24 @@ impl Point {
 
 /// A point of the solution set, the same for the same seed; `None` where this seed leads to none.
 pub fn point(problem: &Problem, about: &[Fraction], seed: u64) -> Option<Point> {
+    let (point, complete) = partial_point(problem, seed);
+    let defined = |f: &Fraction| {
+        f.factors()
+            .iter()
+            .all(|(factor, _)| point.polynomial(factor).is_some_and(|v| !v.is_zero()))
+    };
+    // However the point was made, the premises are what it has to satisfy.
+    let satisfied = || {
+        problem
+            .givens
+            .iter()
+            .all(|g| point.polynomial(&g.residual).is_none_or(|v| v.is_zero()))
+    };
+    (complete && about.iter().all(defined) && satisfied()).then_some(point)
+}
+
+/// As much of a point as is rational, and whether that is all of it.
+pub fn partial_point(problem: &Problem, seed: u64) -> (Point, bool) {
     let mut solved: BTreeSet<Variable> = problem.meaning.values.keys().copied().collect();
     solved.extend(problem.late.iter().map(|step| step.variable));
     let rooted: BTreeMap<Variable, &Fraction> = problem.squares.iter().map(|(v, square)| (*v, square)).collect();
@@ -48,6 +66,7 @@ pub fn point(problem: &Problem, about: &[Fraction], seed: u64) -> Option<Point> 
     open.extend(problem.roots.iter().map(|(v, value)| (*v, value, false)));
     open.extend(rooted.iter().map(|(&v, &square)| (v, square, true)));
     // Each value rests on others; what can be computed is, until nothing is left.
+    let mut complete = true;
     while !open.is_empty() {
         let before = open.len();
         let mut failed = false;
@@ -69,16 +88,12 @@ pub fn point(problem: &Problem, about: &[Fraction], seed: u64) -> Option<Point> 
             }
             false
         });
-        if failed || open.len() == before {
-            return None;
+        complete &= !failed;
+        if open.len() == before {
+            return (point, false);
         }
     }
-    let defined = |f: &Fraction| {
-        f.factors()
-            .iter()
-            .all(|(factor, _)| point.polynomial(factor).is_some_and(|v| !v.is_zero()))
-    };
-    about.iter().all(defined).then_some(point)
+    (point, complete)
 }
 
 /// Gives cosines and sines rational values that belong together: quarter turns where the angle is `\pi` times a

@@ -108,19 +108,42 @@ impl Statements {
         };
         self.has_partials = any(|node| matches!(node, Tree::Partial { .. }));
         self.speaks_of_maps = self.has_partials || any(|node| matches!(node, Tree::Invariant { .. }));
-        // A law of flight is said of every impact: it is taken at the one the claim starts from.
-        let first = self.first;
-        for statement in &mut self.premises {
-            let start = vocabulary.impacts(&statement.equation).first().copied();
-            if let (Some(start), Some(first)) = (start, first)
-                && first > start
-                && runs(&statement.equation, vocabulary)
-            {
-                statement.equation = vocabulary.shifted(&statement.equation, first - start);
+        let last = of_claim().flat_map(|equation| vocabulary.impacts(equation)).max();
+        let flights = self
+            .first
+            .zip(last)
+            .filter(|_| !self.claim_runs)
+            .map_or(1, |(first, last)| (last - first).max(1));
+        self.premises = self
+            .premises
+            .iter()
+            .flat_map(|s| s.said_of(self.first, flights, vocabulary))
+            .collect();
+        self
+    }
+}
+
+impl Statement {
+    /// A law of flight is said of every impact: it is taken at the `flights` that the claim speaks of, from the
+    /// impact `first` on. Any other statement is said once.
+    fn said_of(&self, first: Option<i32>, flights: i32, vocabulary: &Vocabulary) -> Vec<Self> {
+        let start = vocabulary.impacts(&self.equation).first().copied();
+        let said = |by: i32| {
+            let mut statement = self.clone();
+            statement.equation = vocabulary.shifted(&self.equation, by);
+            for local in &mut statement.locals {
+                local.tree = vocabulary.shifted(&local.as_equation(), by).left;
             }
             statement.first = vocabulary.impacts(&statement.equation).first().copied();
+            statement
+        };
+        match (start, first) {
+            (Some(start), Some(first)) if first >= start && runs(&self.equation, vocabulary) => {
+                // A flight is more than any claim spans; the bound is for claims that name impacts far apart.
+                (0..flights.min(4)).map(|flight| said(first - start + flight)).collect()
+            }
+            _ => vec![said(0)],
         }
-        self
     }
 }
 

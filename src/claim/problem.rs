@@ -141,6 +141,7 @@ impl<'a> Problem<'a> {
     /// Keeps an equation, or a law that holds at all times.
     fn sort_in(&mut self, index: usize, residual: Fraction, laws: &mut Vec<(usize, Fraction)>) -> Result<(), Fault> {
         if !self.runs(&residual) {
+            let residual = self.without_flights(residual);
             self.raw.push((index, residual));
             return Ok(());
         }
@@ -151,6 +152,29 @@ impl<'a> Problem<'a> {
             None => laws.push((index, residual)),
         }
         Ok(())
+    }
+
+    /// The residual without factors that are mere abbreviations, such as the time of a flight: these are not zero,
+    /// and would make the premise speak of impacts that it says nothing of.
+    fn without_flights(&mut self, residual: Fraction) -> Fraction {
+        let blank = Meaning::default();
+        let mut above = residual.numerator().clone();
+        for (_, tree) in &self.vocabulary.abbreviations {
+            let mut reading = Reading::new(self.vocabulary, &self.jacobians, &mut self.atoms, &blank, &[]);
+            let Ok(value) = reading.tree(tree) else { continue };
+            while !above.is_zero()
+                && value.numerator().as_constant().is_none()
+                && above.variables().len() > value.variables().len()
+                && let Some(quotient) = above.exact_quotient(value.numerator())
+            {
+                above = quotient;
+            }
+        }
+        if above == *residual.numerator() {
+            residual
+        } else {
+            Fraction::from(above)
+        }
     }
 
     /// Whether the running time stands in a function.

@@ -64,17 +64,24 @@ impl Question {
     }
 }
 
+/// Points at which a formula too large to expand is evaluated instead.
+const POINTS_OF_LARGE: u64 = 20;
+
 /// Decides one equation of a claim.
 ///
 /// # Errors
 /// A [`Fault`] where the equation speaks of something unknown.
 pub fn decide(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Result<Outcome, Fault> {
+    // Two points tell most wrong formulas, and cost less than the normal form.
+    if let Some(counterexample) = counterexample::search_by_points(problem, entry, equation, 2)? {
+        return Ok(Outcome::Fails(counterexample));
+    }
     let Some(question) = ask(problem, entry, equation)? else {
         return Ok(Outcome::Nowhere);
     };
     let residuals = question.residuals();
     if residuals.iter().any(|residual| residual.numerator().is_too_large()) {
-        let found = counterexample::search_by_points(problem, entry, equation)?;
+        let found = counterexample::search_by_points(problem, entry, equation, POINTS_OF_LARGE)?;
         return Ok(found.map_or(Outcome::TooLarge, Outcome::Fails));
     }
     if residuals.iter().any(|residual| below_vanishes(problem, residual)) {
@@ -89,13 +96,14 @@ pub fn decide(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Resu
 /// Evaluates both sides with all that is known; `None` where a denominator vanishes.
 pub fn ask(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Result<Option<Question>, Fault> {
     let meaning = problem.meaning.clone();
-    ask_with(problem, &meaning, entry, equation)
+    ask_with(problem, &meaning, None, entry, equation)
 }
 
 /// Evaluates both sides with as much known as `meaning` says.
 pub fn ask_with(
     problem: &mut Problem,
     meaning: &Meaning,
+    times: Option<&Meaning>,
     entry: &Entry,
     equation: &Equation,
 ) -> Result<Option<Question>, Fault> {
@@ -103,6 +111,7 @@ pub fn ask_with(
     let test = |f: &Fraction| known.vanishes(f.numerator());
     let read = |problem: &mut Problem, tree: &Tree, upper: Option<bool>| {
         let mut reading: Reading = problem.reading_with(meaning);
+        reading.times = times;
         reading.upper = upper;
         reading.vanishes = Some(&test);
         reading.first = None;
@@ -163,6 +172,9 @@ pub fn vanishes(problem: &mut Problem, polynomial: &Polynomial) -> bool {
     problem.knowledge().vanishes(polynomial)
 }
 
+/// Independent roots in one claim: each doubles the parts that a proof has to look at.
+const MOST_ROOTS: usize = 7;
+
 /// What is known beyond the meaning of names: later values, and squares of roots.
 #[derive(Clone, Debug, Default)]
 pub struct Knowledge {
@@ -186,6 +198,9 @@ impl Knowledge {
                 f.substituted(*variable, value)
             });
         let Ok(start) = start else { return false };
+        if self.squares.len() > MOST_ROOTS {
+            return false;
+        }
         let mut parts = vec![self.settled(&start)];
         for (root, square) in self.squares.iter().rev() {
             let square = self.settled_whole(square);
@@ -252,6 +267,7 @@ impl Problem<'_> {
                 continue;
             };
             open.extend(square.variables());
+            let square = self.knowledge().settled_whole(&square);
             match self.root_of(&square) {
                 Some(root) => self.roots.push((variable, root)),
                 None => self.squares.push((variable, square)),
@@ -282,9 +298,22 @@ impl Problem<'_> {
         if let Some(root) = either_root(square) {
             return signed(root);
         }
-        self.squares.iter().find_map(|(other, known)| {
-            let factor = either_root(&(square.clone() / known.clone()))?;
-            Some(signed(factor)? * Fraction::variable(*other))
+        if self.squares.len() > MOST_ROOTS {
+            return None;
+        }
+        // Times the squares of some roots met before it may be a square itself, as that of \sqrt{4 x} is beside \sqrt{x}.
+        (1..1_usize << self.squares.len()).find_map(|chosen| {
+            let chosen = self
+                .squares
+                .iter()
+                .enumerate()
+                .filter(|(bit, _)| chosen >> bit & 1 == 1);
+            let (mut product, mut roots) = (square.clone(), Fraction::one());
+            for (_, (other, known)) in chosen {
+                product *= known.clone();
+                roots *= Fraction::variable(*other);
+            }
+            Some(signed(either_root(&product)?)? / roots)
         })
     }
 

@@ -54,6 +54,8 @@ pub struct Reading<'a> {
     /// The first impact the equation speaks of: there a state without a mark, as the value of a motion, is the one
     /// just after the impact; at any other it is the one the flight arrives with.
     pub first: Option<i32>,
+    /// What is known of times where quantities have values as numbers: functions are told apart by their times.
+    pub times: Option<&'a Meaning>,
     /// The sign that `\pm` stands for.
     pub upper: Option<bool>,
     /// A test for zero that knows more than the form of a function.
@@ -81,6 +83,7 @@ impl<'a> Reading<'a> {
             meaning,
             locals,
             first: None,
+            times: None,
             upper: None,
             vanishes: None,
             running: None,
@@ -201,11 +204,12 @@ impl<'a> Reading<'a> {
         {
             return Err(Meaningless::NotAFunction(function.to_string()));
         }
-        let angle = self.nested(argument)?;
+        let angle = self.time(argument)?;
         let (cosine, sine) = match function.base.as_str() {
             r"\cos" | r"\sin" | r"\tan" => angle::cosine_and_sine(&angle, self.atoms)?,
             _ => return Err(Meaningless::Transcendental(function.to_string())),
         };
+        let (cosine, sine) = (self.meaning.apply(&cosine)?, self.meaning.apply(&sine)?);
         match function.base.as_str() {
             r"\cos" => Ok(cosine),
             r"\sin" => Ok(sine),
@@ -237,6 +241,19 @@ impl<'a> Reading<'a> {
         result
     }
 
+    /// The time that stands in the bracket of a function.
+    fn time(&mut self, argument: &Tree) -> Result<Fraction, Meaningless> {
+        let Some(times) = self.times else {
+            return self.nested(argument);
+        };
+        let meaning = std::mem::replace(&mut self.meaning, times);
+        let read = std::mem::take(&mut self.read);
+        let time = self.nested(argument);
+        self.meaning = meaning;
+        self.read = read;
+        time
+    }
+
     /// The function a tree stands for that the formula itself only names: a fault in it has no place in the formula.
     fn nested(&mut self, tree: &Tree) -> Result<Fraction, Meaningless> {
         self.tree(tree).map_err(|error| match error {
@@ -250,16 +267,22 @@ impl<'a> Reading<'a> {
         if let Some(known) = self.read.get(name) {
             return Some(Ok(known.clone()));
         }
-        if self.open.contains(name) {
-            return Some(Err(Meaningless::Circular(name.to_string())));
-        }
-        self.open.push(name.clone());
-        let result = self.nested(&local.tree);
-        self.open.pop();
+        let result = self.opened(name, &local.tree);
         if let Ok(value) = &result {
             self.read.insert(name.clone(), value.clone());
         }
         Some(result)
+    }
+
+    /// The function that a name stands for, which must not stand for itself.
+    fn opened(&mut self, name: &Name, tree: &Tree) -> Result<Fraction, Meaningless> {
+        if self.open.contains(name) {
+            return Err(Meaningless::Circular(name.to_string()));
+        }
+        self.open.push(name.clone());
+        let result = self.nested(tree);
+        self.open.pop();
+        result
     }
 
     fn unknown(&self, name: &Name) -> Meaningless {
@@ -296,7 +319,7 @@ impl Scope<Fraction> for Reading<'_> {
             return match self.meaning.values.get(&variable) {
                 Some(value) => Ok(value.clone()),
                 None if !self.meaning.values.is_empty() => Ok(Fraction::variable(variable)),
-                None => self.nested(tree),
+                None => self.opened(name, tree),
             };
         }
         if let Some(atom) = self.quantity(name) {
@@ -344,7 +367,7 @@ impl Scope<Fraction> for Reading<'_> {
         if !function.mark.is_empty() {
             return Err(Meaningless::NoImpact(function.to_string()));
         }
-        let time = self.nested(argument)?;
+        let time = self.time(argument)?;
         self.value(function, time)
     }
 

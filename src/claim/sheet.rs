@@ -78,7 +78,13 @@ struct RawEntry {
 /// A [`Fault`] with its place.
 pub fn read_symbols(text: &str) -> Result<Vocabulary, Fault> {
     let raw: RawSheet = parse(text)?;
-    Vocabulary::read(&raw.symbols.map(Spanned::into_inner).unwrap_or_default())
+    read_checked(&raw.symbols.map(Spanned::into_inner).unwrap_or_default())
+}
+
+fn read_checked(symbols: &Symbols) -> Result<Vocabulary, Fault> {
+    let vocabulary = Vocabulary::read(symbols)?;
+    vocabulary.check()?;
+    Ok(vocabulary)
 }
 
 impl Sheet {
@@ -94,7 +100,7 @@ impl Sheet {
         }
         let vocabulary = match &raw.symbols {
             None => vocabulary.clone(),
-            Some(symbols) => Vocabulary::read(&with_labels(symbols.get_ref(), &raw.equation)).map_err(|fault| {
+            Some(symbols) => read_checked(&with_labels(symbols.get_ref(), &raw.equation)).map_err(|fault| {
                 let here = Source::new(text, &Spanned::new(symbols.span(), String::new()));
                 fault.within("[symbols]").at(&here)
             })?,

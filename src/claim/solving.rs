@@ -3,6 +3,7 @@
 use super::atom::Atom;
 use super::fault::Fault;
 use super::meaning::Meaning;
+use super::premise::pair_of;
 use super::problem::Problem;
 use crate::algebra::{self, Failure, Fraction, Rank, Step, Variable};
 use crate::tex::{Name, Tree};
@@ -18,7 +19,10 @@ impl Problem<'_> {
                 fixed.extend(time.variables());
             }
         }
+        let pair = self.pair();
         let premises = self.givens.iter().enumerate();
+        // What the two roots of an equation are is asked of the equation, not of one root.
+        let premises = premises.filter(|(_, given)| pair.is_none_or(|pair| given.residual.degree(pair) < 2));
         let premises = premises.map(|(origin, given)| algebra::Premise {
             residual: given.residual.clone(),
             origin,
@@ -74,6 +78,22 @@ impl Problem<'_> {
             Atom::Value { argument, .. } => reading.at_time(&relation.right, argument.clone()).ok(),
             _ => reading.tree(&relation.right).ok(),
         }
+    }
+
+    /// The symbol whose two values the claim gives, as `\lambda` in `\lambda_{1,2} = ...`.
+    pub(super) fn pair(&self) -> Option<Variable> {
+        let names = self
+            .statements
+            .claims
+            .iter()
+            .filter_map(|equation| match &equation.left {
+                Tree::Symbol(name, _) => pair_of(name),
+                _ => None,
+            });
+        let names: Vec<Name> = names.collect();
+        self.atoms
+            .variables()
+            .find(|&v| matches!(self.atoms.atom(v), Some(Atom::Symbol(name)) if names.contains(name)))
     }
 
     fn rank(&self, variable: Variable) -> Rank {
