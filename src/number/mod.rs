@@ -46,7 +46,11 @@ pub trait Field:
                 square = square.clone() * square;
             }
         }
-        if exponent < 0 { Self::one() / result } else { result }
+        if exponent < 0 {
+            Self::one() / result
+        } else {
+            result
+        }
     }
 }
 
@@ -68,9 +72,37 @@ pub trait Analytic: Field {
     fn from_f64(value: f64) -> Self;
     /// The nearest f64 to the value (of a dual number: to its real part).
     fn to_f64(&self) -> f64;
+
+    /// The value alone: what a dual number carries beside its real part is dropped, at every depth.
+    ///
+    /// A root is bracketed on values; derivatives follow afterwards from the implicit function theorem.
+    fn constant(&self) -> Self {
+        self.clone()
+    }
+
+    /// The distance from 1 to the next number of the type, by Kahan's 3 (4/3 - 1) - 1, which a type that rounds
+    /// as IEEE 754 does misses by exactly that much (Kahan, "Paranoia", 1983).
+    fn epsilon() -> Self {
+        let third = Self::from_ratio(4, 3) - Self::one();
+        let missed = Self::from_integer(3) * third - Self::one();
+        if missed.to_f64() < 0.0 {
+            -missed
+        } else {
+            missed
+        }
+    }
 }
 
 mod decimal;
+#[macro_use]
+mod derivable;
+mod counted;
+mod dual;
 mod rational;
+mod real;
+mod wide;
 
+pub use counted::{Counted, Counts, Machine};
+pub use dual::{Dual, seeded};
 pub use rational::Rational;
+pub use wide::Wide;

@@ -1,0 +1,25 @@
+//! The motion of the ball in the shaken capsule, from one impact to the next.
+//!
+//! Everything is generic over [`Analytic`](crate::number::Analytic), so that one text gives f64, many digits and,
+//! over dual numbers, derivatives. Uses `number/` and nothing else of ours.
+
+mod ahead;
+mod crossing;
+mod device;
+mod flight;
+mod forcing;
+mod jacobian;
+mod map;
+mod motion;
+mod pair;
+mod root;
+
+pub use ahead::{Ahead, Turnings};
+pub use crossing::{Crossing, LONGEST_FLIGHT, Watch};
+pub use device::{Device, DeviceError, Scales};
+pub use flight::{Flight, FlightError, State};
+pub use forcing::{Forced, Forcing, ForcingError};
+pub use jacobian::{JacobianError, Order, Passage};
+pub use map::{Impact, Leg, Map, MapError, next_impact};
+pub use motion::{Motion, MotionError, Side};
+pub use pair::Pair;
