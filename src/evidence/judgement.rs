@@ -1,0 +1,167 @@
+//! What the points say of a verdict.
+
+use super::compiler::Unwitnessed;
+use super::point::Point;
+use super::question::{Gap, is_named};
+use super::system::{Kind, System};
+use super::tolerance::{APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE};
+use crate::claim::{Fault, Sheet, Statements, Verdict};
+use crate::number::Wide;
+
+/// What numbers say of one claim.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Evidence {
+    /// Decimal digits in which the sides agree, at the worst point; nothing where there is no point.
+    pub digits: Option<f64>,
+    /// The same at the median of the points.
+    pub median: Option<f64>,
+    /// Points at which all premises hold and both sides have a value.
+    pub points: usize,
+    /// The worst point: names, values, and the two sides.
+    pub worst: String,
+    /// What contradicts the verdict.
+    pub against: Option<String>,
+    pub notes: Vec<String>,
+}
+
+/// Witnesses for the claim at `position` of the sheet, at up to `points` points, held against the verdict.
+///
+/// # Errors
+/// The [`Fault`] of a claim or premise that makes no sense.
+pub fn witness(sheet: &Sheet, position: usize, verdict: Verdict, points: usize) -> Result<Evidence, Fault> {
+    let statements = sheet.statements(position)?;
+    Ok(of_statements(sheet, &statements, verdict, points))
+}
+
+fn of_statements(sheet: &Sheet, statements: &Statements, verdict: Verdict, points: usize) -> Evidence {
+    let system = match System::new(statements, &sheet.vocabulary, Kind::Any) {
+        Ok(system) => system,
+        Err(reason) => return Evidence { notes: vec![no_witness(&reason)], ..Evidence::default() },
+    };
+    let found = asked(&system, points);
+    let Some((worst, gap)) = found.iter().max_by(|(_, a), (_, b)| a.relative.total_cmp(&b.relative)) else {
+        let notes = vec!["no point was found at which the premises hold and both sides have a value".to_string()];
+        return Evidence { notes, ..Evidence::default() };
+    };
+    let mut digits: Vec<f64> = found.iter().map(|(_, gap)| gap.digits()).collect();
+    digits.sort_by(f64::total_cmp);
+    let mut evidence = Evidence {
+        digits: digits.first().copied(),
+        median: digits.get(digits.len() / 2).copied(),
+        points: found.len(),
+        worst: show(&system, worst, gap),
+        ..Evidence::default()
+    };
+    match verdict {
+        Verdict::Proved => against_proof(&system, &found, &mut evidence),
+        Verdict::Refuted => {
+            against_refutation(&system, &found, &mut evidence);
+            if evidence.against.is_none() && holds_for_cosine(sheet, statements) {
+                evidence.notes.push("true for this forcing: it holds where f is a cosine alone, cos(pi t + phi)".to_string());
+            }
+        }
+        Verdict::Undecided => {}
+    }
+    evidence
+}
+
+fn no_witness(reason: &Unwitnessed) -> String {
+    format!("no witness: {reason}")
+}
+
+/// Points with the largest gap there of all equations of the claim.
+fn asked(system: &System, points: usize) -> Vec<(Point<f64>, Gap)> {
+    let gap = |point: &Point<f64>| {
+        let gaps = system.questions.iter().map(|question| question.gap(system, &point.values, &point.running));
+        let gaps: Option<Vec<Gap>> = gaps.collect();
+        gaps?.into_iter().max_by(|a, b| a.relative.total_cmp(&b.relative))
+    };
+    let found = system.points(points, 1);
+    found.into_iter().filter_map(|point| gap(&point).map(|gap| (point, gap))).collect()
+}
+
+/// The largest relative gap at a point over 40 digits.
+fn wide_gap(system: &System, point: &Point<f64>) -> Option<f64> {
+    let wide: Point<Wide<40>> = system.widened(point)?;
+    let gaps = system.questions.iter().map(|question| question.gap(system, &wide.values, &wide.running));
+    gaps.map(|gap| gap.map(|gap| gap.relative)).try_fold(0.0, |worst: f64, gap| Some(worst.max(gap?)))
+}
+
+fn against_proof(system: &System, found: &[(Point<f64>, Gap)], evidence: &mut Evidence) {
+    let mut doubtful: Vec<&(Point<f64>, Gap)> = found.iter().filter(|(_, gap)| gap.digits() < DOUBTFUL_PROOF).collect();
+    doubtful.sort_by(|(_, a), (_, b)| b.relative.total_cmp(&a.relative));
+    for (point, gap) in doubtful.into_iter().take(3) {
+        match wide_gap(system, point) {
+            Some(relative) if relative > APART_WIDE => {
+                evidence.against = Some(format!("proved, but the sides differ: {}", show(system, point, gap)));
+                return;
+            }
+            Some(_) => evidence.notes.push("few digits in f64 at one point; in 40 digits the sides agree there".to_string()),
+            None => evidence.notes.push("few digits in f64 at one point, which could not be refined".to_string()),
+        }
+    }
+}
+
+fn against_refutation(system: &System, found: &[(Point<f64>, Gap)], evidence: &mut Evidence) {
+    if found.len() < 3 || found.iter().any(|(_, gap)| gap.digits() < DOUBTFUL_REFUTATION) {
+        return;
+    }
+    let wide: Option<Vec<f64>> = found.iter().take(3).map(|(point, _)| wide_gap(system, point)).collect();
+    let Some(wide) = wide else {
+        evidence.notes.push("the sides agree in f64; the points could not be refined".to_string());
+        return;
+    };
+    let worst = wide.into_iter().fold(0.0, f64::max);
+    if worst < EQUAL_WIDE {
+        let text = format!("refuted, but the sides agree at each of {} points, at three of them to 25 digits", found.len());
+        evidence.against = Some(text);
+    } else {
+        evidence.notes.push(format!("the sides differ by {worst:.0e} of their size"));
+    }
+}
+
+/// Whether the claim holds, to the precision of f64, where the forcing is a cosine of period 2.
+fn holds_for_cosine(sheet: &Sheet, statements: &Statements) -> bool {
+    let Ok(system) = System::new(statements, &sheet.vocabulary, Kind::Cosine) else { return false };
+    if system.space.courses.iter().all(|course| course.flight.is_some()) {
+        return false;
+    }
+    let found = asked(&system, 3);
+    found.len() == 3 && found.iter().all(|(_, gap)| gap.digits() > DOUBTFUL_REFUTATION)
+}
+
+/// Names with values, and the two sides.
+fn show(system: &System, point: &Point<f64>, gap: &Gap) -> String {
+    let named = system.space.slots.iter().zip(&point.values).enumerate().filter(|(_, (slot, _))| is_named(slot));
+    let mut parts: Vec<String> = named
+        .filter_map(|(number, (_, value))| Some(format!("{}={value:.6}", system.space.show(number, &system.letter)?)))
+        .collect();
+    if system.runs {
+        parts.push(format!("t={:.6}", point.running));
+    }
+    format!("{}; left={:.15e}; right={:.15e}", parts.join("; "), gap.left, gap.right)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claim::read_symbols;
+
+    fn paper() -> Sheet {
+        let vocabulary = read_symbols(include_str!("../../golden/paper/symbols.toml")).unwrap();
+        Sheet::read(include_str!("../../golden/paper/equations.toml"), &vocabulary).unwrap()
+    }
+
+    #[test]
+    fn every_claim_of_the_paper_has_a_witness() {
+        let sheet = paper();
+        for (position, entry) in sheet.entries.iter().enumerate() {
+            if entry.role != crate::claim::Role::Claim {
+                continue;
+            }
+            let start = std::time::Instant::now();
+            let evidence = witness(&sheet, position, entry.expect, 6).unwrap();
+            println!("{} {} {:?} {:?} {} {:?} {:?} {:?}", entry.label, entry.expect, evidence.digits, evidence.median, evidence.points, evidence.against, evidence.notes, start.elapsed());
+        }
+    }
+}
