@@ -96,9 +96,17 @@ impl Compiler<'_> {
         if name.mark.is_empty()
             && let Ok((course, level)) = self.course(name)
         {
-            return Ok(Node::Value { course, level, time: Box::new(Node::Running) });
+            return Ok(Node::Value {
+                course,
+                level,
+                time: Box::new(Node::Running),
+            });
         }
-        match *name == (Name { base: r"\pi".to_string(), ..Name::default() }) {
+        match *name
+            == (Name {
+                base: r"\pi".to_string(),
+                ..Name::default()
+            }) {
             true => Ok(Node::Pi),
             false => Err(Unwitnessed::Unknown(name.to_string())),
         }
@@ -152,7 +160,13 @@ impl Compiler<'_> {
 
     /// The course of a function or of a state in flight, and how many derivatives below the highest integral.
     fn course(&mut self, name: &Name) -> Result<(usize, usize), Unwitnessed> {
-        let (plain, primes) = (Name { primes: 0, ..name.clone() }, usize::from(name.primes));
+        let (plain, primes) = (
+            Name {
+                primes: 0,
+                ..name.clone()
+            },
+            usize::from(name.primes),
+        );
         if let Some(names) = self.motion(&plain) {
             let level = names.iter().position(|known| *known == plain).unwrap_or(0);
             let flight = Some(self.flight);
@@ -169,16 +183,35 @@ impl Compiler<'_> {
             return known;
         }
         // Without functions a flight is moved by gravity alone.
-        let powers = if flight.is_some() { POWERS_OF_FLIGHT } else { names.len() };
-        let harmonics = if flight.is_some() && self.vocabulary.functions.is_empty() { 0 } else { HARMONICS };
-        self.space.add_course(Course { names, flight, first: 0, powers, harmonics, period: None })
+        let powers = if flight.is_some() {
+            POWERS_OF_FLIGHT
+        } else {
+            names.len()
+        };
+        let harmonics = if flight.is_some() && self.vocabulary.functions.is_empty() {
+            0
+        } else {
+            HARMONICS
+        };
+        self.space.add_course(Course {
+            names,
+            flight,
+            first: 0,
+            powers,
+            harmonics,
+            period: None,
+        })
     }
 
     /// A state with its derivatives: position, velocity, acceleration.
     fn motion(&self, name: &Name) -> Option<Vec<Name>> {
         let states = &self.vocabulary.states;
-        let lowest = states.iter().filter(|s| !states.iter().any(|other| dotted(other) == **s));
-        lowest.map(|s| vec![s.clone(), dotted(s), dotted(&dotted(s))]).find(|names| names.contains(name))
+        let lowest = states
+            .iter()
+            .filter(|s| !states.iter().any(|other| dotted(other) == **s));
+        lowest
+            .map(|s| vec![s.clone(), dotted(s), dotted(&dotted(s))])
+            .find(|names| names.contains(name))
     }
 
     /// A function with the integrals and derivatives that have names, from the highest integral down.
@@ -210,7 +243,9 @@ impl Compiler<'_> {
 
     fn partial(&mut self, of: &Name, by: &Name) -> Result<Node, Unwitnessed> {
         let none = || Unwitnessed::NoMap(of.to_string(), by.to_string());
-        let (Some(above), Some(below)) = (self.quantity(of), self.quantity(by)) else { return Err(none()) };
+        let (Some(above), Some(below)) = (self.quantity(of), self.quantity(by)) else {
+            return Err(none());
+        };
         let maps = self.maps.ok_or_else(none)?;
         maps.entry(above, below, self.space).ok_or_else(none)
     }
@@ -237,7 +272,11 @@ fn number(value: &Rational) -> Node {
 
 /// The name without subscript, mark and primes.
 pub fn bare(name: &Name) -> Name {
-    Name { base: name.base.clone(), accents: name.accents.clone(), ..Name::default() }
+    Name {
+        base: name.base.clone(),
+        accents: name.accents.clone(),
+        ..Name::default()
+    }
 }
 
 /// The name of the derivative by time: one dot more.

@@ -7,8 +7,8 @@ use super::program::{Env, Node};
 use crate::number::Analytic;
 use crate::tex::Name;
 
-/// Frequencies of a course that repeats nowhere: no two have a ratio of small integers.
-const FREE: [f64; 5] = [0.917_381, 1.618_034, 2.357_113, 3.302_776, 4.123_106];
+/// The period of a course that no premise gives one: longer than any motion asked about, and in no ratio to it.
+const LONG: f64 = 7.389_056_1;
 
 /// A function of time with those that come from it by differentiating.
 #[derive(Clone, Debug)]
@@ -45,35 +45,34 @@ impl Course {
         }
         // The coefficients are those of the lowest member that has a name.
         let integrals = self.names.len() as i32 - 1 - level as i32;
-        let base = self.period.as_ref().map(|period| T::from_integer(2) * T::pi() / period.value(env));
-        let unit = base.as_ref().map(|base| (base.clone() * time.clone()).sincos());
-        let mut turned = (T::zero(), T::one());
+        let base = T::from_integer(2) * T::pi() / self.length(env);
+        let (s, c) = (base.clone() * time.clone()).sincos();
+        let (mut sin, mut cos) = (T::zero(), T::one());
         for n in 0..self.harmonics {
-            let (rate, (sin, cos)) = match (&base, &unit) {
-                (Some(base), Some((s, c))) => {
-                    let (sin, cos) = turned;
-                    turned = (
-                        sin.clone() * c.clone() + cos.clone() * s.clone(),
-                        cos * c.clone() - sin * s.clone(),
-                    );
-                    (base.clone() * T::from_integer(n as i64 + 1), turned.clone())
-                }
-                _ => {
-                    let rate = T::from_f64(FREE.get(n).copied().unwrap_or(1.0));
-                    (rate.clone(), (rate * time.clone()).sincos())
-                }
-            };
+            let rate = base.clone() * T::from_integer(n as i64 + 1);
+            (sin, cos) = (
+                sin.clone() * c.clone() + cos.clone() * s.clone(),
+                cos * c.clone() - sin * s.clone(),
+            );
             let a = env.slot(self.first + self.powers + 2 * n);
             let b = env.slot(self.first + self.powers + 2 * n + 1);
             let term = match integrals.rem_euclid(4) {
-                0 => a * cos + b * sin,
-                1 => a * sin - b * cos,
-                2 => -(a * cos + b * sin),
-                _ => b * cos - a * sin,
+                0 => a * cos.clone() + b * sin.clone(),
+                1 => a * sin.clone() - b * cos.clone(),
+                2 => -(a * cos.clone() + b * sin.clone()),
+                _ => b * cos.clone() - a * sin.clone(),
             };
             value += term * rate.to_power(-integrals);
         }
         value
+    }
+
+    /// The period at this point.
+    pub fn length<T: Analytic>(&self, env: &Env<T>) -> T {
+        match &self.period {
+            Some(period) => period.value(env),
+            None => T::from_f64(LONG),
+        }
     }
 
     fn polynomial<T: Analytic>(&self, level: usize, time: &T, env: &Env<T>) -> T {
@@ -105,7 +104,12 @@ mod tests {
                 period,
             };
             let values: Vec<Dual<f64>> = (0..10).map(|n| Dual::from_re((f64::from(n) * 1.3).sin())).collect();
-            let env = Env { values: &values, running: None, upper: None, courses: &[] };
+            let env = Env {
+                values: &values,
+                running: None,
+                upper: None,
+                courses: &[],
+            };
             for t in [0.0, 0.4, 2.9] {
                 for level in 0..4 {
                     let above = course.value(level, &seeded(t), &env).eps;

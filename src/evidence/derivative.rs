@@ -34,7 +34,9 @@ impl System {
         for &by in &map.by {
             let slopes = self.along(&moving, by, values, &rough)?;
             for &of in &map.of {
-                let Some(slot) = self.space.slots.iter().position(|s| *s == Slot::Partial { of, by }) else { continue };
+                let Some(slot) = self.space.slots.iter().position(|s| *s == Slot::Partial { of, by }) else {
+                    continue;
+                };
                 let known = moving.slots.iter().position(|s| *s == of).and_then(|n| slopes.get(n));
                 partials.push((slot, known.or(values.get(slot))?.clone()));
             }
@@ -49,15 +51,23 @@ impl System {
         let candidates = self.step_rows.get(step)?;
         let moves = |slot: &usize| match self.space.slots.get(*slot) {
             Some(Slot::Time { .. } | Slot::State { .. }) => !map.by.contains(slot),
-            Some(Slot::Coefficient { course, .. }) => {
-                self.space.courses.get(*course).is_some_and(|course| course.flight.is_some())
-            }
+            Some(Slot::Coefficient { course, .. }) => self
+                .space
+                .courses
+                .get(*course)
+                .is_some_and(|course| course.flight.is_some()),
             _ => false,
         };
-        let mut moving = Moving { rows: Vec::new(), slots: Vec::new(), determined: false };
+        let mut moving = Moving {
+            rows: Vec::new(),
+            slots: Vec::new(),
+            determined: false,
+        };
         let mut units: Vec<Vec<f64>> = Vec::new();
         for row in candidates {
-            moving.slots.extend(row.node.slots(&self.space.courses).into_iter().filter(moves));
+            moving
+                .slots
+                .extend(row.node.slots(&self.space.courses).into_iter().filter(moves));
             moving.slots.sort_unstable();
             moving.slots.dedup();
             moving.rows.push(&row.node);
@@ -70,7 +80,10 @@ impl System {
             let before = norm(&gradient);
             for unit in &units {
                 let along: f64 = gradient.iter().zip(unit).map(|(a, b)| a * b).sum();
-                gradient.iter_mut().zip(unit).for_each(|(entry, part)| *entry -= along * part);
+                gradient
+                    .iter_mut()
+                    .zip(unit)
+                    .for_each(|(entry, part)| *entry -= along * part);
             }
             let size = norm(&gradient);
             if size > DEPENDENT * before {
@@ -102,21 +115,28 @@ impl System {
     }
 
     /// The slopes of the moving slots by one quantity, all else held.
-    fn along<T: Analytic + DualNum>(
-        &self,
-        moving: &Moving,
-        by: usize,
-        values: &[T],
-        rough: &[f64],
-    ) -> Option<Vec<T>> {
+    fn along<T: Analytic + DualNum>(&self, moving: &Moving, by: usize, values: &[T], rough: &[f64]) -> Option<Vec<T>> {
         let mut jacobian = Vec::new();
         for row in &moving.rows {
             let gradient = self.gradient(row, rough);
-            jacobian.push(moving.slots.iter().map(|slot| gradient.get(*slot).copied().unwrap_or(0.0)).collect::<Vec<f64>>());
+            jacobian.push(
+                moving
+                    .slots
+                    .iter()
+                    .map(|slot| gradient.get(*slot).copied().unwrap_or(0.0))
+                    .collect::<Vec<f64>>(),
+            );
         }
         let start = |of: &usize| {
-            let partial = self.space.slots.iter().position(|s| *s == Slot::Partial { of: *of, by });
-            partial.and_then(|slot| values.get(slot)).cloned().unwrap_or_else(T::zero)
+            let partial = self
+                .space
+                .slots
+                .iter()
+                .position(|s| *s == Slot::Partial { of: *of, by });
+            partial
+                .and_then(|slot| values.get(slot))
+                .cloned()
+                .unwrap_or_else(T::zero)
         };
         let mut slopes: Vec<T> = moving.slots.iter().map(start).collect();
         let mut lifted: Vec<Dual<T>> = values.iter().map(|value| Dual::from_re(value.clone())).collect();
@@ -139,6 +159,11 @@ impl System {
 
     /// What a formula of this system is evaluated with.
     pub fn env<'a, T>(&'a self, values: &'a [T]) -> Env<'a, T> {
-        Env { values, running: None, upper: None, courses: &self.space.courses }
+        Env {
+            values,
+            running: None,
+            upper: None,
+            courses: &self.space.courses,
+        }
     }
 }

@@ -15,18 +15,26 @@ pub struct Law {
     pub node: Node,
 }
 
-/// The times at which a law is asked, of no special kind. A course has at most 12 coefficients.
+/// The times at which a law is asked: over all flights between four impacts, of no special kind. A course has at
+/// most 12 coefficients.
 const TIMES: [f64; 14] = [
-    -0.31, -0.117, 0.071, 0.283, 0.467, 0.701, 0.913, 1.103, 1.319, 1.567, 1.789, 2.011, 2.237, 2.501,
+    0.07, 0.31, 0.57, 0.83, 1.09, 1.37, 1.61, 1.87, 2.13, 2.39, 2.71, 2.97, 3.29, 3.61,
 ];
 
 fn at(law: &Node, time: f64) -> Node {
-    Node::At { time: Box::new(Node::Float(time)), body: Box::new(law.clone()) }
+    Node::At {
+        time: Box::new(Node::Float(time)),
+        body: Box::new(law.clone()),
+    }
 }
 
 /// A law of functions alone.
 pub fn everywhere(law: &Node, _start: usize) -> Vec<Row> {
-    let row = |time| Row { node: at(law, time), impacts: BTreeSet::new(), in_flight: false };
+    let row = |time| Row {
+        node: at(law, time),
+        impacts: BTreeSet::new(),
+        in_flight: false,
+    };
     TIMES.into_iter().map(row).collect()
 }
 
@@ -51,7 +59,15 @@ pub fn rows(laws: &[Law], runs: bool, compiler: &mut Compiler) -> Vec<(i32, Node
             }
             let time = Box::new(Node::Slot(compiler.time(index)));
             let state = Node::Slot(compiler.state(name, index, after));
-            Some((law.start, Node::Value { course: law.course, level, time }.minus(state)))
+            Some((
+                law.start,
+                Node::Value {
+                    course: law.course,
+                    level,
+                    time,
+                }
+                .minus(state),
+            ))
         };
         // A law of order n leaves n constants of integration to the start of the flight.
         rows.extend((0..order).filter_map(|level| tie(level, law.start, true)));

@@ -55,7 +55,13 @@ impl Maps {
             return None;
         }
         Some(match kind {
-            Invariant::Trace => Node::Sum(matrix.iter().enumerate().filter_map(|(n, row)| row.get(n).cloned()).collect()),
+            Invariant::Trace => Node::Sum(
+                matrix
+                    .iter()
+                    .enumerate()
+                    .filter_map(|(n, row)| row.get(n).cloned())
+                    .collect(),
+            ),
             Invariant::Determinant => determinant(&matrix),
         })
     }
@@ -63,7 +69,12 @@ impl Maps {
     fn matrix(&self, name: &Name, space: &mut Space, left: usize) -> Option<Matrix> {
         if let Some(step) = self.steps.iter().find(|step| step.name == *name) {
             let mut entry = |of: usize, by: usize| Node::Slot(space.slot(Slot::Partial { of, by }));
-            return Some(step.of.iter().map(|&of| step.by.iter().map(|&by| entry(of, by)).collect()).collect());
+            return Some(
+                step.of
+                    .iter()
+                    .map(|&of| step.by.iter().map(|&by| entry(of, by)).collect())
+                    .collect(),
+            );
         }
         let (_, factors) = self.products.iter().find(|(known, _)| known == name)?;
         let mut product: Option<Matrix> = None;
@@ -87,19 +98,35 @@ fn multiplied(left: &Matrix, right: &Matrix) -> Option<Matrix> {
         let pairs = row.iter().zip(right).filter_map(|(a, b)| Some((a, b.get(column)?)));
         Node::Sum(pairs.map(|(a, b)| Node::Product(vec![a.clone(), b.clone()])).collect())
     };
-    Some(left.iter().map(|row| (0..columns).map(|column| entry(row, column)).collect()).collect())
+    Some(
+        left.iter()
+            .map(|row| (0..columns).map(|column| entry(row, column)).collect())
+            .collect(),
+    )
 }
 
 /// By the first row: the matrices are small.
 fn determinant(matrix: &Matrix) -> Node {
-    let Some((first, rest)) = matrix.split_first() else { return Node::Number(1, 1) };
+    let Some((first, rest)) = matrix.split_first() else {
+        return Node::Number(1, 1);
+    };
     let terms = first.iter().enumerate().map(|(column, entry)| {
         let minor: Matrix = rest
             .iter()
-            .map(|row| row.iter().enumerate().filter(|(n, _)| *n != column).map(|(_, node)| node.clone()).collect())
+            .map(|row| {
+                row.iter()
+                    .enumerate()
+                    .filter(|(n, _)| *n != column)
+                    .map(|(_, node)| node.clone())
+                    .collect()
+            })
             .collect();
         let term = Node::Product(vec![entry.clone(), determinant(&minor)]);
-        if column % 2 == 0 { term } else { Node::Negate(Box::new(term)) }
+        if column % 2 == 0 {
+            term
+        } else {
+            Node::Negate(Box::new(term))
+        }
     });
     Node::Sum(terms.collect())
 }
@@ -112,8 +139,16 @@ mod tests {
     #[test]
     fn the_determinant_of_three_rows() {
         let rows = [[2, 0, 1], [1, 3, 2], [1, 1, 4]];
-        let matrix: Matrix = rows.iter().map(|row| row.iter().map(|&n| Node::Number(n, 1)).collect()).collect();
-        let env = Env { values: &[], running: None, upper: None, courses: &[] };
+        let matrix: Matrix = rows
+            .iter()
+            .map(|row| row.iter().map(|&n| Node::Number(n, 1)).collect())
+            .collect();
+        let env = Env {
+            values: &[],
+            running: None,
+            upper: None,
+            courses: &[],
+        };
         assert_eq!(determinant(&matrix).value::<f64>(&env), 18.0);
     }
 }

@@ -10,6 +10,7 @@ mod derivative;
 mod flight;
 mod judgement;
 mod maps;
+mod motion;
 mod newton;
 mod period;
 mod point;
@@ -22,3 +23,4 @@ mod tolerance;
 
 pub use compiler::Unwitnessed;
 pub use judgement::{Evidence, witness};
+pub use motion::Flown;

@@ -21,11 +21,19 @@ const MOST_STEPS: usize = 25;
 impl<'a> Equations<'a> {
     /// The rows as equations for the unknowns.
     pub fn new(rows: Vec<&'a Node>, unknowns: Vec<usize>, courses: &'a [Course]) -> Self {
-        let columns = rows
-            .iter()
-            .map(|row| row.slots(courses).iter().filter_map(|slot| unknowns.binary_search(slot).ok()).collect());
+        let columns = rows.iter().map(|row| {
+            row.slots(courses)
+                .iter()
+                .filter_map(|slot| unknowns.binary_search(slot).ok())
+                .collect()
+        });
         let columns = columns.collect();
-        Self { rows, unknowns, columns, courses }
+        Self {
+            rows,
+            unknowns,
+            columns,
+            courses,
+        }
     }
 
     /// The Jacobian by dual numbers, an unknown at a time.
@@ -34,14 +42,21 @@ impl<'a> Equations<'a> {
         let mut jacobian = vec![vec![0.0; self.unknowns.len()]; self.rows.len()];
         for ((row, columns), entries) in self.rows.iter().zip(&self.columns).zip(&mut jacobian) {
             for &column in columns {
-                let Some(&slot) = self.unknowns.get(column) else { continue };
+                let Some(&slot) = self.unknowns.get(column) else {
+                    continue;
+                };
                 let seed = |lifted: &mut Vec<Dual<f64>>, eps| {
                     if let Some(value) = lifted.get_mut(slot) {
                         value.eps = eps;
                     }
                 };
                 seed(&mut lifted, 1.0);
-                let env = Env { values: &lifted, running: None, upper: None, courses: self.courses };
+                let env = Env {
+                    values: &lifted,
+                    running: None,
+                    upper: None,
+                    courses: self.courses,
+                };
                 if let Some(entry) = entries.get_mut(column) {
                     *entry = row.value(&env).eps;
                 }
@@ -54,8 +69,18 @@ impl<'a> Equations<'a> {
     /// The residuals, and the largest relative to the size of its terms.
     fn residuals<T: Analytic>(&self, values: &[T]) -> (Vec<f64>, f64) {
         let rough: Vec<f64> = values.iter().map(Analytic::to_f64).collect();
-        let env = Env { values, running: None, upper: None, courses: self.courses };
-        let rough_env = Env { values: &rough, running: None, upper: None, courses: self.courses };
+        let env = Env {
+            values,
+            running: None,
+            upper: None,
+            courses: self.courses,
+        };
+        let rough_env = Env {
+            values: &rough,
+            running: None,
+            upper: None,
+            courses: self.courses,
+        };
         let mut worst = 0.0_f64;
         let each = self.rows.iter().map(|row| {
             let (value, size) = (row.value(&env).to_f64(), row.sized(&rough_env).1);
@@ -111,8 +136,11 @@ pub fn least(mut rows: Vec<Vec<f64>>, right: &[f64], unknowns: usize) -> Vec<f64
         }
     }
     let mut solution = vec![0.0; unknowns];
-    while let Some((most, size)) =
-        rows.iter().map(|row| norm(row)).enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b))
+    while let Some((most, size)) = rows
+        .iter()
+        .map(|row| norm(row))
+        .enumerate()
+        .max_by(|(_, a), (_, b)| a.total_cmp(b))
     {
         if size.is_nan() || size < DEPENDENT {
             break;
@@ -121,10 +149,15 @@ pub fn least(mut rows: Vec<Vec<f64>>, right: &[f64], unknowns: usize) -> Vec<f64
         unit.iter_mut().for_each(|entry| *entry /= size);
         for (row, rest) in rows.iter_mut().zip(&mut right) {
             let along: f64 = row.iter().zip(&unit).map(|(a, b)| a * b).sum();
-            row.iter_mut().zip(&unit).for_each(|(entry, part)| *entry -= along * part);
+            row.iter_mut()
+                .zip(&unit)
+                .for_each(|(entry, part)| *entry -= along * part);
             *rest -= along * value;
         }
-        solution.iter_mut().zip(&unit).for_each(|(entry, part)| *entry += value * part);
+        solution
+            .iter_mut()
+            .zip(&unit)
+            .for_each(|(entry, part)| *entry += value * part);
     }
     solution
 }

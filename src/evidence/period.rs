@@ -32,7 +32,12 @@ pub fn period_of(left: &Node, right: &Node, space: &Space) -> Option<Period> {
     // Both times must run as fast as t does.
     let values: Vec<f64> = (0..space.slots.len()).map(|n| 0.3 + (n as f64 * 0.7).sin()).collect();
     let at = |time: &Node, running: f64| {
-        let env = Env { values: &values, running: Some(running), upper: None, courses: &space.courses };
+        let env = Env {
+            values: &values,
+            running: Some(running),
+            upper: None,
+            courses: &space.courses,
+        };
         time.value(&env)
     };
     let runs = |time: &Node| ((at(time, 1.5) - at(time, 0.5)) - 1.0).abs() < 1e-12;
@@ -41,13 +46,24 @@ pub fn period_of(left: &Node, right: &Node, space: &Space) -> Option<Period> {
         return None;
     }
     let time = Box::new(Node::Number(0, 1));
-    Some(Period { course, level, shift: Node::At { time, body: Box::new(shift) } })
+    Some(Period {
+        course,
+        level,
+        shift: Node::At {
+            time,
+            body: Box::new(shift),
+        },
+    })
 }
 
 impl Period {
     /// What is zero where the course repeats so.
     pub fn checks(&self) -> Vec<Node> {
-        let value = |time| Node::Value { course: self.course, level: self.level, time: Box::new(time) };
+        let value = |time| Node::Value {
+            course: self.course,
+            level: self.level,
+            time: Box::new(time),
+        };
         let times = [0.137, 0.791, 1.523].map(Node::Float);
         let check = |time: Node| value(time.clone()).minus(value(Node::Sum(vec![time, self.shift.clone()])));
         times.into_iter().map(check).collect()

@@ -58,13 +58,31 @@ impl System {
         self.checks.iter().all(holds).then_some(point)
     }
 
+    /// The largest residual of a premise at a point, relative to the size of its terms.
+    pub fn residual(&self, point: &Point<f64>) -> f64 {
+        let env = self.env(&point.values);
+        let relative = |node: &Node| {
+            let (value, size) = node.sized(&env);
+            if value == 0.0 { 0.0 } else { value.abs() / size }
+        };
+        self.rows
+            .iter()
+            .map(|row| &row.node)
+            .chain(&self.late)
+            .map(relative)
+            .fold(0.0, f64::max)
+    }
+
     /// The point over 40 digits, where all premises hold to them.
     pub fn widened(&self, point: &Point<f64>) -> Option<Point<Wide<40>>> {
         let wide = |value: &f64| <Wide<40> as Analytic>::from_f64(*value);
         let mut values: Vec<Wide<40>> = point.values.iter().map(wide).collect();
         let met = self.settle(&mut values, PREMISE_WIDE) <= PREMISE_WIDE;
         let derived = met && self.derive(&mut values, PREMISE_WIDE)? <= PREMISE_WIDE;
-        derived.then(|| Point { values, running: wide(&point.running) })
+        derived.then(|| Point {
+            values,
+            running: wide(&point.running),
+        })
     }
 
     fn start(&self, random: &mut Sequence) -> Point<f64> {
@@ -98,13 +116,21 @@ impl System {
             self.make_cosine(&mut values, random);
         }
         let start = values.get(self.start).copied().unwrap_or(0.0);
-        Point { values, running: start + random.between(0.1, 1.0) }
+        Point {
+            values,
+            running: start + random.between(0.1, 1.0),
+        }
     }
 
     /// Sets the coefficients of functions to those of cos(pi t + phi).
     fn make_cosine(&self, values: &mut [f64], random: &mut Sequence) {
         let is_phase = |slot: &Slot| matches!(slot, Slot::Parameter(name) if name.to_string() == r"\phi");
-        let phase = self.space.slots.iter().position(is_phase).and_then(|slot| values.get(slot).copied());
+        let phase = self
+            .space
+            .slots
+            .iter()
+            .position(is_phase)
+            .and_then(|slot| values.get(slot).copied());
         let phase = phase.unwrap_or_else(|| random.between(0.0, 6.0));
         for course in self.space.courses.iter().filter(|course| course.flight.is_none()) {
             for slot in course.slots() {
@@ -125,18 +151,30 @@ impl System {
         let rows: Vec<&Node> = self.rows.iter().map(|row| &row.node).collect();
         let movable = |slot: &usize| match self.space.slots.get(*slot) {
             Some(Slot::Coefficient { course, .. }) => {
-                let flight = self.space.courses.get(*course).is_some_and(|course| course.flight.is_some());
+                let flight = self
+                    .space
+                    .courses
+                    .get(*course)
+                    .is_some_and(|course| course.flight.is_some());
                 !self.zeros.contains(slot) && (flight || (self.shaped && self.kind == Kind::Any))
             }
             _ => true,
         };
-        let unknowns: BTreeSet<usize> = rows.iter().flat_map(|row| row.slots(&self.space.courses)).filter(movable).collect();
+        let unknowns: BTreeSet<usize> = rows
+            .iter()
+            .flat_map(|row| row.slots(&self.space.courses))
+            .filter(movable)
+            .collect();
         Equations::new(rows, unknowns.into_iter().collect(), &self.space.courses).solve(values, enough)
     }
 
     /// Finds the derivatives, then what premises say of them.
     fn derive<T: Analytic + DualNum>(&self, values: &mut [T], enough: f64) -> Option<f64> {
-        let mut fixed: BTreeSet<usize> = self.rows.iter().flat_map(|row| row.node.slots(&self.space.courses)).collect();
+        let mut fixed: BTreeSet<usize> = self
+            .rows
+            .iter()
+            .flat_map(|row| row.node.slots(&self.space.courses))
+            .collect();
         let mut open = BTreeSet::new();
         for (number, rows) in self.step_rows.iter().enumerate() {
             if rows.is_empty() {
@@ -144,7 +182,11 @@ impl System {
             }
             let found = self.differentiate(number, values)?;
             let slots = found.partials.iter().map(|(slot, _)| *slot);
-            if found.determined { fixed.extend(slots) } else { open.extend(slots) }
+            if found.determined {
+                fixed.extend(slots)
+            } else {
+                open.extend(slots)
+            }
             for (slot, value) in found.partials {
                 *values.get_mut(slot)? = value;
             }

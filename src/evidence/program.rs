@@ -15,9 +15,16 @@ pub enum Node {
     /// The running time of a flight.
     Running,
     /// The value of a member of a course at a time.
-    Value { course: usize, level: usize, time: Box<Node> },
+    Value {
+        course: usize,
+        level: usize,
+        time: Box<Node>,
+    },
     /// The body with the running time put in.
-    At { time: Box<Node>, body: Box<Node> },
+    At {
+        time: Box<Node>,
+        body: Box<Node>,
+    },
     Negate(Box<Node>),
     Sum(Vec<Node>),
     Product(Vec<Node>),
@@ -53,7 +60,12 @@ impl<T: Analytic> Env<'_, T> {
 
     /// The same with another running time.
     pub fn at(&self, time: T) -> Self {
-        Self { values: self.values, running: Some(time), upper: self.upper, courses: self.courses }
+        Self {
+            values: self.values,
+            running: Some(time),
+            upper: self.upper,
+            courses: self.courses,
+        }
     }
 }
 
@@ -76,7 +88,9 @@ impl Node {
             Self::At { time, body } => body.value(&env.at(time.value(env))),
             Self::Negate(body) => -body.value(env),
             Self::Sum(terms) => terms.iter().fold(T::zero(), |sum, term| sum + term.value(env)),
-            Self::Product(factors) => factors.iter().fold(T::one(), |product, factor| product * factor.value(env)),
+            Self::Product(factors) => factors
+                .iter()
+                .fold(T::one(), |product, factor| product * factor.value(env)),
             Self::Quotient(above, below) => {
                 let below = below.value(env);
                 divided(above.value(env), below)
@@ -103,10 +117,14 @@ impl Node {
                 (-value, size)
             }
             Self::Signed(body, _) => (self.value(env), body.sized(env).1),
-            Self::Sum(terms) => terms.iter().map(|term| term.sized(env)).fold((0.0, 0.0), |(v, s), (a, b)| (v + a, s + b)),
-            Self::Product(factors) => {
-                factors.iter().map(|factor| factor.sized(env)).fold((1.0, 1.0), |(v, s), (a, b)| (v * a, s * b))
-            }
+            Self::Sum(terms) => terms
+                .iter()
+                .map(|term| term.sized(env))
+                .fold((0.0, 0.0), |(v, s), (a, b)| (v + a, s + b)),
+            Self::Product(factors) => factors
+                .iter()
+                .map(|factor| factor.sized(env))
+                .fold((1.0, 1.0), |(v, s), (a, b)| (v * a, s * b)),
             Self::Quotient(above, below) => {
                 let ((value, size), below) = (above.sized(env), below.value(env));
                 (value / below, size / below.abs())
@@ -186,7 +204,11 @@ impl Node {
 /// A quotient that is no number where there is nothing to divide by, in every number type.
 fn divided<T: Analytic>(above: T, below: T) -> T {
     // Duals compare as zero by value alone: a dual number over zero has no value either.
-    if below.is_zero() { T::from_f64(f64::NAN) } else { above / below }
+    if below.is_zero() {
+        T::from_f64(f64::NAN)
+    } else {
+        above / below
+    }
 }
 
 #[cfg(test)]
@@ -196,7 +218,12 @@ mod tests {
     #[test]
     fn a_difference_knows_the_size_of_its_terms() {
         let node = Node::Product(vec![Node::Number(2, 1), Node::Slot(0).minus(Node::Slot(1))]);
-        let env = Env { values: &[5.0, 4.0], running: None, upper: None, courses: &[] };
+        let env = Env {
+            values: &[5.0, 4.0],
+            running: None,
+            upper: None,
+            courses: &[],
+        };
         assert_eq!(node.sized(&env), (2.0, 18.0));
         assert_eq!(node.value(&env), 2.0);
         assert_eq!(node.written(), [0, 1]);
@@ -205,7 +232,12 @@ mod tests {
     #[test]
     fn nothing_is_divided_by_zero() {
         let node = Node::Quotient(Box::new(Node::Number(1, 1)), Box::new(Node::Slot(0)));
-        let env = Env { values: &[0.0_f64], running: None, upper: None, courses: &[] };
+        let env = Env {
+            values: &[0.0_f64],
+            running: None,
+            upper: None,
+            courses: &[],
+        };
         assert!(node.value(&env).is_nan());
     }
 }

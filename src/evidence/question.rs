@@ -30,18 +30,28 @@ pub struct Gap {
 impl Gap {
     /// The decimal digits in which the sides agree.
     pub fn digits(&self) -> f64 {
-        if self.relative > 0.0 { (-self.relative.log10()).clamp(0.0, MOST_DIGITS) } else { MOST_DIGITS }
+        if self.relative > 0.0 {
+            (-self.relative.log10()).clamp(0.0, MOST_DIGITS)
+        } else {
+            MOST_DIGITS
+        }
     }
 }
 
 impl Question {
     /// Reads an equation.
     pub fn new(equation: &Equation, compiler: &mut Compiler) -> Result<Self, Unwitnessed> {
-        let signed = any(equation, &|tree| matches!(tree, Tree::PlusMinus(_) | Tree::MinusPlus(_)));
+        let signed = any(equation, &|tree| {
+            matches!(tree, Tree::PlusMinus(_) | Tree::MinusPlus(_))
+        });
         let base = match &equation.left {
-            Tree::Symbol(name, at) if matches!(name.subscript.as_str(), "1,2" | r"\pm") => {
-                Some(Tree::Symbol(Name { subscript: String::new(), ..name.clone() }, *at))
-            }
+            Tree::Symbol(name, at) if matches!(name.subscript.as_str(), "1,2" | r"\pm") => Some(Tree::Symbol(
+                Name {
+                    subscript: String::new(),
+                    ..name.clone()
+                },
+                *at,
+            )),
             _ => None,
         };
         let left = compiler.tree(base.as_ref().unwrap_or(&equation.left))?;
@@ -49,14 +59,27 @@ impl Question {
             (Some(_), Node::Slot(slot)) => Some(*slot),
             _ => None,
         };
-        Ok(Self { left, right: compiler.tree(&equation.right)?, signed: signed || pair.is_some(), pair })
+        Ok(Self {
+            left,
+            right: compiler.tree(&equation.right)?,
+            signed: signed || pair.is_some(),
+            pair,
+        })
     }
 
     /// The gap at a point; `None` where a side has no value there.
     pub fn gap<T: Analytic>(&self, system: &System, values: &[T], running: &T) -> Option<Gap> {
         let rough: Vec<f64> = values.iter().map(Analytic::to_f64).collect();
-        let at = Asked { system, values, rough: &rough, running };
-        let gap = match (self.pair.and_then(|slot| Some((slot, at.quadratic(slot)?))), self.signed) {
+        let at = Asked {
+            system,
+            values,
+            rough: &rough,
+            running,
+        };
+        let gap = match (
+            self.pair.and_then(|slot| Some((slot, at.quadratic(slot)?))),
+            self.signed,
+        ) {
             (Some((slot, of)), _) => at.roots(self, slot, of)?,
             (None, false) => at.equal(&self.left, &self.right, None),
             (None, true) => {
@@ -80,19 +103,34 @@ struct Asked<'a, T> {
 impl<T: Analytic> Asked<'_, T> {
     fn value(&self, node: &Node, upper: Option<bool>) -> T {
         let courses = &self.system.space.courses;
-        node.value(&Env { values: self.values, running: Some(self.running.clone()), upper, courses })
+        node.value(&Env {
+            values: self.values,
+            running: Some(self.running.clone()),
+            upper,
+            courses,
+        })
     }
 
     fn size(&self, node: &Node, upper: Option<bool>) -> f64 {
         let courses = &self.system.space.courses;
-        node.sized(&Env { values: self.rough, running: Some(self.running.to_f64()), upper, courses }).1
+        node.sized(&Env {
+            values: self.rough,
+            running: Some(self.running.to_f64()),
+            upper,
+            courses,
+        })
+        .1
     }
 
     fn equal(&self, left: &Node, right: &Node, upper: Option<bool>) -> Gap {
         let (a, b) = (self.value(left, upper), self.value(right, upper));
         let size = self.size(left, upper).max(self.size(right, upper));
         let gap = (a.clone() - b.clone()).to_f64().abs();
-        Gap { relative: if gap == 0.0 { 0.0 } else { gap / size }, left: a.to_f64(), right: b.to_f64() }
+        Gap {
+            relative: if gap == 0.0 { 0.0 } else { gap / size },
+            left: a.to_f64(),
+            right: b.to_f64(),
+        }
     }
 
     /// A premise with this slot squared.
@@ -100,7 +138,11 @@ impl<T: Analytic> Asked<'_, T> {
         let squared = |node: &Node| match node {
             Node::Power(base, 2) => matches!(base.as_ref(), Node::Slot(known) if *known == slot),
             Node::Product(factors) => {
-                factors.iter().filter(|factor| matches!(factor, Node::Slot(known) if *known == slot)).count() == 2
+                factors
+                    .iter()
+                    .filter(|factor| matches!(factor, Node::Slot(known) if *known == slot))
+                    .count()
+                    == 2
             }
             _ => false,
         };

@@ -71,10 +71,19 @@ impl Space {
         };
         Some(match self.slots.get(slot)? {
             Slot::Parameter(name) => name.to_string(),
-            Slot::Time { family, index } => Name { subscript: subscript(*index), ..family.clone() }.to_string(),
+            Slot::Time { family, index } => Name {
+                subscript: subscript(*index),
+                ..family.clone()
+            }
+            .to_string(),
             Slot::State { state, index, after } => {
                 let mark = if *after { "+".to_string() } else { String::new() };
-                Name { subscript: subscript(*index), mark, ..state.clone() }.to_string()
+                Name {
+                    subscript: subscript(*index),
+                    mark,
+                    ..state.clone()
+                }
+                .to_string()
             }
             _ => return None,
         })

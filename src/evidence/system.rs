@@ -87,9 +87,23 @@ impl System {
                 of_maps.push(statement);
                 continue;
             }
-            let flight = if statements.claim_runs { first } else { statement.first.unwrap_or(first) };
-            let mut compiler = compiler(vocabulary, &mut space, Some(&maps), &statement.locals, statement.first, flight);
-            let sides = [compiler.tree(&statement.equation.left)?, compiler.tree(&statement.equation.right)?];
+            let flight = if statements.claim_runs {
+                first
+            } else {
+                statement.first.unwrap_or(first)
+            };
+            let mut compiler = compiler(
+                vocabulary,
+                &mut space,
+                Some(&maps),
+                &statement.locals,
+                statement.first,
+                flight,
+            );
+            let sides = [
+                compiler.tree(&statement.equation.left)?,
+                compiler.tree(&statement.equation.right)?,
+            ];
             sorted.sort(sides, &space, &mut late);
         }
         for equation in &vocabulary.relations {
@@ -144,7 +158,11 @@ impl System {
         let bound = self.bound(&sorted.rows);
         for node in sorted.rows {
             let impacts = self.impacts(&node, &bound);
-            self.rows.push(Row { node, impacts, in_flight: false });
+            self.rows.push(Row {
+                node,
+                impacts,
+                in_flight: false,
+            });
         }
         let flights = flights.into_iter().map(|(start, node)| Row {
             node,
@@ -173,7 +191,14 @@ impl System {
             self.late.push(left.minus(compiler.tree(&statement.equation.right)?));
         }
         for equation in &statements.claims {
-            let mut compiler = compiler(vocabulary, &mut self.space, Some(&maps), &statements.locals, None, first);
+            let mut compiler = compiler(
+                vocabulary,
+                &mut self.space,
+                Some(&maps),
+                &statements.locals,
+                None,
+                first,
+            );
             let question = Question::new(equation, &mut compiler)?;
             self.questions.push(question);
         }
@@ -190,17 +215,24 @@ impl System {
 
     /// Makes a course repeat.
     fn declare(&mut self, period: Period) -> Result<(), Unwitnessed> {
-        let Some(course) = self.space.courses.get_mut(period.course) else { return Ok(()) };
+        let Some(course) = self.space.courses.get_mut(period.course) else {
+            return Ok(());
+        };
         if course.flight.is_some() {
             return Err(Unwitnessed::Kind("a motion that repeats has no witness yet"));
         }
-        self.zeros.extend((period.level + 1..course.powers).map(|power| course.first + power));
+        self.zeros
+            .extend((period.level + 1..course.powers).map(|power| course.first + power));
         match (&course.period, self.kind) {
             (None, Kind::Any) => course.period = Some(Box::new(period.shift)),
             (None, Kind::Cosine) => {
                 course.period = Some(Box::new(Node::Number(2, 1)));
                 let square = Node::Power(Box::new(period.shift), 2);
-                self.rows.push(Row { node: square.minus(Node::Number(4, 1)), impacts: BTreeSet::new(), in_flight: false });
+                self.rows.push(Row {
+                    node: square.minus(Node::Number(4, 1)),
+                    impacts: BTreeSet::new(),
+                    in_flight: false,
+                });
             }
             // A second period must agree with the first at some times.
             (Some(_), _) => self.checks.extend(period.checks()),
@@ -212,7 +244,10 @@ impl System {
     fn impacts(&self, node: &Node, bound: &[(usize, BTreeSet<i32>)]) -> BTreeSet<i32> {
         let of = |slot: usize| -> BTreeSet<i32> {
             let own = self.space.impact(slot).into_iter();
-            let bound = bound.iter().filter(|(known, _)| *known == slot).flat_map(|(_, impacts)| impacts.clone());
+            let bound = bound
+                .iter()
+                .filter(|(known, _)| *known == slot)
+                .flat_map(|(_, impacts)| impacts.clone());
             own.chain(bound).collect()
         };
         node.written().into_iter().flat_map(of).collect()
@@ -223,8 +258,15 @@ impl System {
         let mut bound = Vec::new();
         for node in rows.iter().filter(|node| self.is_pure(node)) {
             let impacts = self.impacts(node, &[]);
-            let parameters = node.written().into_iter().filter(|&slot| self.space.impact(slot).is_none());
-            bound.extend(parameters.filter(|_| !impacts.is_empty()).map(|slot| (slot, impacts.clone())));
+            let parameters = node
+                .written()
+                .into_iter()
+                .filter(|&slot| self.space.impact(slot).is_none());
+            bound.extend(
+                parameters
+                    .filter(|_| !impacts.is_empty())
+                    .map(|slot| (slot, impacts.clone())),
+            );
         }
         bound
     }
@@ -242,14 +284,27 @@ impl System {
                 continue;
             }
             if !step.equations.is_empty() {
-                let row = |node: &Node| Row { node: node.clone(), impacts: BTreeSet::new(), in_flight: false };
+                let row = |node: &Node| Row {
+                    node: node.clone(),
+                    impacts: BTreeSet::new(),
+                    in_flight: false,
+                };
                 self.step_rows.push(step.equations.iter().map(row).collect());
                 continue;
             }
-            let impacts: BTreeSet<i32> = step.of.iter().chain(&step.by).filter_map(|&s| self.space.impact(s)).collect();
+            let impacts: BTreeSet<i32> = step
+                .of
+                .iter()
+                .chain(&step.by)
+                .filter_map(|&s| self.space.impact(s))
+                .collect();
             let speaks = |row: &Row| {
                 row.in_flight
-                    || row.node.written().iter().any(|&s| self.space.impact(s).is_some() && !step.by.contains(&s))
+                    || row
+                        .node
+                        .written()
+                        .iter()
+                        .any(|&s| self.space.impact(s).is_some() && !step.by.contains(&s))
             };
             let fits = |row: &&Row| !self.is_pure(&row.node) && speaks(row) && row.impacts.is_subset(&impacts);
             let mut rows: Vec<Row> = self.rows.iter().filter(fits).cloned().collect();
@@ -258,7 +313,11 @@ impl System {
             self.step_rows.push(rows);
         }
         let explicit: Vec<Node> = self.maps.steps.iter().flat_map(|step| step.equations.clone()).collect();
-        let row = |node| Row { node, impacts: BTreeSet::new(), in_flight: false };
+        let row = |node| Row {
+            node,
+            impacts: BTreeSet::new(),
+            in_flight: false,
+        };
         self.rows.extend(explicit.into_iter().map(row));
     }
 }
@@ -281,7 +340,11 @@ impl Sorted {
         } else {
             let flight = |course: usize| space.courses.get(course).and_then(|course| course.flight);
             match node.courses().into_iter().find(|&course| flight(course).is_some()) {
-                Some(course) => self.flights.push(Law { course, start: flight(course).unwrap_or(0), node }),
+                Some(course) => self.flights.push(Law {
+                    course,
+                    start: flight(course).unwrap_or(0),
+                    node,
+                }),
                 None => self.functions.push(node),
             }
         }
@@ -297,7 +360,15 @@ fn compiler<'a>(
     first: Option<i32>,
     flight: i32,
 ) -> Compiler<'a> {
-    Compiler { vocabulary, space, maps, locals, first, flight, open: Vec::new() }
+    Compiler {
+        vocabulary,
+        space,
+        maps,
+        locals,
+        first,
+        flight,
+        open: Vec::new(),
+    }
 }
 
 fn read_maps(vocabulary: &Vocabulary, compiler: &mut Compiler, mut maps: Maps) -> Result<Maps, Unwitnessed> {
@@ -309,12 +380,20 @@ fn read_maps(vocabulary: &Vocabulary, compiler: &mut Compiler, mut maps: Maps) -
             }
             Map::Premises { of, by } => {
                 let mut slots = |trees: &[Tree]| {
-                    trees.iter().filter_map(|tree| match tree {
-                        Tree::Symbol(name, _) => compiler.quantity(name),
-                        _ => None,
-                    }).collect()
+                    trees
+                        .iter()
+                        .filter_map(|tree| match tree {
+                            Tree::Symbol(name, _) => compiler.quantity(name),
+                            _ => None,
+                        })
+                        .collect()
                 };
-                Step { name: name.clone(), of: slots(of), by: slots(by), equations: Vec::new() }
+                Step {
+                    name: name.clone(),
+                    of: slots(of),
+                    by: slots(by),
+                    equations: Vec::new(),
+                }
             }
             Map::Equations(equations) => explicit(name, equations, compiler)?,
         };
@@ -343,9 +422,20 @@ fn explicit(name: &crate::tex::Name, equations: &[Equation], compiler: &mut Comp
     }
     order.sort_unstable();
     order.dedup();
-    let side = |index: Option<i32>| order.iter().filter(|(i, ..)| Some(*i) == index).map(|(.., slot)| *slot).collect();
+    let side = |index: Option<i32>| {
+        order
+            .iter()
+            .filter(|(i, ..)| Some(*i) == index)
+            .map(|(.., slot)| *slot)
+            .collect()
+    };
     let (of, by) = (side(order.last().map(|o| o.0)), side(order.first().map(|o| o.0)));
-    Ok(Step { name: name.clone(), of, by, equations: nodes })
+    Ok(Step {
+        name: name.clone(),
+        of,
+        by,
+        equations: nodes,
+    })
 }
 
 /// Whether any node of an equation passes the test.
