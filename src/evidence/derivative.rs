@@ -77,19 +77,7 @@ impl System {
                     *entry = 0.0;
                 }
             }
-            let before = norm(&gradient);
-            for unit in &units {
-                let along: f64 = gradient.iter().zip(unit).map(|(a, b)| a * b).sum();
-                gradient
-                    .iter_mut()
-                    .zip(unit)
-                    .for_each(|(entry, part)| *entry -= along * part);
-            }
-            let size = norm(&gradient);
-            if size > DEPENDENT * before {
-                gradient.iter_mut().for_each(|entry| *entry /= size);
-                units.push(gradient);
-            }
+            units.extend(new_direction(gradient, &units));
             moving.determined = units.len() >= moving.slots.len();
             if moving.determined && !row.in_flight && map.of.iter().all(|of| moving.slots.contains(of)) {
                 break;
@@ -166,4 +154,19 @@ impl System {
             courses: &self.space.courses,
         }
     }
+}
+
+/// The direction in which a row says something that the rows before it do not.
+fn new_direction(mut gradient: Vec<f64>, units: &[Vec<f64>]) -> Option<Vec<f64>> {
+    let before = norm(&gradient);
+    for unit in units {
+        let along: f64 = gradient.iter().zip(unit).map(|(a, b)| a * b).sum();
+        gradient
+            .iter_mut()
+            .zip(unit)
+            .for_each(|(entry, part)| *entry -= along * part);
+    }
+    let size = norm(&gradient);
+    gradient.iter_mut().for_each(|entry| *entry /= size);
+    (size > DEPENDENT * before).then_some(gradient)
 }

@@ -1,8 +1,10 @@
 //! Jacobians: which partial derivatives stand in which matrix.
 
+use super::compiler::{Compiler, Unwitnessed};
 use super::program::Node;
 use super::space::{Slot, Space};
-use crate::tex::{Invariant, Name};
+use crate::claim::{Map, Vocabulary};
+use crate::tex::{Equation, Invariant, Name, Tree};
 
 /// The derivatives of some quantities by others.
 #[derive(Clone, Debug)]
@@ -129,6 +131,78 @@ fn determinant(matrix: &Matrix) -> Node {
         }
     });
     Node::Sum(terms.collect())
+}
+
+/// The maps of a vocabulary.
+///
+/// # Errors
+/// [`Unwitnessed`] where the equations of a map have no concrete form.
+pub fn read_maps(vocabulary: &Vocabulary, compiler: &mut Compiler) -> Result<Maps, Unwitnessed> {
+    let mut maps = Maps::default();
+    for (name, map) in &vocabulary.maps {
+        let step = match map {
+            Map::Product(factors) => {
+                maps.products.push((name.clone(), factors.clone()));
+                continue;
+            }
+            Map::Premises { of, by } => {
+                let mut slots = |trees: &[Tree]| {
+                    trees
+                        .iter()
+                        .filter_map(|tree| match tree {
+                            Tree::Symbol(name, _) => compiler.quantity(name),
+                            _ => None,
+                        })
+                        .collect()
+                };
+                Step {
+                    name: name.clone(),
+                    of: slots(of),
+                    by: slots(by),
+                    equations: Vec::new(),
+                }
+            }
+            Map::Equations(equations) => explicit(name, equations, compiler)?,
+        };
+        maps.steps.push(step);
+    }
+    Ok(maps)
+}
+
+/// The map from the first impact that its equations name to the last: times before states, as declared.
+fn explicit(name: &Name, equations: &[Equation], compiler: &mut Compiler) -> Result<Step, Unwitnessed> {
+    let mut nodes = Vec::new();
+    for equation in equations {
+        let left = compiler.tree(&equation.left)?;
+        nodes.push(left.minus(compiler.tree(&equation.right)?));
+    }
+    let mut order: Vec<(i32, usize, usize)> = Vec::new();
+    for slot in nodes.iter().flat_map(Node::written) {
+        match compiler.space.slots.get(slot) {
+            Some(Slot::Time { index, .. }) => order.push((*index, 0, slot)),
+            Some(Slot::State { state, index, .. }) => {
+                let rank = compiler.vocabulary.states.iter().position(|known| known == state);
+                order.push((*index, rank.map_or(usize::MAX, |rank| rank + 1), slot));
+            }
+            _ => {}
+        }
+    }
+    order.sort_unstable();
+    order.dedup();
+    let side = |index: Option<i32>| {
+        order
+            .iter()
+            .filter(|(i, ..)| Some(*i) == index)
+            .map(|(.., slot)| *slot)
+            .collect()
+    };
+    let (of, by) = (side(order.last().map(|o| o.0)), side(order.first().map(|o| o.0)));
+    Ok(Step {
+        name: name.clone(),
+        of,
+        by,
+        equations: nodes,
+    })
 }
 
 #[cfg(test)]

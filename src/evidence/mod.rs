@@ -17,6 +17,7 @@ mod point;
 mod program;
 mod question;
 mod sequence;
+mod sorted;
 mod space;
 mod system;
 mod tolerance;

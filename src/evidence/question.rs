@@ -3,7 +3,7 @@
 use super::compiler::{Compiler, Unwitnessed};
 use super::program::{Env, Node};
 use super::space::Slot;
-use super::system::{System, any};
+use super::system::System;
 use super::tolerance::MOST_DIGITS;
 use crate::number::Analytic;
 use crate::tex::{Equation, Name, Tree};
@@ -177,4 +177,21 @@ impl<T: Analytic> Asked<'_, T> {
 /// Whether a slot is one that a reader names.
 pub fn is_named(slot: &Slot) -> bool {
     matches!(slot, Slot::Parameter(_) | Slot::Time { .. } | Slot::State { .. })
+}
+
+/// Whether any node of an equation passes the test.
+pub fn any(equation: &Equation, test: &dyn Fn(&Tree) -> bool) -> bool {
+    fn below(tree: &Tree, test: &dyn Fn(&Tree) -> bool) -> bool {
+        test(tree)
+            || match tree {
+                Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => false,
+                Tree::Call(_, body, _) | Tree::Negate(body) | Tree::Power(body, ..) | Tree::Root(body, _) => {
+                    below(body, test)
+                }
+                Tree::PlusMinus(body) | Tree::MinusPlus(body) => below(body, test),
+                Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| below(part, test)),
+                Tree::Quotient(a, b, _) => below(a, test) || below(b, test),
+            }
+    }
+    below(&equation.left, test) || below(&equation.right, test)
 }

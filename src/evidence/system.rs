@@ -1,14 +1,15 @@
 //! The premises of a claim as equations over slots.
 
 use super::compiler::{Compiler, Unwitnessed};
-use super::flight::{self, Law};
-use super::maps::{Maps, Step};
-use super::period::{Period, period_of};
+use super::flight;
+use super::maps::{Maps, read_maps};
+use super::period::Period;
 use super::program::Node;
 use super::question::Question;
-use super::space::{Slot, Space};
-use crate::claim::{Local, Map, Statements, Vocabulary};
-use crate::tex::{At, Equation, Tree};
+use super::sorted::{Sorted, speaks_of_matrix};
+use super::space::Space;
+use crate::claim::{Local, Statements, Vocabulary};
+use crate::tex::{At, Tree};
 use std::collections::BTreeSet;
 
 /// An equation that holds.
@@ -59,15 +60,6 @@ pub struct System {
     pub letter: String,
 }
 
-/// What premises are sorted into.
-#[derive(Default)]
-struct Sorted {
-    rows: Vec<Node>,
-    flights: Vec<Law>,
-    functions: Vec<Node>,
-    periods: Vec<Period>,
-}
-
 impl System {
     /// Reads premises and claim.
     ///
@@ -75,55 +67,17 @@ impl System {
     /// [`Unwitnessed`] where something has no concrete form.
     pub fn new(statements: &Statements, vocabulary: &Vocabulary, kind: Kind) -> Result<Self, Unwitnessed> {
         let (mut space, first) = (Space::default(), statements.first.unwrap_or(0));
-        let mut maps = Maps::default();
-        {
-            let mut compiler = compiler(vocabulary, &mut space, None, &[], None, first);
-            maps = read_maps(vocabulary, &mut compiler, maps)?;
-        }
-        let mut sorted = Sorted::default();
-        let (mut late, mut of_maps) = (Vec::new(), Vec::new());
-        for statement in &statements.premises {
-            if any(&statement.equation, &|tree| matches!(tree, Tree::Invariant { .. })) {
-                of_maps.push(statement);
-                continue;
-            }
-            let flight = if statements.claim_runs {
-                first
-            } else {
-                statement.first.unwrap_or(first)
-            };
-            let mut compiler = compiler(
-                vocabulary,
-                &mut space,
-                Some(&maps),
-                &statement.locals,
-                statement.first,
-                flight,
-            );
-            let sides = [
-                compiler.tree(&statement.equation.left)?,
-                compiler.tree(&statement.equation.right)?,
-            ];
-            sorted.sort(sides, &space, &mut late);
-        }
-        for equation in &vocabulary.relations {
-            let mut compiler = compiler(vocabulary, &mut space, Some(&maps), &[], None, first);
-            let sides = [compiler.tree(&equation.left)?, compiler.tree(&equation.right)?];
-            sorted.sort(sides, &space, &mut late);
-        }
-        for (name, shift) in &vocabulary.periods {
-            let mut compiler = compiler(vocabulary, &mut space, Some(&maps), &[], None, first);
-            if let Node::Value { course, level, .. } = compiler.tree(&Tree::Symbol(name.clone(), At(0)))? {
-                let shift = compiler.tree(shift)?;
-                sorted.periods.push(Period { course, level, shift });
-            }
-        }
+        let maps = read_maps(
+            vocabulary,
+            &mut compiler(vocabulary, &mut space, None, &[], None, first),
+        )?;
+        let sorted = Sorted::read(statements, vocabulary, &mut space, &maps)?;
         let mut system = Self {
             space,
             maps,
             rows: Vec::new(),
             step_rows: Vec::new(),
-            late,
+            late: sorted.late.clone(),
             checks: Vec::new(),
             zeros: BTreeSet::new(),
             shaped: false,
@@ -136,7 +90,7 @@ impl System {
             letter: vocabulary.index.clone(),
         };
         system.fill(statements, vocabulary, sorted)?;
-        system.ask(statements, vocabulary, &of_maps)?;
+        system.ask(statements, vocabulary)?;
         Ok(system)
     }
 
@@ -176,15 +130,14 @@ impl System {
     }
 
     /// The claim, and the premises that speak of maps.
-    fn ask(
-        &mut self,
-        statements: &Statements,
-        vocabulary: &Vocabulary,
-        of_maps: &[&crate::claim::Statement],
-    ) -> Result<(), Unwitnessed> {
+    fn ask(&mut self, statements: &Statements, vocabulary: &Vocabulary) -> Result<(), Unwitnessed> {
         let first = statements.first.unwrap_or(0);
         let maps = self.maps.clone();
-        for statement in of_maps {
+        for statement in statements
+            .premises
+            .iter()
+            .filter(|statement| speaks_of_matrix(&statement.equation))
+        {
             let locals = &statement.locals;
             let mut compiler = compiler(vocabulary, &mut self.space, Some(&maps), locals, statement.first, first);
             let left = compiler.tree(&statement.equation.left)?;
@@ -322,37 +275,8 @@ impl System {
     }
 }
 
-impl Sorted {
-    fn sort(&mut self, [left, right]: [Node; 2], space: &Space, late: &mut Vec<Node>) {
-        let is_partial = |node: &Node| match node {
-            Node::Slot(slot) => matches!(space.slots.get(*slot), Some(Slot::Partial { .. })),
-            _ => false,
-        };
-        if let Some(period) = period_of(&left, &right, space) {
-            self.periods.push(period);
-            return;
-        }
-        let node = left.minus(right);
-        if node.any(is_partial) {
-            late.push(node);
-        } else if !node.any(|node| matches!(node, Node::Running)) {
-            self.rows.push(node);
-        } else {
-            let flight = |course: usize| space.courses.get(course).and_then(|course| course.flight);
-            match node.courses().into_iter().find(|&course| flight(course).is_some()) {
-                Some(course) => self.flights.push(Law {
-                    course,
-                    start: flight(course).unwrap_or(0),
-                    node,
-                }),
-                None => self.functions.push(node),
-            }
-        }
-    }
-}
-
 /// A compiler for one equation.
-fn compiler<'a>(
+pub fn compiler<'a>(
     vocabulary: &'a Vocabulary,
     space: &'a mut Space,
     maps: Option<&'a Maps>,
@@ -369,88 +293,4 @@ fn compiler<'a>(
         flight,
         open: Vec::new(),
     }
-}
-
-fn read_maps(vocabulary: &Vocabulary, compiler: &mut Compiler, mut maps: Maps) -> Result<Maps, Unwitnessed> {
-    for (name, map) in &vocabulary.maps {
-        let step = match map {
-            Map::Product(factors) => {
-                maps.products.push((name.clone(), factors.clone()));
-                continue;
-            }
-            Map::Premises { of, by } => {
-                let mut slots = |trees: &[Tree]| {
-                    trees
-                        .iter()
-                        .filter_map(|tree| match tree {
-                            Tree::Symbol(name, _) => compiler.quantity(name),
-                            _ => None,
-                        })
-                        .collect()
-                };
-                Step {
-                    name: name.clone(),
-                    of: slots(of),
-                    by: slots(by),
-                    equations: Vec::new(),
-                }
-            }
-            Map::Equations(equations) => explicit(name, equations, compiler)?,
-        };
-        maps.steps.push(step);
-    }
-    Ok(maps)
-}
-
-/// The map from the first impact that its equations name to the last: times before states, as declared.
-fn explicit(name: &crate::tex::Name, equations: &[Equation], compiler: &mut Compiler) -> Result<Step, Unwitnessed> {
-    let mut nodes = Vec::new();
-    for equation in equations {
-        let left = compiler.tree(&equation.left)?;
-        nodes.push(left.minus(compiler.tree(&equation.right)?));
-    }
-    let mut order: Vec<(i32, usize, usize)> = Vec::new();
-    for slot in nodes.iter().flat_map(Node::written) {
-        match compiler.space.slots.get(slot) {
-            Some(Slot::Time { index, .. }) => order.push((*index, 0, slot)),
-            Some(Slot::State { state, index, .. }) => {
-                let rank = compiler.vocabulary.states.iter().position(|known| known == state);
-                order.push((*index, rank.map_or(usize::MAX, |rank| rank + 1), slot));
-            }
-            _ => {}
-        }
-    }
-    order.sort_unstable();
-    order.dedup();
-    let side = |index: Option<i32>| {
-        order
-            .iter()
-            .filter(|(i, ..)| Some(*i) == index)
-            .map(|(.., slot)| *slot)
-            .collect()
-    };
-    let (of, by) = (side(order.last().map(|o| o.0)), side(order.first().map(|o| o.0)));
-    Ok(Step {
-        name: name.clone(),
-        of,
-        by,
-        equations: nodes,
-    })
-}
-
-/// Whether any node of an equation passes the test.
-pub fn any(equation: &Equation, test: &dyn Fn(&Tree) -> bool) -> bool {
-    fn below(tree: &Tree, test: &dyn Fn(&Tree) -> bool) -> bool {
-        test(tree)
-            || match tree {
-                Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => false,
-                Tree::Call(_, body, _) | Tree::Negate(body) | Tree::Power(body, ..) | Tree::Root(body, _) => {
-                    below(body, test)
-                }
-                Tree::PlusMinus(body) | Tree::MinusPlus(body) => below(body, test),
-                Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| below(part, test)),
-                Tree::Quotient(a, b, _) => below(a, test) || below(b, test),
-            }
-    }
-    below(&equation.left, test) || below(&equation.right, test)
 }
