@@ -28,8 +28,9 @@ pub enum Unwitnessed {
     Kind(&'static str),
 }
 
-/// How many harmonics stand for any function: more coefficients than values at two times, or at three.
-const HARMONICS: usize = 4;
+/// How many harmonics stand for any function: with the powers of time there are as many coefficients as values of a
+/// function and two integrals at three times, or at two where it repeats.
+const HARMONICS: usize = 3;
 /// Powers of time in a flight: constants of integration, gravity, and one to spare.
 const POWERS_OF_FLIGHT: usize = 4;
 

@@ -1,6 +1,6 @@
 //! Partial derivatives of a one-impact map by implicit differentiation of the premises, with dual numbers.
 
-use super::newton::{least, norm};
+use super::newton::{Slopes, least, norm};
 use super::program::Env;
 use super::space::Slot;
 use super::system::System;
@@ -88,15 +88,12 @@ impl System {
 
     /// The derivatives of a row by all slots.
     fn gradient(&self, row: &super::program::Node, rough: &[f64]) -> Vec<f64> {
-        let mut lifted: Vec<Dual<f64>> = rough.iter().map(|value| Dual::from_re(*value)).collect();
         let mut gradient = vec![0.0; rough.len()];
-        for slot in row.slots(&self.space.courses) {
-            if let (Some(value), Some(entry)) = (lifted.get_mut(slot), gradient.get_mut(slot)) {
-                value.eps = 1.0;
-                *entry = row.value(&self.env(&lifted)).eps;
-            }
-            if let Some(value) = lifted.get_mut(slot) {
-                value.eps = 0.0;
+        let slots = row.slots(&self.space.courses);
+        let slopes = Slopes::new(rough, &self.space.courses).of(row, &slots);
+        for (slot, slope) in slots.into_iter().zip(slopes) {
+            if let Some(entry) = gradient.get_mut(slot) {
+                *entry = slope;
             }
         }
         gradient

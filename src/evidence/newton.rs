@@ -3,7 +3,8 @@
 use super::course::Course;
 use super::program::{Env, Node};
 use super::tolerance::{DEPENDENT, PREMISE};
-use crate::number::{Analytic, Dual};
+use crate::number::{Analytic, Gradient};
+use nalgebra::{Const, U1};
 
 /// Equations to be met, and the slots that may be moved for it.
 #[derive(Clone, Debug)]
@@ -36,34 +37,23 @@ impl<'a> Equations<'a> {
         }
     }
 
-    /// The Jacobian by dual numbers, an unknown at a time.
+    /// The Jacobian by dual numbers.
     fn jacobian(&self, values: &[f64]) -> Vec<Vec<f64>> {
-        let mut lifted: Vec<Dual<f64>> = values.iter().map(|value| Dual::from_re(*value)).collect();
-        let mut jacobian = vec![vec![0.0; self.unknowns.len()]; self.rows.len()];
-        for ((row, columns), entries) in self.rows.iter().zip(&self.columns).zip(&mut jacobian) {
-            for &column in columns {
-                let Some(&slot) = self.unknowns.get(column) else {
-                    continue;
-                };
-                let seed = |lifted: &mut Vec<Dual<f64>>, eps| {
-                    if let Some(value) = lifted.get_mut(slot) {
-                        value.eps = eps;
-                    }
-                };
-                seed(&mut lifted, 1.0);
-                let env = Env {
-                    values: &lifted,
-                    running: None,
-                    upper: None,
-                    courses: self.courses,
-                };
-                if let Some(entry) = entries.get_mut(column) {
-                    *entry = row.value(&env).eps;
+        let mut slopes = Slopes::new(values, self.courses);
+        let row = |(row, columns): (&&Node, &Vec<usize>)| {
+            let mut entries = vec![0.0; self.unknowns.len()];
+            let slots: Vec<usize> = columns
+                .iter()
+                .filter_map(|&column| self.unknowns.get(column).copied())
+                .collect();
+            for (column, slope) in columns.iter().zip(slopes.of(row, &slots)) {
+                if let Some(entry) = entries.get_mut(*column) {
+                    *entry = slope;
                 }
-                seed(&mut lifted, 0.0);
             }
-        }
-        jacobian
+            entries
+        };
+        self.rows.iter().zip(&self.columns).map(row).collect()
     }
 
     /// The residuals, and the largest relative to the size of its terms.
@@ -121,6 +111,51 @@ impl<'a> Equations<'a> {
             }
         }
         self.residuals(values).1
+    }
+}
+
+/// Derivatives by this many slots are found at once: a row has some ten to twenty.
+const LANES: usize = 8;
+
+/// Derivatives of formulas at one point.
+pub struct Slopes<'a> {
+    lifted: Vec<Gradient<LANES>>,
+    courses: &'a [Course],
+}
+
+impl<'a> Slopes<'a> {
+    /// At a point.
+    pub fn new(values: &[f64], courses: &'a [Course]) -> Self {
+        Self {
+            lifted: values.iter().map(|value| Gradient::from_re(*value)).collect(),
+            courses,
+        }
+    }
+
+    /// The derivatives of a formula by these slots, in their order.
+    pub fn of(&mut self, node: &Node, slots: &[usize]) -> Vec<f64> {
+        let mut slopes = Vec::with_capacity(slots.len());
+        for some in slots.chunks(LANES) {
+            for (lane, slot) in some.iter().enumerate() {
+                if let Some(value) = self.lifted.get_mut(*slot) {
+                    *value = value.derivative(lane);
+                }
+            }
+            let env = Env {
+                values: &self.lifted,
+                running: None,
+                upper: None,
+                courses: self.courses,
+            };
+            let found = node.value(&env).eps.unwrap_generic(Const::<LANES>, U1);
+            slopes.extend(found.iter().take(some.len()));
+            for slot in some {
+                if let Some(value) = self.lifted.get_mut(*slot) {
+                    *value = Gradient::from_re(value.re);
+                }
+            }
+        }
+        slopes
     }
 }
 
