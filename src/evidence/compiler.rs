@@ -33,6 +33,8 @@ pub enum Unwitnessed {
 const HARMONICS: usize = 3;
 /// Powers of time in a flight: constants of integration, gravity, and one to spare.
 const POWERS_OF_FLIGHT: usize = 4;
+/// Powers of time that a function has where a premise says what it is: up to the square.
+const POWERS_OF_LAW: usize = 2;
 
 /// Turns trees into programs.
 pub struct Compiler<'a> {
@@ -184,10 +186,9 @@ impl Compiler<'_> {
             return known;
         }
         // Without functions a flight is moved by gravity alone.
-        let powers = if flight.is_some() {
-            POWERS_OF_FLIGHT
-        } else {
-            names.len()
+        let powers = match flight {
+            Some(_) => POWERS_OF_FLIGHT,
+            None => names.len() + POWERS_OF_LAW,
         };
         let harmonics = if flight.is_some() && self.vocabulary.functions.is_empty() {
             0

@@ -1,10 +1,10 @@
 //! Partial derivatives of a one-impact map by implicit differentiation of the premises, with dual numbers.
 
 use super::newton::{Slopes, least, norm};
-use super::program::Env;
+use super::program::{Env, Node};
 use super::space::Slot;
 use super::system::System;
-use super::tolerance::DEPENDENT;
+use super::tolerance::{DEPENDENT, SLOPE, SLOPE_WIDE};
 use crate::number::{Analytic, Dual};
 use num_dual::DualNum;
 
@@ -18,7 +18,7 @@ pub struct Found<T> {
 
 /// The rows that determine a map, and the slots that move along with it.
 struct Moving<'a> {
-    rows: Vec<&'a super::program::Node>,
+    rows: Vec<&'a Node>,
     slots: Vec<usize>,
     determined: bool,
 }
@@ -43,6 +43,27 @@ impl System {
         }
         let determined = moving.determined && map.of.iter().all(|of| moving.slots.contains(of));
         Some(Found { partials, determined })
+    }
+
+    /// What the premises say of the derivatives of a map that they leave open, as equations between these; nothing
+    /// where they speak of derivatives that have no slot.
+    pub fn linear_rows(&self, step: usize, rough: &[f64]) -> Option<Vec<Node>> {
+        let map = self.maps.steps.get(step)?;
+        let moving = self.moving(step, rough)?;
+        let mut rows = Vec::new();
+        for row in &moving.rows {
+            let gradient = self.gradient(row, rough);
+            let slope = |slot: usize| gradient.get(slot).copied().unwrap_or(0.0);
+            for &by in &map.by {
+                let mut terms = vec![Node::Float(slope(by))];
+                for &of in &moving.slots {
+                    let partial = self.space.slots.iter().position(|s| *s == Slot::Partial { of, by })?;
+                    terms.push(Node::Product(vec![Node::Float(slope(of)), Node::Slot(partial)]));
+                }
+                rows.push(Node::Sum(terms));
+            }
+        }
+        Some(rows)
     }
 
     /// The first rows that have as much to say as there is to know; what is left over restricts the point.
@@ -87,7 +108,7 @@ impl System {
     }
 
     /// The derivatives of a row by all slots.
-    fn gradient(&self, row: &super::program::Node, rough: &[f64]) -> Vec<f64> {
+    fn gradient(&self, row: &Node, rough: &[f64]) -> Vec<f64> {
         let mut gradient = vec![0.0; rough.len()];
         let slots = row.slots(&self.space.courses);
         let slopes = Slopes::new(rough, &self.space.courses).of(row, &slots);
@@ -127,7 +148,9 @@ impl System {
         let mut lifted: Vec<Dual<T>> = values.iter().map(|value| Dual::from_re(value.clone())).collect();
         lifted.get_mut(by)?.eps = T::one();
         // Each step gains the digits of the Jacobian in f64: two for f64 itself, six for 40 digits near grazing.
-        let steps = if T::epsilon().to_f64() < 1e-20 { 6 } else { 2 };
+        let wide = T::epsilon().to_f64() < 1e-20;
+        let (steps, enough) = if wide { (8, SLOPE_WIDE) } else { (3, SLOPE) };
+        let mut last = f64::INFINITY;
         for _ in 0..steps {
             for (slot, slope) in moving.slots.iter().zip(&slopes) {
                 lifted.get_mut(*slot)?.eps = slope.clone();
@@ -135,10 +158,17 @@ impl System {
             let env = self.env(&lifted);
             let rest: Vec<f64> = moving.rows.iter().map(|row| row.value(&env).eps.to_f64()).collect();
             let change = least(jacobian.clone(), &rest, moving.slots.len());
-            for (slope, change) in slopes.iter_mut().zip(change) {
-                *slope -= <T as Analytic>::from_f64(change);
+            for (slope, change) in slopes.iter_mut().zip(&change) {
+                *slope -= <T as Analytic>::from_f64(*change);
+            }
+            let size = norm(&slopes.iter().map(Analytic::to_f64).collect::<Vec<f64>>());
+            last = norm(&change) / (1.0 + size);
+            if last <= enough * 1e-3 {
+                break;
             }
         }
+        // Not larger: NaN is turned away too.
+        (last <= enough).then_some(())?;
         Some(slopes)
     }
 

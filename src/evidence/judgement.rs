@@ -279,6 +279,48 @@ mod tests {
     }
 
     #[test]
+    fn laws_of_functions_shape_the_forcing() {
+        let opposite = [("p", "f(t) = -f(t + T_1)")];
+        let evidence = of("f(t_{k+1}) = -f(t_k)", &opposite, Verdict::Proved);
+        assert!(
+            evidence.against.is_none() && evidence.digits > Some(12.0),
+            "{evidence:?}"
+        );
+        let growing = [("p", "f(t) = d t")];
+        let integral = r"F_1(t_{k+1}) - F_1(t_k) = d (t_{k+1}^2 - t_k^2)/2";
+        assert!(of(integral, &growing, Verdict::Proved).digits > Some(12.0));
+    }
+
+    #[test]
+    fn a_flight_has_the_slope_of_its_law() {
+        let law = [(
+            "3",
+            r"\dot{Z}(t) = -r\dot{Z}^{-}(t_k) + \overline{g}(t - t_k) + F_1(t) - F_1(t_k)",
+        )];
+        let slope = of(r"\ddot{Z}(t) = f(t) + \overline{g}", &law, Verdict::Proved);
+        assert!(slope.against.is_none() && slope.digits > Some(12.0), "{slope:?}");
+        assert!(
+            of(r"\ddot{Z}(t) = f(t) - \overline{g}", &law, Verdict::Proved)
+                .against
+                .is_some()
+        );
+    }
+
+    #[test]
+    fn what_premises_leave_open_of_a_map_stays_open() {
+        let velocity = [(
+            "9",
+            r"\dot{Z}_{k+1} = -r_B \dot{Z}_k + \overline{g}T_1 + F_1(t_{k+1}) - F_1(t_k)",
+        )];
+        let by_velocity = r"\frac{\partial \dot{Z}_{k+1}}{\partial \dot{Z}_k}";
+        let chain = r"-r_B + \frac{\partial t_{k+1}}{\partial \dot{Z}_k} [f(t_{k+1}) + \overline{g}]";
+        let evidence = of(&format!("{by_velocity} = {chain}"), &velocity, Verdict::Proved);
+        assert!(evidence.digits > Some(12.0) && evidence.flown.is_none(), "{evidence:?}");
+        let alone = of(&format!("{by_velocity} = -r_B"), &velocity, Verdict::Refuted);
+        assert!(alone.digits < Some(3.0), "{alone:?}");
+    }
+
+    #[test]
     fn premises_without_a_common_point_leave_no_digits() {
         let evidence = of("r = 2", &[("p", "d = -1")], Verdict::Refuted);
         assert_eq!((evidence.digits, evidence.points), (None, 0));

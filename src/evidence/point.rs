@@ -194,13 +194,22 @@ impl System {
         if self.late.is_empty() {
             return Some(0.0);
         }
-        let rows: Vec<&Node> = self.late.iter().collect();
+        let mut rows: Vec<Node> = self.late.clone();
         let all: BTreeSet<usize> = rows.iter().flat_map(|row| row.slots(&self.space.courses)).collect();
         if all.iter().any(|slot| open.contains(slot)) {
-            return None;
+            // The coefficients are those of f64.
+            if T::epsilon().to_f64() < 1e-20 {
+                return None;
+            }
+            let rough: Vec<f64> = values.iter().map(Analytic::to_f64).collect();
+            for step in 0..self.step_rows.len() {
+                rows.extend(self.linear_rows(step, &rough)?);
+            }
         }
-        let unknowns = all.difference(&fixed).copied().collect();
-        Some(Equations::new(rows, unknowns, &self.space.courses).solve(values, enough))
+        let all: BTreeSet<usize> = rows.iter().flat_map(|row| row.slots(&self.space.courses)).collect();
+        let movable = |slot: &usize| !matches!(self.space.slots.get(*slot), Some(Slot::Coefficient { .. }));
+        let unknowns = all.difference(&fixed).copied().filter(movable).collect();
+        Some(Equations::new(rows.iter().collect(), unknowns, &self.space.courses).solve(values, enough))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The premises of a claim as equations over slots.
 
 use super::compiler::{Compiler, Unwitnessed};
+use super::course::Course;
 use super::flight;
 use super::maps::{Maps, read_maps};
 use super::period::Period;
@@ -91,6 +92,7 @@ impl System {
         };
         system.fill(statements, vocabulary, sorted)?;
         system.ask(statements, vocabulary)?;
+        system.align_periods();
         Ok(system)
     }
 
@@ -106,6 +108,12 @@ impl System {
             self.declare(period)?;
         }
         self.shaped = !sorted.functions.is_empty();
+        if !self.shaped {
+            // Constants of integration are enough for any function at a few times.
+            let functions = self.space.courses.iter().filter(|course| course.flight.is_none());
+            let powers = functions.flat_map(|c| c.first + c.names.len()..c.first + c.powers);
+            self.zeros.extend(powers);
+        }
         for law in sorted.functions {
             self.rows.extend(flight::everywhere(&law, self.start));
         }
@@ -164,6 +172,21 @@ impl System {
             self.positive.push(node);
         }
         Ok(())
+    }
+
+    /// A flight has the harmonics of what drives it; a cosine has the period 2.
+    fn align_periods(&mut self) {
+        let is_function = |course: &Course| course.flight.is_none();
+        if self.kind == Kind::Cosine {
+            for course in self.space.courses.iter_mut().filter(|course| is_function(course)) {
+                course.period = Some(Box::new(Node::Number(2, 1)));
+            }
+        }
+        let driving = self.space.courses.iter().find(|course| is_function(course));
+        let period = driving.and_then(|course| course.period.clone());
+        for course in self.space.courses.iter_mut().filter(|course| !is_function(course)) {
+            course.period.clone_from(&period);
+        }
     }
 
     /// Makes a course repeat.

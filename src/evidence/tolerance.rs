@@ -10,6 +10,12 @@ pub const PREMISE_WIDE: f64 = 1e-32;
 /// nothing new: rows are right to about 1e-14, and points are drawn without special properties.
 pub const DEPENDENT: f64 = 1e-9;
 
+/// The last refinement of a derivative, relative to its size: in f64 what a flight close to grazing leaves, in 40
+/// digits far below the gap that tells equal sides from others.
+pub const SLOPE: f64 = 1e-11;
+/// See [`SLOPE`].
+pub const SLOPE_WIDE: f64 = 1e-28;
+
 /// A proved claim with fewer digits than this in f64 is looked at again in 40 digits.
 pub const DOUBTFUL_PROOF: f64 = 8.0;
 
