@@ -69,3 +69,34 @@ impl Period {
         times.into_iter().map(check).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(time: Node) -> Node {
+        Node::Value {
+            course: 0,
+            level: 1,
+            time: Box::new(time),
+        }
+    }
+
+    #[test]
+    fn a_shift_of_the_running_time_is_a_period_and_nothing_else() {
+        let space = Space::default();
+        let later = |shift| Node::Sum(vec![Node::Running, shift]);
+        let found = period_of(&at(Node::Running), &at(later(Node::Number(3, 2))), &space).unwrap();
+        let env = Env {
+            values: &[],
+            running: None,
+            upper: None,
+            courses: &[],
+        };
+        assert_eq!((found.level, found.shift.value::<f64>(&env)), (1, 1.5));
+        let twice = Node::Product(vec![Node::Number(2, 1), Node::Running]);
+        assert!(period_of(&at(Node::Running), &at(twice), &space).is_none());
+        assert!(period_of(&at(Node::Running), &at(Node::Running), &space).is_none());
+        assert!(period_of(&at(Node::Running), &Node::Number(1, 1), &space).is_none());
+    }
+}

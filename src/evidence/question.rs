@@ -195,3 +195,24 @@ pub fn any(equation: &Equation, test: &dyn Fn(&Tree) -> bool) -> bool {
     }
     below(&equation.left, test) || below(&equation.right, test)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_stay_between_none_and_all() {
+        let digits = |relative| {
+            Gap {
+                relative,
+                left: 1.0,
+                right: 1.0,
+            }
+            .digits()
+        };
+        assert_eq!(digits(0.0), MOST_DIGITS);
+        assert_eq!(digits(1e-30), MOST_DIGITS);
+        assert_eq!(digits(7.0), 0.0);
+        assert!((digits(1e-5) - 5.0).abs() < 1e-12);
+    }
+}
