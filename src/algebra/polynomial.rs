@@ -20,6 +20,8 @@ pub struct Polynomial {
 
 /// Products of terms that one multiplication may take: a tenth of a second.
 const MOST_PRODUCTS: usize = 400_000;
+/// Terms that one division may go through: it serves to keep fractions small, and is not worth more.
+const MOST_DIVISION: usize = 20_000;
 /// The highest power that is expanded or evaluated, and the bits of a coefficient.
 const HIGHEST_POWER: u32 = 20_000;
 const MOST_BITS: usize = 200_000;
@@ -236,7 +238,8 @@ impl Polynomial {
         result
     }
 
-    /// `self / divisor` where the division leaves nothing; `None` otherwise and for a zero divisor.
+    /// `self / divisor` where the division leaves nothing; `None` otherwise, for a zero divisor, and where it takes
+    /// more than [`MOST_DIVISION`] steps.
     pub fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
         // The last terms must divide as well as the first: most that does not divide is found out here.
         if let (Some((last, c)), Some((end, e))) = (self.terms.last(), divisor.terms.last())
@@ -250,10 +253,15 @@ impl Polynomial {
         let (lead, lead_coefficient) = divisor.terms.first()?;
         let mut rest = self.clone();
         let mut quotient = Vec::new();
+        let mut steps = 0;
         while let Some((monomial, coefficient)) = rest.terms.first() {
             let power = monomial.over(lead)?;
             let (times, left_over) = coefficient.div_rem(lead_coefficient);
             if !left_over.is_zero() {
+                return None;
+            }
+            steps += rest.terms.len();
+            if steps > MOST_DIVISION {
                 return None;
             }
             let term = Self::term(power, times);

@@ -48,7 +48,9 @@ pub fn partial_point(problem: &Problem, seed: u64) -> (Point, bool) {
     let rooted: BTreeMap<Variable, &Fraction> = problem.squares.iter().map(|(v, square)| (*v, square)).collect();
     let mut point = Point(BTreeMap::new());
     for variable in problem.atoms.variables() {
-        let is_given = solved.contains(&variable)
+        // A root that was not asked for yet has no value until its square does.
+        let is_given = matches!(problem.atoms.atom(variable), Some(Atom::Root { .. }))
+            || solved.contains(&variable)
             || rooted.contains_key(&variable)
             || problem.roots.iter().any(|(v, _)| *v == variable);
         if !is_given {

@@ -90,11 +90,13 @@ mod derivable;
 mod counted;
 mod decimal;
 mod dual;
+mod gradient;
 mod rational;
 mod real;
 mod wide;
 
 pub use counted::{Counted, Counts, Machine};
 pub use dual::{Dual, seeded};
+pub use gradient::Gradient;
 pub use rational::Rational;
 pub use wide::Wide;

@@ -1,0 +1,35 @@
+//! Every tolerance of the witnesses, with its reason.
+
+/// The largest residual of a premise, relative to the size of its terms, at a point taken: some hundred roundings.
+pub const PREMISE: f64 = 1e-13;
+
+/// The same over 40 digits: the steps of the polishing shrink the residual by ten digits each.
+pub const PREMISE_WIDE: f64 = 1e-32;
+
+/// A row whose part that is new against the rows before it is smaller than this, relative to the row itself, says
+/// nothing new: rows are right to about 1e-14, and points are drawn without special properties.
+pub const DEPENDENT: f64 = 1e-9;
+
+/// The last refinement of a derivative, relative to its size: in f64 what a flight close to grazing leaves, in 40
+/// digits far below the gap that tells equal sides from others.
+pub const SLOPE: f64 = 1e-11;
+/// See [`SLOPE`].
+pub const SLOPE_WIDE: f64 = 1e-28;
+
+/// A proved claim with fewer digits than this in f64 is looked at again in 40 digits.
+pub const DOUBTFUL_PROOF: f64 = 8.0;
+
+/// A refuted claim with more digits than this at every point in f64 is looked at again in 40 digits.
+pub const DOUBTFUL_REFUTATION: f64 = 9.0;
+
+/// Relative gaps in 40 digits: below the first the sides are equal, above the second they differ; between the two
+/// nothing is said. A formula that is wrong only by a term below 1e-12 of its size is told apart in 40 digits.
+pub const EQUAL_WIDE: f64 = 1e-25;
+/// See [`EQUAL_WIDE`].
+pub const APART_WIDE: f64 = 1e-20;
+
+/// How well the paper's own motion (9) to (12) is met at a point before the maps of `model/` are asked.
+pub const MOTION: f64 = 1e-11;
+
+/// The most digits said of an f64 comparison: half a rounding.
+pub const MOST_DIGITS: f64 = 16.0;
