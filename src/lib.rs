@@ -4,10 +4,7 @@ pub mod accuracy;
 pub mod algebra;
 pub mod claim;
 pub mod cli;
-<<<<<<< HEAD
-=======
 pub mod evidence;
->>>>>>> evidence
 pub mod model;
 pub mod number;
 pub mod report;
