@@ -32,10 +32,14 @@ pub fn point(problem: &Problem, about: &[Fraction], seed: u64) -> Option<Point> 
             .all(|(factor, _)| point.polynomial(factor).is_some_and(|v| !v.is_zero()))
     };
     // However the point was made, the premises are what it has to satisfy.
+    let pair = problem.pair();
+    let asked = problem
+        .givens
+        .iter()
+        .filter(|g| pair.is_none_or(|pair| g.residual.degree(pair) < 2));
     let satisfied = || {
-        problem
-            .givens
-            .iter()
+        asked
+            .clone()
             .all(|g| point.polynomial(&g.residual).is_none_or(|v| v.is_zero()))
     };
     (complete && about.iter().all(defined) && satisfied()).then_some(point)
