@@ -4,6 +4,7 @@ use super::vocabulary::subscript_of;
 use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::tex::{Invariant, Name};
 use dashu_int::IBig;
+use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// What a variable of the algebra stands for.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,10 +29,30 @@ pub enum Atom {
     Root { radicand: Fraction },
 }
 
+impl Atom {
+    /// A number that equal quantities share.
+    fn key(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        std::mem::discriminant(self).hash(&mut hasher);
+        match self {
+            Self::Symbol(name) | Self::Value { function: name, .. } => name.hash(&mut hasher),
+            Self::Time { family, index } => (family, index).hash(&mut hasher),
+            Self::State { state, index, after } => (state, index, after).hash(&mut hasher),
+            Self::Partial { of, by } => (of, by).hash(&mut hasher),
+            Self::Invariant { kind, of } => (kind, of).hash(&mut hasher),
+            Self::Circular { sine, .. } => sine.hash(&mut hasher),
+            Self::Running | Self::Root { .. } => {}
+        }
+        hasher.finish()
+    }
+}
+
 /// The quantities met so far.
 #[derive(Clone, Debug, Default)]
 pub struct Atoms {
     list: Vec<Atom>,
+    /// One key for each, so that names are compared only where they are likely the same.
+    keys: Vec<u64>,
     letter: String,
 }
 
@@ -39,13 +60,14 @@ impl Atoms {
     /// No quantities yet; impacts are numbered by `letter` when shown.
     pub fn new(letter: &str) -> Self {
         Self {
-            list: Vec::new(),
             letter: letter.to_string(),
+            ..Self::default()
         }
     }
 
     /// The variable of a quantity.
     pub fn variable(&mut self, atom: Atom) -> Variable {
+        let key = atom.key();
         let same = |known: &Atom| match (known, &atom) {
             // Arguments are compared as written: equal ones have one form, as they have no denominator.
             (
@@ -59,11 +81,20 @@ impl Atoms {
                 },
             ) => f == g && a.has_form_of(b),
             (Atom::Circular { sine: f, angle: a }, Atom::Circular { sine: g, angle: b }) => f == g && a.has_form_of(b),
-            (Atom::Value { .. }, _) | (_, Atom::Value { .. }) => false,
             (known, atom) => known == atom,
         };
-        let position = self.list.iter().position(same).unwrap_or_else(|| {
+        let mut candidates = self
+            .keys
+            .iter()
+            .zip(&self.list)
+            .enumerate()
+            .filter(|(_, (known, _))| **known == key);
+        let position = candidates
+            .find(|(_, (_, known))| same(known))
+            .map(|(position, _)| position);
+        let position = position.unwrap_or_else(|| {
             self.list.push(atom);
+            self.keys.push(key);
             self.list.len() - 1
         });
         Variable(position as u32)

@@ -39,11 +39,11 @@ impl Sheet {
     pub fn audit(&self) -> Result<Vec<Decision>, Fault> {
         let mut decisions = Vec::new();
         for (position, entry) in self.entries.iter().enumerate() {
-            if entry.role == Role::Claim {
+            if self.is_claim(position) {
                 decisions.push(self.decide(position).map_err(|f| f.of(&entry.label).at(&entry.tex))?);
             }
         }
-        self.mention_refuted(&mut decisions);
+        self.mention_refuted(decisions.iter_mut());
         Ok(decisions)
     }
 
@@ -120,22 +120,25 @@ impl Sheet {
         labels.collect::<Vec<_>>().join(", ")
     }
 
+    /// Whether the entry at a position is to be decided.
+    pub fn is_claim(&self, position: usize) -> bool {
+        self.entries
+            .get(position)
+            .is_some_and(|entry| entry.role == Role::Claim)
+    }
+
     /// Says of each decision that rests on a refuted claim that it does.
-    fn mention_refuted(&self, decisions: &mut [Decision]) {
-        let refuted: Vec<String> = decisions
-            .iter()
-            .filter(|d| d.verdict == Verdict::Refuted)
-            .map(|d| d.label.clone())
-            .collect();
-        for decision in decisions {
+    pub fn mention_refuted<'a>(&self, decisions: impl Iterator<Item = &'a mut Decision>) {
+        let mut decisions: Vec<&mut Decision> = decisions.collect();
+        let refuted = decisions.iter().filter(|d| d.verdict == Verdict::Refuted);
+        let refuted: Vec<String> = refuted.map(|d| d.label.clone()).collect();
+        for decision in &mut decisions {
             let Some(entry) = self.find(&decision.label).and_then(|n| self.entries.get(n)) else {
                 continue;
             };
             let premises = entry.follows_from.iter().filter_map(|&n| self.entries.get(n));
-            let wrong: Vec<String> = premises
-                .filter(|p| refuted.contains(&p.label))
-                .map(|p| format!("({})", p.label))
-                .collect();
+            let wrong = premises.filter(|p| refuted.contains(&p.label));
+            let wrong: Vec<String> = wrong.map(|p| format!("({})", p.label)).collect();
             if !wrong.is_empty() {
                 decision.reason = format!(
                     "{}; taken as given although refuted: {}",

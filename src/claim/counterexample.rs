@@ -51,6 +51,9 @@ pub fn shown(value: &Rational) -> String {
 /// for square roots, which need a square beneath.
 const MOST_POINTS: u64 = 4000;
 
+/// Points among which one with all positive symbols positive is looked for first.
+const PHYSICAL_POINTS: u64 = 30;
+
 /// Searches small rationals for a point where the claim fails.
 pub fn search(problem: &mut Problem, equation: &Equation, question: &Question) -> Option<Counterexample> {
     let residuals = question.residuals();
@@ -62,11 +65,16 @@ pub fn search(problem: &mut Problem, equation: &Equation, question: &Question) -
     } else {
         MOST_POINTS / 10
     };
-    let rational = (0..tried).find_map(|seed| {
-        let point = point(problem, &residuals, seed)?;
-        let (left, right) = sides(question, &point)?;
-        (left != right).then(|| show(problem, equation, &point, left, right))
-    });
+    let mut found = |physical: bool, seeds: std::ops::Range<u64>| {
+        seeds.into_iter().find_map(|seed| {
+            let point = point(problem, &residuals, seed)?;
+            let (left, right) = sides(question, &point)?;
+            let fits = !physical || is_physical(problem, &point);
+            (fits && left != right).then(|| show(problem, equation, &point, left, right))
+        })
+    };
+    // Where a point with lengths and times that are positive can be had, it is the better one to look at.
+    let rational = found(true, 0..PHYSICAL_POINTS).or_else(|| found(false, 0..tried));
     rational.or_else(|| surd::search(problem, equation, question))
 }
 
@@ -177,6 +185,19 @@ pub(super) fn show(
     }
 }
 
+/// Whether the symbols that are positive, or at most 1, are so at the point.
+fn is_physical(problem: &Problem, point: &Point) -> bool {
+    let (zero, one) = (Rational::zero(), Rational::from_integer(1));
+    problem.atoms.variables().all(|variable| {
+        let (Some(Atom::Symbol(name)), Some(value)) = (problem.atoms.atom(variable), point.0.get(&variable)) else {
+            return true;
+        };
+        let vocabulary = problem.vocabulary;
+        (!vocabulary.positive.contains(name) || *value > zero)
+            && (!vocabulary.at_most_one.contains(name) || *value <= one)
+    })
+}
+
 /// Makes the quantities of an equation known, without evaluating it.
 fn meet(problem: &mut Problem, equation: &Equation) {
     let locals: Vec<Tree> = problem
@@ -215,6 +236,11 @@ fn quantities(problem: &mut Problem, node: &Tree) -> BTreeSet<Variable> {
     let read = problem.reading_with(&blank).tree(node);
     let mut met = read.map(|value| value.variables()).unwrap_or_default();
     // A law that holds at all times has no values at this point.
+    if matches!(node, Tree::Invariant { .. }) {
+        // Of a trace, what follows from the rest says nothing new.
+        let late: BTreeSet<Variable> = problem.late.iter().map(|step| step.variable).collect();
+        met.retain(|v| !problem.meaning.values.contains_key(v) && !late.contains(v));
+    }
     met.retain(|&v| problem.statements.claim_runs || !problem.runs(&Fraction::variable(v)));
     met
 }

@@ -3,23 +3,18 @@
 use super::problem::Problem;
 use super::proof::{Question, ask, vanishes};
 use super::sheet::Entry;
-use super::substitute::any_side;
+use super::substitute::nodes;
 use crate::algebra::{Fraction, Polynomial};
 use crate::number::{Field, Rational};
 use crate::tex::{Equation, Tree};
 use num_traits::{One, Zero};
 
 /// Nodes of an equation that is searched; a longer one costs more time than the hint is worth.
-const MOST_NODES: usize = 80;
+const MOST_NODES: usize = 60;
 
 /// What mends the right side, in words; `None` where no single term does.
 pub fn parting(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Option<String> {
-    let mut leaves = 0;
-    any_side(equation, &mut |_| {
-        leaves += 1;
-        leaves > MOST_NODES
-    });
-    if leaves > MOST_NODES {
+    if nodes(equation) > MOST_NODES {
         return None;
     }
     let Some(Question::Equal { left, right }) = ask(problem, entry, equation).ok()? else {

@@ -6,11 +6,12 @@ use super::jacobian::Jacobians;
 use super::meaning::Meaning;
 use super::reading::{Local, Meaningless, Reading};
 use super::sheet::{Entry, Sheet};
-use super::substitute::any_side;
+use super::substitute::any;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::algebra::Fraction;
 use crate::number::Rational;
 use crate::tex::{Equation, EvaluationError, Name, Tree};
+use std::collections::BTreeSet;
 
 /// One equation that is taken as true.
 #[derive(Clone, Debug)]
@@ -96,19 +97,26 @@ impl Statements {
     }
 
     fn with_overview(mut self, vocabulary: &Vocabulary) -> Self {
-        let definitions: Vec<Equation> = self.locals.iter().map(Local::as_equation).collect();
-        let of_claim = || self.claims.iter().chain(&definitions);
-        self.first = of_claim().flat_map(|equation| vocabulary.impacts(equation)).min();
-        self.claim_runs = of_claim().any(|equation| runs(equation, vocabulary));
-        let everything: Vec<&Equation> = of_claim().chain(self.premises.iter().map(|s| &s.equation)).collect();
-        let any = |test: fn(&Tree) -> bool| {
-            everything
-                .iter()
-                .any(|equation| any_side(equation, &mut |node| test(node)))
-        };
-        self.has_partials = any(|node| matches!(node, Tree::Partial { .. }));
-        self.speaks_of_maps = self.has_partials || any(|node| matches!(node, Tree::Invariant { .. }));
-        let last = of_claim().flat_map(|equation| vocabulary.impacts(equation)).max();
+        let definitions = self.locals.iter().map(|local| &local.tree);
+        let of_claim: Vec<&Tree> = self
+            .claims
+            .iter()
+            .flat_map(|c| [&c.left, &c.right])
+            .chain(definitions)
+            .collect();
+        let mut impacts = BTreeSet::new();
+        for tree in &of_claim {
+            vocabulary.collect_impacts(tree, &mut impacts);
+        }
+        let (first, last) = (impacts.first().copied(), impacts.last().copied());
+        let claim_runs = of_claim.iter().any(|tree| tree_runs(tree, vocabulary));
+        let of_premises = self.premises.iter().flat_map(|s| [&s.equation.left, &s.equation.right]);
+        let everything: Vec<&Tree> = of_claim.into_iter().chain(of_premises).collect();
+        let any_node = |test: fn(&Tree) -> bool| everything.iter().any(|tree| any(tree, &mut |node| test(node)));
+        let has_partials = any_node(|node| matches!(node, Tree::Partial { .. }));
+        let speaks_of_maps = has_partials || any_node(|node| matches!(node, Tree::Invariant { .. }));
+        (self.first, self.claim_runs) = (first, claim_runs);
+        (self.has_partials, self.speaks_of_maps) = (has_partials, speaks_of_maps);
         let flights = self
             .first
             .zip(last)
@@ -161,7 +169,11 @@ impl Local {
 
 /// Whether an equation is said of a running time: by its symbol, or by a function without a bracket.
 fn runs(equation: &Equation, vocabulary: &Vocabulary) -> bool {
-    any_side(equation, &mut |node| match node {
+    tree_runs(&equation.left, vocabulary) || tree_runs(&equation.right, vocabulary)
+}
+
+fn tree_runs(tree: &Tree, vocabulary: &Vocabulary) -> bool {
+    any(tree, &mut |node| match node {
         Tree::Symbol(name, _) => {
             vocabulary.running.as_ref() == Some(name)
                 || (vocabulary.names.functions.contains(name) && !vocabulary.parameters.contains(name))
@@ -243,6 +255,7 @@ impl Gathering<'_> {
 
     fn claim(&mut self, entry: &Entry) -> Result<(), Fault> {
         let (own, more) = self.local(entry)?;
+        let shared = self.found.locals.clone();
         // What the claim defines for itself goes before what a premise calls by the same name.
         self.found
             .locals
@@ -262,7 +275,6 @@ impl Gathering<'_> {
             self.push(entry, equation, source, &own);
         }
         // Premises may use definitions that other premises give.
-        let shared = self.found.locals.clone();
         for statement in &mut self.found.premises {
             let new = shared
                 .iter()

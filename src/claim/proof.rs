@@ -9,7 +9,7 @@ use super::problem::Problem;
 use super::reading::Reading;
 use super::root::either_root;
 use super::sheet::Entry;
-use super::substitute::any_side;
+use super::substitute::{any_side, nodes};
 use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::number::Field;
 use crate::tex::{Equation, EvaluationError, Tree};
@@ -64,6 +64,9 @@ impl Question {
     }
 }
 
+/// Nodes from which on a formula is first tried at points.
+const LARGE: usize = 100;
+
 /// Points at which a formula too large to expand is evaluated instead.
 const POINTS_OF_LARGE: u64 = 20;
 
@@ -72,8 +75,10 @@ const POINTS_OF_LARGE: u64 = 20;
 /// # Errors
 /// A [`Fault`] where the equation speaks of something unknown.
 pub fn decide(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Result<Outcome, Fault> {
-    // Two points tell most wrong formulas, and cost less than the normal form.
-    if let Some(counterexample) = counterexample::search_by_points(problem, entry, equation, 2)? {
+    // Two points tell most wrong formulas, and cost less than the normal form where that is large.
+    if nodes(equation) > LARGE
+        && let Some(counterexample) = counterexample::search_by_points(problem, entry, equation, 2)?
+    {
         return Ok(Outcome::Fails(counterexample));
     }
     let Some(question) = ask(problem, entry, equation)? else {
@@ -95,8 +100,10 @@ pub fn decide(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Resu
 
 /// Evaluates both sides with all that is known; `None` where a denominator vanishes.
 pub fn ask(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Result<Option<Question>, Fault> {
-    let meaning = problem.meaning.clone();
-    ask_with(problem, &meaning, None, entry, equation)
+    let meaning = std::mem::take(&mut problem.meaning);
+    let question = ask_with(problem, &meaning, None, entry, equation);
+    problem.meaning = meaning;
+    question
 }
 
 /// Evaluates both sides with as much known as `meaning` says.

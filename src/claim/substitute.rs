@@ -63,6 +63,16 @@ pub fn any_side(equation: &Equation, test: &mut dyn FnMut(&Tree) -> bool) -> boo
     any(&equation.left, test) || any(&equation.right, test)
 }
 
+/// The size of an equation.
+pub fn nodes(equation: &Equation) -> usize {
+    let mut count = 0;
+    any_side(equation, &mut |_| {
+        count += 1;
+        false
+    });
+    count
+}
+
 impl Vocabulary {
     /// The impact that an indexed time or state belongs to.
     fn impact(&self, name: &Name) -> Option<i32> {
@@ -90,7 +100,8 @@ impl Vocabulary {
         met
     }
 
-    fn collect_impacts(&self, tree: &Tree, met: &mut BTreeSet<i32>) {
+    /// Adds the impacts that a formula speaks of.
+    pub(super) fn collect_impacts(&self, tree: &Tree, met: &mut BTreeSet<i32>) {
         any(tree, &mut |node| {
             match node {
                 Tree::Symbol(name, _) => match self.abbreviated(name) {

@@ -1,8 +1,10 @@
 //! `vibro-audit audit [SHEET] [--explain LABEL]`.
 
 use super::{Answer, Content, Exit, Failure, Options, Source};
-use crate::claim::{self, Decision, Role, Sheet};
+use crate::claim::{self, Decision, Fault, Sheet};
+use crate::evidence::{Evidence, witness};
 use crate::report::{Cell, Table};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Decide for each formula of a sheet whether it follows from its premises
 #[derive(Debug, clap::Args)]
@@ -18,13 +20,16 @@ pub struct Arguments {
 /// The columns that scripts rely on.
 const COLUMNS: [&str; 6] = ["label", "verdict", "expected", "digits", "counterexample", "reason"];
 
+/// Random points at which each claim is tried.
+const POINTS: usize = 6;
+
 /// Runs the command.
 pub fn run(arguments: &Arguments, _options: &Options) -> Result<Answer, Failure> {
     let name = arguments
         .sheet
         .as_ref()
         .map_or("the paper's equations".to_string(), |source| source.name().to_string());
-    let in_sheet = |fault: claim::Fault| Failure::Sheet {
+    let in_sheet = |fault: Fault| Failure::Sheet {
         name: name.clone(),
         fault,
     };
@@ -37,47 +42,121 @@ pub fn run(arguments: &Arguments, _options: &Options) -> Result<Answer, Failure>
     match &arguments.explain {
         Some(label) => explain(&sheet, label).map_err(in_sheet),
         None => {
-            let decisions = sheet.audit().map_err(in_sheet)?;
-            let mut table = Table::new(COLUMNS);
-            for decision in &decisions {
-                table.push(row(decision))?;
-            }
-            let exit = Exit::from_verdict(decisions.iter().all(Decision::is_expected));
-            Ok(Answer {
-                content: Content::Table(table),
-                exit,
-            })
+            let mut decided = decide_all(&sheet).map_err(in_sheet)?;
+            sheet.mention_refuted(decided.iter_mut().map(|(decision, _)| decision));
+            table(&decided)
         }
     }
 }
 
-fn row(decision: &Decision) -> Vec<Cell> {
-    vec![
-        Cell::from(decision.label.clone()),
-        Cell::from(decision.verdict.to_string()),
-        Cell::from(decision.expected.to_string()),
-        Cell::Empty,
-        Cell::from(decision.counterexample.as_ref().map(ToString::to_string)),
-        Cell::from(decision.reason.clone()),
-    ]
+/// Decides each claim and looks for witnesses, on as many threads as there are cores; in the order of the sheet.
+fn decide_all(sheet: &Sheet) -> Result<Vec<(Decision, Evidence)>, Fault> {
+    let claims: Vec<usize> = (0..sheet.entries.len()).filter(|&n| sheet.is_claim(n)).collect();
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut done = Vec::new();
+        while let Some((number, &position)) =
+            Some(next.fetch_add(1, Ordering::Relaxed)).and_then(|n| Some((n, claims.get(n)?)))
+        {
+            done.push((number, decide(sheet, position)));
+        }
+        done
+    };
+    let threads = std::thread::available_parallelism()
+        .map_or(1, usize::from)
+        .min(claims.len());
+    let mut found = std::thread::scope(|scope| {
+        let others: Vec<_> = (1..threads).map(|_| scope.spawn(work)).collect();
+        let mut found = work();
+        for other in others {
+            // A thread ends only when all work is taken; one that was lost would show as a claim without a row.
+            found.extend(other.join().unwrap_or_default());
+        }
+        found
+    });
+    found.sort_by_key(|(number, _)| *number);
+    found.into_iter().map(|(_, decided)| decided).collect()
 }
 
-fn explain(sheet: &Sheet, label: &str) -> Result<Answer, claim::Fault> {
-    let wanted = sheet
-        .find(label)
-        .filter(|&n| sheet.entries.get(n).is_some_and(|e| e.role == Role::Claim));
-    let Some(position) = wanted else {
-        let claims = sheet.entries.iter().filter(|entry| entry.role == Role::Claim);
+fn decide(sheet: &Sheet, position: usize) -> Result<(Decision, Evidence), Fault> {
+    let decision = sheet.decide(position)?;
+    let evidence = witness(sheet, position, decision.verdict, POINTS)?;
+    Ok((decision, evidence))
+}
+
+fn table(decided: &[(Decision, Evidence)]) -> Result<Answer, Failure> {
+    let mut table = Table::new(COLUMNS);
+    let mut as_expected = true;
+    for (decision, evidence) in decided {
+        let mut reason = decision.reason.clone();
+        if let Some(against) = &evidence.against {
+            reason = format!("EVIDENCE AGAINST THE VERDICT: {against}; {reason}");
+        }
+        // How the maps flown agree is for `--explain`: a table is read for what is amiss.
+        let flown = evidence.flown.as_ref().map(ToString::to_string);
+        for note in evidence.notes.iter().filter(|note| Some(*note) != flown.as_ref()) {
+            reason = format!("{reason}; {note}");
+        }
+        as_expected &= decision.is_expected() && evidence.against.is_none();
+        table.push(vec![
+            Cell::from(decision.label.clone()),
+            Cell::from(decision.verdict.to_string()),
+            Cell::from(decision.expected.to_string()),
+            Cell::from(evidence.digits.map(|digits| (digits * 10.0).round() / 10.0)),
+            Cell::from(decision.counterexample.as_ref().map(ToString::to_string)),
+            Cell::from(reason),
+        ])?;
+    }
+    Ok(Answer {
+        content: Content::Table(table),
+        exit: Exit::from_verdict(as_expected),
+    })
+}
+
+fn explain(sheet: &Sheet, label: &str) -> Result<Answer, Fault> {
+    let Some(position) = sheet.find(label).filter(|&n| sheet.is_claim(n)) else {
+        let claims = (0..sheet.entries.len())
+            .filter(|&n| sheet.is_claim(n))
+            .filter_map(|n| sheet.entries.get(n));
         let known: Vec<&str> = claims.map(|entry| entry.label.as_str()).collect();
-        return Err(claim::Fault::new(format!(
+        return Err(Fault::new(format!(
             "no claim `{label}` (there are: {})",
             known.join(", ")
         )));
     };
-    let decision = sheet.decide(position)?;
-    let text = sheet.explain(position, &decision)?;
+    let (mut decision, evidence) = decide(sheet, position)?;
+    let others = decide_all(sheet)?;
+    let mut others: Vec<Decision> = others.into_iter().map(|(decision, _)| decision).collect();
+    sheet.mention_refuted(others.iter_mut());
+    if let Some(told) = others.into_iter().find(|other| other.label == decision.label) {
+        decision = told;
+    }
+    let mut text = sheet.explain(position, &decision)?;
+    text.push_str(&told(&evidence));
+    let as_expected = decision.is_expected() && evidence.against.is_none();
     Ok(Answer {
         content: Content::Text(text),
-        exit: Exit::from_verdict(decision.is_expected()),
+        exit: Exit::from_verdict(as_expected),
     })
+}
+
+/// The evidence in words.
+fn told(evidence: &Evidence) -> String {
+    let mut lines = vec!["\nevidence, which shares no code with the above".to_string()];
+    match (evidence.digits, evidence.median) {
+        (Some(digits), Some(median)) => lines.push(format!(
+            "left and right agree to {digits:.1} digits at the worst of {} random points of the premises in f64, to {median:.1} at half of them",
+            evidence.points
+        )),
+        _ => lines.push("no point".to_string()),
+    }
+    lines.extend((!evidence.worst.is_empty()).then(|| format!("worst point: {}", evidence.worst)));
+    lines.extend(evidence.notes.iter().cloned());
+    lines.extend(
+        evidence
+            .against
+            .as_ref()
+            .map(|against| format!("AGAINST THE VERDICT: {against}")),
+    );
+    lines.join("\n  ")
 }
