@@ -57,9 +57,7 @@ const PHYSICAL_POINTS: u64 = 30;
 /// Searches small rationals for a point where the claim fails.
 pub fn search(problem: &mut Problem, equation: &Equation, question: &Question) -> Option<Counterexample> {
     let residuals = question.residuals();
-    for residual in &residuals {
-        problem.meet_squares(residual.numerator());
-    }
+    problem.meet_squares();
     let tried = if problem.squares.is_empty() {
         MOST_POINTS
     } else {
@@ -89,6 +87,7 @@ pub fn search_by_points(
     points: u64,
 ) -> Result<Option<Counterexample>, Fault> {
     meet(problem, equation);
+    problem.meet_squares();
     let times = problem.times.clone();
     for seed in 0..points {
         let Some(point) = point(problem, &[], seed) else {

@@ -80,9 +80,7 @@ fn proof(text: &mut String, problem: &mut Problem, entry: &Entry, equation: &Equ
     let Some(question) = ask_with(problem, &times, None, entry, equation)? else {
         return Ok(());
     };
-    for residual in question.residuals() {
-        problem.meet_squares(residual.numerator());
-    }
+    problem.meet_squares();
     let Some(certificates) = certify(problem, &question) else {
         // The sign of a root decided it: the normal form is the proof.
         if ask(problem, entry, equation)?.is_some() {

@@ -175,7 +175,7 @@ fn below_vanishes(problem: &mut Problem, function: &Fraction) -> bool {
 
 /// Whether a polynomial is zero wherever the premises hold.
 pub fn vanishes(problem: &mut Problem, polynomial: &Polynomial) -> bool {
-    problem.meet_squares(polynomial);
+    problem.meet_squares();
     problem.knowledge().vanishes(polynomial)
 }
 
@@ -198,17 +198,15 @@ impl Knowledge {
         if polynomial.is_zero() {
             return true;
         }
-        let start = self
-            .roots
-            .iter()
-            .try_fold(Fraction::from(polynomial.clone()), |f, (variable, value)| {
-                f.substituted(*variable, value)
-            });
-        let Ok(start) = start else { return false };
         if self.squares.len() > MOST_ROOTS {
             return false;
         }
-        let mut parts = vec![self.settled(&start)];
+        let settled = self.settled(&Fraction::from(polynomial.clone()));
+        let rooted = self.roots.iter().try_fold(settled, |f, (root, value)| {
+            Fraction::from(f.numerator().clone()).substituted(*root, value)
+        });
+        let Ok(rooted) = rooted else { return false };
+        let mut parts = vec![rooted];
         for (root, square) in self.squares.iter().rev() {
             let square = self.settled_whole(square);
             parts = parts
@@ -258,9 +256,9 @@ impl Problem<'_> {
         }
     }
 
-    /// Learns the squares of the roots in a polynomial, and of the roots in these.
-    pub fn meet_squares(&mut self, polynomial: &Polynomial) {
-        let mut open: Vec<Variable> = polynomial.variables().into_iter().collect();
+    /// Learns the squares of all roots among the quantities: what is solved for late may hold some that a claim does not.
+    pub fn meet_squares(&mut self) {
+        let mut open: Vec<Variable> = self.atoms.variables().collect();
         while let Some(variable) = open.pop() {
             let known = self
                 .squares
