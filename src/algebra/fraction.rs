@@ -10,8 +10,7 @@ use crate::number::{Field, Rational};
 use dashu_int::ops::{Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
-use num_traits::{One, Zero};
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use num_traits::Zero;
 
 /// A denominator vanishes identically.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -21,9 +20,9 @@ pub struct Undefined;
 /// `numerator / (scale * product of factor^power)`; the factors are primitive, not constant and sorted.
 #[derive(Clone, Debug)]
 pub struct Fraction {
-    numerator: Polynomial,
-    scale: UBig,
-    factors: Vec<(Polynomial, u32)>,
+    pub(super) numerator: Polynomial,
+    pub(super) scale: UBig,
+    pub(super) factors: Vec<(Polynomial, u32)>,
 }
 
 impl Fraction {
@@ -119,7 +118,7 @@ impl Fraction {
     }
 
     /// Puts the polynomial `below` under the line: its integer, its variables and the factors already known apart.
-    fn divide_by(&mut self, below: &Polynomial) {
+    pub(super) fn divide_by(&mut self, below: &Polynomial) {
         if below.is_too_large() {
             self.numerator = below.clone();
             return;
@@ -146,7 +145,7 @@ impl Fraction {
         self.reduce();
     }
 
-    fn push_factor(&mut self, factor: Polynomial, power: u32) {
+    pub(super) fn push_factor(&mut self, factor: Polynomial, power: u32) {
         match self.factors.binary_search_by(|(f, _)| f.cmp(&factor)) {
             Ok(at) => self.factors[at].1 += power,
             Err(at) => self.factors.insert(at, (factor, power)),
@@ -154,7 +153,7 @@ impl Fraction {
     }
 
     /// Cancels each factor of the denominator that divides the numerator, and the common integer.
-    fn reduce(&mut self) {
+    pub(super) fn reduce(&mut self) {
         if self.numerator.is_zero() {
             self.scale = UBig::ONE;
             self.factors.clear();
@@ -178,7 +177,7 @@ impl Fraction {
         }
     }
 
-    fn combine(self, other: Self, subtract: bool) -> Self {
+    pub(super) fn combine(self, other: Self, subtract: bool) -> Self {
         let right = if subtract {
             other.numerator.negated()
         } else {
@@ -269,96 +268,6 @@ impl From<&Rational> for Fraction {
 impl PartialEq for Fraction {
     fn eq(&self, other: &Self) -> bool {
         (self.clone() - other.clone()).is_zero()
-    }
-}
-
-impl Add for Fraction {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        self.combine(other, false)
-    }
-}
-
-impl Sub for Fraction {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self.combine(other, true)
-    }
-}
-
-impl Mul for Fraction {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        let mut product = Self {
-            numerator: self.numerator.times(&other.numerator),
-            ..self
-        };
-        product.scale *= other.scale;
-        for (factor, power) in other.factors {
-            product.push_factor(factor, power);
-        }
-        product.reduce();
-        product
-    }
-}
-
-impl Div for Fraction {
-    type Output = Self;
-    /// Dividing by the zero function gives the zero function; rule it out with `is_zero` first.
-    fn div(self, other: Self) -> Self {
-        let mut quotient = Self {
-            numerator: self.numerator.scaled(&IBig::from(other.scale)),
-            ..self
-        };
-        quotient.divide_by(&other.numerator);
-        other.factors.into_iter().fold(quotient, |product, (factor, power)| {
-            product * Self::from(factor.to_power(power))
-        })
-    }
-}
-
-impl Neg for Fraction {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self {
-            numerator: self.numerator.negated(),
-            ..self
-        }
-    }
-}
-
-macro_rules! assign {
-    ($trait:ident, $method:ident, $operation:ident) => {
-        impl $trait for Fraction {
-            fn $method(&mut self, other: Self) {
-                *self = std::mem::replace(self, Self::zero()).$operation(other);
-            }
-        }
-    };
-}
-assign!(AddAssign, add_assign, add);
-assign!(SubAssign, sub_assign, sub);
-assign!(MulAssign, mul_assign, mul);
-assign!(DivAssign, div_assign, div);
-
-impl Zero for Fraction {
-    fn zero() -> Self {
-        Self::from(Polynomial::default())
-    }
-    fn is_zero(&self) -> bool {
-        self.numerator.is_zero()
-    }
-}
-
-impl One for Fraction {
-    fn one() -> Self {
-        Self::from(Polynomial::from(1))
-    }
-}
-
-impl Field for Fraction {
-    fn from_integer(value: i64) -> Self {
-        Self::from(Polynomial::from(value))
     }
 }
 

@@ -1,7 +1,9 @@
 //! The exact normal form: polynomials and rational functions over the rationals, side relations, derivations and
 //! the elimination of premises. Nothing here knows what a variable stands for.
 
+mod arithmetic;
 mod derivation;
+mod division;
 mod elimination;
 mod fraction;
 mod monomial;

@@ -3,7 +3,7 @@
 use super::monomial::{Monomial, Variable};
 use crate::number::{Field, Rational};
 use dashu_int::IBig;
-use dashu_int::ops::{BitTest, DivRem, Gcd};
+use dashu_int::ops::BitTest;
 use dashu_ratio::RBig;
 use num_traits::Zero;
 use std::collections::BTreeSet;
@@ -14,14 +14,12 @@ use std::collections::BTreeSet;
 /// marked too, and a marked polynomial is never zero: nothing is proved with it.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Polynomial {
-    terms: Vec<(Monomial, IBig)>,
-    too_large: bool,
+    pub(super) terms: Vec<(Monomial, IBig)>,
+    pub(super) too_large: bool,
 }
 
 /// Products of terms that one multiplication may take: a tenth of a second.
 const MOST_PRODUCTS: usize = 400_000;
-/// Terms that one division may go through: it serves to keep fractions small, and is not worth more.
-const MOST_DIVISION: usize = 20_000;
 /// The highest power that is expanded or evaluated, and the bits of a coefficient.
 const HIGHEST_POWER: u32 = 20_000;
 const MOST_BITS: usize = 200_000;
@@ -238,84 +236,6 @@ impl Polynomial {
         result
     }
 
-    /// `self / divisor` where the division leaves nothing; `None` otherwise, for a zero divisor, and where it takes
-    /// more than [`MOST_DIVISION`] steps.
-    pub fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
-        // The last terms must divide as well as the first: most that does not divide is found out here.
-        if let (Some((last, c)), Some((end, e))) = (self.terms.last(), divisor.terms.last())
-            && (last.over(end).is_none() || !(c % e).is_zero())
-        {
-            return None;
-        }
-        if self.too_large {
-            return None;
-        }
-        let (lead, lead_coefficient) = divisor.terms.first()?;
-        let mut rest = self.clone();
-        let mut quotient = Vec::new();
-        let mut steps = 0;
-        while let Some((monomial, coefficient)) = rest.terms.first() {
-            let power = monomial.over(lead)?;
-            let (times, left_over) = coefficient.div_rem(lead_coefficient);
-            if !left_over.is_zero() {
-                return None;
-            }
-            steps += rest.terms.len();
-            if steps > MOST_DIVISION {
-                return None;
-            }
-            let term = Self::term(power, times);
-            rest = rest.minus(&divisor.times(&term));
-            quotient.extend(term.terms);
-        }
-        Some(Self {
-            terms: quotient,
-            too_large: false,
-        })
-    }
-
-    /// The greatest integer that divides every coefficient, with the sign of the leading one; 0 for zero.
-    pub fn content(&self) -> IBig {
-        let mut content = IBig::ZERO;
-        for (_, coefficient) in &self.terms {
-            content = IBig::from(content.gcd(coefficient));
-            if content == IBig::ONE {
-                break;
-            }
-        }
-        match self.terms.first() {
-            Some((_, lead)) if *lead < IBig::ZERO => -content,
-            _ => content,
-        }
-    }
-
-    /// The greatest monomial that divides every term.
-    pub fn common_monomial(&self) -> Monomial {
-        let mut monomials = self.terms.iter().map(|(m, _)| m);
-        let first = monomials.next().cloned().unwrap_or_default();
-        monomials.fold(first, |common, m| common.common(m))
-    }
-
-    /// The polynomial divided by an integer and a monomial that divide it.
-    pub fn reduced(&self, content: &IBig, monomial: &Monomial) -> Self {
-        if content.is_zero() {
-            return self.clone();
-        }
-        Self {
-            terms: self
-                .terms
-                .iter()
-                .map(|(m, c)| (m.over(monomial).unwrap_or_default(), c / content))
-                .collect(),
-            too_large: self.too_large,
-        }
-    }
-
-    /// The polynomial divided by its content: coefficients without a common factor, the leading one positive.
-    pub fn primitive(&self) -> Self {
-        self.reduced(&self.content(), &Monomial::one())
-    }
-
     /// The value where every variable has one, `None` where one has none or a power is too high.
     pub fn evaluate(&self, value: &impl Fn(Variable) -> Option<Rational>) -> Option<Rational> {
         if self.too_large {
@@ -406,15 +326,6 @@ mod tests {
 
     fn x(n: u32) -> Polynomial {
         Polynomial::variable(Variable(n))
-    }
-
-    #[test]
-    fn a_product_divided_by_a_factor_is_the_other_and_by_a_stranger_nothing() {
-        let a = x(1).plus(&x(2).scaled(&IBig::from(3)));
-        let b = x(1).minus(&x(3)).plus(&Polynomial::from(7));
-        assert_eq!(a.times(&b).exact_quotient(&a), Some(b.clone()));
-        assert_eq!(a.times(&b).plus(&Polynomial::from(1)).exact_quotient(&a), None);
-        assert_eq!(a.exact_quotient(&Polynomial::default()), None);
     }
 
     #[test]

@@ -8,7 +8,7 @@ use super::parting::parting;
 use super::premise::Statements;
 use super::problem::Problem;
 use super::proof::{Outcome, decide};
-use super::sheet::{Role, Sheet};
+use super::sheet::{Entry, Role, Sheet};
 use super::verdict::Verdict;
 use crate::tex::Equation;
 
@@ -38,9 +38,9 @@ impl Sheet {
     /// A [`Fault`] where a claim or a premise makes no sense.
     pub fn audit(&self) -> Result<Vec<Decision>, Fault> {
         let mut decisions = Vec::new();
-        for (position, entry) in self.entries.iter().enumerate() {
+        for position in 0..self.entries.len() {
             if self.is_claim(position) {
-                decisions.push(self.decide(position).map_err(|f| f.of(&entry.label).at(&entry.tex))?);
+                decisions.push(self.decide(position)?);
             }
         }
         self.mention_refuted(decisions.iter_mut());
@@ -65,6 +65,11 @@ impl Sheet {
         let Some(entry) = self.entries.get(position) else {
             return Err(Fault::new("there is no such equation"));
         };
+        self.decision(position, entry)
+            .map_err(|fault| fault.of(&entry.label).at(&entry.tex))
+    }
+
+    fn decision(&self, position: usize, entry: &Entry) -> Result<Decision, Fault> {
         let mut problem = Problem::new(self, position)?;
         let claims = problem.statements.claims.clone();
         let mut decision = Decision {

@@ -20,13 +20,6 @@ impl Vocabulary {
         let jacobians = Jacobians::new(self, &mut atoms).map_err(Fault::new)?;
         let blank = Meaning::default();
         let mut reading = Reading::new(self, &jacobians, &mut atoms, &blank, &[]);
-        for (list, names) in [("generic", &self.generic), ("positive", &self.positive)] {
-            for name in names {
-                if !reading.knows(name) {
-                    return Err(Fault::new(format!("`{name}` in `{list}` is not declared")));
-                }
-            }
-        }
         for (name, _) in &self.periods {
             if !self.names.functions.contains(name) {
                 return Err(Fault::new(format!(
@@ -47,6 +40,13 @@ impl Vocabulary {
             reading
                 .tree(tree)
                 .map_err(|error| Fault::new(format!("`{name}`: {}", message(&error))))?;
+        }
+        for (list, names) in [("generic", &self.generic), ("positive", &self.positive)] {
+            for name in names {
+                if !reading.knows(name) {
+                    return Err(Fault::new(format!("`{name}` in `{list}` is not declared")));
+                }
+            }
         }
         for relation in &self.relations {
             let about = |problem: String| Fault::new(format!("relation `{relation}`: {problem}"));

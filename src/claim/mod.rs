@@ -21,6 +21,7 @@ mod problem;
 mod proof;
 mod reading;
 mod root;
+mod scope;
 mod sheet;
 mod solving;
 mod substitute;

@@ -24,14 +24,8 @@ pub fn parting(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Opt
     if missing.numerator().is_too_large() {
         return None;
     }
-    if let Some(text) = simple(problem, &missing) {
-        let (sign, text) = match text.strip_prefix('-') {
-            Some(text) => ("-", text.to_string()),
-            None => ("+", text),
-        };
-        return Some(format!("a term `{sign} {text}` is missing on the right"));
-    }
-    let mut best: Option<(usize, String)> = None;
+    // Best of all a term to strike or to turn; then one to add; then one with a factor, the shorter the better.
+    let mut best: Option<(usize, String)> = missing_term(problem, &missing).map(|said| (1, said));
     for (term, without) in terms(&equation.right) {
         let without = Equation {
             right: without,
@@ -48,17 +42,26 @@ pub fn parting(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Opt
         let Some(shown) = simple(problem, &factor) else {
             continue;
         };
-        let said = match factor.as_constant() {
-            Some(zero) if zero.is_zero() => format!("the term `{term}` does not belong there"),
-            Some(minus) if minus == -Rational::from_integer(1) => format!("the term `{term}` has the wrong sign"),
-            _ => format!("the term `{term}` lacks a factor `{shown}`"),
+        let (size, said) = match factor.as_constant() {
+            Some(zero) if zero.is_zero() => (0, format!("the term `{term}` does not belong there")),
+            Some(minus) if minus == -Rational::from_integer(1) => (0, format!("the term `{term}` has the wrong sign")),
+            _ => (1 + shown.len(), format!("the term `{term}` lacks a factor `{shown}`")),
         };
-        let size = shown.len();
         if best.as_ref().is_none_or(|(least, _)| size < *least) {
             best = Some((size, said));
         }
     }
     best.map(|(_, said)| said)
+}
+
+/// The term to be added on the right, where it is one term.
+fn missing_term(problem: &Problem, missing: &Fraction) -> Option<String> {
+    let text = simple(problem, missing)?;
+    let (sign, text) = match text.strip_prefix('-') {
+        Some(text) => ("-", text.to_string()),
+        None => ("+", text),
+    };
+    Some(format!("a term `{sign} {text}` is missing on the right"))
 }
 
 /// The function in TeX, where numerator and denominator are one term each.

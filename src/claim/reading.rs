@@ -1,14 +1,11 @@
 //! From the names of a formula to the quantities of the algebra.
 
-use super::angle;
 use super::atom::{Atom, Atoms};
 use super::jacobian::Jacobians;
 use super::meaning::Meaning;
 use super::vocabulary::{Vocabulary, index_of};
-use crate::algebra::{Fraction, Undefined, Variable};
-use crate::number::Rational;
-use crate::tex::{EvaluationError, Invariant, Name, Scope, Tree, Unsupported, evaluate};
-use num_traits::Zero;
+use crate::algebra::{Fraction, Undefined};
+use crate::tex::{EvaluationError, Name, Scope, Tree, Unsupported, evaluate};
 use std::collections::HashMap;
 
 /// Why a name could not be given a meaning.
@@ -61,7 +58,7 @@ pub struct Reading<'a> {
     /// A test for zero that knows more than the form of a function.
     pub vanishes: Option<&'a dyn Fn(&Fraction) -> bool>,
     /// The time at which a function without a bracket is taken.
-    running: Option<Fraction>,
+    pub(super) running: Option<Fraction>,
     /// The locals being read, innermost last.
     open: Vec<Name>,
     read: HashMap<Name, Fraction>,
@@ -98,7 +95,7 @@ impl<'a> Reading<'a> {
     }
 
     /// The value of a quantity, as far as it is known.
-    fn resolve(&mut self, atom: Atom) -> Fraction {
+    pub(super) fn resolve(&mut self, atom: Atom) -> Fraction {
         let variable = self.atoms.variable(atom);
         self.meaning
             .values
@@ -128,7 +125,7 @@ impl<'a> Reading<'a> {
     }
 
     /// The value of the function `name` at a time.
-    fn value(&mut self, name: &Name, time: Fraction) -> Result<Fraction, Meaningless> {
+    pub(super) fn value(&mut self, name: &Name, time: Fraction) -> Result<Fraction, Meaningless> {
         let function = Name {
             primes: 0,
             mark: String::new(),
@@ -172,7 +169,7 @@ impl<'a> Reading<'a> {
         }
     }
 
-    fn is_function(&self, name: &Name) -> bool {
+    pub(super) fn is_function(&self, name: &Name) -> bool {
         let plain = Name {
             primes: 0,
             ..name.clone()
@@ -181,7 +178,7 @@ impl<'a> Reading<'a> {
     }
 
     /// Whether this is a state, or a derivative of one, in flight.
-    fn is_motion(&self, name: &Name) -> bool {
+    pub(super) fn is_motion(&self, name: &Name) -> bool {
         let plain = Name {
             primes: 0,
             mark: String::new(),
@@ -191,31 +188,6 @@ impl<'a> Reading<'a> {
         states
             .iter()
             .any(|s| *s == plain || s.dotted() == plain || s.dotted().dotted() == plain)
-    }
-
-    /// A function that needs no declaration.
-    fn elementary(&mut self, function: &Name, argument: &Tree) -> Result<Fraction, Meaningless> {
-        if !function.base.starts_with('\\')
-            || *function
-                != (Name {
-                    base: function.base.clone(),
-                    ..Name::default()
-                })
-        {
-            return Err(Meaningless::NotAFunction(function.to_string()));
-        }
-        let angle = self.time(argument)?;
-        let (cosine, sine) = match function.base.as_str() {
-            r"\cos" | r"\sin" | r"\tan" => angle::cosine_and_sine(&angle, self.atoms)?,
-            _ => return Err(Meaningless::Transcendental(function.to_string())),
-        };
-        let (cosine, sine) = (self.meaning.apply(&cosine)?, self.meaning.apply(&sine)?);
-        match function.base.as_str() {
-            r"\cos" => Ok(cosine),
-            r"\sin" => Ok(sine),
-            _ if self.is_zero(&cosine) => Err(Meaningless::Undefined(Undefined)),
-            _ => Ok(sine / cosine),
-        }
     }
 
     /// The derivative by time of the value of a function at `time`.
@@ -242,7 +214,7 @@ impl<'a> Reading<'a> {
     }
 
     /// The time that stands in the bracket of a function.
-    fn time(&mut self, argument: &Tree) -> Result<Fraction, Meaningless> {
+    pub(super) fn time(&mut self, argument: &Tree) -> Result<Fraction, Meaningless> {
         let Some(times) = self.times else {
             return self.nested(argument);
         };
@@ -255,14 +227,14 @@ impl<'a> Reading<'a> {
     }
 
     /// The function a tree stands for that the formula itself only names: a fault in it has no place in the formula.
-    fn nested(&mut self, tree: &Tree) -> Result<Fraction, Meaningless> {
+    pub(super) fn nested(&mut self, tree: &Tree) -> Result<Fraction, Meaningless> {
         self.tree(tree).map_err(|error| match error {
             EvaluationError::Scope { error, .. } => error,
             _ => Meaningless::Undefined(Undefined),
         })
     }
 
-    fn local(&mut self, name: &Name) -> Option<Result<Fraction, Meaningless>> {
+    pub(super) fn local(&mut self, name: &Name) -> Option<Result<Fraction, Meaningless>> {
         let local = self.locals.iter().find(|local| local.name == *name)?;
         if let Some(known) = self.read.get(name) {
             return Some(Ok(known.clone()));
@@ -275,7 +247,7 @@ impl<'a> Reading<'a> {
     }
 
     /// The function that a name stands for, which must not stand for itself.
-    fn opened(&mut self, name: &Name, tree: &Tree) -> Result<Fraction, Meaningless> {
+    pub(super) fn opened(&mut self, name: &Name, tree: &Tree) -> Result<Fraction, Meaningless> {
         if self.open.contains(name) {
             return Err(Meaningless::Circular(name.to_string()));
         }
@@ -285,7 +257,7 @@ impl<'a> Reading<'a> {
         result
     }
 
-    fn unknown(&self, name: &Name) -> Meaningless {
+    pub(super) fn unknown(&self, name: &Name) -> Meaningless {
         Meaningless::Unknown {
             name: name.to_string(),
             known: self.vocabulary.known(),
@@ -301,118 +273,4 @@ impl<'a> Reading<'a> {
 enum Derivative {
     Name(Name),
     Tree(Tree),
-}
-
-impl Scope<Fraction> for Reading<'_> {
-    type Error = Meaningless;
-
-    fn symbol(&mut self, name: &Name) -> Result<Fraction, Meaningless> {
-        if let Some(local) = self.local(name) {
-            return local;
-        }
-        if self.vocabulary.parameters.contains(name) {
-            return Ok(self.resolve(Atom::Symbol(name.clone())));
-        }
-        if let Some((name, tree)) = self.vocabulary.abbreviations.iter().find(|(known, _)| known == name) {
-            // Before premises are solved, an abbreviation is what it abbreviates, so that derivatives see its times.
-            let variable = self.atoms.variable(Atom::Symbol(name.clone()));
-            return match self.meaning.values.get(&variable) {
-                Some(value) => Ok(value.clone()),
-                None if !self.meaning.values.is_empty() => Ok(Fraction::variable(variable)),
-                None => self.opened(name, tree),
-            };
-        }
-        if let Some(atom) = self.quantity(name) {
-            return Ok(self.resolve(atom));
-        }
-        if self.vocabulary.running.as_ref() == Some(name) {
-            return Ok(self
-                .running
-                .clone()
-                .unwrap_or_else(|| Fraction::variable(self.atoms.variable(Atom::Running))));
-        }
-        if name.mark.is_empty() && (self.is_function(name) || self.is_motion(name)) {
-            let running = self.running.clone();
-            let time = running.unwrap_or_else(|| Fraction::variable(self.atoms.variable(Atom::Running)));
-            return self.value(name, time);
-        }
-        if name.base == r"\pi"
-            && *name
-                == (Name {
-                    base: name.base.clone(),
-                    ..Name::default()
-                })
-        {
-            return Ok(self.resolve(Atom::Symbol(name.clone())));
-        }
-        Err(self.unknown(name))
-    }
-
-    fn call(&mut self, function: &Name, argument: &Tree) -> Result<Fraction, Meaningless> {
-        let motion = self.is_motion(function);
-        if !motion && !self.is_function(function) {
-            return self.elementary(function, argument);
-        }
-        if motion
-            && function.primes == 0
-            && let Tree::Symbol(time, _) = argument
-            && let Some(Atom::Time { index, .. }) = self.quantity(time)
-            && self.vocabulary.states.contains(&function.bare())
-        {
-            let state = function.bare();
-            let departs = function.mark == "+" || (function.mark.is_empty() && self.first == Some(index));
-            let after = departs && !self.vocabulary.continuous.contains(&state);
-            return Ok(self.resolve(Atom::State { state, index, after }));
-        }
-        if !function.mark.is_empty() {
-            return Err(Meaningless::NoImpact(function.to_string()));
-        }
-        let time = self.time(argument)?;
-        self.value(function, time)
-    }
-
-    fn partial(&mut self, of: &Name, by: &Name) -> Result<Fraction, Meaningless> {
-        let none = Meaningless::NoMap {
-            of: of.to_string(),
-            by: by.to_string(),
-        };
-        let (Some(above), Some(below)) = (self.quantity(of), self.quantity(by)) else {
-            return Err(none);
-        };
-        let (above, below) = (self.atoms.variable(above), self.atoms.variable(below));
-        let entry = self.jacobians.entry(above, below, self.atoms).ok_or(none)?;
-        Ok(self.meaning.apply(&entry)?)
-    }
-
-    fn invariant(&mut self, kind: Invariant, of: &Name) -> Result<Fraction, Meaningless> {
-        if self.jacobians.opaque {
-            return Ok(self.resolve(Atom::Invariant { kind, of: of.clone() }));
-        }
-        let meaning = self.meaning;
-        let known = |v: Variable| meaning.values.get(&v).cloned().unwrap_or_else(|| Fraction::variable(v));
-        let matrix = self
-            .jacobians
-            .matrix(of, self.atoms, &known)
-            .ok_or_else(|| self.unknown(of))?;
-        super::jacobian::invariant(kind, &matrix).ok_or_else(|| Meaningless::NotSquare(of.to_string()))
-    }
-
-    fn root(&mut self, radicand: Fraction) -> Result<Fraction, Meaningless> {
-        if let Some(root) = super::root::of_square(&radicand) {
-            return Ok(root);
-        }
-        Ok(self.resolve(Atom::Root { radicand }))
-    }
-
-    fn number(&mut self, value: &Rational) -> Result<Fraction, Meaningless> {
-        Ok(Fraction::from(value))
-    }
-
-    fn upper_sign(&self) -> Option<bool> {
-        self.upper
-    }
-
-    fn is_zero(&mut self, value: &Fraction) -> bool {
-        value.is_zero() || self.vanishes.is_some_and(|vanishes| vanishes(value))
-    }
 }

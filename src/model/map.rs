@@ -72,7 +72,15 @@ fn arrival<T: Analytic>(flight: &Flight<T>, side: Side, duration: &T) -> Result<
     let step = (state.displacement - flight.target(side)) / state.velocity.clone();
     // the velocity goes along to first order in the step: the second order is beyond the third derivative
     let velocity = state.velocity - state.acceleration * step.clone();
-    Ok((duration - step, velocity))
+    let after = duration.clone() - step;
+    // A step that leaves the flight, or no number at all: rounding hides when the ball arrives.
+    if after.to_f64() >= 0.0 {
+        Ok((after, velocity))
+    } else {
+        Err(FlightError::Undecided {
+            after: duration.to_f64(),
+        })
+    }
 }
 
 /// The impact that follows `impact`, at whichever wall comes first, with the flight between them.

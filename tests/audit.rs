@@ -1,0 +1,157 @@
+//! The command `audit`, as a reviewer runs it: the paper, a sheet of one's own, what a script reads.
+
+use std::io::Write;
+use std::process::{Command, Output, Stdio};
+
+fn run(arguments: &[&str], input: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the binary");
+    // A program that needs no input may have ended before it is written.
+    let _ = child.stdin.take().expect("stdin").write_all(input.as_bytes());
+    child.wait_with_output().expect("an end")
+}
+
+fn text(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).expect("UTF-8")
+}
+
+/// Label, verdict, expected, digits of each row.
+fn rows(output: &Output) -> Vec<(String, String, String, Option<f64>)> {
+    let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
+    let header: Vec<String> = reader.headers().expect("a header").iter().map(String::from).collect();
+    assert_eq!(
+        header[..6],
+        ["label", "verdict", "expected", "digits", "counterexample", "reason"]
+    );
+    let row = |row: csv::StringRecord| (row[0].into(), row[1].into(), row[2].into(), row[3].parse().ok());
+    reader.records().map(|record| row(record.expect("a row"))).collect()
+}
+
+const PREMISE: &str = r"
+[[equation]]
+label = '9'
+role = 'premise'
+tex = '\dot{Z}_{k+1} = -r_B \dot{Z}_k + \overline{g}T_1 + F_1(t_{k+1}) - F_1(t_k)'
+";
+
+fn claim(label: &str, tex: &str) -> String {
+    format!("[[equation]]\nlabel = '{label}'\nrole = 'claim'\ntex = '{tex}'\nfollows_from = ['9']\n")
+}
+
+#[test]
+fn sixteen_and_twenty_two_are_refuted_and_all_else_in_the_paper_is_proved_with_evidence() {
+    let output = run(&["audit", "--format", "csv"], "");
+    assert_eq!(output.status.code(), Some(0));
+    let rows = rows(&output);
+    for label in ["3", "4", "9", "10", "11", "12", "14", "15", "19", "20", "21", "23"] {
+        let row = rows
+            .iter()
+            .find(|row| row.0 == label)
+            .unwrap_or_else(|| panic!("no row for ({label})"));
+        assert_eq!(row.1, "proved", "({label})");
+        assert!(
+            row.3.is_some_and(|digits| digits > 12.0),
+            "({label}) has {:?} digits",
+            row.3
+        );
+    }
+    for label in ["16", "22"] {
+        let row = rows
+            .iter()
+            .find(|row| row.0 == label)
+            .unwrap_or_else(|| panic!("no row for ({label})"));
+        assert_eq!((row.1.as_str(), row.2.as_str()), ("refuted", "refuted"), "({label})");
+        assert!(
+            row.3.is_some_and(|digits| digits < 4.0),
+            "({label}) has {:?} digits",
+            row.3
+        );
+    }
+}
+
+#[test]
+fn a_right_and_a_wrong_formula_of_ones_own_are_told_apart_and_the_status_says_so() {
+    let right = claim(
+        "a",
+        r"r_B \dot{Z}_k = \overline{g}T_1 + F_1(t_{k+1}) - F_1(t_k) - \dot{Z}_{k+1}",
+    );
+    let wrong = claim(
+        "b",
+        r"r_B \dot{Z}_k = \overline{g}T_1 + F_1(t_{k+1}) - F_1(t_k) + \dot{Z}_{k+1}",
+    );
+    let all_right = run(&["audit", "-", "--format", "csv"], &format!("{PREMISE}{right}"));
+    assert_eq!(all_right.status.code(), Some(0));
+    let output = run(&["audit", "-", "--format", "csv"], &format!("{PREMISE}{right}{wrong}"));
+    assert_eq!(output.status.code(), Some(1));
+    let verdicts: Vec<String> = rows(&output).into_iter().map(|row| row.1).collect();
+    assert_eq!(verdicts, ["proved", "refuted"]);
+    assert!(text(&output).contains("has the wrong sign"), "{}", text(&output));
+}
+
+#[test]
+fn a_proof_prints_the_combination_of_premises_that_is_the_claim() {
+    let output = run(&["audit", "--explain", "14"], "");
+    assert_eq!(output.status.code(), Some(0));
+    let text = text(&output);
+    for part in ["[-r_T] (9)", "[-1] (11)", "evidence", "random points"] {
+        assert!(text.contains(part), "no {part} in\n{text}");
+    }
+}
+
+#[test]
+fn a_refutation_is_worked_out_and_its_term_is_named() {
+    let text = text(&run(&["audit", "--explain", "16"], ""));
+    for part in ["lacks a factor", "every premise holds at", "left  = ", "right = "] {
+        assert!(text.contains(part), "no {part} in\n{text}");
+    }
+}
+
+#[test]
+fn sheets_of_another_field_are_audited_in_their_own_words() {
+    let output = run(&["audit", "golden/oscillator/equations.toml", "--format", "csv"], "");
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output));
+    assert_eq!(rows(&output).len(), 4);
+}
+
+#[test]
+fn a_sheet_that_cannot_be_used_says_where_and_exits_with_two() {
+    let unknown = claim("a", r"r_X = 1 + q");
+    let nowhere = claim("a", r"d = d").replace("'9'", "'99'");
+    let twice = format!("{}{}", claim("a", "d = d"), claim("a", "d = d"));
+    let none = claim("a", "d = d").replace("['9']", "[]");
+    let circle = format!(
+        "{}{}",
+        claim("a", "d = d").replace("'9'", "'b'"),
+        claim("b", "d = d").replace("'9'", "'a'")
+    );
+    let contrary = format!(
+        "{}[[equation]]\nlabel = 'c'\nrole = 'premise'\ntex = 'd = 1, d = 2'\n",
+        claim("a", "d = 1")
+    )
+    .replace("['9']", "['9', 'c']");
+    for (sheet, word) in [
+        (unknown.as_str(), "unknown symbol"),
+        (&nowhere, "99"),
+        (&twice, "twice"),
+        (&none, "follows_from"),
+        (&circle, "itself"),
+        (&contrary, "no common solution"),
+        (r"[[equation", "line"),
+        (&claim("a", r"\frac{1}{ = 2"), "column"),
+    ] {
+        let output = run(&["audit", "-"], &format!("{PREMISE}{sheet}"));
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{sheet}\n{error}");
+        assert!(error.contains(word) && error.contains("line"), "{sheet}\n{error}");
+        assert!(output.stdout.is_empty());
+    }
+    assert_eq!(run(&["audit", "-"], "").status.code(), Some(2));
+    assert_eq!(run(&["audit", "no-such-file.toml"], "").status.code(), Some(2));
+    assert_eq!(run(&["audit", "--explain", "99"], "").status.code(), Some(2));
+}
