@@ -1,4 +1,4 @@
-//! Symbolic-numeric verification of printed formulas.
+#![doc = include_str!("../README.md")]
 
 pub mod accuracy;
 pub mod algebra;

@@ -10,7 +10,7 @@ const MOST_DIVISION: usize = 20_000;
 
 impl Polynomial {
     /// `self / divisor` where the division leaves nothing; `None` otherwise, for a zero divisor, and where it takes
-    /// more than [`MOST_DIVISION`] steps.
+    /// more steps than a fraction kept small is worth.
     pub fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
         // The last terms must divide as well as the first: most that does not divide is found out here.
         if let (Some((last, c)), Some((end, e))) = (self.terms.last(), divisor.terms.last())

@@ -274,6 +274,8 @@ impl PartialEq for Fraction {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Field;
+    use num_traits::One;
 
     fn x(n: u32) -> Fraction {
         Fraction::variable(Variable(n))

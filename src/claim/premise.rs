@@ -182,6 +182,9 @@ fn tree_runs(tree: &Tree, vocabulary: &Vocabulary) -> bool {
     })
 }
 
+/// Equations, and where each stands.
+type Sourced = Vec<(Equation, Source)>;
+
 struct Gathering<'a> {
     vocabulary: &'a Vocabulary,
     jacobians: &'a Jacobians,
@@ -223,7 +226,7 @@ impl Gathering<'_> {
     }
 
     /// The definitions beside an entry, and the equations among them that define nothing new.
-    fn local(&mut self, entry: &Entry) -> Result<(Vec<Local>, Vec<(Equation, Source)>), Fault> {
+    fn local(&mut self, entry: &Entry) -> Result<(Vec<Local>, Sourced), Fault> {
         let (mut own, mut more): (Vec<Local>, _) = (Vec::new(), Vec::new());
         for (equation, source) in &entry.local {
             match self.defines(equation, &[]) {
