@@ -6,6 +6,7 @@
 use super::fraction::Fraction;
 use super::monomial::{Monomial, Variable};
 use super::polynomial::Polynomial;
+use num_traits::Zero;
 use std::collections::BTreeSet;
 
 /// An equation `residual = 0`, and a number by which the caller knows it.
@@ -156,6 +157,10 @@ impl Search<'_> {
                 other.residual = inserted.numerator().primitive();
             }
             other.used.extend(chosen.used.iter().copied());
+        }
+        // What is different from zero cannot be solved to be zero.
+        if value.is_zero() && matches!((self.rank)(choice.variable), Rank::Generic(_)) {
+            return Err(Failure::Contradiction(chosen.used));
         }
         let mut solution = solution.clone();
         solution.steps.push(Step {

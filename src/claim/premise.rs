@@ -22,8 +22,14 @@ pub struct Statement {
     pub locals: Vec<Local>,
     /// The first impact it speaks of.
     pub first: Option<i32>,
+    /// Whether it is a law of one impact in which `with` put a value for a parameter: said of each impact, as laws of
+    /// flight are.
+    substituted: bool,
     source: Source,
 }
+
+/// No claim spans more flights; the bound is for claims that name impacts far apart.
+const MOST_FLIGHTS: i32 = 4;
 
 /// All that bears on one claim.
 #[derive(Clone, Debug, Default)]
@@ -35,6 +41,8 @@ pub struct Statements {
     pub claims: Vec<Equation>,
     /// The first impact that the claim speaks of.
     pub first: Option<i32>,
+    /// The flights that the claim speaks of, from that impact on.
+    pub flights: i32,
     /// Whether the claim holds at every time of a flight.
     pub claim_runs: bool,
     /// Whether anything is said of partial derivatives, traces or determinants.
@@ -122,6 +130,7 @@ impl Statements {
             .zip(last)
             .filter(|_| !self.claim_runs)
             .map_or(1, |(first, last)| (last - first).max(1));
+        self.flights = flights.min(MOST_FLIGHTS);
         self.premises = self
             .premises
             .iter()
@@ -146,9 +155,10 @@ impl Statement {
             statement
         };
         match (start, first) {
-            (Some(start), Some(first)) if first >= start && runs(&self.equation, vocabulary) => {
-                // A flight is more than any claim spans; the bound is for claims that name impacts far apart.
-                (0..flights.min(4)).map(|flight| said(first - start + flight)).collect()
+            (Some(start), Some(first)) if first >= start && (self.substituted || runs(&self.equation, vocabulary)) => {
+                (0..flights.min(MOST_FLIGHTS))
+                    .map(|flight| said(first - start + flight))
+                    .collect()
             }
             _ => vec![said(0)],
         }
@@ -252,6 +262,7 @@ impl Gathering<'_> {
             equation,
             locals,
             first: None,
+            substituted: false,
             source,
         });
     }
@@ -335,6 +346,8 @@ impl Gathering<'_> {
         for statement in &mut self.found.premises {
             let shifted = self.vocabulary.shifted(&statement.equation, shift);
             statement.equation = self.vocabulary.substituted(&shifted, &pairs);
+            let one_impact = self.vocabulary.impacts(&statement.equation).len() == 1;
+            statement.substituted = one_impact && statement.equation != shifted;
             for local in &mut statement.locals {
                 let whole = Equation {
                     right: local.tree.clone(),

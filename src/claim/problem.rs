@@ -206,7 +206,13 @@ impl<'a> Problem<'a> {
                 continue;
             }
             let statement = &self.statements.premises[*index];
-            let start = statement.first.or(self.statements.first).unwrap_or(0);
+            // A law that names no impact is said of every flight that the claim speaks of.
+            let first = statement.first.or(self.statements.first).unwrap_or(0);
+            let flights = if statement.first.is_some() {
+                1
+            } else {
+                self.statements.flights.max(1)
+            };
             let mut reading = Reading::new(
                 self.vocabulary,
                 &self.jacobians,
@@ -215,13 +221,17 @@ impl<'a> Problem<'a> {
                 &statement.locals,
             );
             let here = |error: Meaningless| statement.fault(0, error.to_string());
-            for consequence in motion::consequences(law, start, &mut reading).map_err(here)? {
-                let known = if running {
-                    consequence
-                } else {
-                    motion::at_impact(&consequence, start + 1, false, &mut reading).map_err(here)?
-                };
-                self.raw.push((*index, known));
+            for start in first..first + flights {
+                for consequence in motion::consequences(law, start, &mut reading).map_err(here)? {
+                    if running {
+                        self.raw.push((*index, consequence));
+                        continue;
+                    }
+                    for (impact, departs) in [(start + 1, false), (start, true)] {
+                        let known = motion::at_impact(&consequence, impact, departs, &mut reading).map_err(here)?;
+                        self.raw.push((*index, known));
+                    }
+                }
             }
         }
         Ok(())

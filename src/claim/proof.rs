@@ -218,7 +218,7 @@ impl Knowledge {
     }
 
     /// The function with the later values put in, denominator and all.
-    fn settled_whole(&self, function: &Fraction) -> Fraction {
+    pub(super) fn settled_whole(&self, function: &Fraction) -> Fraction {
         self.late.iter().fold(function.clone(), |f, step| {
             f.substituted(step.variable, &step.value).unwrap_or(f)
         })
@@ -323,7 +323,7 @@ impl Problem<'_> {
     }
 
     /// Whether a function is negative, where it has one sign for all values that its symbols may take.
-    fn sign(&self, function: &Fraction) -> Option<bool> {
+    pub(super) fn sign(&self, function: &Fraction) -> Option<bool> {
         let of = |polynomial: &Polynomial| {
             let positive = |v: &Variable| match self.atoms.atom(*v) {
                 Some(Atom::Symbol(name)) => self.vocabulary.positive.contains(name),

@@ -106,7 +106,14 @@ impl<'a> Reading<'a> {
 
     /// The quantity of an indexed time or state.
     pub fn quantity(&mut self, name: &Name) -> Option<Atom> {
-        let (bare, index) = (name.bare(), index_of(&name.subscript, &self.vocabulary.index)?);
+        // A mark without an index, as in `\dot{x}^+ = -r \dot{x}^-`, is said of the impact k.
+        let unnumbered = name.subscript.is_empty() && matches!(name.mark.as_str(), "-" | "+");
+        let index = if unnumbered {
+            0
+        } else {
+            index_of(&name.subscript, &self.vocabulary.index)?
+        };
+        let bare = name.bare();
         if name.primes > 0 {
             return None;
         }
@@ -154,8 +161,26 @@ impl<'a> Reading<'a> {
             primes: name.primes,
             ..function
         };
+        // A state at the time of an impact, however that is written, is the state there.
+        if self.vocabulary.states.contains(&function)
+            && let Some(Atom::Time { index, .. }) = self.time_of_impact(&time)
+        {
+            let after = self.first == Some(index) && !self.vocabulary.continuous.contains(&function);
+            return Ok(self.resolve(Atom::State {
+                state: function,
+                index,
+                after,
+            }));
+        }
         let argument = self.meaning.reduced(&function, time);
         Ok(self.resolve(Atom::Value { function, argument }))
+    }
+
+    /// The impact that a time is the time of.
+    fn time_of_impact(&self, time: &Fraction) -> Option<Atom> {
+        let variable = *time.variables().first()?;
+        let atom = self.atoms.atom(variable)?;
+        (matches!(atom, Atom::Time { .. }) && *time == Fraction::variable(variable)).then(|| atom.clone())
     }
 
     fn derivative(&self, function: &Name) -> Option<Derivative> {
