@@ -254,3 +254,68 @@ fn vocabularies_that_name_what_they_do_not_declare() {
     }
     assert!(accepted.is_empty(), "{}", accepted.join("\n"));
 }
+
+#[test]
+fn the_motion_law_holds_at_each_impact_and_on_each_flight() {
+    let motion = &[r"\ddot{Z}(t) = f(t) + \overline{g}"];
+    proved(motion, r"\ddot{Z}(t_k) = f(t_k) + \overline{g}", &[]);
+    proved(
+        motion,
+        r"\dot{Z}_{k+2} - \dot{Z}_{k+1}^+ + \dot{Z}_{k+1} - \dot{Z}_k^+ = \overline{g}(T_1 + T_2) + F_1(t_{k+2}) - F_1(t_k)",
+        &[],
+    );
+    let law = r"\dot{Z}_k^+ = -r \dot{Z}_k^-";
+    proved(&[motion[0], law], ELEVEN, &["r = r_T"]);
+    proved(&[THREE], NINE, &["r = r_B", "t = t_k + T_1"]);
+}
+
+#[test]
+fn a_grazing_impact_proves_nothing_of_derivatives() {
+    let graze = r"\dot{Z}_{k+1} = 0";
+    let found = decide(
+        &[NINE, TEN, ELEVEN, TWELVE, THIRTEEN, graze],
+        "Det(DP) = r_B^2 r_T",
+        &[],
+    );
+    assert_ne!(found, Ok(Verdict::Proved));
+}
+
+#[test]
+fn eigenvalues_that_are_not_rational_are_still_told_apart() {
+    let all = &[NINE, TEN, ELEVEN, TWELVE, THIRTEEN, CHARACTERISTIC];
+    refuted(
+        all,
+        r"\lambda_{1,2} = \frac{Tr(DP) \pm \sqrt{Tr(DP)^2 - 4 r_B r_T}}{2}",
+        &[],
+    );
+    proved(
+        all,
+        r"\lambda_{1,2} = \frac{Tr(DP) \pm \sqrt{Tr(DP)^2 - 4 r_B^2 r_T^2}}{2}",
+        &[],
+    );
+}
+
+#[test]
+fn a_counterexample_is_a_point_where_the_formula_as_written_is_defined() {
+    let text = sheet(
+        &[("p".into(), "d = 1".into())],
+        r"\frac{T_1^2 - T_2^2}{T_1 - T_2} = T",
+        &[],
+        &[],
+    );
+    let decisions = audit(&text).expect("a decision");
+    let point = &decisions[0].counterexample.as_ref().expect("a counterexample").point;
+    let value = |name: &str| {
+        point
+            .iter()
+            .find(|(known, _)| known == name)
+            .map(|(_, value)| value.clone())
+    };
+    assert!(value("T_1").is_some() && value("T_1") != value("T_2"), "{point:?}");
+}
+
+#[test]
+fn a_sheet_without_a_claim_is_no_audit_that_passes() {
+    let fault = audit("[[equation]]\nlabel = 'p'\nrole = 'premise'\ntex = 'd = 1'\n").expect_err("no claim");
+    assert!(fault.to_string().contains("no claim"), "{fault}");
+}

@@ -128,6 +128,10 @@ impl Search<'_> {
         }
         let mut choices = self.choices(&pending);
         choices.sort_by_key(|c| (c.cost, c.equation, c.variable));
+        // Another way through a generic variable would only hide that it has to vanish.
+        if choices.first().is_some_and(|best| best.cost.0 < Class::Generic) {
+            choices.retain(|c| c.cost.0 < Class::Generic);
+        }
         let mut failure = None;
         for choice in choices {
             self.choices += 1;
@@ -158,8 +162,9 @@ impl Search<'_> {
             }
             other.used.extend(chosen.used.iter().copied());
         }
-        // What is different from zero cannot be solved to be zero.
-        if value.is_zero() && matches!((self.rank)(choice.variable), Rank::Generic(_)) {
+        // What is different from zero cannot come out as zero, unless an equation says just that of it.
+        let said = chosen.used.len() == 1 && chosen.residual == Polynomial::variable(choice.variable);
+        if value.is_zero() && !said && matches!((self.rank)(choice.variable), Rank::Generic(_)) {
             return Err(Failure::Contradiction(chosen.used));
         }
         let mut solution = solution.clone();

@@ -14,6 +14,7 @@ use super::surd;
 use crate::algebra::{Fraction, Variable};
 use crate::number::{Field, Rational};
 use crate::tex::{Equation, Tree};
+use dashu_int::ops::BitTest;
 use num_traits::Zero;
 use std::collections::BTreeSet;
 
@@ -21,31 +22,35 @@ use std::collections::BTreeSet;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Counterexample {
     /// The symbols that premises and claim speak of, with their values.
-    pub point: Vec<(String, Rational)>,
+    pub point: Vec<(String, String)>,
     pub left: String,
     pub right: String,
     /// The terms of the two sides with their values.
-    pub terms: Vec<(String, Rational)>,
+    pub terms: Vec<(String, String)>,
 }
 
 impl std::fmt::Display for Counterexample {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         for (name, value) in &self.point {
-            write!(f, "{name}={}; ", shown(value))?;
+            write!(f, "{name}={value}; ")?;
         }
         write!(f, "left={}; right={}", self.left, self.right)
     }
 }
 
-/// A rational as it is; as a decimal where pi has gone into it.
-pub fn shown(value: &Rational) -> String {
+/// A rational as it is; as a decimal where pi has gone into it, which is known to 50 digits.
+fn shown(value: &Rational) -> String {
     let exact = value.to_string();
-    if exact.len() < 90 {
-        exact
-    } else {
+    let of_pi = value.0.denominator().bit_len() > BITS_OF_PI && exact.len() > 90;
+    if of_pi {
         format!("{:.15}", value.0.to_f64().value())
+    } else {
+        exact
     }
 }
+
+/// A denominator of so many bits, made of tens, comes from the decimal that stands for pi.
+const BITS_OF_PI: usize = 120;
 
 /// Points tried before the search is given up. A function that is not zero has a zero at few of them; most are
 /// for square roots, which need a square beneath.
@@ -55,7 +60,12 @@ const MOST_POINTS: u64 = 4000;
 const PHYSICAL_POINTS: u64 = 30;
 
 /// Searches small rationals for a point where the claim fails.
-pub fn search(problem: &mut Problem, equation: &Equation, question: &Question) -> Option<Counterexample> {
+pub fn search(
+    problem: &mut Problem,
+    entry: &Entry,
+    equation: &Equation,
+    question: &Question,
+) -> Option<Counterexample> {
     let residuals = question.residuals();
     problem.meet_squares();
     let tried = if problem.squares.is_empty() {
@@ -68,7 +78,8 @@ pub fn search(problem: &mut Problem, equation: &Equation, question: &Question) -
             let point = point(problem, &residuals, seed)?;
             let (left, right) = sides(question, &point)?;
             let fits = !physical || is_physical(problem, &point);
-            (fits && left != right).then(|| show(problem, equation, &point, left, right))
+            (fits && left != right && is_defined(problem, entry, equation, &point))
+                .then(|| show(problem, equation, &point, left, right))
         })
     };
     // Where a point with lengths and times that are positive can be had, it is the better one to look at.
@@ -93,15 +104,7 @@ pub fn search_by_points(
         let Some(point) = point(problem, &[], seed) else {
             continue;
         };
-        let values = point
-            .0
-            .iter()
-            .map(|(variable, value)| (*variable, Fraction::from(value)))
-            .collect();
-        let meaning = Meaning {
-            values,
-            periods: problem.meaning.periods.clone(),
-        };
+        let meaning = constants(problem, &point);
         let Some(question) = ask_with(problem, &meaning, Some(&times), entry, equation)? else {
             continue;
         };
@@ -163,24 +166,44 @@ pub(super) fn show(
     left: String,
     right: String,
 ) -> Counterexample {
-    let mut shown: Vec<(String, Rational)> = Vec::new();
+    let mut listed: Vec<(String, String)> = Vec::new();
     for variable in spoken(problem, equation) {
         let value = problem
             .meaning
             .restrict(&Fraction::variable(variable), &mut problem.atoms);
         if let Some(value) = value.ok().and_then(|value| point.value(&value)) {
             let name = problem.atoms.show(variable);
-            if !shown.iter().any(|(known, _)| *known == name) {
-                shown.push((name, value));
+            if !listed.iter().any(|(known, _)| *known == name) {
+                listed.push((name, shown(&value)));
             }
         }
     }
     let terms = terms(problem, equation, point);
     Counterexample {
-        point: shown,
+        point: listed,
         left,
         right,
         terms,
+    }
+}
+
+/// Whether no denominator of the equation, as it is written, vanishes at the point.
+fn is_defined(problem: &mut Problem, entry: &Entry, equation: &Equation, point: &Point) -> bool {
+    let meaning = constants(problem, point);
+    let times = problem.times.clone();
+    matches!(ask_with(problem, &meaning, Some(&times), entry, equation), Ok(Some(_)))
+}
+
+/// The point as what is known.
+fn constants(problem: &Problem, point: &Point) -> Meaning {
+    let values = point
+        .0
+        .iter()
+        .map(|(variable, value)| (*variable, Fraction::from(value)))
+        .collect();
+    Meaning {
+        values,
+        periods: problem.meaning.periods.clone(),
     }
 }
 
@@ -236,28 +259,28 @@ fn quantities(problem: &mut Problem, node: &Tree) -> BTreeSet<Variable> {
     let mut met = read.map(|value| value.variables()).unwrap_or_default();
     // A law that holds at all times has no values at this point.
     if matches!(node, Tree::Invariant { .. }) {
-        // Of a trace, what follows from the rest says nothing new.
-        let late: BTreeSet<Variable> = problem.late.iter().map(|step| step.variable).collect();
-        met.retain(|v| !problem.meaning.values.contains_key(v) && !late.contains(v));
+        // What a trace is made of, rather than the derivatives that follow from it.
+        let read = problem.reading().tree(node);
+        met = read.map(|value| value.variables()).unwrap_or_default();
     }
     met.retain(|&v| problem.statements.claim_runs || !problem.runs(&Fraction::variable(v)));
     met
 }
 
 /// The terms of both sides, and their values at the point.
-fn terms(problem: &mut Problem, equation: &Equation, point: &Point) -> Vec<(String, Rational)> {
-    let mut shown = Vec::new();
+fn terms(problem: &mut Problem, equation: &Equation, point: &Point) -> Vec<(String, String)> {
+    let mut listed = Vec::new();
     for side in [&equation.left, &equation.right] {
         let Tree::Sum(parts) = side else { continue };
         for part in parts {
             let mut reading = problem.reading();
             reading.upper = Some(true);
             if let Some(value) = reading.tree(part).ok().and_then(|value| point.value(&value)) {
-                shown.push((part.to_string(), value));
+                listed.push((part.to_string(), shown(&value)));
             }
         }
     }
-    shown
+    listed
 }
 
 /// The quantities that premises and claim speak of, parameters first.

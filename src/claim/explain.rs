@@ -2,7 +2,7 @@
 
 use super::audit::Decision;
 use super::certificate::{Certificate, certify};
-use super::counterexample::{Counterexample, shown};
+use super::counterexample::Counterexample;
 use super::fault::Fault;
 use super::problem::Problem;
 use super::proof::{ask, ask_with};
@@ -127,7 +127,7 @@ fn certified(text: &mut String, problem: &Problem, certificate: &Certificate) {
 fn worked_out(text: &mut String, counterexample: &Counterexample) {
     let _ = writeln!(text, "counterexample: every premise holds at");
     for (name, value) in &counterexample.point {
-        let _ = writeln!(text, "  {name} = {}", shown(value));
+        let _ = writeln!(text, "  {name} = {value}");
     }
     let _ = writeln!(
         text,
@@ -135,6 +135,6 @@ fn worked_out(text: &mut String, counterexample: &Counterexample) {
         counterexample.left, counterexample.right
     );
     for (term, value) in &counterexample.terms {
-        let _ = writeln!(text, "    {term} = {}", shown(value));
+        let _ = writeln!(text, "    {term} = {value}");
     }
 }

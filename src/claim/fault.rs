@@ -13,6 +13,9 @@ pub struct Source {
     verbatim: bool,
 }
 
+/// Characters shown on either side of the place of a fault.
+const MOST_SHOWN: usize = 160;
+
 impl Source {
     pub(super) fn new(text: &str, value: &Spanned<String>) -> Self {
         let span = value.span();
@@ -47,7 +50,15 @@ impl Source {
         } else {
             (self.line + row, column + 1)
         };
-        let shown = format!("    {head}{tail}\n    {}^", " ".repeat(column)).replace('\t', " ");
+        // Of a line of megabytes the part around the place is enough.
+        let near = |text: &str, from_end: bool| -> String {
+            let count = text.chars().count();
+            let skip = if from_end { count.saturating_sub(MOST_SHOWN) } else { 0 };
+            text.chars().skip(skip).take(MOST_SHOWN).collect()
+        };
+        let (head, tail) = (near(head, true), near(tail, false));
+        let indent = " ".repeat(head.chars().count());
+        let shown = format!("    {head}{tail}\n    {indent}^").replace('\t', " ");
         Fault {
             message: message.into(),
             label: None,

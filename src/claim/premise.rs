@@ -41,8 +41,6 @@ pub struct Statements {
     pub claims: Vec<Equation>,
     /// The first impact that the claim speaks of.
     pub first: Option<i32>,
-    /// The flights that the claim speaks of, from that impact on.
-    pub flights: i32,
     /// Whether the claim holds at every time of a flight.
     pub claim_runs: bool,
     /// Whether anything is said of partial derivatives, traces or determinants.
@@ -130,7 +128,6 @@ impl Statements {
             .zip(last)
             .filter(|_| !self.claim_runs)
             .map_or(1, |(first, last)| (last - first).max(1));
-        self.flights = flights.min(MOST_FLIGHTS);
         self.premises = self
             .premises
             .iter()
@@ -160,6 +157,13 @@ impl Statement {
                     .map(|flight| said(first - start + flight))
                     .collect()
             }
+            // A law that names no impact is said of every flight too.
+            (None, Some(first)) if flies(&self.equation, vocabulary) => (0..flights.min(MOST_FLIGHTS))
+                .map(|flight| Self {
+                    first: Some(first + flight),
+                    ..said(0)
+                })
+                .collect(),
             _ => vec![said(0)],
         }
     }
@@ -180,6 +184,21 @@ impl Local {
 /// Whether an equation is said of a running time: by its symbol, or by a function without a bracket.
 fn runs(equation: &Equation, vocabulary: &Vocabulary) -> bool {
     tree_runs(&equation.left, vocabulary) || tree_runs(&equation.right, vocabulary)
+}
+
+/// Whether an equation speaks of a state in flight.
+fn flies(equation: &Equation, vocabulary: &Vocabulary) -> bool {
+    let is_state = |name: &Name| {
+        let states = &vocabulary.states;
+        states
+            .iter()
+            .any(|s| [s.clone(), s.dotted(), s.dotted().dotted()].contains(&name.bare()))
+    };
+    let mut test = |node: &Tree| match node {
+        Tree::Call(name, ..) | Tree::Symbol(name, _) => name.subscript.is_empty() && is_state(name),
+        _ => false,
+    };
+    any(&equation.left, &mut test) || any(&equation.right, &mut test)
 }
 
 fn tree_runs(tree: &Tree, vocabulary: &Vocabulary) -> bool {

@@ -206,13 +206,7 @@ impl<'a> Problem<'a> {
                 continue;
             }
             let statement = &self.statements.premises[*index];
-            // A law that names no impact is said of every flight that the claim speaks of.
-            let first = statement.first.or(self.statements.first).unwrap_or(0);
-            let flights = if statement.first.is_some() {
-                1
-            } else {
-                self.statements.flights.max(1)
-            };
+            let start = statement.first.unwrap_or(0);
             let mut reading = Reading::new(
                 self.vocabulary,
                 &self.jacobians,
@@ -221,16 +215,14 @@ impl<'a> Problem<'a> {
                 &statement.locals,
             );
             let here = |error: Meaningless| statement.fault(0, error.to_string());
-            for start in first..first + flights {
-                for consequence in motion::consequences(law, start, &mut reading).map_err(here)? {
-                    if running {
-                        self.raw.push((*index, consequence));
-                        continue;
-                    }
-                    for (impact, departs) in [(start + 1, false), (start, true)] {
-                        let known = motion::at_impact(&consequence, impact, departs, &mut reading).map_err(here)?;
-                        self.raw.push((*index, known));
-                    }
+            for consequence in motion::consequences(law, start, &mut reading).map_err(here)? {
+                if running {
+                    self.raw.push((*index, consequence));
+                    continue;
+                }
+                for (impact, departs) in [(start + 1, false), (start, true)] {
+                    let known = motion::at_impact(&consequence, impact, departs, &mut reading).map_err(here)?;
+                    self.raw.push((*index, known));
                 }
             }
         }

@@ -95,7 +95,7 @@ pub fn decide(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Resu
     if residuals.iter().all(|residual| vanishes(problem, residual.numerator())) {
         return Ok(Outcome::Holds);
     }
-    Ok(counterexample::search(problem, equation, &question).map_or(Outcome::Unshown, Outcome::Fails))
+    Ok(counterexample::search(problem, entry, equation, &question).map_or(Outcome::Unshown, Outcome::Fails))
 }
 
 /// Evaluates both sides with all that is known; `None` where a denominator vanishes.
@@ -218,7 +218,7 @@ impl Knowledge {
     }
 
     /// The function with the later values put in, denominator and all.
-    pub(super) fn settled_whole(&self, function: &Fraction) -> Fraction {
+    fn settled_whole(&self, function: &Fraction) -> Fraction {
         self.late.iter().fold(function.clone(), |f, step| {
             f.substituted(step.variable, &step.value).unwrap_or(f)
         })
@@ -323,7 +323,7 @@ impl Problem<'_> {
     }
 
     /// Whether a function is negative, where it has one sign for all values that its symbols may take.
-    pub(super) fn sign(&self, function: &Fraction) -> Option<bool> {
+    fn sign(&self, function: &Fraction) -> Option<bool> {
         let of = |polynomial: &Polynomial| {
             let positive = |v: &Variable| match self.atoms.atom(*v) {
                 Some(Atom::Symbol(name)) => self.vocabulary.positive.contains(name),

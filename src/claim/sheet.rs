@@ -119,6 +119,10 @@ impl Sheet {
             let read = read_entry(text, entry, &positions, &vocabulary, wanted);
             entries.push(read.map_err(|fault| fault.of(label))?);
         }
+        if entries.iter().all(|entry: &Entry| entry.role != Role::Claim) {
+            let problem = "the sheet has no claim: give an equation that is to be decided `role = \"claim\"`";
+            return Err(Fault::new(problem).at(&Source::new(text, &Spanned::new(0..0, String::new()))));
+        }
         let sheet = Self {
             title: raw.title,
             vocabulary,

@@ -6,9 +6,7 @@ use super::meaning::Meaning;
 use super::premise::pair_of;
 use super::problem::Problem;
 use crate::algebra::{self, Failure, Fraction, Rank, Step, Variable};
-use crate::number::Field;
 use crate::tex::{Name, Tree};
-use num_traits::Zero;
 use std::collections::{BTreeSet, HashMap};
 
 impl Problem<'_> {
@@ -57,7 +55,6 @@ impl Problem<'_> {
         self.late = late.to_vec();
         let periods = self.meaning.periods.clone();
         self.times = std::mem::replace(&mut self.meaning, Meaning { values, periods });
-        self.refuse_impossible()?;
         self.steps = solution.steps.iter().map(|step| (step.origin, step.variable)).collect();
         Ok(())
     }
@@ -81,28 +78,6 @@ impl Problem<'_> {
             Atom::Value { argument, .. } => reading.at_time(&relation.right, argument.clone()).ok(),
             _ => reading.tree(&relation.right).ok(),
         }
-    }
-
-    /// Premises that make a positive symbol negative, or zero, or one that is at most 1 larger, cannot be meant.
-    fn refuse_impossible(&self) -> Result<(), Fault> {
-        let late = self.late.iter().map(|step| (&step.variable, &step.value));
-        for (variable, value) in self.meaning.values.iter().chain(late) {
-            let Some(Atom::Symbol(name)) = self.atoms.atom(*variable) else {
-                continue;
-            };
-            let value = self.knowledge().settled_whole(value);
-            let positive = self.vocabulary.positive.contains(name);
-            let excess = value.clone() - Fraction::from_integer(1);
-            let too_large = self.vocabulary.at_most_one.contains(name) && self.sign(&excess) == Some(false);
-            if (positive && (value.is_zero() || self.sign(&value) == Some(true))) || (too_large && !excess.is_zero()) {
-                let shown = self.atoms.show_fraction(&value);
-                let range = if too_large { "is at most 1" } else { "is positive" };
-                return Err(Fault::new(format!(
-                    "its premises have no common solution: they give {name} = {shown}, but `{name}` {range}"
-                )));
-            }
-        }
-        Ok(())
     }
 
     /// The symbol whose two values the claim gives, as `\lambda` in `\lambda_{1,2} = ...`.

@@ -18,9 +18,6 @@ const DIFFERENCE: f64 = 1e-9;
 
 /// Searches for a point where the sides differ, all symbols rational and the roots not.
 pub fn search(problem: &mut Problem, equation: &Equation, question: &Question) -> Option<Counterexample> {
-    let Question::Equal { left, right } = question else {
-        return None;
-    };
     (0..MOST_POINTS).find_map(|seed| {
         let (point, _) = partial_point(problem, seed);
         let mut squares: Vec<(Variable, Fraction)> = Vec::new();
@@ -31,17 +28,38 @@ pub fn search(problem: &mut Problem, equation: &Equation, question: &Question) -
             // A root within a root has no rational square.
             squares.push((*root, Fraction::from(&point.value(square)?)));
         }
-        let [left, right] = [left, right].map(|side| inserted(side, &point, &squares));
-        let (left, right) = (left?, right?);
         let knowledge = Knowledge {
             squares: squares.clone(),
             ..Knowledge::default()
         };
-        let residual = left.clone() - right.clone();
-        if knowledge.vanishes(residual.numerator()) || !differ(&residual, &squares) {
+        let residuals: Option<Vec<Fraction>> = question
+            .residuals()
+            .iter()
+            .map(|residual| inserted(residual, &point, &squares))
+            .collect();
+        let wrong = |residual: &Fraction| !knowledge.vanishes(residual.numerator()) && differ(residual, &squares);
+        if !residuals?.iter().any(wrong) {
             return None;
         }
-        let [left, right] = [left, right].map(|side| shown(problem, &side, &squares));
+        let text = |problem: &mut Problem, side: &Fraction| {
+            inserted(side, &point, &squares).map(|side| shown(problem, &side, &squares))
+        };
+        let (left, right) = match question {
+            Question::Equal { left, right } => (text(problem, left)?, text(problem, right)?),
+            Question::OneOf { left, right: [a, b] } => (
+                text(problem, left)?,
+                format!("{{{}, {}}}", text(problem, a)?, text(problem, b)?),
+            ),
+            Question::Roots {
+                polynomial: [c, b, a],
+                right: [x, y],
+            } => {
+                let (sum, product) = (-b.clone() / a.clone(), c.clone() / a.clone());
+                let (sum, product) = (text(problem, &sum)?, text(problem, &product)?);
+                let left = format!("two numbers of sum {sum} and product {product}");
+                (left, format!("{{{}, {}}}", text(problem, x)?, text(problem, y)?))
+            }
+        };
         Some(show(problem, equation, &point, left, right))
     })
 }

@@ -102,7 +102,7 @@ fn table(decided: &[(Decision, Evidence)]) -> Result<Answer, Failure> {
             Cell::from(decision.label.clone()),
             Cell::from(decision.verdict.to_string()),
             Cell::from(decision.expected.to_string()),
-            Cell::from(evidence.digits.map(|digits| (digits * 10.0).round() / 10.0)),
+            Cell::from(evidence.digits.map(|digits| (digits * 10.0).round().max(0.0) / 10.0)),
             Cell::from(decision.counterexample.as_ref().map(ToString::to_string)),
             Cell::from(reason),
         ])?;

@@ -2,7 +2,7 @@
 
 use super::{Answer, Content, Exit, Failure, Options};
 use crate::accuracy::{TradeOptions, TradeRow, trade_dp};
-use crate::report::{Cell, Table};
+use crate::report::{Cell, Format, Table};
 
 /// Measure cost against true error of each means to one end, and mark the Pareto front
 #[derive(Debug, clap::Args)]
@@ -19,14 +19,28 @@ enum Task {
     Dp,
 }
 
+/// The columns that text has: the named ones.
+const SHOWN: usize = 7;
+
+/// The number with so many significant figures as a measurement bears.
+fn measured(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
 /// Runs the command.
-pub fn run(arguments: &Arguments, _options: &Options) -> Result<Answer, Failure> {
+pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let rows = match arguments.task {
         Task::Dp => trade_dp(&TradeOptions::default())?,
     };
-    let mut table = Table::new(TradeRow::COLUMNS);
+    // A person reads one table of the width of a terminal; scripts get every column.
+    let columns = if options.format == Format::Text {
+        SHOWN
+    } else {
+        TradeRow::COLUMNS.len()
+    };
+    let mut table = Table::new(TradeRow::COLUMNS.into_iter().take(columns));
     for row in rows {
-        table.push(cells(&row))?;
+        table.push(cells(&row).into_iter().take(columns).collect::<Vec<_>>())?;
     }
     Ok(Answer {
         content: Content::Table(table),
@@ -41,11 +55,11 @@ fn cells(row: &TradeRow) -> Vec<Cell> {
         Cell::from(row.number),
         Cell::from(row.method),
         count(row.operations),
-        Cell::from(row.seconds),
-        Cell::from(row.digits),
+        Cell::from(measured(row.seconds)),
+        Cell::from(measured(row.digits)),
         Cell::from(row.on_front),
-        Cell::from(row.worst_digits),
-        Cell::from(row.median_digits),
+        Cell::from(measured(row.worst_digits)),
+        Cell::from(measured(row.median_digits)),
         count(row.divisions),
         count(row.sincos),
     ]
