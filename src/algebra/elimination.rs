@@ -8,6 +8,7 @@ use super::monomial::{Monomial, Variable};
 use super::polynomial::Polynomial;
 use num_traits::Zero;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// An equation `residual = 0`, and a number by which the caller knows it.
 #[derive(Clone, Debug)]
@@ -69,20 +70,22 @@ pub fn solve(premises: Vec<Premise>, rank: &dyn Fn(Variable) -> Rank) -> Result<
     let pending = premises
         .into_iter()
         .map(|p| Pending {
-            used: BTreeSet::from([p.origin]),
+            used: Rc::new(BTreeSet::from([p.origin])),
             origin: p.origin,
-            residual: p.residual.primitive(),
+            residual: Rc::new(p.residual.primitive()),
         })
         .collect();
-    search.descend(pending, Solution::default())
+    let mut solution = Solution::default();
+    search.descend(pending, &mut solution)?;
+    Ok(solution)
 }
 
 #[derive(Clone)]
 struct Pending {
-    residual: Polynomial,
+    residual: Rc<Polynomial>,
     origin: usize,
     /// The equations that have gone into this one.
-    used: BTreeSet<usize>,
+    used: Rc<BTreeSet<usize>>,
 }
 
 /// A way to go on: which pending equation, for which variable, at what cost.
@@ -109,9 +112,11 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn descend(&mut self, mut pending: Vec<Pending>, mut solution: Solution) -> Result<Solution, Failure> {
+    fn descend(&mut self, mut pending: Vec<Pending>, solution: &mut Solution) -> Result<(), Failure> {
         for equation in &mut pending {
-            self.drop_generic_factor(&mut equation.residual);
+            if let Some(reduced) = self.without_generic_factor(&equation.residual) {
+                equation.residual = Rc::new(reduced);
+            }
         }
         pending.retain(|p| {
             let done = p.residual.is_zero();
@@ -121,10 +126,10 @@ impl Search<'_> {
             !done
         });
         if let Some(impossible) = pending.iter().find(|p| p.residual.as_constant().is_some()) {
-            return Err(Failure::Contradiction(impossible.used.clone()));
+            return Err(Failure::Contradiction(impossible.used.as_ref().clone()));
         }
         if pending.is_empty() {
-            return Ok(solution);
+            return Ok(());
         }
         let mut choices = self.choices(&pending);
         choices.sort_by_key(|c| (c.cost, c.equation, c.variable));
@@ -138,36 +143,38 @@ impl Search<'_> {
             if self.choices > MOST_CHOICES {
                 break;
             }
-            match self.take(&choice, &pending, &solution) {
-                Ok(solved) => return Ok(solved),
+            let (steps, redundant) = (solution.steps.len(), solution.redundant.len());
+            match self.take(&choice, &pending, solution) {
+                Ok(()) => return Ok(()),
                 Err(found) => failure = failure.or(Some(found)),
             }
+            solution.steps.truncate(steps);
+            solution.redundant.truncate(redundant);
         }
         Err(failure.unwrap_or_else(|| Failure::Nonlinear(pending.iter().map(|p| p.origin).collect())))
     }
 
-    fn take(&mut self, choice: &Choice, pending: &[Pending], solution: &Solution) -> Result<Solution, Failure> {
+    fn take(&mut self, choice: &Choice, pending: &[Pending], solution: &mut Solution) -> Result<(), Failure> {
         let mut rest = pending.to_vec();
         let chosen = rest.swap_remove(choice.equation);
         let coefficients = chosen.residual.coefficients(choice.variable);
         let [free, slope] = coefficients.as_slice() else {
-            return Err(Failure::Nonlinear(chosen.used));
+            return Err(Failure::Nonlinear(chosen.used.as_ref().clone()));
         };
         let value = Fraction::from(free.negated()) / Fraction::from(slope.clone());
         for other in rest.iter_mut().filter(|p| p.residual.contains(choice.variable)) {
-            let inserted = Fraction::from(other.residual.clone()).substituted(choice.variable, &value);
+            let inserted = Fraction::from(other.residual.as_ref().clone()).substituted(choice.variable, &value);
             // The residual has no denominator that could vanish.
             if let Ok(inserted) = inserted {
-                other.residual = inserted.numerator().primitive();
+                other.residual = Rc::new(inserted.numerator().primitive());
             }
-            other.used.extend(chosen.used.iter().copied());
+            other.used = Rc::new(other.used.union(&chosen.used).copied().collect());
         }
         // What is different from zero cannot come out as zero, unless an equation says just that of it.
-        let said = chosen.used.len() == 1 && chosen.residual == Polynomial::variable(choice.variable);
+        let said = chosen.used.len() == 1 && *chosen.residual == Polynomial::variable(choice.variable);
         if value.is_zero() && !said && matches!((self.rank)(choice.variable), Rank::Generic(_)) {
-            return Err(Failure::Contradiction(chosen.used));
+            return Err(Failure::Contradiction(chosen.used.as_ref().clone()));
         }
-        let mut solution = solution.clone();
         solution.steps.push(Step {
             origin: chosen.origin,
             variable: choice.variable,
@@ -205,17 +212,18 @@ impl Search<'_> {
         choices
     }
 
-    /// Divides by the generic variables that divide every term, as they are not zero.
-    fn drop_generic_factor(&self, residual: &mut Polynomial) {
+    /// The residual divided by the generic variables that divide every term, as they are not zero.
+    fn without_generic_factor(&self, residual: &Polynomial) -> Option<Polynomial> {
         let common = residual.common_monomial();
         let is_generic = |v: Variable| matches!((self.rank)(v), Rank::Generic(_) | Rank::Fixed);
-        // A lone power of a generic variable says that the variable is zero, and stays.
-        if common.is_one() || (residual.terms().len() == 1 && common.factors().iter().all(|&(v, _)| is_generic(v))) {
-            return;
+        let generic = || common.factors().iter().filter(|&&(v, _)| is_generic(v));
+        // A lone power of generic variables says that one of them is zero, and stays.
+        let is_lone = residual.terms().len() == 1 && common.factors().iter().all(|&(v, _)| is_generic(v));
+        if is_lone || generic().next().is_none() {
+            return None;
         }
-        let generic = common.factors().iter().filter(|&&(v, _)| is_generic(v));
-        let divisor = generic.fold(Monomial::one(), |m, &(v, e)| m.times(&Monomial::power(v, e)));
-        *residual = residual.reduced(&1.into(), &divisor);
+        let divisor = generic().fold(Monomial::one(), |m, &(v, e)| m.times(&Monomial::power(v, e)));
+        Some(residual.reduced(&1.into(), &divisor))
     }
 }
 

@@ -38,6 +38,8 @@ pub struct Problem<'a> {
     pub steps: Vec<(usize, Variable)>,
     /// Squares of roots met, and values of roots whose sign is known.
     pub squares: Vec<(Variable, Fraction)>,
+    /// The quantities among which roots were looked for.
+    pub atoms_met: usize,
     pub roots: Vec<(Variable, Fraction)>,
     /// Laws of functions, with the premise each comes from.
     pub(super) function_laws: Vec<(usize, Fraction)>,
@@ -68,6 +70,7 @@ impl<'a> Problem<'a> {
             times: Meaning::default(),
             steps: Vec::new(),
             squares: Vec::new(),
+            atoms_met: 0,
             roots: Vec::new(),
             function_laws: Vec::new(),
             raw: Vec::new(),

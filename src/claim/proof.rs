@@ -4,10 +4,11 @@ use super::atom::Atom;
 use super::counterexample::{self, Counterexample};
 use super::fault::Fault;
 use super::meaning::Meaning;
+use super::point::partial_point;
 use super::premise::{message, pair_of};
 use super::problem::Problem;
 use super::reading::Reading;
-use super::root::either_root;
+use super::root::{either_root, of_square};
 use super::sheet::Entry;
 use super::substitute::{any_side, nodes};
 use crate::algebra::{Fraction, Polynomial, Variable};
@@ -89,10 +90,13 @@ pub fn decide(problem: &mut Problem, entry: &Entry, equation: &Equation) -> Resu
         let found = counterexample::search_by_points(problem, entry, equation, POINTS_OF_LARGE)?;
         return Ok(found.map_or(Outcome::TooLarge, Outcome::Fails));
     }
-    if residuals.iter().any(|residual| below_vanishes(problem, residual)) {
+    problem.meet_squares();
+    let known = problem.knowledge();
+    let below_vanishes = |f: &Fraction| f.factors().iter().any(|(factor, _)| known.vanishes(factor));
+    if residuals.iter().any(below_vanishes) {
         return Ok(Outcome::Nowhere);
     }
-    if residuals.iter().all(|residual| vanishes(problem, residual.numerator())) {
+    if residuals.iter().all(|residual| known.vanishes(residual.numerator())) {
         return Ok(Outcome::Holds);
     }
     Ok(counterexample::search(problem, entry, equation, &question).map_or(Outcome::Unshown, Outcome::Fails))
@@ -169,15 +173,14 @@ fn quadratic(problem: &Problem, meaning: &Meaning, left: &Fraction) -> Option<[F
     }
 }
 
-fn below_vanishes(problem: &mut Problem, function: &Fraction) -> bool {
-    function.factors().iter().any(|(factor, _)| vanishes(problem, factor))
-}
-
 /// Whether a polynomial is zero wherever the premises hold.
 pub fn vanishes(problem: &mut Problem, polynomial: &Polynomial) -> bool {
     problem.meet_squares();
     problem.knowledge().vanishes(polynomial)
 }
+
+/// Points at which a radicand is tried for a square.
+const SQUARE_POINTS: u64 = 3;
 
 /// Independent roots in one claim: each doubles the parts that a proof has to look at.
 const MOST_ROOTS: usize = 7;
@@ -201,20 +204,41 @@ impl Knowledge {
         if self.squares.len() > MOST_ROOTS {
             return false;
         }
-        let settled = self.settled(&Fraction::from(polynomial.clone()));
-        let rooted = self.roots.iter().try_fold(settled, |f, (root, value)| {
-            Fraction::from(f.numerator().clone()).substituted(*root, value)
-        });
-        let Ok(rooted) = rooted else { return false };
-        let mut parts = vec![rooted];
+        let whole = [Fraction::from(polynomial.clone())];
+        let all_roots = || self.squares.iter().chain(&self.roots).map(|(root, _)| *root);
+        // Roots that come in with later values belong together with those that are there; else, what cancels without
+        // the later values does so while it is small.
+        let hidden = self
+            .late
+            .iter()
+            .any(|step| all_roots().any(|root| step.value.contains(root)));
+        let parts = if hidden {
+            self.without_roots(&whole.map(|part| self.settled(&part)))
+        } else {
+            self.without_roots(&whole)
+        };
+        let Some(parts) = parts else { return false };
+        let parts: Vec<Fraction> = parts.iter().map(|part| self.settled(part)).collect();
+        parts.iter().all(Fraction::is_zero)
+    }
+
+    /// The parts of functions, of which all are zero where the functions are, that hold no root.
+    fn without_roots(&self, functions: &[Fraction]) -> Option<Vec<Fraction>> {
+        let mut parts = Vec::new();
+        for function in functions {
+            let rooted = self.roots.iter().try_fold(function.clone(), |f, (root, value)| {
+                Fraction::from(f.numerator().clone()).substituted(*root, value)
+            });
+            parts.push(rooted.ok()?);
+        }
         for (root, square) in self.squares.iter().rev() {
-            let square = self.settled_whole(square);
             parts = parts
                 .iter()
-                .flat_map(|part| split(part.numerator(), *root, &square))
+                .flat_map(|part| split(part.numerator(), *root, square))
                 .collect();
         }
-        parts.iter().all(Fraction::is_zero)
+        parts.retain(|part| !part.is_zero());
+        Some(parts)
     }
 
     /// The function with the later values put in, denominator and all.
@@ -258,7 +282,8 @@ impl Problem<'_> {
 
     /// Learns the squares of all roots among the quantities: what is solved for late may hold some that a claim does not.
     pub fn meet_squares(&mut self) {
-        let mut open: Vec<Variable> = self.atoms.variables().collect();
+        let mut open: Vec<Variable> = self.atoms.variables().skip(self.atoms_met).collect();
+        self.atoms_met += open.len();
         while let Some(variable) = open.pop() {
             let known = self
                 .squares
@@ -272,7 +297,6 @@ impl Problem<'_> {
                 continue;
             };
             open.extend(square.variables());
-            let square = self.knowledge().settled_whole(&square);
             match self.root_of(&square) {
                 Some(root) => self.roots.push((variable, root)),
                 None => self.squares.push((variable, square)),
@@ -300,7 +324,20 @@ impl Problem<'_> {
             let negative = self.sign(&root)?;
             Some(if negative { -root } else { root })
         };
-        if let Some(root) = either_root(square) {
+        let known = self.knowledge();
+        let root = |square: &Fraction| {
+            // A function that is no square at some point is none: that is cheaper to see than to expand it.
+            let is_square_at = |seed| match partial_point(self, seed).0.value(square) {
+                Some(value) => of_square(&Fraction::from(&value)).is_some(),
+                None => true,
+            };
+            if (0..SQUARE_POINTS).all(is_square_at) {
+                either_root(&known.settled_whole(square))
+            } else {
+                None
+            }
+        };
+        if let Some(root) = root(square) {
             return signed(root);
         }
         if self.squares.len() > MOST_ROOTS {
@@ -318,7 +355,7 @@ impl Problem<'_> {
                 product *= known.clone();
                 roots *= Fraction::variable(*other);
             }
-            Some(signed(either_root(&product)?)? / roots)
+            Some(signed(root(&product)?)? / roots)
         })
     }
 
