@@ -6,7 +6,7 @@ use super::jacobian::Jacobians;
 use super::meaning::Meaning;
 use super::reading::{Local, Meaningless, Reading};
 use super::sheet::{Entry, Sheet};
-use super::substitute::any;
+use super::substitute::{any, flies, runs, tree_runs};
 use super::vocabulary::{Vocabulary, index_of};
 use crate::algebra::Fraction;
 use crate::number::Rational;
@@ -179,36 +179,6 @@ impl Local {
             end: Default::default(),
         }
     }
-}
-
-/// Whether an equation is said of a running time: by its symbol, or by a function without a bracket.
-fn runs(equation: &Equation, vocabulary: &Vocabulary) -> bool {
-    tree_runs(&equation.left, vocabulary) || tree_runs(&equation.right, vocabulary)
-}
-
-/// Whether an equation speaks of a state in flight.
-fn flies(equation: &Equation, vocabulary: &Vocabulary) -> bool {
-    let is_state = |name: &Name| {
-        let states = &vocabulary.states;
-        states
-            .iter()
-            .any(|s| [s.clone(), s.dotted(), s.dotted().dotted()].contains(&name.bare()))
-    };
-    let mut test = |node: &Tree| match node {
-        Tree::Call(name, ..) | Tree::Symbol(name, _) => name.subscript.is_empty() && is_state(name),
-        _ => false,
-    };
-    any(&equation.left, &mut test) || any(&equation.right, &mut test)
-}
-
-fn tree_runs(tree: &Tree, vocabulary: &Vocabulary) -> bool {
-    any(tree, &mut |node| match node {
-        Tree::Symbol(name, _) => {
-            vocabulary.running.as_ref() == Some(name)
-                || (vocabulary.names.functions.contains(name) && !vocabulary.parameters.contains(name))
-        }
-        _ => false,
-    })
 }
 
 /// Equations, and where each stands.

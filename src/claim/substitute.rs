@@ -73,6 +73,37 @@ pub fn nodes(equation: &Equation) -> usize {
     count
 }
 
+/// Whether an equation is said of a running time: by its symbol, or by a function without a bracket.
+pub fn runs(equation: &Equation, vocabulary: &Vocabulary) -> bool {
+    tree_runs(&equation.left, vocabulary) || tree_runs(&equation.right, vocabulary)
+}
+
+/// Whether an equation speaks of a state in flight.
+pub fn flies(equation: &Equation, vocabulary: &Vocabulary) -> bool {
+    let is_state = |name: &Name| {
+        let states = &vocabulary.states;
+        states
+            .iter()
+            .any(|s| [s.clone(), s.dotted(), s.dotted().dotted()].contains(&name.bare()))
+    };
+    let mut test = |node: &Tree| match node {
+        Tree::Call(name, ..) | Tree::Symbol(name, _) => name.subscript.is_empty() && is_state(name),
+        _ => false,
+    };
+    any(&equation.left, &mut test) || any(&equation.right, &mut test)
+}
+
+/// Whether a formula is said of a running time.
+pub fn tree_runs(tree: &Tree, vocabulary: &Vocabulary) -> bool {
+    any(tree, &mut |node| match node {
+        Tree::Symbol(name, _) => {
+            vocabulary.running.as_ref() == Some(name)
+                || (vocabulary.names.functions.contains(name) && !vocabulary.parameters.contains(name))
+        }
+        _ => false,
+    })
+}
+
 impl Vocabulary {
     /// The impact that an indexed time or state belongs to.
     fn impact(&self, name: &Name) -> Option<i32> {
