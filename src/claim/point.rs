@@ -4,7 +4,7 @@ use super::atom::Atom;
 use super::problem::Problem;
 use super::root::of_square;
 use crate::algebra::{Fraction, Polynomial, Variable};
-use crate::number::{Field, Rational};
+use crate::number::{Field, Rational, mix};
 use num_traits::Zero;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -217,12 +217,4 @@ fn small(problem: &Problem, variable: Variable, seed: u64) -> Rational {
     let value = Rational::from_ratio(a, below);
     let negative = (draw >> 40) & 3 == 0 && !within(&problem.vocabulary.positive);
     if negative { -value } else { value }
-}
-
-/// Vigna's splitmix64 finaliser: a fixed draw for each seed.
-fn mix(seed: u64) -> u64 {
-    let mut z = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }

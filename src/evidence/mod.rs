@@ -16,7 +16,6 @@ mod period;
 mod point;
 mod program;
 mod question;
-mod sequence;
 mod sorted;
 mod space;
 mod system;

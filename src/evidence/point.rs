@@ -2,13 +2,16 @@
 
 use super::newton::Equations;
 use super::program::Node;
-use super::sequence::Sequence;
 use super::space::Slot;
 use super::system::{Kind, System};
 use super::tolerance::{PREMISE, PREMISE_WIDE};
-use crate::number::{Analytic, Wide};
+use crate::number::{Analytic, Sequence, Wide};
 use num_dual::DualNum;
 use std::collections::BTreeSet;
+
+/// Sets the sequences of neighbouring seeds far apart.
+const SPREAD: u64 = 0xd134_2543_de82_ef95;
+const START: u64 = 0x2545_f491_4f6c_dd1d;
 
 /// A point: a value for each slot, and a running time for claims that have one.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,7 +38,7 @@ impl System {
 
     /// The point that a random start leads to, if it does.
     fn point(&self, seed: u64) -> Option<Point<f64>> {
-        let mut random = Sequence::new(seed);
+        let mut random = Sequence::new(seed.wrapping_mul(SPREAD).wrapping_add(START));
         let mut point = self.start(&mut random);
         // Not less or equal: NaN fails too.
         let meets = |rest: f64| rest <= PREMISE;

@@ -93,10 +93,12 @@ mod dual;
 mod gradient;
 mod rational;
 mod real;
+mod sequence;
 mod wide;
 
 pub use counted::{Counted, Counts, Machine};
 pub use dual::{Dual, seeded};
 pub use gradient::Gradient;
 pub use rational::Rational;
+pub use sequence::{Sequence, mix};
 pub use wide::Wide;
