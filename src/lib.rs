@@ -7,5 +7,8 @@ pub mod cli;
 pub mod evidence;
 pub mod model;
 pub mod number;
+pub mod orbit;
+pub mod reference;
 pub mod report;
+pub mod scene;
 pub mod tex;

@@ -77,6 +77,8 @@ fn help_names_every_command_format_and_exit_status() {
     for word in [
         "audit",
         "trade",
+        "scenes",
+        "run",
         "--format",
         "text, csv, json, markdown",
         "--out",

@@ -3,7 +3,7 @@
 use num_dual::DualNum;
 use num_traits::{One, Zero};
 use proptest::prelude::*;
-use vibro_audit::number::{Analytic, Counted, Dual, Field, Rational, Wide};
+use vibro_audit::number::{Analytic, Counted, DoubleDouble, Dual, Field, Rational, Wide};
 
 /// The one helper of comparisons: all parts of a number, dual parts too, as f64. `==` and approx look at the
 /// real part of a dual number alone.
@@ -23,6 +23,11 @@ impl Parts for f64 {
 impl Parts for Counted<f64> {
     fn parts(&self) -> Vec<f64> {
         vec![self.0]
+    }
+}
+impl Parts for DoubleDouble {
+    fn parts(&self) -> Vec<f64> {
+        vec![self.high(), self.low()]
     }
 }
 impl<const DIGITS: usize> Parts for Wide<DIGITS> {
@@ -134,6 +139,16 @@ proptest! {
         let third = Wide::<40>::from_ratio(1, 3);
         let [x, y, z] = [a, b, c].map(|n| Wide::<40>::from_f64(n) * third.clone());
         field_laws(&x, &y, &z, |l, r| close(l, r, 1e-40))?;
+    }
+
+    #[test]
+    fn double_doubles_and_their_duals_keep_the_field_laws(a in operand(), b in operand(), c in operand()) {
+        let third = DoubleDouble::from_ratio(1, 3);
+        let [x, y, z] = [a, b, c].map(|n| DoubleDouble::from_f64(n) * third);
+        field_laws(&x, &y, &z, |l, r| close(l, r, tolerance::<DoubleDouble>()))?;
+        let [x, y, z] = [(x, y), (y, z), (z, x)].map(|(re, eps)| dual(re, eps));
+        field_laws(&x, &y, &z, |l, r| close(l, r, 1e6 * tolerance::<DoubleDouble>()))?;
+        function_laws(&dual(x.re * third, y.re), &dual(x.re * x.re + third, z.re))?;
     }
 
     #[test]

@@ -16,9 +16,8 @@ fn block(language: &str, first: &str) -> String {
         .to_string()
 }
 
-fn audit(arguments: &[&str]) -> (Option<i32>, String) {
+fn run(arguments: &[&str]) -> (Option<i32>, String) {
     let run = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .arg("audit")
         .args(arguments)
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .output()
@@ -26,31 +25,59 @@ fn audit(arguments: &[&str]) -> (Option<i32>, String) {
     (run.status.code(), String::from_utf8_lossy(&run.stdout).into_owned())
 }
 
-#[test]
-fn the_sheet_of_the_readme_is_decided_as_it_says() {
-    let path = std::env::temp_dir().join(format!("vibro-audit-readme-{}.toml", std::process::id()));
-    std::fs::write(&path, block("toml", "# my-sheet.toml")).expect("a temporary file");
-    let (status, table) = audit(&[path.to_str().expect("a path"), "--format", "csv"]);
+/// Runs `command` over a file with the block of the README that starts with `first`.
+fn run_on(command: &str, first: &str, rest: &[&str]) -> (Option<i32>, String) {
+    let name = format!("vibro-audit-readme-{}-{command}.toml", std::process::id());
+    let path = std::env::temp_dir().join(name);
+    std::fs::write(&path, block("toml", first)).expect("a temporary file");
+    let mut arguments = vec![command, path.to_str().expect("a path")];
+    arguments.extend(rest);
+    let answer = run(&arguments);
     std::fs::remove_file(&path).expect("the temporary file");
-    assert_eq!(status, Some(0), "{table}");
-    for line in block("text", "$ vibro-audit audit my-sheet").lines().skip(1) {
-        let shown = line.trim_end_matches("...");
+    answer
+}
+
+/// Every line that is shown, up to its `...`, starts a line that is printed.
+fn assert_shown(shown: &str, printed: &str) {
+    for line in shown.lines().filter(|line| *line != "...") {
+        let start = line.trim_end_matches("...");
         assert!(
-            table.lines().any(|row| row.starts_with(shown)),
-            "`{shown}` is not in\n{table}"
+            printed.lines().any(|printed| printed.starts_with(start)),
+            "`{start}` is not in\n{printed}"
         );
     }
 }
 
 #[test]
+fn the_sheet_of_the_readme_is_decided_as_it_says() {
+    let (status, table) = run_on("audit", "# my-sheet.toml", &["--format", "csv"]);
+    assert_eq!(status, Some(0), "{table}");
+    let shown = block("text", "$ vibro-audit audit my-sheet");
+    assert_shown(shown.split_once('\n').expect("output").1, &table);
+}
+
+#[test]
+fn the_scene_of_the_readme_has_its_two_orbits() {
+    let (status, table) = run_on("orbits", "# my-scene.toml", &["--format", "csv"]);
+    assert_eq!((status, table.lines().count()), (Some(0), 3), "{table}");
+}
+
+#[test]
 fn the_output_that_the_readme_shows_is_what_the_program_prints() {
-    for (first, arguments) in [
-        ("$ cargo run --release -- audit", vec![]),
-        ("$ vibro-audit audit --explain 14", vec!["--explain", "14"]),
-    ] {
-        let (_, printed) = audit(&arguments);
-        for line in block("text", first).lines().skip(1).filter(|line| *line != "...") {
-            assert!(printed.contains(line), "`{line}` is not in\n{printed}");
+    let shown = README.split("```text\n$ ").skip(1);
+    let mut seen = 0;
+    for rest in shown {
+        let (command, output) = rest.split_once('\n').expect("output below a command");
+        let arguments = command
+            .strip_prefix("cargo run --release -- ")
+            .or_else(|| command.strip_prefix("vibro-audit "))
+            .expect("a command of this program");
+        if arguments.contains("my-sheet.toml") {
+            continue;
         }
+        let (_, printed) = run(&arguments.split(' ').collect::<Vec<_>>());
+        assert_shown(output.split("\n```").next().expect("a block"), &printed);
+        seen += 1;
     }
+    assert!(seen >= 5, "only {seen} examples are run");
 }

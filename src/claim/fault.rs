@@ -1,5 +1,6 @@
 //! What is wrong with a sheet, and where.
 
+use crate::tex::Place;
 use std::fmt;
 use toml::Spanned;
 
@@ -21,12 +22,11 @@ impl Source {
         let span = value.span();
         let raw = text.get(span.clone()).unwrap_or_default();
         let offset = raw.find(value.get_ref().as_str());
-        let before = text.get(..span.start + offset.unwrap_or(0)).unwrap_or_default();
-        let line_start = before.rfind('\n').map_or(0, |n| n + 1);
+        let Place { line, column } = Place::of(text, span.start + offset.unwrap_or(0));
         Self {
             tex: value.get_ref().clone(),
-            line: before.matches('\n').count() + 1,
-            column: before.get(line_start..).unwrap_or_default().chars().count() + 1,
+            line,
+            column,
             verbatim: offset.is_some(),
         }
     }

@@ -4,7 +4,7 @@ use super::{Answer, Content, Exit, Failure, Options, Source};
 use crate::claim::{self, Decision, Fault, Sheet};
 use crate::evidence::{Evidence, witness};
 use crate::report::{Cell, Table};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use rayon::prelude::*;
 
 /// Decide for each formula of a sheet whether it follows from its premises
 #[derive(Debug, clap::Args)]
@@ -41,41 +41,34 @@ pub fn run(arguments: &Arguments, _options: &Options) -> Result<Answer, Failure>
     let sheet = Sheet::read(&text, &vocabulary).map_err(in_sheet)?;
     match &arguments.explain {
         Some(label) => explain(&sheet, label).map_err(in_sheet),
-        None => {
-            let mut decided = decide_all(&sheet).map_err(in_sheet)?;
-            sheet.mention_refuted(decided.iter_mut().map(|(decision, _)| decision));
-            table(&decided)
-        }
+        None => decide_sheet(&sheet, &name),
     }
 }
 
-/// Decides each claim and looks for witnesses, on as many threads as there are cores; in the order of the sheet.
+/// The table of the sheet with this text, which errors call `name`.
+pub(super) fn verdicts(text: &str, name: &str) -> Result<Answer, Failure> {
+    let in_sheet = |fault: Fault| Failure::Sheet {
+        name: name.to_owned(),
+        fault,
+    };
+    let vocabulary = claim::vocabulary().map_err(in_sheet)?;
+    let sheet = Sheet::read(text, &vocabulary).map_err(in_sheet)?;
+    decide_sheet(&sheet, name)
+}
+
+fn decide_sheet(sheet: &Sheet, name: &str) -> Result<Answer, Failure> {
+    let mut decided = decide_all(sheet).map_err(|fault| Failure::Sheet {
+        name: name.to_owned(),
+        fault,
+    })?;
+    sheet.mention_refuted(decided.iter_mut().map(|(decision, _)| decision));
+    table(&decided)
+}
+
+/// Decides each claim and looks for witnesses, on all cores; in the order of the sheet.
 fn decide_all(sheet: &Sheet) -> Result<Vec<(Decision, Evidence)>, Fault> {
     let claims: Vec<usize> = (0..sheet.entries.len()).filter(|&n| sheet.is_claim(n)).collect();
-    let next = AtomicUsize::new(0);
-    let work = || {
-        let mut done = Vec::new();
-        while let Some((number, &position)) =
-            Some(next.fetch_add(1, Ordering::Relaxed)).and_then(|n| Some((n, claims.get(n)?)))
-        {
-            done.push((number, decide(sheet, position)));
-        }
-        done
-    };
-    let threads = std::thread::available_parallelism()
-        .map_or(1, usize::from)
-        .min(claims.len());
-    let mut found = std::thread::scope(|scope| {
-        let others: Vec<_> = (1..threads).map(|_| scope.spawn(work)).collect();
-        let mut found = work();
-        for other in others {
-            // A thread ends only when all work is taken; one that was lost would show as a claim without a row.
-            found.extend(other.join().unwrap_or_default());
-        }
-        found
-    });
-    found.sort_by_key(|(number, _)| *number);
-    found.into_iter().map(|(_, decided)| decided).collect()
+    claims.par_iter().map(|&position| decide(sheet, position)).collect()
 }
 
 fn decide(sheet: &Sheet, position: usize) -> Result<(Decision, Evidence), Fault> {

@@ -18,7 +18,59 @@ pub enum Failure {
     /// A sheet makes no sense.
     #[error("{name}: {fault}")]
     Sheet { name: String, fault: crate::claim::Fault },
+    /// A golden file cannot be used.
+    #[error(transparent)]
+    Golden(#[from] crate::reference::Fault),
+    /// A scene cannot be used.
+    #[error(transparent)]
+    Scene(#[from] crate::scene::SceneError),
+    /// A format that the command does not have.
+    #[error("--format junit is a report of tests, and only `check` has tests; choose text, csv, json or markdown")]
+    NoTests,
+    /// The built-in golden values cannot be rewritten.
+    #[error("--bless rewrites the reference files of a directory: name it, as in `check golden/paper --bless`")]
+    BlessNothing,
+    /// A directory without reference files.
+    #[error("{0} has no folder reference/ with .csv files; nothing can be blessed, and none is created")]
+    NoReference(String),
+    /// A name that is no built-in scene.
+    #[error("there is no built-in scene `{0}`; a file is named by its path in the directory, such as scenes/{0}.toml")]
+    NoScene(String),
+    /// A quantity that no command answers.
+    #[error("there is no command `{found}` whose columns golden values may name: {} are", known.join(", "))]
+    NoAnswer { found: String, known: Vec<&'static str> },
+    /// A certified value that one of its means does not give.
+    #[error("{0}")]
+    NotMade(String),
     /// A measurement failed.
     #[error(transparent)]
     Trade(#[from] crate::accuracy::TradeError),
+    /// More digits than there are.
+    #[error("{figures} digits of a motion are more than can be computed; ask for at most {most}")]
+    Digits { figures: usize, most: usize },
+    /// A parameter cannot be.
+    #[error(transparent)]
+    Motion(#[from] crate::model::MotionError),
+    /// A sweep cannot be followed.
+    #[error(transparent)]
+    Cover(#[from] crate::orbit::CoverError),
+    /// No built-in scene has this name, and no file either.
+    #[error("there is no built-in scene {name}, nor a file of this name; {meant}there are: {known}")]
+    UnknownScene { name: String, meant: String, known: String },
+    /// `run` was not told where to write.
+    #[error("`run` writes a file for each command: name a directory by --out DIR, or ask with --explain")]
+    NoDirectory,
+    /// Some wants have no command yet.
+    #[error("no command serves {} yet{}", list(.wants), match .written.as_slice() {
+        [] => String::new(),
+        written => format!("; written: {}", written.join(", ")),
+    })]
+    Unserved {
+        wants: Vec<crate::scene::Want>,
+        written: Vec<String>,
+    },
+}
+
+fn list(wants: &[crate::scene::Want]) -> String {
+    wants.iter().map(|want| want.name()).collect::<Vec<_>>().join(", ")
 }

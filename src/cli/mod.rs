@@ -2,9 +2,16 @@
 
 mod answer;
 mod audit;
+mod branch;
+mod check;
 mod exit;
 mod failure;
+mod golden;
 mod options;
+mod orbits;
+mod run;
+mod scene;
+mod scenes;
 mod source;
 mod trade;
 
@@ -12,8 +19,10 @@ pub use answer::{Answer, Content};
 pub use exit::Exit;
 pub use failure::Failure;
 pub use options::Options;
+pub use scene::SceneArguments;
 pub use source::{Source, SourceError, SourceProblem};
 
+use crate::report::{Format, Output};
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::Write;
@@ -34,6 +43,11 @@ struct Line {
 #[derive(Debug, Subcommand)]
 enum Command {
     Audit(audit::Arguments),
+    Orbits(orbits::Arguments),
+    Branch(branch::Arguments),
+    Scenes(scenes::Arguments),
+    Run(run::Arguments),
+    Check(check::Arguments),
     Trade(trade::Arguments),
 }
 
@@ -41,7 +55,20 @@ impl Command {
     fn run(&self, options: &Options) -> Result<Answer, Failure> {
         match self {
             Self::Audit(arguments) => audit::run(arguments, options),
+            Self::Orbits(arguments) => orbits::run(arguments, options),
+            Self::Branch(arguments) => branch::run(arguments, options),
+            Self::Scenes(arguments) => scenes::run(arguments),
+            Self::Run(arguments) => run::run(arguments, options),
+            Self::Check(arguments) => check::run(arguments, options),
             Self::Trade(arguments) => trade::run(arguments, options),
+        }
+    }
+
+    /// Where the answer goes: to `--out`, but for `run`, whose files go there.
+    fn output(&self, options: &Options) -> Output {
+        match self {
+            Self::Run(arguments) if !arguments.explain => Output::Stdout,
+            _ => options.output(),
         }
     }
 }
@@ -69,8 +96,18 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
     })
 }
 
+/// A message beside the answer, on stderr.
+fn note(text: &str) {
+    // Where stderr is closed nobody asked to be told.
+    let _ = writeln!(std::io::stderr(), "note: {text}");
+}
+
 fn run_line(line: &Line) -> Result<Exit, Failure> {
-    let output = line.options.output();
+    // Before a long computation, not after.
+    if line.options.format == Format::Junit && !matches!(line.command, Command::Check(_)) {
+        return Err(Failure::NoTests);
+    }
+    let output = line.command.output(&line.options);
     output.check()?;
     let answer = line.command.run(&line.options)?;
     answer.write(&output, &line.options)?;

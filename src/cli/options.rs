@@ -1,11 +1,15 @@
 //! The options that every command knows.
 
+use super::Failure;
+use crate::number::Decimals;
+use crate::orbit::most_figures;
 use crate::report::{DEFAULT_DIGITS, Format, Output};
+use crate::scene::{MOST_DIGITS, Scene, SceneError};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 
-/// The most digits that can be asked for: beyond, a slip of the keyboard is likelier than a need.
-const MOST_DIGITS: i64 = 10_000;
+/// The decimal figures that every f64 has.
+const FIGURES_OF_F64: usize = 15;
 
 /// The options that every command knows.
 #[derive(Clone, Debug, clap::Args)]
@@ -13,11 +17,11 @@ pub struct Options {
     /// How to print tables
     #[arg(long, global = true, value_name = "FORMAT", default_value = Format::Text.name(), value_parser = format_parser())]
     pub format: Format,
-    /// Write to this file instead of stdout; it is there whole or not at all
+    /// Write to this file instead of stdout; it is there whole or not at all. For `run`, a directory
     #[arg(long, global = true, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// How many significant digits to reach and, in text, to print [default: 12]
-    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=MOST_DIGITS))]
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DIGITS)))]
     pub digits: Option<u32>,
 }
 
@@ -25,6 +29,27 @@ impl Options {
     /// Where to write.
     pub fn output(&self) -> Output {
         self.out.clone().map_or(Output::Stdout, Output::File)
+    }
+
+    /// The significant digits to reach: `--digits`, or those of the scene.
+    ///
+    /// # Errors
+    /// Digits of the scene that are none.
+    pub fn digits_for(&self, scene: &Scene) -> Result<u32, SceneError> {
+        self.digits.map_or_else(|| scene.digits(), Ok)
+    }
+
+    /// The decimals in which motions are wanted: where more digits are asked for than f64 has to the last one.
+    ///
+    /// # Errors
+    /// Digits of the scene that are none, or more than motions are computed with.
+    pub fn decimals_for(&self, scene: &Scene) -> Result<Option<Decimals>, Failure> {
+        let figures = self.digits_for(scene)? as usize;
+        let most = most_figures();
+        if figures > most {
+            return Err(Failure::Digits { figures, most });
+        }
+        Ok((figures > FIGURES_OF_F64).then_some(Decimals(figures)))
     }
 
     /// The significant figures of a number in text.

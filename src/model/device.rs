@@ -53,6 +53,13 @@ pub enum DeviceError {
     },
 }
 
+/// M gravity sin(beta) / A: the g of the motion, in which the angular frequency has no say.
+///
+/// Accurate to a few roundings of `T`. Units and ranges as in [`Device`], not checked here.
+pub fn gravity_component<T: Analytic>(capsule_mass: T, forcing_amplitude: T, incline: &T, gravity: T) -> T {
+    gravity / (forcing_amplitude / capsule_mass) * incline.sincos().0
+}
+
 impl<T: Analytic> Device<T> {
     /// The gravity component and the units of length, velocity and time.
     ///
@@ -65,9 +72,14 @@ impl<T: Analytic> Device<T> {
         let (mass, amplitude) = (self.capsule_mass.clone(), self.forcing_amplitude.clone());
         let acceleration = amplitude / mass;
         let time = T::pi() / self.angular_frequency.clone();
-        let velocity = acceleration.clone() * time.clone();
+        let velocity = acceleration * time.clone();
         let length = velocity.clone() * time.clone();
-        let g = self.gravity.clone() / acceleration * self.incline.sincos().0;
+        let g = gravity_component(
+            self.capsule_mass.clone(),
+            self.forcing_amplitude.clone(),
+            &self.incline,
+            self.gravity.clone(),
+        );
         for (name, scale) in [
             ("time unit", &time),
             ("velocity unit", &velocity),

@@ -16,7 +16,7 @@ mod root;
 
 pub use ahead::{Ahead, Turnings};
 pub use crossing::{Crossing, LONGEST_FLIGHT, Watch};
-pub use device::{Device, DeviceError, Scales};
+pub use device::{Device, DeviceError, Scales, gravity_component};
 pub use flight::{Flight, FlightError, State};
 pub use forcing::{Forced, Forcing, ForcingError};
 pub use jacobian::{JacobianError, Order, Passage};

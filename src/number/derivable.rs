@@ -40,13 +40,19 @@ macro_rules! derivable_operator {
                 std::ops::$trait::$method(self, <$type as $crate::number::Analytic>::from_f64(other))
             }
         }
-        impl<$($generics)*> std::ops::$assign_trait for $type {
-            fn $assign(&mut self, other: $type) {
+        impl<$($generics)*> std::ops::$assign_trait<f64> for $type {
+            fn $assign(&mut self, other: f64) {
                 *self = std::ops::$trait::$method(self.clone(), other);
             }
         }
-        impl<$($generics)*> std::ops::$assign_trait<f64> for $type {
-            fn $assign(&mut self, other: f64) {
+    };
+}
+
+/// An assigning operator on two values.
+macro_rules! derivable_assigning {
+    ([$($generics:tt)*] $type:ty, $assign_trait:ident, $assign:ident, $trait:ident, $method:ident) => {
+        impl<$($generics)*> std::ops::$assign_trait for $type {
+            fn $assign(&mut self, other: $type) {
                 *self = std::ops::$trait::$method(self.clone(), other);
             }
         }
@@ -63,9 +69,19 @@ macro_rules! derivable_functions {
 }
 
 /// `DualNum`, and all that it rests on, for `$type`, which has `Analytic`, `Rem`, `PartialOrd`, `Display` and
-/// an inherent `elementary`.
+/// an inherent `elementary`. With `own signs and assigning`, `Signed` and the
+/// assigning operators of a field are there already.
 macro_rules! derivable {
     ([$($generics:tt)*] $type:ty) => {
+        derivable_assigning!([$($generics)*] $type, AddAssign, add_assign, Add, add);
+        derivable_assigning!([$($generics)*] $type, SubAssign, sub_assign, Sub, sub);
+        derivable_assigning!([$($generics)*] $type, MulAssign, mul_assign, Mul, mul);
+        derivable_assigning!([$($generics)*] $type, DivAssign, div_assign, Div, div);
+        derivable_signs!([$($generics)*] $type);
+        derivable!([$($generics)*] $type, own signs and assigning);
+    };
+    ([$($generics:tt)*] $type:ty, own signs and assigning) => {
+        derivable_assigning!([$($generics)*] $type, RemAssign, rem_assign, Rem, rem);
         derivable_operator!([$($generics)*] $type, Add, add, AddAssign, add_assign);
         derivable_operator!([$($generics)*] $type, Sub, sub, SubAssign, sub_assign);
         derivable_operator!([$($generics)*] $type, Mul, mul, MulAssign, mul_assign);
@@ -140,6 +156,30 @@ macro_rules! derivable {
     };
 }
 
+/// The sign of a number that is one.
+macro_rules! derivable_signs {
+    ([$($generics:tt)*] $type:ty) => {
+        impl<$($generics)*> num_traits::Signed for $type {
+            fn abs(&self) -> Self {
+                if num_traits::Signed::is_negative(self) { -self.clone() } else { self.clone() }
+            }
+            fn abs_sub(&self, other: &Self) -> Self {
+                if *self <= *other { num_traits::Zero::zero() } else { self.clone() - other }
+            }
+            fn signum(&self) -> Self {
+                let one = <Self as num_traits::One>::one();
+                if num_traits::Signed::is_negative(self) { -one } else { one }
+            }
+            fn is_positive(&self) -> bool {
+                *self > <Self as num_traits::Zero>::zero()
+            }
+            fn is_negative(&self) -> bool {
+                *self < <Self as num_traits::Zero>::zero()
+            }
+        }
+    };
+}
+
 /// The traits of num-traits and num-dual around the operators.
 macro_rules! derivable_conversions {
     ([$($generics:tt)*] $type:ty) => {
@@ -179,24 +219,6 @@ macro_rules! derivable_conversions {
             type FromStrRadixErr = num_traits::ParseFloatError;
             fn from_str_radix(text: &str, radix: u32) -> Result<Self, Self::FromStrRadixErr> {
                 <f64 as num_traits::Num>::from_str_radix(text, radix).map(Self::from)
-            }
-        }
-        impl<$($generics)*> num_traits::Signed for $type {
-            fn abs(&self) -> Self {
-                if num_traits::Signed::is_negative(self) { -self.clone() } else { self.clone() }
-            }
-            fn abs_sub(&self, other: &Self) -> Self {
-                if *self <= *other { num_traits::Zero::zero() } else { self.clone() - other }
-            }
-            fn signum(&self) -> Self {
-                let one = <Self as num_traits::One>::one();
-                if num_traits::Signed::is_negative(self) { -one } else { one }
-            }
-            fn is_positive(&self) -> bool {
-                *self > <Self as num_traits::Zero>::zero()
-            }
-            fn is_negative(&self) -> bool {
-                *self < <Self as num_traits::Zero>::zero()
             }
         }
         impl<$($generics)*> std::iter::Sum for $type {

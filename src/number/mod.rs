@@ -89,16 +89,27 @@ pub trait Analytic: Field {
 mod derivable;
 mod counted;
 mod decimal;
+mod double_double;
 mod dual;
+mod endpoint;
+mod error_free;
 mod gradient;
+mod interval;
+mod precision;
 mod rational;
 mod real;
 mod sequence;
+mod telling;
 mod wide;
 
 pub use counted::{Counted, Counts, Machine};
+pub use double_double::DoubleDouble;
 pub use dual::{Dual, seeded};
+pub use endpoint::Endpoint;
 pub use gradient::Gradient;
+pub use interval::Interval;
+pub use precision::{AtPrecision, LADDER, with_digits};
 pub use rational::Rational;
 pub use sequence::{Sequence, mix};
+pub use telling::{Decimal, Decimals, Doubles, Telling, Told};
 pub use wide::Wide;

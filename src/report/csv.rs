@@ -2,6 +2,7 @@
 
 use super::figures::{whole, whole_list};
 use super::{Cell, Table};
+use crate::number::Decimal;
 use std::borrow::Cow;
 use std::io::{self, Write};
 
@@ -25,10 +26,17 @@ pub fn field(cell: &Cell) -> Cow<'_, str> {
         Cell::Text(text) => Cow::Borrowed(text),
         Cell::Number(number) => Cow::Owned(whole(*number)),
         Cell::Numbers(numbers) => Cow::Owned(whole_list(numbers)),
+        Cell::Decimal(decimal) => Cow::Borrowed(decimal.as_str()),
+        Cell::Decimals(decimals) => Cow::Owned(texts(decimals).join(";")),
         Cell::Integer(integer) => Cow::Owned(integer.to_string()),
         Cell::Flag(flag) => Cow::Borrowed(if *flag { "true" } else { "false" }),
         Cell::Empty => Cow::Borrowed(""),
     }
+}
+
+/// The texts of decimals.
+pub fn texts(decimals: &[Decimal]) -> Vec<&str> {
+    decimals.iter().map(Decimal::as_str).collect()
 }
 
 /// The csv crate's own conversion hides the kind, by which a broken pipe is told from a full disk.

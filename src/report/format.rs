@@ -15,11 +15,13 @@ pub enum Format {
     Json,
     /// A table for a report or an issue.
     Markdown,
+    /// A test report for CI, one test a row; of tables that have verdicts only.
+    Junit,
 }
 
 impl Format {
     /// Every format, in the order in which help lists them.
-    pub const ALL: [Self; 4] = [Self::Text, Self::Csv, Self::Json, Self::Markdown];
+    pub const ALL: [Self; 5] = [Self::Text, Self::Csv, Self::Json, Self::Markdown, Self::Junit];
 
     /// The name on the command line.
     pub const fn name(self) -> &'static str {
@@ -28,6 +30,7 @@ impl Format {
             Self::Csv => "csv",
             Self::Json => "json",
             Self::Markdown => "markdown",
+            Self::Junit => "junit",
         }
     }
 }
@@ -40,7 +43,7 @@ impl fmt::Display for Format {
 
 /// A name that is no format.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("unknown format `{0}`: text, csv, json and markdown are known")]
+#[error("unknown format `{0}`: text, csv, json, markdown and junit are known")]
 pub struct UnknownFormat(pub String);
 
 impl FromStr for Format {

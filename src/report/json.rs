@@ -1,5 +1,6 @@
 //! A table as JSON: an array with one object per row, keys in column order, one row per line.
 
+use super::csv::texts;
 use super::figures::whole;
 use super::{Cell, Column, Table};
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
@@ -49,6 +50,8 @@ impl Serialize for Cell {
                 }
                 list.end()
             }
+            Self::Decimal(decimal) => serializer.serialize_str(decimal.as_str()),
+            Self::Decimals(decimals) => serializer.collect_seq(texts(decimals)),
             Self::Integer(integer) => serializer.serialize_i64(*integer),
             Self::Flag(flag) => serializer.serialize_bool(*flag),
             Self::Empty => serializer.serialize_none(),

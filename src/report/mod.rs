@@ -1,4 +1,4 @@
-//! Tables, and how they reach the reader: text, CSV, JSON or Markdown, on stdout or in a file.
+//! Tables, and how they reach the reader: text, CSV, JSON, Markdown or JUnit, on stdout or in a file.
 //!
 //! A command fills a [`Table`]; [`Table::write`] prints it in a [`Format`]; an [`Output`] says where to.
 //! CSV, JSON and Markdown print every number so that it reads back to the same value; only text rounds.
@@ -18,6 +18,7 @@ mod csv;
 mod figures;
 mod format;
 mod json;
+mod junit;
 mod markdown;
 mod output;
 mod table;

@@ -1,6 +1,8 @@
 //! A table: what a command has to say, before any layout.
 
-use super::{Format, csv, json, markdown, text};
+use super::{Format, csv, json, junit, markdown, text};
+use crate::number::Decimal;
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 /// One value of a row.
@@ -12,6 +14,10 @@ pub enum Cell {
     Number(f64),
     /// The numbers of one motion in word order: joined by `;`, in JSON an array.
     Numbers(Vec<f64>),
+    /// A number of more figures than f64 has; never rounded. In JSON a string, which every reader keeps whole.
+    Decimal(Decimal),
+    /// Several, in word order: joined by `;`, in JSON an array of strings.
+    Decimals(Vec<Decimal>),
     /// A count; never rounded.
     Integer(i64),
     /// `true` or `false`.
@@ -19,6 +25,13 @@ pub enum Cell {
     /// Nothing is known or nothing applies: an empty field, in JSON `null`.
     #[default]
     Empty,
+}
+
+impl Cell {
+    /// The value as CSV has it, without quoting: a number so that it reads back, a count without a point.
+    pub fn plain(&self) -> Cow<'_, str> {
+        csv::field(self)
+    }
 }
 
 impl From<&str> for Cell {
@@ -42,6 +55,18 @@ impl From<f64> for Cell {
 impl From<Vec<f64>> for Cell {
     fn from(numbers: Vec<f64>) -> Self {
         Self::Numbers(numbers)
+    }
+}
+
+impl From<Decimal> for Cell {
+    fn from(decimal: Decimal) -> Self {
+        Self::Decimal(decimal)
+    }
+}
+
+impl From<Vec<Decimal>> for Cell {
+    fn from(decimals: Vec<Decimal>) -> Self {
+        Self::Decimals(decimals)
     }
 }
 
@@ -138,17 +163,29 @@ impl Table {
             .filter_map(|row| row.get(index))
             .filter(|cell| **cell != Cell::Empty)
             .peekable();
-        cells.peek().is_some() && cells.all(|cell| matches!(cell, Cell::Number(_) | Cell::Integer(_)))
+        cells.peek().is_some()
+            && cells.all(|cell| matches!(cell, Cell::Number(_) | Cell::Decimal(_) | Cell::Integer(_)))
+    }
+
+    /// Whether its rows have a verdict and the one expected, as test reports need.
+    pub fn has_verdicts(&self) -> bool {
+        ["verdict", "expected"].iter().all(|name| self.position(name).is_some())
+    }
+
+    /// Where the column of this name stands.
+    pub fn position(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|column| column.name == name)
     }
 
     /// Writes the table. `digits` is the number of significant figures in text, at least 1; the other formats
-    /// print every number whole.
+    /// print every number whole. JUnit needs a table of verdicts ([`Table::has_verdicts`]).
     pub fn write(&self, to: &mut dyn Write, format: Format, digits: usize) -> io::Result<()> {
         match format {
             Format::Text => text::write(self, to, digits),
             Format::Csv => csv::write(self, to),
             Format::Json => json::write(self, to),
             Format::Markdown => markdown::write(self, to),
+            Format::Junit => junit::write(self, to),
         }
     }
 }

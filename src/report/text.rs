@@ -4,6 +4,7 @@
 //! beneath their row, a line `name: value` each, until the rest fits; a table that is too wide even then is
 //! written as records, one line per cell. Nothing is ever cut off.
 
+use super::csv::texts;
 use super::figures::rounded;
 use super::{Cell, Table};
 use std::io::{self, Write};
@@ -192,6 +193,8 @@ fn show(cell: &Cell, digits: usize) -> String {
             let numbers: Vec<String> = numbers.iter().map(|&number| rounded(number, digits)).collect();
             numbers.join("; ")
         }
+        Cell::Decimal(decimal) => decimal.to_string(),
+        Cell::Decimals(decimals) => texts(decimals).join("; "),
         Cell::Integer(integer) => integer.to_string(),
         Cell::Flag(flag) => flag.to_string(),
         Cell::Empty => String::new(),

@@ -1,5 +1,7 @@
 //! Why a formula could not be read, and where.
 
+use super::Place;
+
 /// What stood in the way of reading a formula; each message says what to write instead where that is known.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Reason {
@@ -107,18 +109,16 @@ impl Fault {
 
     /// The error as the user sees it: line and column counted in `tex`.
     pub(super) fn located(self, tex: &str) -> ReadError {
+        let Place { line, column } = Place::of(tex, self.at);
         let mut at = self.at.min(tex.len());
         while !tex.is_char_boundary(at) {
             at -= 1;
         }
-        let before = tex.get(..at).unwrap_or("");
-        let line = before.matches('\n').count() + 1;
-        let last = before.rsplit('\n').next().unwrap_or("");
         ReadError {
             reason: *self.reason,
             at,
             line,
-            column: last.chars().count() + 1,
+            column,
         }
     }
 }

@@ -1,5 +1,8 @@
 //! Many digits, over dashu-float: the reference that f64 is measured against.
 
+mod endpoint;
+mod text;
+
 use super::derivable::Elementary;
 use super::{Analytic, Field};
 use dashu_float::round::mode::HalfEven;
@@ -42,6 +45,14 @@ impl<const DIGITS: usize> Wide<DIGITS> {
     /// Whether this is a number at all.
     pub fn is_valid(&self) -> bool {
         self.0.is_some()
+    }
+
+    /// The same value with more digits, or the nearest with fewer.
+    pub fn convert<const OTHER: usize>(&self) -> Wide<OTHER> {
+        match &self.0 {
+            Some(big) => Wide::from_repr(big.repr().clone()),
+            None => Wide::INVALID,
+        }
     }
 
     fn context() -> Context<HalfEven> {

@@ -1,0 +1,105 @@
+//! `vibro-audit check [DIR] [--bless]`.
+
+use super::{Answer, Content, Exit, Failure, Options, golden};
+use crate::reference::{Certified, Directory, Outcome, bless, check};
+use crate::report::{Cell, Output, Table};
+use std::path::PathBuf;
+
+/// Hold golden values, the paper's or your own directory's, against what is computed
+#[derive(Debug, clap::Args)]
+pub struct Arguments {
+    /// A directory with printed.csv, and scenes/ and reference/ where its rows name them; without it, the paper's
+    #[arg(value_name = "DIR")]
+    directory: Option<PathBuf>,
+    /// Compute the reference files of DIR anew and rewrite them; never printed.csv
+    #[arg(long)]
+    bless: bool,
+}
+
+/// The columns: those that scripts rely on, and the reason.
+const COLUMNS: [&str; 9] = [
+    "id", "place", "printed", "computed", "digits", "verdict", "expected", "rests_on", "reason",
+];
+
+/// Runs the command.
+pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
+    let directory = arguments.directory.clone().map_or(Directory::BuiltIn, Directory::At);
+    let printed = directory.printed()?;
+    if arguments.bless {
+        return rewrite(&directory);
+    }
+    let certified = directory.certified()?;
+    let mut answer = |request: &_| golden::answer(&directory, request, options).map_err(|failure| failure.to_string());
+    let outcomes = check(&printed, &certified, &mut answer)?;
+    table(&outcomes)
+}
+
+fn table(outcomes: &[Outcome]) -> Result<Answer, Failure> {
+    let mut table = Table::new(COLUMNS);
+    for outcome in outcomes {
+        table.push(vec![
+            Cell::from(outcome.id.as_str()),
+            Cell::from(outcome.place.as_str()),
+            Cell::from(outcome.printed.as_str()),
+            computed(&outcome.computed),
+            Cell::from(outcome.digits.map(|digits| (digits * 10.0).round() / 10.0)),
+            Cell::from(outcome.verdict.name()),
+            Cell::from(outcome.expected.name()),
+            Cell::from(outcome.rests_on.as_str()),
+            Cell::from(outcome.reason.as_str()),
+        ])?;
+    }
+    Ok(Answer {
+        content: Content::Table(table),
+        exit: Exit::from_verdict(outcomes.iter().all(Outcome::is_expected)),
+    })
+}
+
+/// A number where the text is that of an f64, so that text rounds it as any other; else the text.
+fn computed(text: &str) -> Cell {
+    if text.is_empty() {
+        return Cell::Empty;
+    }
+    let number = text.parse::<f64>().ok().map(Cell::Number);
+    number
+        .filter(|cell| cell.plain() == text)
+        .unwrap_or_else(|| Cell::from(text))
+}
+
+/// Computes every reference file anew before any is written.
+fn rewrite(directory: &Directory) -> Result<Answer, Failure> {
+    let Directory::At(path) = directory else {
+        return Err(Failure::BlessNothing);
+    };
+    let files = directory.reference_files()?;
+    if files.is_empty() {
+        return Err(Failure::NoReference(path.display().to_string()));
+    }
+    let mut maker = golden::Maker::new(directory);
+    let mut blessed = Vec::new();
+    for file in files {
+        let text = directory.read(&file)?;
+        let rows = Certified::read(&directory.name(&file), &text)?;
+        let mut make = |request: &_, quantity: &_, setting: &_| {
+            maker
+                .make(request, quantity, setting)
+                .map_err(|failure| failure.to_string())
+        };
+        blessed.push((bless(&text, &rows, &mut make)?, file));
+    }
+    let mut table = Table::new(["id", "place", "before", "after"]);
+    for (blessed, file) in blessed {
+        if blessed.changes.is_empty() {
+            continue;
+        }
+        Output::File(path.join(&file)).write(|to| to.write_all(blessed.text.as_bytes()))?;
+        for change in blessed.changes {
+            let cells = [change.id, file.clone(), change.before, change.after];
+            table.push(cells.map(Cell::from))?;
+        }
+    }
+    Ok(Answer {
+        content: Content::Table(table),
+        exit: Exit::AsExpected,
+    })
+}

@@ -1,0 +1,200 @@
+//! `vibro-audit orbits SCENE [--explain]`.
+
+use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
+use crate::number::{Decimals, Doubles, Interval};
+use crate::orbit::{Found, Isolation, Parameters, Rounded, Search, Wanted, Word, confirmed, find_as, one_to_one};
+use crate::report::{Cell, Table};
+use crate::scene::{Scene, Want};
+
+/// Every periodic motion of the wanted words at this scene
+#[derive(Debug, clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// Print the pieces of the curve of 1-1 motions that were examined, and how each was decided
+    #[arg(long)]
+    explain: bool,
+}
+
+/// The columns that scripts rely on.
+const COLUMNS: [&str; 16] = [
+    "word",
+    "periods",
+    "d",
+    "g",
+    "r_b",
+    "r_t",
+    "phases",
+    "velocities",
+    "times",
+    "trace",
+    "determinant",
+    "kind",
+    "stable",
+    "clearance",
+    "admissible",
+    "error_bound",
+];
+
+/// Runs the command.
+pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
+    let scene = arguments.scene.load_for(&[Want::Orbits])?;
+    let content = if arguments.explain {
+        Content::Text(explain(&scene)?)
+    } else {
+        Content::Table(table(&scene, options)?)
+    };
+    Ok(Answer {
+        content,
+        exit: Exit::AsExpected,
+    })
+}
+
+/// The table of a scene.
+pub fn table(scene: &Scene, options: &Options) -> Result<Table, Failure> {
+    match options.decimals_for(scene)? {
+        None => table_as(scene, &Doubles),
+        Some(decimals) => table_as(scene, &decimals),
+    }
+}
+
+fn table_as<W: Wanted>(scene: &Scene, wanted: &W) -> Result<Table, Failure>
+where
+    Cell: From<W::Number> + From<Vec<W::Number>>,
+{
+    let setting = scene.setting()?;
+    let parameters = wanted.parameters(&setting)?;
+    let mut table = Table::new(COLUMNS);
+    for word in scene.words()? {
+        let found = find_as(wanted, &setting, &word, scene.max_periods()?)?;
+        tell(&word, &found);
+        for orbit in found.orbits {
+            table.push(row(parameters.clone(), orbit))?;
+        }
+    }
+    Ok(table)
+}
+
+/// The table by two means, in decimals: the proved enclosures, and the return map; a motion that the second means does
+/// not reach has no row there.
+pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
+    let setting = scene.setting()?;
+    let parameters = decimals.parameters(&setting)?;
+    let mut tables = [Table::new(COLUMNS), Table::new(COLUMNS)];
+    for word in scene.words()? {
+        let found = find_as(&decimals, &setting, &word, scene.max_periods()?)?;
+        for orbit in found.orbits {
+            if let Ok(again) = confirmed(&setting, &orbit, decimals) {
+                tables[1].push(row(parameters.clone(), again))?;
+            }
+            tables[0].push(row(parameters.clone(), orbit))?;
+        }
+    }
+    Ok(tables)
+}
+
+/// What a reader of the rows alone would miss.
+fn tell<N>(word: &Word, found: &Found<N>) {
+    for open in &found.open {
+        note(&open.to_string());
+    }
+    if found.orbits.is_empty() && found.open.is_empty() {
+        note(&format!("no motion {word}"));
+    }
+    if *word != Word::pair() {
+        note(&format!("{word}: motions that many starts lead to; there may be more"));
+    }
+    let unbounded = found.orbits.iter().filter(|orbit| orbit.error_bound.is_none()).count();
+    if unbounded > 0 {
+        note(&format!(
+            "{word}: {unbounded} without error_bound, not proved to the figures asked for"
+        ));
+    }
+}
+
+fn row<N>([g, d, r_b, r_t]: [N; 4], orbit: Rounded<N>) -> Vec<Cell>
+where
+    Cell: From<N> + From<Vec<N>>,
+{
+    vec![
+        Cell::from(orbit.word.to_string()),
+        Cell::from(i64::from(orbit.periods)),
+        Cell::from(d),
+        Cell::from(g),
+        Cell::from(r_b),
+        Cell::from(r_t),
+        Cell::from(orbit.phases),
+        Cell::from(orbit.velocities),
+        Cell::from(orbit.times),
+        Cell::from(orbit.trace),
+        Cell::from(orbit.determinant),
+        Cell::from(orbit.kind.to_string()),
+        Cell::from(orbit.stable),
+        Cell::from(orbit.clearance),
+        Cell::from(orbit.admissible),
+        orbit.error_bound.map_or(Cell::Empty, Cell::from),
+    ]
+}
+
+/// The search for 1-1 motions, piece by piece.
+fn explain(scene: &Scene) -> Result<String, Failure> {
+    let motion = scene.setting()?.motion::<Interval<f64>>()?;
+    let mut lines = Vec::new();
+    for word in scene.words()? {
+        if word != Word::pair() {
+            lines.push(format!(
+                "{word}: Newton's method from many starts, each motion proved by itself; no list of pieces\n"
+            ));
+            continue;
+        }
+        for periods in 1..=scene.max_periods()? {
+            lines.extend(told(&one_to_one(&motion, periods)));
+        }
+    }
+    Ok(lines.join("\n"))
+}
+
+fn told(search: &Search) -> Vec<String> {
+    let total = 2 * search.periods;
+    let Isolation {
+        roots,
+        decided,
+        undecided,
+    } = &search.isolation;
+    let mut lines =
+        vec![
+        format!("BT over {} forcing periods: T_1 in (0, {total}), psi in a turn", search.periods),
+        "psi is the phase of the forcing halfway through the flight from bottom to top; h_1, h_2 are the two equations"
+            .to_string(),
+        "that (9) to (13) leave when the velocities are eliminated".to_string(),
+        format!(
+            "proposed by Brent's method on the curve of 1-1 motions, and proved: {}; proved on the way: {}",
+            search.proposed,
+            roots.len() - search.proposed
+        ),
+    ];
+    for (index, root) in roots.iter().enumerate() {
+        let [t_1, psi] = root.enclosure.map(|side| side.midpoint());
+        let [near, around] = root.unique.map(|side| side.radius());
+        let fate = if search.motions.contains(root) {
+            "a motion"
+        } else {
+            "no motion: a velocity points away from its wall, or it is another one a turn on"
+        };
+        lines.push(format!(
+            "  root {}: T_1 = {t_1:.12}, psi = {psi:.12}, the only one within {near:.1e} and {around:.1e}; {fate}",
+            index + 1
+        ));
+    }
+    lines.push(format!("{} pieces examined:", decided.len()));
+    lines.push(format!("  {:<24}{:<24}decided", "T_1", "psi"));
+    for ([t_1, psi], decision) in decided {
+        let span = |side: &Interval<f64>| format!("[{:.6}, {:.6}]", side.low(), side.high());
+        lines.push(format!("  {:<24}{:<24}{decision}", span(t_1), span(psi)));
+    }
+    lines.push(match undecided.len() {
+        0 => format!("complete: {} motions, and no others\n", search.motions.len()),
+        open => format!("{open} pieces stay undecided in f64 and go to a wider number\n"),
+    });
+    lines
+}

@@ -1,0 +1,170 @@
+//! `vibro-audit run SCENE [--explain] --out DIR`.
+
+use super::{Answer, Content, Exit, Failure, Options, SceneArguments, branch, orbits};
+use crate::report::{Cell, Format, Output, OutputError, OutputProblem, Table};
+use crate::scene::{Scene, Want};
+use std::fs;
+use std::path::Path;
+
+/// Everything the scene wants, a file for each command, into the directory --out
+#[derive(Debug, clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    pub scene: SceneArguments,
+    /// Compute nothing; print what would be modelled, and why
+    #[arg(long)]
+    pub explain: bool,
+}
+
+/// A command's table for a scene.
+pub(super) type Serve = fn(&Scene, &Options) -> Result<Table, Failure>;
+
+/// The commands that serve wants, by name; a want whose command is not here has none yet.
+const SERVED: &[(&str, Serve)] = &[("orbits", orbits::table), ("branch", branch::table)];
+
+/// The columns that scripts rely on.
+const COLUMNS: [&str; 4] = ["command", "want", "file", "rows"];
+
+/// Runs the command.
+pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
+    let scene = arguments.scene.load()?;
+    let wants = scene.wanted()?;
+    arguments.scene.check(&scene, &wants)?;
+    if arguments.explain {
+        let text = scene.explain(&wants, |want| serve(SERVED, want).is_some())?;
+        return Ok(Answer {
+            content: Content::Text(text),
+            exit: Exit::AsExpected,
+        });
+    }
+    run_with(SERVED, &scene, &wants, options)
+}
+
+fn serve(served: &[(&str, Serve)], want: Want) -> Option<Serve> {
+    served
+        .iter()
+        .find(|(command, _)| *command == want.command())
+        .map(|(_, serve)| *serve)
+}
+
+/// Writes the table of each served want, and fails for the others afterwards.
+fn run_with(served: &[(&str, Serve)], scene: &Scene, wants: &[Want], options: &Options) -> Result<Answer, Failure> {
+    let unserved: Vec<Want> = wants
+        .iter()
+        .copied()
+        .filter(|&want| serve(served, want).is_none())
+        .collect();
+    let mut answer = Table::new(COLUMNS);
+    let mut written = Vec::new();
+    let mut done: Vec<&str> = Vec::new();
+    for &want in wants {
+        let Some(serve) = serve(served, want) else { continue };
+        // Voltage is a column of the sweep: one file serves both.
+        if done.contains(&want.command()) {
+            continue;
+        }
+        done.push(want.command());
+        let directory = options.out.as_deref().ok_or(Failure::NoDirectory)?;
+        let table = serve(scene, options)?;
+        create(directory)?;
+        let (format, extension) = match options.format {
+            Format::Text | Format::Csv | Format::Junit => (Format::Csv, "csv"),
+            Format::Json => (Format::Json, "json"),
+            Format::Markdown => (Format::Markdown, "md"),
+        };
+        let path = directory.join(format!("{}.{extension}", want.command()));
+        Output::File(path.clone()).write(|to| table.write(to, format, options.figures()))?;
+        let same = wants.iter().filter(|other| other.command() == want.command());
+        answer.push([
+            Cell::from(want.command()),
+            Cell::from(same.map(|want| want.name()).collect::<Vec<_>>().join(";")),
+            Cell::from(path.display().to_string()),
+            Cell::from(i64::try_from(table.rows().len()).unwrap_or(i64::MAX)),
+        ])?;
+        written.push(path.display().to_string());
+    }
+    if !unserved.is_empty() {
+        return Err(Failure::Unserved {
+            wants: unserved,
+            written,
+        });
+    }
+    Ok(Answer {
+        content: Content::Table(answer),
+        exit: Exit::AsExpected,
+    })
+}
+
+fn create(directory: &Path) -> Result<(), OutputError> {
+    fs::create_dir_all(directory).map_err(|source| OutputError {
+        place: directory.display().to_string(),
+        problem: OutputProblem::System {
+            doing: "creating the directory",
+            source,
+        },
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::DEFAULT_DIGITS;
+
+    fn one_row(scene: &Scene, _: &Options) -> Result<Table, Failure> {
+        let mut table = Table::new(["name"]);
+        table.push([Cell::from(scene.name())])?;
+        Ok(table)
+    }
+
+    fn broken(scene: &Scene, _: &Options) -> Result<Table, Failure> {
+        scene.motion::<f64>()?;
+        one_row(scene, &options(None))
+    }
+
+    fn options(out: Option<&Path>) -> Options {
+        Options {
+            format: Format::Text,
+            out: out.map(Path::to_path_buf),
+            digits: u32::try_from(DEFAULT_DIGITS).ok(),
+        }
+    }
+
+    fn scratch(name: &str) -> std::path::PathBuf {
+        let path = std::env::temp_dir().join(format!("vibro-audit-run-{}-{name}", std::process::id()));
+        let _ = fs::remove_dir_all(&path);
+        path
+    }
+
+    #[test]
+    fn each_command_writes_one_file_and_what_none_serves_is_named_after() {
+        let scene = Scene::read("", "mine").unwrap();
+        let directory = scratch("files");
+        let served: &[(&str, Serve)] = &[("orbits", one_row), ("sweep", one_row)];
+        let options = options(Some(&directory));
+        let wants = [Want::Orbits, Want::Sweep, Want::Voltage];
+        let answer = run_with(served, &scene, &wants, &options).unwrap();
+        assert!(matches!(&answer.content, Content::Table(table) if table.rows().len() == 2));
+        assert_eq!(
+            fs::read_to_string(directory.join("orbits.csv")).unwrap(),
+            "name\nmine\n"
+        );
+        let error = run_with(served, &scene, &Want::ALL, &options).unwrap_err().to_string();
+        assert!(
+            error.contains("branch, impacts, trajectory") && error.contains("sweep.csv"),
+            "{error}"
+        );
+        assert_eq!(fs::read_dir(&directory).unwrap().count(), 2);
+        fs::remove_dir_all(&directory).unwrap();
+    }
+
+    #[test]
+    fn where_nothing_can_be_computed_no_directory_is_made() {
+        let scene = Scene::read("", "mine").unwrap();
+        let directory = scratch("none");
+        let served: &[(&str, Serve)] = &[("orbits", broken)];
+        assert!(run_with(served, &scene, &[Want::Orbits], &options(Some(&directory))).is_err());
+        assert!(!directory.exists());
+        let error = run_with(served, &scene, &[Want::Orbits], &options(None)).unwrap_err();
+        assert!(error.to_string().contains("--out DIR"), "{error}");
+    }
+}

@@ -1,0 +1,78 @@
+//! The scene of a command: SCENE, `--set`, `--strict`.
+
+use super::source::SourceProblem;
+use super::{Failure, Source};
+use crate::scene::{self, BUILT_IN, Scene, Want};
+
+/// The scene of a command, and how it is changed.
+#[derive(Clone, Debug, clap::Args)]
+pub struct SceneArguments {
+    /// The scene: a TOML file, `-` for stdin, or a built-in name such as fig02
+    #[arg(value_name = "SCENE")]
+    scene: Source,
+    /// Override a key of the scene, as in motion.d=0.3; may be repeated
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    /// Refuse keys of the scene that nothing requires
+    #[arg(long)]
+    strict: bool,
+}
+
+impl SceneArguments {
+    /// The scene with its overrides; nothing of it is checked yet but its syntax and its keys.
+    pub fn load(&self) -> Result<Scene, Failure> {
+        let mut scene = self.read()?;
+        for argument in &self.set {
+            scene.set(argument)?;
+        }
+        Ok(scene)
+    }
+
+    /// The scene, complete for `wants`. Under `--strict`, keys that neither these nor the scene's own wants require
+    /// are an error.
+    pub fn load_for(&self, wants: &[Want]) -> Result<Scene, Failure> {
+        let scene = self.load()?;
+        self.check(&scene, wants)?;
+        Ok(scene)
+    }
+
+    /// Checks a scene that was loaded, as [`SceneArguments::load_for`] does.
+    pub fn check(&self, scene: &Scene, wants: &[Want]) -> Result<(), Failure> {
+        scene.check(wants)?;
+        if self.strict {
+            let mut all = wants.to_vec();
+            all.extend(scene.want()?);
+            scene.refuse_unneeded(&all)?;
+        }
+        Ok(())
+    }
+
+    fn read(&self) -> Result<Scene, Failure> {
+        let name = self.scene.name();
+        if let (Source::File(_), Some(text)) = (&self.scene, scene::find(&name)) {
+            return Ok(Scene::read(text, &name)?);
+        }
+        let text = self.scene.read().map_err(|error| match error.problem {
+            SourceProblem::Missing if is_name(&name) => unknown(&name),
+            _ => error.into(),
+        })?;
+        Ok(Scene::read(&text, &name)?)
+    }
+}
+
+/// Whether this looks like the name of a scene rather than a path.
+fn is_name(text: &str) -> bool {
+    !text.contains(['/', '\\', '.'])
+}
+
+/// There is no built-in scene of this name.
+pub(super) fn unknown(name: &str) -> Failure {
+    let known: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).collect();
+    Failure::UnknownScene {
+        name: name.to_string(),
+        meant: scene::nearest(name, known.iter().copied())
+            .map(|near| format!("did you mean {near}? "))
+            .unwrap_or_default(),
+        known: known.join(", "),
+    }
+}

@@ -1,0 +1,251 @@
+//! The bifurcations of 1-1 motions over a range of a parameter: all of them, each proved.
+//!
+//! Each is a solution of h_1 = h_2 = 0 and a condition in (T_1, psi, parameter), isolated in the cells of a [`Cover`]:
+//! two between neighbouring values of a sweep are found like one.
+
+use super::balance::Balance;
+use super::cell::{Cell, joined};
+use super::cover::Cover;
+use super::equations::{Conditioned, Halved, Symmetric, Touching};
+use super::event::{Condition, Event, Touch};
+use super::family::Family;
+use super::isolate::{Isolation, Limits, isolate};
+use super::root::{Root, distinct_phases};
+use super::system::System;
+use crate::number::{Field, Interval};
+
+/// Cells narrower than this are not halved again.
+const FINEST: f64 = 1e-8;
+
+/// A search for one event that needs more cells than this is given up.
+const MOST_CELLS: usize = 40_000;
+
+/// Where psi stands among the unknowns.
+const PHASE: usize = 1;
+
+/// Where two branches cross, the equations of a fold hold doubly: this near, in T_1, psi and the parameter, they are
+/// not asked.
+pub const CROSSING: f64 = 1e-3;
+
+/// A proved event: the equations that it solves, and their solution within rounding.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Located {
+    /// Of [`Conditioned`].
+    Condition(Condition, Root<f64, 3>),
+    /// Of [`Touching`].
+    Touch(Touch, Root<f64, 4>),
+    /// Of [`Symmetric`]: where a branch of other motions crosses that of symmetric ones.
+    Crossing(Root<f64, 2>),
+    /// Of [`Symmetric`]: where the branch of symmetric motions turns.
+    Turn(Root<f64, 2>),
+}
+
+impl Located {
+    /// What happens.
+    pub fn event(&self) -> Event {
+        match self {
+            Self::Condition(condition, _) => condition.event(),
+            Self::Touch(..) => Event::Grazing,
+            Self::Crossing(_) => Event::SymmetryBreaking,
+            Self::Turn(_) => Event::Fold,
+        }
+    }
+
+    /// Where it happens.
+    pub fn parameter(&self) -> Interval<f64> {
+        match self {
+            Self::Condition(_, root) => root.enclosure[2],
+            Self::Touch(_, root) => root.enclosure[2],
+            Self::Crossing(root) | Self::Turn(root) => root.enclosure[1],
+        }
+    }
+}
+
+/// All events, and the boxes in which one could not be told.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Bifurcations {
+    /// In order of the parameter.
+    pub located: Vec<Located>,
+    /// What may happen in (T_1, psi, parameter), none, once or several times.
+    pub undecided: Vec<(Event, Cell<f64, 3>)>,
+}
+
+/// Every event of the covered motions: complete, by proof, where `undecided` is empty.
+///
+/// One exception: of the motions that part from symmetric ones, a fold within [`CROSSING`] of the parting is not
+/// looked for.
+pub fn bifurcations(family: &impl Family, cover: &Cover) -> Bifurcations {
+    let mut found = Bifurcations::default();
+    let middle = family.motion_at(&Interval::point(cover.range.midpoint()));
+    let middle = middle.map(|motion| Balance::new(&motion, cover.periods));
+    let elastic = middle.as_ref().is_ok_and(|balance| balance.loss().contains_zero());
+    let weightless = middle.is_ok_and(|balance| balance.g().contains_zero());
+    let line = Line::new(family, cover);
+    let mut crossings = Vec::new();
+    let mut halves = Vec::new();
+    if family.is_symmetric() {
+        crossings = line.multipliers_of_one(&mut found);
+        if weightless {
+            halves = line.around(
+                &line
+                    .isolated(&Halved {
+                        family,
+                        periods: cover.periods,
+                    })
+                    .roots,
+            );
+        }
+    }
+    for condition in Condition::ALL {
+        // With r_B r_T = 1 multipliers meet at 1 and -1 alone, which are events of their own.
+        if elastic && condition.event() == Event::NodeFocus {
+            continue;
+        }
+        let apart = match condition {
+            Condition::MultiplierOne => &crossings,
+            Condition::DoubleNegative | Condition::MultiplierMinusOne => &halves,
+            _ => &Vec::new(),
+        };
+        conditioned(family, cover, condition, apart, &mut found);
+    }
+    for touch in Touch::ALL {
+        touching(family, cover, touch, &mut found);
+    }
+    // A proof reaches a little beyond the cells.
+    found
+        .located
+        .retain(|located| located.parameter().intersection(&cover.range).is_some());
+    let place = |located: &Located| located.parameter().midpoint();
+    found.located.sort_by(|one, other| place(one).total_cmp(&place(other)));
+    found
+}
+
+fn conditioned(
+    family: &impl Family,
+    cover: &Cover,
+    condition: Condition,
+    apart: &[Cell<f64, 3>],
+    found: &mut Bifurcations,
+) {
+    let system = Conditioned {
+        family,
+        periods: cover.periods,
+        condition,
+        apart: apart.to_vec(),
+    };
+    let isolation = isolated(&system, cover.cells.clone());
+    for root in distinct_phases(isolation.roots, PHASE) {
+        let new = !is_known_turn(&root, found) && !is_known_grazing(condition, &root, found);
+        if new && system.is_wanted(&root.enclosure) {
+            found.located.push(Located::Condition(condition, root));
+        }
+    }
+    let cells = isolation.undecided.into_iter();
+    found.undecided.extend(cells.map(|cell| (condition.event(), cell)));
+}
+
+fn touching(family: &impl Family, cover: &Cover, touch: Touch, found: &mut Bifurcations) {
+    let periods = cover.periods;
+    let system = Touching { family, periods, touch };
+    let after = Interval::new(0.0, 2.0 * f64::from(periods));
+    let with_time = |&[t_1, middle, parameter]: &Cell<f64, 3>| [t_1, middle, parameter, after];
+    let isolation = isolated(&system, cover.cells.iter().map(with_time).collect());
+    for root in distinct_phases(isolation.roots, PHASE) {
+        // A reversible motion touches a wall in both of its flights at once: one event.
+        let twin = |located: &Located| match located {
+            Located::Touch(_, other) => (0..3).all(|i| other.enclosure[i].intersection(&root.enclosure[i]).is_some()),
+            _ => false,
+        };
+        if system.is_wanted(&root.enclosure) && !found.located.iter().any(twin) {
+            found.located.push(Located::Touch(touch, root));
+        }
+    }
+    let cells = isolation.undecided.into_iter();
+    let without_time = |[t_1, middle, parameter, _]: Cell<f64, 4>| (Event::Grazing, [t_1, middle, parameter]);
+    found.undecided.extend(cells.map(without_time));
+}
+
+/// The branch of symmetric motions, T_1 = T_2 = n.
+struct Line<'a, F> {
+    family: &'a F,
+    periods: u32,
+    t_1: Interval<f64>,
+    /// (psi, parameter)
+    cells: Vec<Cell<f64, 2>>,
+}
+
+impl<'a, F: Family> Line<'a, F> {
+    fn new(family: &'a F, cover: &Cover) -> Self {
+        let t_1 = Interval::from_integer(i64::from(cover.periods));
+        let on_line = cover.cells.iter().filter(|cell| cell[0].intersection(&t_1).is_some());
+        Self {
+            family,
+            periods: cover.periods,
+            t_1,
+            cells: on_line.map(|&[_, middle, parameter]| [middle, parameter]).collect(),
+        }
+    }
+
+    fn isolated(&self, system: &impl System<f64, 2>) -> Isolation<f64, 2> {
+        isolated(system, self.cells.clone())
+    }
+
+    fn around(&self, roots: &[Root<f64, 2>]) -> Vec<Cell<f64, 3>> {
+        let near = |side: Interval<f64>| side + Interval::new(-CROSSING, CROSSING);
+        let boxed = |root: &Root<f64, 2>| [near(self.t_1), near(root.enclosure[0]), near(root.enclosure[1])];
+        roots.iter().map(boxed).collect()
+    }
+
+    /// Adds the multipliers of 1 on the line to what is found; the boxes around them.
+    fn multipliers_of_one(&self, found: &mut Bifurcations) -> Vec<Cell<f64, 3>> {
+        let system = Symmetric {
+            family: self.family,
+            periods: self.periods,
+        };
+        let isolation = self.isolated(&system);
+        let roots = distinct_phases(isolation.roots, 0);
+        let apart = self.around(&roots);
+        found.located.extend(roots.into_iter().map(|root| {
+            if system.may_turn(&root.enclosure) {
+                Located::Turn(root)
+            } else {
+                Located::Crossing(root)
+            }
+        }));
+        let cells = isolation.undecided.into_iter();
+        let on_line = |[middle, parameter]: Cell<f64, 2>| (Event::SymmetryBreaking, [self.t_1, middle, parameter]);
+        found.undecided.extend(cells.map(on_line));
+        apart
+    }
+}
+
+/// Whether the event is one found on the branch of symmetric motions.
+fn is_known_turn(root: &Root<f64, 3>, found: &Bifurcations) -> bool {
+    let [_, middle, parameter] = root.enclosure;
+    found.located.iter().any(|located| match located {
+        Located::Turn(turn) => middle.is_subset(&turn.unique[0]) && parameter.is_subset(&turn.unique[1]),
+        _ => false,
+    })
+}
+
+/// Whether the event is the velocity of 0 at the other wall: both at once are one event.
+fn is_known_grazing(condition: Condition, root: &Root<f64, 3>, found: &Bifurcations) -> bool {
+    let meets = |other: &Root<f64, 3>| (0..3).all(|i| other.enclosure[i].intersection(&root.enclosure[i]).is_some());
+    matches!(condition, Condition::SlowImpact(_))
+        && found.located.iter().any(|located| match located {
+            Located::Condition(Condition::SlowImpact(_), other) => meets(other),
+            _ => false,
+        })
+}
+
+fn isolated<const D: usize>(system: &impl System<f64, D>, cells: Vec<Cell<f64, D>>) -> Isolation<f64, D> {
+    let limits = Limits {
+        finest: FINEST,
+        most_cells: MOST_CELLS,
+    };
+    let mut isolation = isolate(system, cells, Vec::new(), limits);
+    // a proof reaches beyond the cells, to where a velocity points away from its wall
+    isolation.roots.retain(|root| system.is_wanted(&root.enclosure));
+    isolation.undecided = joined(&isolation.undecided, FINEST);
+    isolation
+}

@@ -1,0 +1,281 @@
+//! Every motion that is asked for, to the last digit of f64, with what could not be decided.
+
+use super::cell::{Cell, joined};
+use super::cycle;
+use super::family::Parameters;
+use super::one_to_one::{Equations, FINEST, again, one_to_one};
+use super::orbit::{Fix, Orbit};
+use super::refine::refined;
+use super::root::Root;
+use super::rounded::Rounded;
+use super::unsettled::{Question, Unsettled};
+use super::wanted::Wanted;
+use super::{Balance, Cycle, Word, narrowed};
+use crate::model::{Motion, MotionError};
+use crate::number::{Analytic, DoubleDouble, Doubles, Endpoint, Interval, Told};
+
+/// Motions found, and the boxes in which more may be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found<N = f64> {
+    /// In order of periods, then of the first phase.
+    pub orbits: Vec<Rounded<N>>,
+    /// What could not be decided.
+    pub open: Vec<Open>,
+}
+
+/// Something that no number at hand could decide.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Open {
+    /// 1-1 motions, none, one or several, in (T_1, psi).
+    Box {
+        /// The forcing periods they take.
+        periods: u32,
+        /// Where.
+        cell: Cell<f64, 2>,
+    },
+    /// A motion that is there, but of which something is open.
+    Motion {
+        /// Its word.
+        word: Word,
+        /// The forcing periods it takes.
+        periods: u32,
+        /// What.
+        why: Unsettled,
+    },
+}
+
+impl std::fmt::Display for Open {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Box {
+                periods,
+                cell: [t_1, psi],
+            } => write!(
+                f,
+                "BT over {periods} forcing periods: undecided whether there are motions with T_1 in {t_1} and phase \
+                 {psi} halfway through the first flight; two motions meet there, or a velocity is 0"
+            ),
+            Self::Motion { word, periods, why } => {
+                write!(f, "{word} over {periods} forcing periods: a motion, but {why}")
+            }
+        }
+    }
+}
+
+/// All motions of `word` over 1 to `max_periods` periods, in f64; see [`find_as`].
+///
+/// # Errors
+/// A parameter out of its range.
+pub fn find(parameters: &impl Parameters, word: &Word, max_periods: u32) -> Result<Found, MotionError> {
+    find_as(&Doubles, parameters, word, max_periods)
+}
+
+/// All motions of `word` over 1 to `max_periods` periods, told as they are wanted: [`Doubles`](crate::number::Doubles)
+/// or [`Decimals`](crate::number::Decimals).
+///
+/// For BT every one is found, by proof, unless `open` has a box; for other words those that many starts lead to.
+///
+/// # Errors
+/// A parameter out of its range.
+pub fn find_as<W: Wanted>(
+    wanted: &W,
+    parameters: &impl Parameters,
+    word: &Word,
+    max_periods: u32,
+) -> Result<Found<W::Number>, MotionError> {
+    let motion = parameters.motion::<Interval<f64>>()?;
+    let mut found = Found::new();
+    for periods in 1..=max_periods {
+        let settled: Vec<Settled<W::Number>> = if *word == Word::pair() {
+            let search = one_to_one(&motion, periods);
+            let undecided = &search.isolation.undecided;
+            pairs(wanted, parameters, periods, &search.motions, undecided, &mut found.open)?
+        } else {
+            let cycles = cycle::search(word, periods, &motion)?;
+            let settle = |cycle| wanted.orbit(parameters, &Proved::Cycle(cycle));
+            cycles.iter().map(settle).collect()
+        };
+        found.take(word, periods, settled);
+    }
+    Ok(found)
+}
+
+/// A motion as it is wanted, or why not.
+pub(super) type Settled<N> = Result<Rounded<N>, Unsettled>;
+
+/// The motions at proved roots, and those in boxes that f64 left undecided; what stays so is added to `open`.
+pub(super) fn pairs<W: Wanted>(
+    wanted: &W,
+    parameters: &impl Parameters,
+    periods: u32,
+    roots: &[Root<f64, 2>],
+    undecided: &[Cell<f64, 2>],
+    open: &mut Vec<Open>,
+) -> Result<Vec<Settled<W::Number>>, MotionError> {
+    let settle = |root| wanted.orbit(parameters, &Proved::Pair { root, periods });
+    let mut pairs: Vec<_> = roots.iter().map(settle).collect();
+    if !undecided.is_empty() {
+        let search = again(&parameters.motion()?, periods, undecided);
+        let settle = |root| wanted.orbit(parameters, &Proved::Close { root, periods });
+        // The boxes examined again reach a little into those of the roots proved before.
+        let is_new = |root: &&Root<DoubleDouble, 2>| {
+            let point = root.enclosure.each_ref().map(|side| side.midpoint().to_f64());
+            !roots
+                .iter()
+                .any(|known| (0..2).all(|i| known.unique[i].contains(&point[i])))
+        };
+        pairs.extend(search.motions.iter().filter(is_new).map(settle));
+        let narrow = |side: &Interval<DoubleDouble>| Interval::new(side.low().to_f64(), side.high().to_f64());
+        let cells = search.isolation.undecided.iter();
+        let cells: Vec<Cell<f64, 2>> = cells.map(|cell| cell.each_ref().map(narrow)).collect();
+        let told = joined(&cells, FINEST).into_iter();
+        open.extend(told.map(|cell| Open::Box { periods, cell }));
+    }
+    Ok(pairs)
+}
+
+impl<N: Told> Found<N> {
+    pub(super) fn new() -> Self {
+        let (orbits, open) = (Vec::new(), Vec::new());
+        Self { orbits, open }
+    }
+
+    pub(super) fn take(&mut self, word: &Word, periods: u32, settled: Vec<Settled<N>>) {
+        let mut orbits = Vec::new();
+        for outcome in settled {
+            match outcome {
+                Ok(orbit) => orbits.push(orbit),
+                // The equations hold, but nothing moves so.
+                Err(Unsettled::Backwards { .. } | Unsettled::Timeless { .. }) => {}
+                Err(why) => {
+                    let word = word.clone();
+                    self.open.push(Open::Motion { word, periods, why });
+                }
+            }
+        }
+        orbits.sort_by(|one, other| one.phases[0].to_f64().total_cmp(&other.phases[0].to_f64()));
+        self.orbits.append(&mut orbits);
+    }
+}
+
+/// A motion known to be there, not yet to the last digit.
+pub enum Proved<'a> {
+    /// A 1-1 motion.
+    Pair {
+        /// (T_1, psi)
+        root: &'a Root<f64, 2>,
+        /// The forcing periods it takes.
+        periods: u32,
+    },
+    /// One of two or more that f64 could not tell apart.
+    Close {
+        /// (T_1, psi)
+        root: &'a Root<DoubleDouble, 2>,
+        /// The forcing periods it takes.
+        periods: u32,
+    },
+    /// One of any other word.
+    Cycle(&'a Cycle),
+}
+
+impl Proved<'_> {
+    /// The orbit over `E`.
+    ///
+    /// # Errors
+    /// `Undecided` where `E` is too narrow, and what else [`Orbit::settle`] says.
+    pub fn orbit<E: Endpoint>(&self, parameters: &impl Parameters) -> Result<Orbit<E>, Unsettled> {
+        let open = |what| Unsettled::Undecided { what };
+        let motion = parameters
+            .motion::<Interval<E>>()
+            .map_err(|_| open(Question::Existence))?;
+        self.at(&motion)
+    }
+
+    /// One copy for all parameters.
+    fn at<E: Endpoint>(&self, motion: &Motion<Interval<E>>) -> Result<Orbit<E>, Unsettled> {
+        match self {
+            Self::Cycle(cycle) => cycle.orbit(motion),
+            Self::Pair { root, periods } => pair(root, *periods, motion),
+            Self::Close { root, periods } => pair(root, *periods, motion),
+        }
+    }
+}
+
+/// The digits of a number, guard digits counted, for which one evaluation does.
+const REFINED: std::ops::Range<f64> = 40.0..65.0;
+
+/// The 1-1 motion at a root.
+fn pair<F: Endpoint, E: Endpoint>(
+    root: &Root<F, 2>,
+    periods: u32,
+    motion: &Motion<Interval<E>>,
+) -> Result<Orbit<E>, Unsettled> {
+    let balance = Balance::new(motion, periods);
+    let digits = -E::epsilon().to_f64().log10();
+    let quickly = if REFINED.contains(&digits) {
+        refined(motion, periods, root)
+    } else {
+        None
+    };
+    let found = quickly.or_else(|| narrowed(&Equations(&balance), root));
+    let [t_1, middle] = found.ok_or(Unsettled::Undecided {
+        what: Question::Existence,
+    })?;
+    let [v, w] = balance.velocities(&t_1, &middle);
+    let [bottom, top] = balance.phases(&t_1, &middle);
+    let t_2 = balance.total() - t_1.clone();
+    let fix = |phase, velocity, time| Fix { phase, velocity, time };
+    Orbit::settle(&Word::pair(), periods, motion, &[fix(bottom, v, t_1), fix(top, w, t_2)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::one_to_one::one_to_one;
+    use super::*;
+
+    #[test]
+    fn what_is_found_over_several_periods_is_in_order_and_each_of_its_own() {
+        let motion = Motion::new(0.12201, 0.44, 0.6, 0.3).expect("a motion");
+        let found = find(&motion, &Word::pair(), 3).expect("a search");
+        let order: Vec<_> = found.orbits.iter().map(|row| (row.periods, row.phases[0])).collect();
+        assert!(found.open.is_empty() && order.is_sorted() && order.iter().any(|(periods, _)| *periods == 2));
+        let first = find(&motion, &Word::pair(), 1).expect("a search").orbits;
+        assert_eq!(first, found.orbits[..first.len()]);
+    }
+
+    #[test]
+    fn where_a_proof_reaches_beyond_the_flight_no_motion_is_listed() {
+        // h_1 = h_2 = 0 at T_1 = -0.91, too
+        let [g, d, r] = [
+            -7.170_216_387_502_808e-6,
+            0.133_508_269_733_515_76,
+            0.740_243_651_468_045_8,
+        ];
+        let motion = Motion::new(g, d, r, 1.0).expect("a motion");
+        let line = motion.convert(|&x| Interval::from_f64(x)).expect("a motion");
+        let search = one_to_one(&line, 3);
+        assert!(search.motions.len() == 5 && search.isolation.is_complete());
+        assert!(search.motions.iter().all(|root| root.enclosure[0].is_positive()));
+    }
+
+    #[test]
+    fn beside_a_symmetry_breaking_an_orbit_keeps_its_digits_and_is_listed_once() {
+        // 4e-8 from where two others part from it: f64 knows T_1 to 1e-8 only
+        let motion = Motion::new(0.0, 0.295_903_726_708_074_5, 1.0, 1.0).expect("a motion");
+        let found = find(&motion, &Word::pair(), 1).expect("a search");
+        assert!(found.open.is_empty() && found.orbits.len() == 4, "{found:?}");
+        assert!(
+            found
+                .orbits
+                .iter()
+                .all(|row| row.error_bound.is_some_and(|bound| bound < 1e-15))
+        );
+    }
+
+    #[test]
+    fn what_is_open_says_where() {
+        let cell = [Interval::new(0.5, 0.75), Interval::new(1.0, 1.5)];
+        let open = Open::Box { periods: 2, cell }.to_string();
+        assert!(open.contains("2 forcing periods") && open.contains("0.5"), "{open}");
+    }
+}

@@ -1,0 +1,165 @@
+//! The motions of any word followed over a sweep, and the bifurcations on the way.
+
+use super::along::Along;
+use super::cycle::{Cycle, moves, search_from};
+use super::family::{Exact, Family};
+use super::find::{Found, Proved};
+use super::happening::moments;
+use super::moment::Moment;
+use super::newton;
+use super::strand::{End, Strand};
+use super::wanted::Wanted;
+use super::word::Word;
+use crate::model::MotionError;
+use crate::number::{Doubles, Interval};
+use rayon::prelude::*;
+
+/// Values at which motions are searched for, both ends of the range among them.
+const SEARCHES: u32 = 17;
+
+/// Starts for each impact and forcing period, at each of them.
+const STARTS: usize = 128;
+
+/// The branches of motions of a word that a search at some values of the parameter leads to.
+///
+/// Each is followed in both directions, through folds, to where it ends: where the parameter leaves its range, a
+/// velocity or a time is 0, or the motion is one of a shorter word. From each step to the next it is proved that one
+/// curve of motions leads there, and no other passes near it, but where two branches cross.
+///
+/// A motion that goes through a shorter word twice is where the period of the shorter motion doubles: the branch ends
+/// there, in an event [`PeriodDoubling`](super::Event::PeriodDoubling), whose trace, that of the word followed, is
+/// 1 + Det(DP). A multiplier of 1 is a fold where that is proved, and likely symmetry breaking where the branch goes on.
+///
+/// **Completeness is not claimed**: a branch between two of the values searched may attract no start, and an even
+/// number of like events between two steps is not seen.
+pub struct Followed<'a, F> {
+    along: Along<'a, F>,
+    strands: Vec<Strand>,
+}
+
+impl<'a, F: Family + Sync> Followed<'a, F> {
+    /// Follows the motions of `word` over `periods` forcing periods for parameters in `range`.
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn new(family: &'a F, word: &Word, periods: u32, range: Interval<f64>) -> Result<Self, MotionError> {
+        let along = Along {
+            family,
+            word: word.spelled(),
+            periods,
+            range,
+        };
+        let count = STARTS * word.impacts() * periods as usize;
+        let places = (0..SEARCHES).map(|index| f64::from(index) / f64::from(SEARCHES - 1));
+        let places: Vec<f64> = places.collect();
+        let found: Result<Vec<Vec<Cycle>>, MotionError> = places
+            .par_iter()
+            .map(|place| {
+                let motion = family.motion_at(&Interval::point(along.parameter(place)))?;
+                search_from(count, word, periods, &motion)
+            })
+            .collect();
+        let mut strands: Vec<Strand> = Vec::new();
+        for (place, cycles) in places.iter().zip(found?) {
+            for cycle in cycles.iter().filter(|cycle| cycle.is_certified()) {
+                if !strands.iter().any(|strand| strand.holds(&along, cycle, *place)) {
+                    strands.extend(Strand::through(&along, cycle.phases(), *place));
+                }
+            }
+        }
+        Ok(Self { along, strands })
+    }
+
+    /// The motions at each of the values, in their order, on all cores: each proved by itself, as by
+    /// [`find`](super::find()).
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn points<V: Exact + Sync>(&self, values: &[V]) -> Result<Vec<Found>, MotionError> {
+        self.points_as(&Doubles, values)
+    }
+
+    /// The same, told as they are wanted.
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn points_as<W: Wanted, V: Exact + Sync>(
+        &self,
+        wanted: &W,
+        values: &[V],
+    ) -> Result<Vec<Found<W::Number>>, MotionError> {
+        values.par_iter().map(|value| self.orbits_as(wanted, value)).collect()
+    }
+
+    /// The motions at one value.
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn orbits(&self, value: &impl Exact) -> Result<Found, MotionError> {
+        self.orbits_as(&Doubles, value)
+    }
+
+    /// The same, told as they are wanted.
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn orbits_as<W: Wanted, V: Exact>(&self, wanted: &W, value: &V) -> Result<Found<W::Number>, MotionError> {
+        let Along {
+            word, periods, family, ..
+        } = &self.along;
+        let parameter: Interval<f64> = value.value();
+        let system = super::System {
+            motion: family.motion_at(&parameter)?,
+            word: word.clone(),
+            periods: *periods,
+        };
+        let middle = system.convert(Interval::midpoint)?;
+        let place = self.along.place(parameter.midpoint());
+        let mut cycles: Vec<Cycle> = Vec::new();
+        for guess in self.strands.iter().flat_map(|strand| strand.proposals(place)) {
+            let phases = newton::settle(&middle, guess).filter(|phases| moves(&middle, phases));
+            let Some(phases) = phases else { continue };
+            let cycle = Cycle::near(&system, newton::brought_near(&phases, std::f64::consts::PI));
+            if !cycle.is_of_shorter_word() && !cycles.iter().any(|other| other.is_same(&cycle)) {
+                cycles.push(cycle);
+            }
+        }
+        let fixed = family.fixed(value);
+        let orbits = cycles.iter().map(|cycle| wanted.orbit(&fixed, &Proved::Cycle(cycle)));
+        let mut found = Found::new();
+        found.take(word, *periods, orbits.collect());
+        Ok(found)
+    }
+
+    /// Every bifurcation seen on the way, in order of the parameter; those without an error bound are not proved.
+    pub fn moments(&self) -> Vec<Moment> {
+        let all: Vec<Vec<Moment>> = self
+            .strands
+            .par_iter()
+            .map(|strand| moments(&self.along, strand))
+            .collect();
+        let mut told: Vec<Moment> = Vec::new();
+        for moment in all.into_iter().flatten() {
+            // a motion that is its own mirror image touches in two flights at once, and two branches may end in one
+            if !told.iter().any(|other| self.is_same(other, &moment)) {
+                told.push(moment);
+            }
+        }
+        told.sort_by(|one, other| one.parameter.total_cmp(&other.parameter));
+        told
+    }
+
+    fn is_same(&self, one: &Moment, other: &Moment) -> bool {
+        let near = |one: &[f64], other: &[f64]| one.iter().zip(other).all(|(one, other)| (one - other).abs() < 1e-7);
+        one.event == other.event
+            && (one.parameter - other.parameter).abs() < 1e-9 * self.along.range.width()
+            && near(&one.velocities, &other.velocities)
+            && near(&one.times, &other.times)
+    }
+
+    /// The number of branches, and how many of their ends are no end: where no step on could be made.
+    pub fn branches(&self) -> (usize, usize) {
+        let ends = self.strands.iter().flat_map(|strand| strand.ends);
+        (self.strands.len(), ends.filter(|end| *end == End::Lost).count())
+    }
+}

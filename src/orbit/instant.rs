@@ -1,0 +1,269 @@
+//! The motion at a bifurcation: located to the last digit, and what a table says of it.
+
+use super::balance::Balance;
+use super::bifurcation::Located;
+use super::cell::Cell;
+use super::equations::{Conditioned, Symmetric, Touching};
+use super::event::{Condition, Event};
+use super::family::Family;
+use super::orbit::{Fix, clearance, reduced};
+use super::root::{Root, sharpen};
+use super::rounded::larger;
+use super::system::System;
+use super::unsettled::{Question, Unsettled};
+use crate::model::{Motion, Side};
+use crate::number::{Analytic, Endpoint, Field, Interval, Telling, Told};
+use num_dual::DualNum;
+use num_traits::One;
+
+/// Where an impact has velocity 0, a flight starts and ends on the wall itself. Its turning points are told with this
+/// velocity instead, towards the wall: of the motions on the side on which there are any.
+pub(super) const SLOWLY: f64 = 1e-14;
+
+/// And the clearance is that of the event itself within this: turning points follow the velocity with slopes of some
+/// units.
+const NEARLY: f64 = 1e-12;
+
+/// And the flight before is followed until so long before it ends, where it has a velocity.
+pub(super) const SHORTLY: f64 = 1e-9;
+
+/// A bifurcation of a 1-1 motion, as numbers: a row of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Instant<N = f64> {
+    /// What happens.
+    pub event: Event,
+    /// n
+    pub periods: u32,
+    /// The value of the swept parameter.
+    pub parameter: N,
+    /// The gap.
+    pub d: N,
+    /// Of the impacts at the bottom and at the top, in [0, 2 pi).
+    pub phases: [N; 2],
+    /// Just before each.
+    pub velocities: [N; 2],
+    /// Of the flight after each.
+    pub times: [N; 2],
+    /// Of the derivative of the map; infinite where an impact has velocity 0.
+    pub trace: N,
+    /// The least distance from a wall at the turning points strictly inside the flights, 0 at a touch; infinite
+    /// where nothing turns.
+    pub clearance: N,
+    /// Whether the ball keeps between the walls, the touch itself allowed.
+    pub admissible: bool,
+    /// No parameter, gap, phase, velocity or time above is farther than this from the exact one. `None` where an
+    /// enclosure is too wide for the figures of a decimal.
+    pub error_bound: Option<N>,
+}
+
+impl<N: Told> Instant<N> {
+    /// The same in f64.
+    pub fn nearest(&self) -> Instant {
+        let pair = |values: &[N; 2]| values.each_ref().map(Told::to_f64);
+        Instant {
+            event: self.event,
+            periods: self.periods,
+            parameter: self.parameter.to_f64(),
+            d: self.d.to_f64(),
+            phases: pair(&self.phases),
+            velocities: pair(&self.velocities),
+            times: pair(&self.times),
+            trace: self.trace.to_f64(),
+            clearance: self.clearance.to_f64(),
+            admissible: self.admissible,
+            error_bound: self.error_bound.as_ref().map(Told::to_f64),
+        }
+    }
+}
+
+/// A bifurcation of which every value is an enclosure; see [`Instant`] for what they are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Enclosed<E: Endpoint> {
+    event: Event,
+    periods: u32,
+    parameter: Interval<E>,
+    d: Interval<E>,
+    phases: [Interval<E>; 2],
+    velocities: [Interval<E>; 2],
+    times: [Interval<E>; 2],
+    /// `None` where it is infinite.
+    trace: Option<Interval<E>>,
+    /// `None` where nothing turns.
+    clearance: Option<Interval<E>>,
+    admissible: bool,
+}
+
+impl<E: Endpoint> Enclosed<E> {
+    /// As `telling` has it.
+    pub fn told<T: Telling<E>>(&self, telling: &T) -> Instant<T::Number> {
+        let tell = |values: &[Interval<E>; 2]| values.each_ref().map(|value| telling.tell(value));
+        let or_infinite =
+            |value: &Option<Interval<E>>| value.as_ref().map_or_else(Told::infinite, |value| telling.tell(value));
+        let columns = [&self.phases, &self.velocities, &self.times].into_iter().flatten();
+        let bounded: Vec<&Interval<E>> = columns.chain([&self.parameter, &self.d]).collect();
+        let errors = bounded.iter().map(|value| telling.error(&telling.tell(value), value));
+        let error = errors.fold(E::zero(), larger);
+        // the clearance beside an impact of velocity 0 has twelve figures in any number
+        let known = bounded.into_iter().chain(&self.trace).all(|value| telling.holds(value));
+        Instant {
+            event: self.event,
+            periods: self.periods,
+            parameter: telling.tell(&self.parameter),
+            d: telling.tell(&self.d),
+            phases: tell(&self.phases),
+            velocities: tell(&self.velocities),
+            times: tell(&self.times),
+            trace: or_infinite(&self.trace),
+            clearance: or_infinite(&self.clearance),
+            admissible: self.admissible,
+            error_bound: known.then(|| telling.bound(error)),
+        }
+    }
+}
+
+impl Located {
+    /// The event over `E`, proved again and located as well as `E` can.
+    ///
+    /// # Errors
+    /// `Undecided` where `E` is too narrow.
+    pub fn settle<E: Endpoint>(&self, family: &impl Family, periods: u32) -> Result<Enclosed<E>, Unsettled>
+    where
+        Interval<E>: DualNum,
+    {
+        let [t_1, middle, parameter] = self.refined::<E>(family, periods)?;
+        let open = |what| Unsettled::Undecided { what };
+        let motion = family.motion_at(&parameter).map_err(|_| open(Question::Direction))?;
+        let balance = Balance::new(&motion, periods);
+        let phases = balance.phases(&t_1, &middle).map(|phase| reduced(&phase));
+        let velocities = balance.velocities(&t_1, &middle);
+        let times = [t_1.clone(), balance.total() - t_1.clone()];
+        let (clearance, admissible) = self.kept(&motion, &phases, &velocities, &times)?;
+        Ok(Enclosed {
+            event: self.event(),
+            periods,
+            d: motion.d().clone(),
+            trace: self.trace(&balance, &t_1, &middle),
+            parameter,
+            phases,
+            velocities,
+            times,
+            clearance,
+            admissible,
+        })
+    }
+
+    /// (T_1, psi, parameter) over `E`.
+    fn refined<E: Endpoint>(&self, family: &impl Family, periods: u32) -> Result<Cell<E, 3>, Unsettled>
+    where
+        Interval<E>: DualNum,
+    {
+        let line = || Interval::from_integer(i64::from(periods));
+        let on_line = |[middle, parameter]: Cell<E, 2>| [line(), middle, parameter];
+        let refined = match self {
+            Self::Condition(condition, root) => {
+                let condition = *condition;
+                let apart = Vec::new();
+                let system = Conditioned {
+                    family,
+                    periods,
+                    condition,
+                    apart,
+                };
+                narrowed(&system, root)
+            }
+            Self::Touch(touch, root) => {
+                let touch = *touch;
+                let system = Touching { family, periods, touch };
+                narrowed(&system, root).map(|[t_1, middle, parameter, _]| [t_1, middle, parameter])
+            }
+            Self::Crossing(root) | Self::Turn(root) => narrowed(&Symmetric { family, periods }, root).map(on_line),
+        };
+        refined.ok_or(Unsettled::Undecided {
+            what: Question::Existence,
+        })
+    }
+
+    /// The clearance, and whether the motion keeps between the walls.
+    fn kept<E: Endpoint>(
+        &self,
+        motion: &Motion<Interval<E>>,
+        phases: &[Interval<E>; 2],
+        velocities: &[Interval<E>; 2],
+        times: &[Interval<E>; 2],
+    ) -> Result<(Option<Interval<E>>, bool), Unsettled> {
+        let sides = [Side::Bottom, Side::Top];
+        let mut fixes: [Fix<Interval<E>>; 2] = std::array::from_fn(|i| Fix {
+            phase: phases[i].clone(),
+            velocity: velocities[i].clone(),
+            time: times[i].clone(),
+        });
+        if let Self::Condition(Condition::SlowImpact(_), _) = self {
+            // both impacts at once, where the motion is its own mirror image
+            for slow in [0, 1].into_iter().filter(|&impact| velocities[impact].contains_zero()) {
+                fixes[slow].velocity = Interval::from_f64(sides[slow].sign() * SLOWLY);
+                fixes[1 - slow].time -= Interval::from_f64(SHORTLY);
+            }
+        }
+        let Some(mut clearance) = clearance(&sides, motion, &fixes)? else {
+            return Ok((None, true));
+        };
+        if matches!(self, Self::Condition(Condition::SlowImpact(_), _)) {
+            clearance += Interval::new(E::from_f64(-NEARLY), E::from_f64(NEARLY));
+        }
+        if matches!(self, Self::Touch(..)) && clearance.contains_zero() {
+            return Ok((Some(Interval::from_integer(0)), true));
+        }
+        if clearance.contains_zero() {
+            let what = Question::Clearance;
+            return Err(Unsettled::Undecided { what });
+        }
+        let positive = clearance.is_positive();
+        Ok((Some(clearance), positive))
+    }
+
+    /// `None` where it is infinite.
+    fn trace<E: Endpoint>(
+        &self,
+        balance: &Balance<Interval<E>>,
+        t_1: &Interval<E>,
+        middle: &Interval<E>,
+    ) -> Option<Interval<E>> {
+        let sum = Interval::one() + balance.determinant();
+        let twice = Interval::from_integer(2) * balance.loss_factor();
+        Some(match self {
+            Self::Condition(Condition::MultiplierMinusOne, _) => -sum,
+            Self::Condition(Condition::DoublePositive, _) => twice,
+            Self::Condition(Condition::DoubleNegative, _) => -twice,
+            Self::Condition(Condition::SlowImpact(_), _) => return None,
+            Self::Touch(..) => {
+                let [v, w] = balance.scaled_velocities(t_1, middle);
+                let zero = Interval::from_integer(0);
+                balance.trace_above(&zero, t_1, middle) / (v * w)
+            }
+            _ => sum,
+        })
+    }
+}
+
+/// The root over `E`, proved again there: the only one in the box that `F` proved.
+///
+/// `None` where no box around it proves it.
+pub fn narrowed<F: Endpoint, E: Endpoint, const D: usize>(
+    system: &impl System<E, D>,
+    root: &Root<F, D>,
+) -> Option<Cell<E, D>> {
+    let proved = sharpen(system, root.enclosure.each_ref().map(|side| carried(&side.midpoint())))?;
+    let known = |side: &Interval<F>| Interval::new(carried(&side.low()), carried(&side.high()));
+    // one solution in the new box, and it lies where the old one is the only one: the same
+    let mut sides = proved.enclosure.iter().zip(&root.unique);
+    sides
+        .all(|(side, unique)| side.is_subset(&known(unique)))
+        .then_some(proved.enclosure)
+}
+
+/// A number in another type, to some thirty digits.
+fn carried<F: Endpoint, E: Endpoint>(number: &F) -> E {
+    let high = number.to_f64();
+    let low = (number.clone() - F::from_f64(high)).to_f64();
+    E::from_f64(high) + E::from_f64(low)
+}

@@ -1,0 +1,367 @@
+//! A printed value against a computed one.
+
+use super::Verdict;
+use super::computed::Value;
+use super::figures::{Figures, agreeing, power_of_ten, rounded, size};
+use crate::number::{Field, Rational};
+use num_traits::Zero;
+
+/// Places of a computed value that a message shows beyond the printed ones.
+const PLACES_BEYOND: i32 = 4;
+
+/// What a comparison finds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The agreeing digits: `-log10` of the relative difference; where the values are equal, the printed figures.
+    pub digits: Option<f64>,
+    /// Why it is not `reproduced`, in one line; empty where it is.
+    pub reason: String,
+}
+
+impl Comparison {
+    fn new(verdict: Verdict, digits: Option<f64>, reason: String) -> Self {
+        Self {
+            verdict,
+            digits,
+            reason,
+        }
+    }
+}
+
+/// Compares what is printed with what is computed, in exact decimals.
+///
+/// - A count, which CSV prints without a point, is `reproduced` where it is equal, else `wrong`.
+/// - Any other number is `reproduced` where it is within one unit of its last figure of the computed value, `rounded`
+///   where it is within one unit of the figure before, if it has one, and `wrong` otherwise.
+/// - A range `(a, b)` is `reproduced` where the computed value lies strictly within, else `wrong`.
+/// - A word is `reproduced` where the computed one is the same, else `wrong`.
+///
+/// Where the bound of the computed value leaves the verdict open, and where there is no bound, it is `undecided`.
+///
+/// # Errors
+/// A message for a person, where a number is printed and a word computed or the other way round.
+pub fn compare(printed: &str, computed: &Value) -> Result<Comparison, String> {
+    if computed.text.is_empty() {
+        let reason = "the computed value is not known: nothing is decided".to_owned();
+        return Ok(Comparison::new(Verdict::Undecided, None, reason));
+    }
+    let number = Figures::read(&computed.text);
+    // `inf` and `NaN` are what numbers may come to, not words.
+    let is_number = number.is_some() || computed.text.parse::<f64>().is_ok();
+    match (Printed::read(printed), number) {
+        (Printed::Number(printed), Some(number)) => Ok(numbers(&printed, &number.value, computed)),
+        (Printed::Range(from, to), Some(number)) => Ok(within(&from, &to, &number.value, computed)),
+        (Printed::Number(_) | Printed::Range(..), None) if is_number => {
+            let reason = format!("printed {printed}, computed {}", computed.text);
+            Ok(Comparison::new(Verdict::Wrong, Some(0.0), reason))
+        }
+        (Printed::Number(_) | Printed::Range(..), None) => Err(format!(
+            "`{printed}` is a number, and what is computed is a word: {}",
+            computed.text
+        )),
+        (Printed::Word, _) if is_number => Err(format!(
+            "`{printed}` is not a number such as 0.677449 or 5.3e-3, nor a range (a, b), and what is computed is \
+             one: {}",
+            computed.text
+        )),
+        (Printed::Word, _) => Ok(words(printed, &computed.text)),
+    }
+}
+
+/// Compares a certified value, right to its last figure, with a computed one: `reproduced` where they differ by no
+/// more than the bound of the computed one and half a unit of the last figure, else `wrong`.
+///
+/// # Errors
+/// A message for a person, where either is no number.
+pub fn certified_against(certified: &str, computed: &Value) -> Result<Comparison, String> {
+    let number = |text: &str| Figures::read(text).ok_or_else(|| format!("`{text}` is not a number"));
+    let (value, found) = (number(certified)?, number(&computed.text)?);
+    let difference = size(found.value.clone() - value.value.clone());
+    let digits = if difference.is_zero() {
+        f64::from(value.count)
+    } else {
+        agreeing(&difference, &value.value)
+    };
+    let Some(bound) = &computed.bound else {
+        let reason = "no bound of the computed value is certified: nothing is decided".to_owned();
+        return Ok(Comparison::new(Verdict::Undecided, Some(digits), reason));
+    };
+    if difference <= bound.clone() + value.unit() / Rational::from_integer(2) {
+        return Ok(Comparison::new(Verdict::Reproduced, Some(digits), String::new()));
+    }
+    let reason = format!(
+        "differs from the {} figure on, by up to {} where the bound is {}: certified {certified}, computed {}",
+        ordinal(value.first_differing(&difference)),
+        power_above(&difference),
+        power_above(bound),
+        computed.text
+    );
+    Ok(Comparison::new(Verdict::Wrong, Some(digits), reason))
+}
+
+enum Printed {
+    Number(Figures),
+    Range(Figures, Figures),
+    Word,
+}
+
+impl Printed {
+    fn read(text: &str) -> Self {
+        let range = || {
+            let (from, to) = text.strip_prefix('(')?.strip_suffix(')')?.split_once(',')?;
+            Figures::read(from.trim()).zip(Figures::read(to.trim()))
+        };
+        match (Figures::read(text), range()) {
+            (Some(figures), _) => Self::Number(figures),
+            (None, Some((from, to))) => Self::Range(from, to),
+            (None, None) => Self::Word,
+        }
+    }
+}
+
+fn words(printed: &str, computed: &str) -> Comparison {
+    if printed == computed {
+        return Comparison::new(Verdict::Reproduced, None, String::new());
+    }
+    // The audit has such a verdict too, and there as here it is never a pass.
+    if computed == Verdict::Undecided.name() {
+        return Comparison::new(
+            Verdict::Undecided,
+            None,
+            format!("printed {printed}, and nothing is decided"),
+        );
+    }
+    let reason = format!("printed {printed}, it is {computed}");
+    Comparison::new(Verdict::Wrong, None, reason)
+}
+
+fn numbers(printed: &Figures, number: &Rational, computed: &Value) -> Comparison {
+    let difference = size(number.clone() - printed.value.clone());
+    let digits = if difference.is_zero() {
+        f64::from(printed.count)
+    } else {
+        agreeing(&difference, number)
+    };
+    let shown = |value: &Rational| rounded(value, printed.places.max(0) + PLACES_BEYOND);
+    let both = format!("printed {}, computed {}", plain(printed), shown(number));
+    if !computed.text.contains(['.', 'e', 'E']) {
+        let (verdict, reason) = if difference.is_zero() {
+            (Verdict::Reproduced, String::new())
+        } else {
+            (Verdict::Wrong, format!("{both}, a count"))
+        };
+        return Comparison::new(verdict, Some(digits), reason);
+    }
+    let Some(bound) = &computed.bound else {
+        let reason = format!("no bound of the computed value is certified: nothing is decided; {both}");
+        return Comparison::new(Verdict::Undecided, Some(digits), reason);
+    };
+    let unit = printed.unit();
+    let before = unit.clone() * Rational::from_integer(10);
+    let (least, most) = (difference.clone() - bound.clone(), difference.clone() + bound.clone());
+    let has_figure_before = printed.count > 1;
+    let verdict = if most <= unit {
+        Verdict::Reproduced
+    } else if least > unit && has_figure_before && most <= before {
+        Verdict::Rounded
+    } else if least > before || (least > unit && !has_figure_before) {
+        Verdict::Wrong
+    } else {
+        Verdict::Undecided
+    };
+    let reason = match verdict {
+        Verdict::Reproduced => String::new(),
+        Verdict::Rounded => {
+            let off = rounded(&(difference / unit), 1);
+            format!("right but for the last figure, off by {off}: {both}")
+        }
+        Verdict::Undecided => format!(
+            "computed only to within {}, which leaves the verdict open; {both}",
+            power_above(bound)
+        ),
+        _ => format!(
+            "differs from the {} figure on: {both}",
+            ordinal(printed.first_differing(&difference))
+        ),
+    };
+    Comparison::new(verdict, Some(digits), reason)
+}
+
+fn within(from: &Figures, to: &Figures, number: &Rational, computed: &Value) -> Comparison {
+    let (from_text, to_text) = (plain(from), plain(to));
+    let shown = rounded(number, from.places.max(to.places).max(0) + PLACES_BEYOND);
+    let Some(bound) = &computed.bound else {
+        let reason = format!("no bound of the computed value is certified: nothing is decided; computed {shown}");
+        return Comparison::new(Verdict::Undecided, None, reason);
+    };
+    let (least, most) = (number.clone() - bound.clone(), number.clone() + bound.clone());
+    if from.value < least && most < to.value {
+        return Comparison::new(Verdict::Reproduced, None, String::new());
+    }
+    if most <= from.value || to.value <= least {
+        let reason = format!("computed {shown}, which is outside ({from_text}, {to_text})");
+        return Comparison::new(Verdict::Wrong, None, reason);
+    }
+    let reason = format!("computed {shown}, too near an end of ({from_text}, {to_text}) to tell");
+    Comparison::new(Verdict::Undecided, None, reason)
+}
+
+fn plain(figures: &Figures) -> String {
+    rounded(&figures.value, figures.places.max(0))
+}
+
+/// The power of ten at or above a small number, as `1e-9`.
+fn power_above(value: &Rational) -> String {
+    let power = (-400..=400).find(|&power| *value <= power_of_ten(power));
+    power.map_or_else(|| "more than 1e400".to_owned(), |power| format!("1e{power}"))
+}
+
+fn ordinal(number: i32) -> String {
+    let suffix = match number {
+        1 => "st",
+        2 => "nd",
+        3 => "rd",
+        _ => "th",
+    };
+    format!("{number}{suffix}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn value(text: &str, bound: &str) -> Value {
+        Value {
+            text: text.to_owned(),
+            bound: Figures::read(bound).map(|figures| figures.value),
+        }
+    }
+
+    fn verdict(printed: &str, computed: &str, bound: &str) -> Option<Verdict> {
+        compare(printed, &value(computed, bound))
+            .ok()
+            .map(|found| found.verdict)
+    }
+
+    #[test]
+    fn the_verdict_follows_the_last_printed_figure() {
+        use Verdict::{Reproduced, Rounded, Wrong};
+        for (printed, computed, wanted) in [
+            ("0.677449", "0.6774485037", Reproduced),
+            ("0.677448", "0.6774485037", Reproduced),
+            ("0.677447", "0.6774485037", Rounded),
+            ("0.677444", "0.6774485037", Rounded),
+            ("0.677438", "0.6774485037", Wrong),
+            ("0.701752", "0.7017134314", Wrong),
+            ("-0.555468", "-0.555471663", Rounded),
+            ("0.555468", "-0.555471663", Wrong),
+            ("37876.8", "37876.794", Reproduced),
+            ("37877.4", "37876.794", Rounded),
+            ("5.319e-3", "0.0053186", Reproduced),
+            ("2", "2", Reproduced),
+            ("3", "2", Wrong),
+            ("1", "0.8868720826", Reproduced),
+            ("-0.8", "-0.9038271786", Wrong),
+        ] {
+            assert_eq!(
+                verdict(printed, computed, "1e-12"),
+                Some(wanted),
+                "{printed} {computed}"
+            );
+        }
+    }
+
+    #[test]
+    fn exactly_one_unit_off_is_still_reproduced() {
+        assert_eq!(verdict("0.26", "0.25", "0"), Some(Verdict::Reproduced));
+        assert_eq!(verdict("0.26", "0.16", "0"), Some(Verdict::Rounded));
+    }
+
+    #[test]
+    fn a_reproduced_figure_changed_by_three_or_more_is_no_longer_reproduced() {
+        let computed = value("0.6774485037", "1e-12");
+        for last in 0..=9 {
+            let changed: i32 = last - 9;
+            let found = compare(&format!("0.67744{last}"), &computed).map(|found| found.verdict);
+            assert_eq!(found == Ok(Verdict::Reproduced), changed.abs() < 2, "{last}");
+        }
+    }
+
+    #[test]
+    fn what_the_bound_leaves_open_is_undecided_and_never_a_pass() {
+        assert_eq!(verdict("0.677449", "0.6774485", "1e-6"), Some(Verdict::Undecided));
+        assert_eq!(verdict("0.677449", "0.6774485", "4e-7"), Some(Verdict::Reproduced));
+        assert_eq!(verdict("0.677449", "0.6774485", ""), Some(Verdict::Undecided));
+        assert_eq!(verdict("0.677449", "", ""), Some(Verdict::Undecided));
+        assert_eq!(verdict("(0.4, 1)", "0.999999", "1e-3"), Some(Verdict::Undecided));
+        assert_eq!(verdict("proved", "undecided", "0"), Some(Verdict::Undecided));
+    }
+
+    #[test]
+    fn ranges_and_words_are_compared_as_such() {
+        assert_eq!(verdict("(0.4, 1)", "0.5", "1e-9"), Some(Verdict::Reproduced));
+        assert_eq!(verdict("(-0.2, -0.15)", "0.165", "1e-9"), Some(Verdict::Wrong));
+        assert_eq!(
+            verdict("(0.5, 1)", "0.5", "0"),
+            Some(Verdict::Wrong),
+            "the range is open"
+        );
+        assert_eq!(verdict("BTT", "BTT", "0"), Some(Verdict::Reproduced));
+        assert_eq!(verdict("BBT", "BTT", "0"), Some(Verdict::Wrong));
+        assert_eq!(verdict("0.1", "inf", "0"), Some(Verdict::Wrong));
+        assert_eq!(verdict("0.1", "NaN", "0"), Some(Verdict::Wrong));
+    }
+
+    #[test]
+    fn a_number_is_not_compared_with_a_word() {
+        let message = |printed: &str, computed: &str| compare(printed, &value(computed, "0")).err().unwrap_or_default();
+        assert!(message("abc", "0.5").contains("`abc` is not a number"));
+        assert!(message("0.5", "focus").contains("what is computed is a word: focus"));
+    }
+
+    #[test]
+    fn the_reason_says_what_to_look_at() {
+        let reason = |printed: &str, computed: &str| {
+            compare(printed, &value(computed, "1e-12")).map_or_else(|message| message, |found| found.reason)
+        };
+        assert_eq!(
+            reason("0.701752", "0.7017134314"),
+            "differs from the 5th figure on: printed 0.701752, computed 0.7017134314"
+        );
+        assert_eq!(
+            reason("-0.555468", "-0.55547166302"),
+            "right but for the last figure, off by 3.7: printed -0.555468, computed -0.555471663"
+        );
+        assert_eq!(reason("0.677449", "0.6774485037"), "");
+        assert_eq!(
+            reason("(-0.2, -0.15)", "0.165"),
+            "computed 0.165, which is outside (-0.2, -0.15)"
+        );
+    }
+
+    #[test]
+    fn a_certified_value_holds_within_the_bound_of_the_computed_one() {
+        let found = |computed: &str, bound: &str| {
+            certified_against("0.251070185389869230000000000000", &value(computed, bound)).map(|found| found.verdict)
+        };
+        assert_eq!(found("0.25107018538986923", "1e-16"), Ok(Verdict::Reproduced));
+        assert_eq!(found("0.2510701853898", "1e-12"), Ok(Verdict::Reproduced));
+        assert_eq!(found("0.2510701853898", "1e-14"), Ok(Verdict::Wrong));
+        assert_eq!(found("0.2510701853898", ""), Ok(Verdict::Undecided));
+        assert!(found("BT", "0").is_err());
+    }
+
+    #[test]
+    fn digits_are_the_agreeing_ones() {
+        let digits = |printed: &str, computed: &str| {
+            compare(printed, &value(computed, "1e-12"))
+                .ok()
+                .and_then(|found| found.digits)
+        };
+        assert!(digits("0.83272", "0.8327202251").is_some_and(|digits| (digits - 6.568).abs() < 0.01));
+        assert_eq!(digits("0.26", "0.26"), Some(2.0));
+        assert_eq!(digits("1", "-1"), Some(0.0));
+    }
+}

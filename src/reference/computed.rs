@@ -1,0 +1,312 @@
+//! A command's table as golden values see it: every field as CSV prints it, and the row that is meant.
+
+use super::figures::{Figures, power_of_ten, size};
+use super::quantity::{Extreme, FieldName, Quantity};
+use super::setting::{Selector, Setting, Wanted};
+use crate::number::{Field, Rational};
+use num_traits::Zero;
+
+/// A table with its fields as CSV prints them, so that each reads back to the same value.
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub struct Computed {
+    /// The names of the columns.
+    pub columns: Vec<String>,
+    /// The rows, each as long as the columns.
+    pub rows: Vec<Vec<String>>,
+    /// What the command has to say of its rows besides, for the reason of a row.
+    pub note: String,
+}
+
+/// A computed value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Value {
+    /// As CSV prints it; empty where it is not known.
+    pub text: String,
+    /// How far the true value may be from the text; `None` where nothing is certified. Words and counts are exact.
+    pub bound: Option<Rational>,
+}
+
+/// The columns that tell the rows of a table apart, in the order in which errors list them.
+const TELLING: [&str; 9] = [
+    "label",
+    "kind",
+    "word",
+    "periods",
+    "d",
+    "velocities",
+    "stable",
+    "admissible",
+    "verdict",
+];
+
+/// The most rows that an error lists.
+const MOST_LISTED: usize = 8;
+
+impl Computed {
+    /// The value of `quantity` in the row that `setting` names: of several, the stable admissible one; or the least
+    /// or greatest value of all rows that its selectors name.
+    ///
+    /// # Errors
+    /// A message for a person: no such column or index, no row or several (they are listed), an extreme of words.
+    pub fn value(&self, quantity: &Quantity, setting: &Setting) -> Result<Value, String> {
+        let mut rows: Vec<&Vec<String>> = self.rows.iter().collect();
+        for selector in &setting.selectors {
+            rows = self.narrow(rows, selector)?;
+        }
+        if let Some(extreme) = quantity.extreme {
+            return self.extreme(&rows, &quantity.field, extreme);
+        }
+        if rows.len() > 1 {
+            for column in ["stable", "admissible"] {
+                if let Some(index) = self.column(column) {
+                    rows.retain(|row| row.get(index).is_some_and(|field| field == "true"));
+                }
+            }
+        }
+        match rows.as_slice() {
+            [row] => self.of_row(row, &quantity.field),
+            [] => Err(format!("no row is meant; {}", self.listed(self.rows.iter()))),
+            several => Err(format!(
+                "{} rows are meant, `row.column=value` in `set` names one; {}",
+                several.len(),
+                self.listed(several.iter().copied())
+            )),
+        }
+    }
+
+    fn column(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|column| column == name)
+    }
+
+    fn narrow<'a>(&'a self, rows: Vec<&'a Vec<String>>, selector: &Selector) -> Result<Vec<&'a Vec<String>>, String> {
+        let mut found = Vec::new();
+        for row in rows {
+            // A word with fewer impacts has no such velocity: it is not the one that is meant.
+            let text = self.text(row, &selector.field, true)?;
+            let number = Figures::read(&text).map(|figures| figures.value);
+            let distance = |wanted: &Figures| number.clone().map(|number| size(number - wanted.value.clone()));
+            match &selector.wanted {
+                Wanted::Word(word) if *word == text => found.push((row, Rational::zero())),
+                Wanted::Number(wanted) => {
+                    let half = wanted.unit() / Rational::from_integer(2);
+                    found.extend(
+                        distance(wanted)
+                            .filter(|distance| *distance <= half)
+                            .map(|_| (row, Rational::zero())),
+                    );
+                }
+                Wanted::Nearest(wanted) => found.extend(distance(wanted).map(|distance| (row, distance))),
+                Wanted::Word(_) => {}
+            }
+        }
+        let least = found.iter().map(|(_, distance)| distance.clone()).min();
+        found.retain(|(_, distance)| Some(distance) == least.as_ref());
+        Ok(found.into_iter().map(|(row, _)| row).collect())
+    }
+
+    fn extreme(&self, rows: &[&Vec<String>], field: &FieldName, extreme: Extreme) -> Result<Value, String> {
+        let mut best: Option<(Rational, Value)> = None;
+        // The bound of the extreme is the worst of all: another row might be the true one.
+        let mut bound = Some(Rational::zero());
+        for row in rows {
+            let value = self.of_row(row, field)?;
+            let number = Figures::read(&value.text)
+                .ok_or_else(|| {
+                    format!(
+                        "`{}` of `{field}` is no number, and .min and .max need numbers",
+                        value.text
+                    )
+                })?
+                .value;
+            bound = bound.zip(value.bound.clone()).map(|(left, right)| left.max(right));
+            let better = best.as_ref().is_none_or(|(known, _)| match extreme {
+                Extreme::Least => number < *known,
+                Extreme::Greatest => number > *known,
+            });
+            if better {
+                best = Some((number, value));
+            }
+        }
+        best.map(|(_, value)| Value {
+            text: value.text,
+            bound,
+        })
+        .ok_or_else(|| format!("no row is meant; {}", self.listed(self.rows.iter())))
+    }
+
+    /// The field of a row as text; where `shorter` rows are allowed, an index beyond the list gives none.
+    fn text(&self, row: &[String], field: &FieldName, shorter: bool) -> Result<String, String> {
+        let column = self.column(&field.column).ok_or_else(|| {
+            format!(
+                "there is no column `{}`; there are {}",
+                field.column,
+                self.columns.join(", ")
+            )
+        })?;
+        let text = row.get(column).map_or("", String::as_str);
+        let list: Vec<&str> = text.split(';').collect();
+        match field.index {
+            None if list.len() > 1 => Err(format!(
+                "`{field}` is the list {text}; say which, from {field}[0] to {field}[{}]",
+                list.len() - 1
+            )),
+            None => Ok(text.to_owned()),
+            Some(index) => match list.get(index) {
+                Some(text) => Ok((*text).to_owned()),
+                None if shorter => Ok(String::new()),
+                None => Err(format!("there is no `{field}`: `{}` is {text}", field.column)),
+            },
+        }
+    }
+
+    fn of_row(&self, row: &[String], field: &FieldName) -> Result<Value, String> {
+        let text = self.text(row, field, false)?;
+        let certified = self.column("error_bound").and_then(|index| row.get(index));
+        let bound = bound(&text, certified.map_or("", String::as_str));
+        Ok(Value { text, bound })
+    }
+
+    fn listed<'a>(&self, rows: impl Iterator<Item = &'a Vec<String>>) -> String {
+        let telling: Vec<(usize, &str)> = TELLING
+            .iter()
+            .filter_map(|name| self.column(name).map(|index| (index, *name)))
+            .collect();
+        let mut rows: Vec<String> = rows
+            .map(|row| {
+                let fields = telling.iter().filter_map(|&(index, name)| {
+                    let field = row.get(index).filter(|field| !field.is_empty())?;
+                    Some(format!("{name}={field}"))
+                });
+                fields.collect::<Vec<_>>().join(" ")
+            })
+            .collect();
+        let left = rows.len().saturating_sub(MOST_LISTED);
+        rows.truncate(MOST_LISTED);
+        if rows.is_empty() {
+            return "the table has no rows".to_owned();
+        }
+        let more = if left > 0 {
+            format!("; and {left} more")
+        } else {
+            String::new()
+        };
+        format!("there are: {}{more}", rows.join("; "))
+    }
+}
+
+/// How far the true value may be from `text`: the certified bound of its row, and what printing it costs. Words are
+/// exact, and so are counts, which CSV prints without a point.
+fn bound(text: &str, certified: &str) -> Option<Rational> {
+    let Some(figures) = Figures::read(text) else {
+        return Some(Rational::zero());
+    };
+    if !text.contains(['.', 'e', 'E']) {
+        return Some(Rational::zero());
+    }
+    let certified = Figures::read(certified)
+        .filter(|bound| bound.value >= Rational::zero())?
+        .value;
+    // Up to 17 figures it is an f64 in its shortest form, which is within half a unit in its last place of it.
+    let of_text = if figures.count <= 17 {
+        size(figures.value) * Rational::from_integer(2).to_power(-53)
+    } else {
+        power_of_ten(-figures.places) / Rational::from_integer(2)
+    };
+    Some(certified + of_text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::records;
+    use super::*;
+
+    fn table() -> Computed {
+        let row = |fields: &[&str]| fields.iter().map(|&field| field.to_owned()).collect::<Vec<_>>();
+        Computed {
+            columns: row(&[
+                "word",
+                "periods",
+                "d",
+                "velocities",
+                "stable",
+                "admissible",
+                "error_bound",
+            ]),
+            rows: vec![
+                row(&["BT", "1", "0.26", "0.6774485;-0.5147685", "true", "true", "1e-9"]),
+                row(&["BT", "1", "0.26", "0.2;-0.05", "false", "true", "1e-9"]),
+                row(&["BTT", "1", "0.2513", "0.7;-0.5;-0.1", "true", "false", ""]),
+            ],
+            note: String::new(),
+        }
+    }
+
+    fn value(quantity: &str, set: &str) -> Result<Value, String> {
+        let text = format!("id,set\na,{set}\n");
+        let records = records::read("x.csv", &text, &["id", "set"]).map_err(|fault| fault.to_string())?;
+        let setting = Setting::read(records.first().ok_or("none")?).map_err(|fault| fault.to_string())?;
+        let quantity: Quantity = quantity.parse().map_err(|error| format!("{error}"))?;
+        table().value(&quantity, &setting)
+    }
+
+    fn text(quantity: &str, set: &str) -> String {
+        value(quantity, set).map_or_else(|message| message, |value| value.text)
+    }
+
+    #[test]
+    fn of_several_rows_the_stable_admissible_one_is_meant_unless_the_set_names_another() {
+        assert_eq!(text("orbits.velocities[0]", ""), "0.6774485");
+        assert_eq!(text("orbits.velocities[2]", "row.word=BTT"), "-0.1");
+        assert_eq!(text("orbits.velocities[1]", "row.stable=false"), "-0.05");
+        assert_eq!(text("orbits.word", "row.velocities[2]=-0.1"), "BTT");
+        assert_eq!(text("orbits.word", "row.d=0.251"), "BTT");
+        assert_eq!(text("orbits.word", "row.d=near 0.1"), "BTT");
+        assert_eq!(text("orbits.velocities[0].min", ""), "0.2");
+        assert_eq!(text("orbits.velocities[1].max", "row.word=BT"), "-0.05");
+    }
+
+    #[test]
+    fn none_or_two_rows_are_an_error_that_lists_them() {
+        let none = text("orbits.d", "row.word=BBT");
+        assert!(
+            none.starts_with("no row is meant; there are: word=BT periods=1 d=0.26"),
+            "{none}"
+        );
+        let mut doubled = table();
+        doubled.rows = vec![doubled.rows.first().cloned().unwrap_or_default(); 11];
+        let quantity: Result<Quantity, _> = "orbits.d".parse();
+        let two = quantity.map(|quantity| doubled.value(&quantity, &Setting::default()));
+        assert!(
+            matches!(&two, Ok(Err(message)) if message.starts_with("11 rows are meant") && message.ends_with("and 3 more")),
+            "{two:?}"
+        );
+    }
+
+    #[test]
+    fn columns_and_places_in_lists_are_never_guessed() {
+        assert!(text("orbits.velocity", "").contains("there are word, periods"));
+        assert!(text("orbits.velocities", "").contains("say which, from velocities[0] to velocities[1]"));
+        assert!(text("orbits.velocities[2]", "").contains("there is no `velocities[2]`"));
+        assert!(text("orbits.word.max", "").contains("need numbers"));
+        assert!(text("orbits.d", "row.speed=1").contains("no column `speed`"));
+    }
+
+    #[test]
+    fn a_value_knows_how_far_it_may_be_wrong() {
+        let bound = |quantity: &str, set: &str| value(quantity, set).ok().and_then(|value| value.bound);
+        assert_eq!(bound("orbits.velocities[0]", "row.word=BTT"), None, "nothing certified");
+        assert_eq!(
+            bound("orbits.periods", "row.word=BTT"),
+            Some(Rational::zero()),
+            "a count"
+        );
+        assert_eq!(bound("orbits.word", "row.word=BTT"), Some(Rational::zero()), "a word");
+        let certified = Figures::read("1e-9").map(|figures| figures.value);
+        assert!(bound("orbits.velocities[0]", "") > certified);
+        assert_eq!(
+            bound("orbits.velocities[0].min", ""),
+            None,
+            "one of the rows is not certified"
+        );
+    }
+}

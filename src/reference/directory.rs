@@ -1,0 +1,184 @@
+//! Where golden files lie: in the binary, or in a directory that stands alone wherever it is copied.
+
+use super::{Certified, Fault, Printed};
+use std::fs;
+use std::io;
+use std::path::{Component, Path, PathBuf};
+
+/// The file that every directory of golden values has.
+pub const PRINTED: &str = "printed.csv";
+
+/// The folder of certified values, which a directory may have.
+const REFERENCE: &str = "reference";
+
+/// The paper's own files, by their paths in `golden/paper/`.
+const BUILT_IN: &[(&str, &str)] = &[
+    (PRINTED, include_str!("../../golden/paper/printed.csv")),
+    (
+        "reference/bifurcations.csv",
+        include_str!("../../golden/paper/reference/bifurcations.csv"),
+    ),
+    (
+        "reference/orbits.csv",
+        include_str!("../../golden/paper/reference/orbits.csv"),
+    ),
+    ("equations.toml", include_str!("../../golden/paper/equations.toml")),
+];
+
+/// A directory of golden values.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Directory {
+    /// The paper's, in the binary.
+    BuiltIn,
+    /// Anyone's.
+    At(PathBuf),
+}
+
+impl Directory {
+    /// How errors name a file of it.
+    pub fn name(&self, relative: &str) -> String {
+        match self {
+            Self::BuiltIn => format!("golden/paper/{relative}"),
+            Self::At(path) => path.join(relative).display().to_string(),
+        }
+    }
+
+    /// The text of a file by its path relative to the directory.
+    ///
+    /// # Errors
+    /// A path that leads out of the directory; a file that is missing, no text, or cannot be read.
+    pub fn read(&self, relative: &str) -> Result<String, Fault> {
+        let fault = |message: String| Fault::of_file(&self.name(relative), message);
+        if !Path::new(relative)
+            .components()
+            .all(|part| matches!(part, Component::Normal(_) | Component::CurDir))
+        {
+            return Err(fault(
+                "the path leads out of the directory, which must stand alone wherever it is copied".to_owned(),
+            ));
+        }
+        match self {
+            Self::BuiltIn => {
+                let found = BUILT_IN.iter().find(|(name, _)| *name == relative);
+                let text = found.map(|(_, text)| (*text).to_owned());
+                text.ok_or_else(|| fault("there is no such built-in file".to_owned()))
+            }
+            Self::At(directory) => {
+                let bytes = fs::read(directory.join(relative)).map_err(|error| fault(self.why(relative, &error)))?;
+                String::from_utf8(bytes).map_err(|error| {
+                    let at = error.utf8_error().valid_up_to();
+                    fault(format!("it is not UTF-8 from byte {at} on; save it as UTF-8"))
+                })
+            }
+        }
+    }
+
+    fn why(&self, relative: &str, error: &io::Error) -> String {
+        match (self, error.kind()) {
+            (Self::At(directory), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) if !directory.is_dir() => {
+                format!("there is no directory {}", directory.display())
+            }
+            (_, io::ErrorKind::NotFound) if relative == PRINTED => {
+                "there is no such file; a directory of golden values has one, and it is never created".to_owned()
+            }
+            (_, io::ErrorKind::NotFound) => "there is no such file".to_owned(),
+            (_, io::ErrorKind::IsADirectory) => "it is a directory, not a file".to_owned(),
+            _ => error.to_string(),
+        }
+    }
+
+    /// The rows of `printed.csv`.
+    ///
+    /// # Errors
+    /// The file is missing, empty or makes no sense.
+    pub fn printed(&self) -> Result<Vec<Printed>, Fault> {
+        Printed::read(&self.name(PRINTED), &self.read(PRINTED)?)
+    }
+
+    /// The reference files by their paths relative to the directory, in the order of their names; none where there
+    /// is no folder `reference/`.
+    ///
+    /// # Errors
+    /// The folder cannot be listed, or has no file.
+    pub fn reference_files(&self) -> Result<Vec<String>, Fault> {
+        let directory = match self {
+            Self::BuiltIn => {
+                let names = BUILT_IN.iter().map(|(name, _)| (*name).to_owned());
+                return Ok(names.filter(|name| name.starts_with("reference/")).collect());
+            }
+            Self::At(path) => path.join(REFERENCE),
+        };
+        let fault = |message: String| Fault::of_file(&self.name(REFERENCE), message);
+        let entries = match fs::read_dir(&directory) {
+            Ok(entries) => entries,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+            Err(error) => return Err(fault(error.to_string())),
+        };
+        let mut files = Vec::new();
+        for entry in entries {
+            let name = entry.map_err(|error| fault(error.to_string()))?.file_name();
+            let name = name.to_string_lossy();
+            // Editors and --bless itself leave hidden files beside the one they write.
+            if name.ends_with(".csv") && !name.starts_with('.') {
+                files.push(format!("{REFERENCE}/{name}"));
+            }
+        }
+        if files.is_empty() {
+            return Err(fault(
+                "it has no .csv file; remove the folder, or put back what it had".to_owned(),
+            ));
+        }
+        files.sort();
+        Ok(files)
+    }
+
+    /// The rows of every reference file.
+    ///
+    /// # Errors
+    /// A file is empty or makes no sense.
+    pub fn certified(&self) -> Result<Vec<Certified>, Fault> {
+        let mut rows = Vec::new();
+        for file in self.reference_files()? {
+            // a fault names the whole path; a row the same wherever the directory is copied
+            let read = Certified::read(&self.name(&file), &self.read(&file)?)?;
+            rows.extend(read.into_iter().map(|row| Certified {
+                file: file.clone(),
+                ..row
+            }));
+        }
+        Ok(rows)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_paper_prints_at_least_twenty_five_numbers_and_words() {
+        let rows = Directory::BuiltIn.printed();
+        assert!(rows.as_ref().is_ok_and(|rows| rows.len() >= 25), "{:?}", rows.err());
+    }
+
+    #[test]
+    fn a_path_that_leads_out_of_the_directory_is_refused() {
+        let directory = Directory::At(std::env::temp_dir());
+        for path in ["../printed.csv", "/etc/hosts", "scenes/../../x"] {
+            let message = directory
+                .read(path)
+                .map_or_else(|fault| fault.to_string(), |_| String::new());
+            assert!(message.contains("leads out of the directory"), "{path}: {message}");
+        }
+    }
+
+    #[test]
+    fn a_missing_directory_and_a_missing_file_are_told_apart() {
+        let of = |path: PathBuf| {
+            Directory::At(path)
+                .printed()
+                .map_or_else(|fault| fault.to_string(), |_| String::new())
+        };
+        assert!(of(PathBuf::from("no/such/directory")).contains("there is no directory no/such/directory"));
+        assert!(of(Path::new(env!("CARGO_MANIFEST_DIR")).join("src")).contains("never created"));
+    }
+}

@@ -1,0 +1,36 @@
+//! Golden values: what a paper prints and what is certified, held against what is computed.
+//!
+//! `printed.csv` has a row for each number or word of the paper, `reference/*.csv` values with 30 digits, each made
+//! by one means and confirmed by another. Nothing here knows how a value is computed: whoever checks hands over a
+//! function that answers a [`Request`] with a table ([`Computed`]). Printed figures are compared in exact decimals.
+
+mod amplitude;
+mod bless;
+mod certified;
+mod compare;
+mod computed;
+mod directory;
+mod fault;
+mod figures;
+mod outcome;
+mod printed;
+mod quantity;
+mod records;
+mod request;
+mod setting;
+mod verdict;
+
+pub use bless::{Blessed, Change, Made, bless};
+pub use certified::{Certified, FIGURES};
+pub use compare::{Comparison, certified_against, compare};
+pub use computed::{Computed, Value};
+pub use directory::Directory;
+pub use fault::Fault;
+pub use figures::Figures;
+pub use outcome::{Outcome, check};
+pub use printed::Printed;
+pub use quantity::{Extreme, FieldName, NoQuantity, Quantity};
+pub use records::Record;
+pub use request::{Answer, Asked, Request};
+pub use setting::{Selector, Setting, Wanted};
+pub use verdict::{UnknownVerdict, Verdict};

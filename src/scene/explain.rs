@@ -1,0 +1,217 @@
+//! What a scene will have modelled, and why, in words.
+
+use super::document::Entry;
+use super::key::{self, Key};
+use super::{Over, Scene, SceneError, Want};
+use crate::orbit::Word;
+use std::fmt::Write;
+
+/// A key, and the wants that read it.
+type Reader = (&'static Key, Vec<Want>);
+
+impl Scene {
+    /// For `wants`: the command that serves each, what will be modelled, each key that is read with its reason, and
+    /// the keys that are left alone. `is_served` tells whether the program has the command.
+    ///
+    /// # Errors
+    /// As [`Scene::check`].
+    pub fn explain(&self, wants: &[Want], is_served: impl Fn(Want) -> bool) -> Result<String, SceneError> {
+        self.check(wants)?;
+        let mut text = match self.title()? {
+            Some(title) => format!("{title} ({})\n", self.name()),
+            None => format!("{}\n", self.name()),
+        };
+        let mut part = |title: &str, lines: Vec<String>| {
+            if !lines.is_empty() {
+                // Writing to a string cannot fail.
+                let _ = write!(text, "\n{title}\n  {}\n", lines.join("\n  "));
+            }
+        };
+        let wanted = wants.iter().map(|&want| {
+            let lacking = if is_served(want) {
+                ""
+            } else {
+                ", which this release lacks"
+            };
+            format!("{want}: {} (`vibro-audit {}`{lacking})", want.meaning(), want.command())
+        });
+        part("wanted", wanted.collect());
+        part("modelled", self.modelled(wants)?);
+        let readers = self.readers(wants)?;
+        let (given, defaults): (Vec<&Reader>, Vec<&Reader>) =
+            readers.iter().partition(|(key, _)| self.document.get(key).is_some());
+        part("read", given.iter().filter_map(|reader| self.told(reader)).collect());
+        let defaults: Vec<String> = defaults
+            .iter()
+            .map(|(key, wants)| {
+                Ok(format!(
+                    "{} = {}: {}, for {}",
+                    key.path(),
+                    self.default_of(key)?,
+                    key.meaning,
+                    list(wants)
+                ))
+            })
+            .collect::<Result<_, SceneError>>()?;
+        part("not given, so taken as", defaults);
+        let notes = self.notes(wants)?;
+        part(
+            "left alone, neither checked nor modelled, because nothing wanted requires it",
+            notes.iter().map(ToString::to_string).collect(),
+        );
+        Ok(text)
+    }
+
+    /// Each key that the wants read, in the order of DESIGN.
+    fn readers(&self, wants: &[Want]) -> Result<Vec<Reader>, SceneError> {
+        let mut readers: Vec<Reader> = Vec::new();
+        for &known in key::KEYS {
+            let mut by = Vec::new();
+            for &want in wants {
+                if self.needs(want)?.keys().any(|key| key == known) {
+                    by.push(want);
+                }
+            }
+            if !by.is_empty() {
+                readers.push((known, by));
+            }
+        }
+        Ok(readers)
+    }
+
+    fn told(&self, (key, wants): &Reader) -> Option<String> {
+        let Entry { shown, origin, .. } = self.document.get(key)?;
+        Some(format!(
+            "{} = {shown} ({origin}): {}, for {}",
+            key.path(),
+            key.meaning,
+            list(wants)
+        ))
+    }
+
+    fn default_of(&self, key: &'static Key) -> Result<String, SceneError> {
+        Ok(match key {
+            key if *key == key::WORDS => self.words()?.iter().map(Word::to_string).collect::<Vec<_>>().join(", "),
+            key if *key == key::MAX_PERIODS => self.max_periods()?.to_string(),
+            _ => self.digits()?.to_string(),
+        })
+    }
+
+    /// What the keys together make: the forcing, g, the scales, the sweep; and what is left out.
+    fn modelled(&self, wants: &[Want]) -> Result<Vec<String>, SceneError> {
+        let mut lines = Vec::new();
+        if wants.iter().any(|&want| want != Want::Voltage) {
+            lines.push("forcing: cos(pi t + phase), of period 2".to_string());
+        }
+        let (swept, at_rest): (Vec<Want>, Vec<Want>) = wants
+            .iter()
+            .filter(|&&want| want != Want::Voltage)
+            .partition(|&&want| matches!(want, Want::Branch | Want::Sweep));
+        let over = if swept.is_empty() { None } else { Some(self.over(None)?) };
+        let moves_g = matches!(over, Some(Over::Incline | Over::G | Over::ForcingAmplitude));
+        if !at_rest.is_empty() || (over.is_some() && !moves_g) {
+            let made = if self.has_device() {
+                ", capsule_mass gravity sin(incline) / forcing_amplitude"
+            } else {
+                ""
+            };
+            lines.push(format!("gravity: g = {:.9}{made}", self.gravity::<f64>(None)?));
+        }
+        if let (Some(over), true) = (over, moves_g) {
+            lines.push(format!("gravity along the sweep: g at each {over}"));
+        }
+        if over.is_some() {
+            let sweep = self.sweep()?;
+            let by = match sweep.points {
+                1 => String::new(),
+                _ => format!(", every {}", step(&sweep)),
+            };
+            lines.push(format!(
+                "sweep: {} from {} to {}, {} values{by}",
+                sweep.over, sweep.from, sweep.to, sweep.points
+            ));
+        }
+        if wants.contains(&Want::Voltage) {
+            lines.push("membrane: its deformation and the voltage at each impact".to_string());
+            if over == Some(Over::ForcingAmplitude) {
+                lines.push("units: of length and velocity, at each forcing_amplitude".to_string());
+            } else if let Ok(scales) = self.scales::<f64>() {
+                let (length, velocity, time) = (scales.length, scales.velocity, scales.time);
+                lines.push(format!(
+                    "units: length 1 is {length:.9} m, velocity 1 is {velocity:.9} m/s, time 1 is {time:.9} s"
+                ));
+            }
+        } else {
+            lines.push("no membrane and no units: no voltage is wanted".to_string());
+        }
+        Ok(lines)
+    }
+}
+
+/// The distance between two values of a sweep.
+fn step(sweep: &super::Sweep) -> f64 {
+    let span = sweep.to.value::<f64>() - sweep.from.value::<f64>();
+    let step = span / f64::from(sweep.points.saturating_sub(1));
+    // Rounded for the eye: .4/400 is .001, whatever f64 says.
+    format!("{step:.9e}").parse().unwrap_or(step)
+}
+
+fn list(wants: &[Want]) -> String {
+    wants.iter().map(|want| want.name()).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::find;
+    use super::*;
+
+    fn explained(name: &str, sets: &[&str], wants: &[Want]) -> String {
+        let mut scene = Scene::read(find(name).unwrap(), name).unwrap();
+        for set in sets {
+            scene.set(set).unwrap();
+        }
+        scene.explain(wants, |_| true).unwrap()
+    }
+
+    #[test]
+    fn only_what_is_wanted_is_modelled() {
+        let orbits = explained("fig03", &[], &[Want::Orbits]);
+        for words in [
+            "no membrane",
+            "g = 0.122010000",
+            "motion.d = 0.26 (line 15, column 5)",
+            "digits = 12",
+        ] {
+            assert!(orbits.contains(words), "{words}\n{orbits}");
+        }
+        let (_, left_alone) = orbits.split_once("left alone").unwrap();
+        for key in [
+            "membrane.stiffness",
+            "sweep.over",
+            "start.phase",
+            "device.angular_frequency",
+        ] {
+            assert!(left_alone.contains(key), "{key}\n{orbits}");
+        }
+        let all = explained("fig03", &[], &Want::ALL);
+        assert!(
+            all.contains("8.032128514 m/s") && all.contains("every 0.001") && !all.contains("left alone"),
+            "{all}"
+        );
+    }
+
+    #[test]
+    fn what_is_swept_is_not_read_from_its_own_key() {
+        let text = explained(
+            "fig03",
+            &["sweep.over=incline", "sweep.from=0", "sweep.to=pi/3"],
+            &[Want::Sweep],
+        );
+        assert!(text.contains("g at each incline"), "{text}");
+        let (read, left_alone) = text.split_once("left alone").unwrap();
+        assert!(
+            read.contains("motion.d = 0.26") && left_alone.contains("device.incline"),
+            "{text}"
+        );
+    }
+}

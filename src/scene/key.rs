@@ -1,0 +1,164 @@
+//! The keys a scene may have: one table of names, ranges and meanings.
+
+use super::nearest;
+
+/// A key of a scene.
+#[derive(Debug, PartialEq)]
+pub(super) struct Key {
+    /// Its section; empty for the keys above the sections.
+    pub section: &'static str,
+    pub name: &'static str,
+    pub allowed: Allowed,
+    /// What it is, with its unit.
+    pub meaning: &'static str,
+}
+
+/// What a key may hold.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Allowed {
+    Text,
+    /// A list of names, or one of them.
+    Names,
+    /// Any finite number.
+    Finite,
+    NotNegative,
+    Positive,
+    /// Above 0 and at most 1.
+    Restitution,
+    /// An integer from 1 to this.
+    Count(u32),
+}
+
+/// The most digits that can be asked for: beyond, a slip of the keyboard is likelier than a need.
+pub const MOST_DIGITS: u32 = 10_000;
+
+/// Beyond, nobody waits for the answer.
+const MOST_PERIODS: u32 = 1000;
+const MOST_POINTS: u32 = 1_000_000;
+const MOST_IMPACTS: u32 = 1_000_000_000;
+
+macro_rules! keys {
+    ($($constant:ident = $section:literal $name:literal $allowed:expr, $meaning:literal;)*) => {
+        $(pub(super) static $constant: Key = Key {
+            section: $section,
+            name: $name,
+            allowed: $allowed,
+            meaning: $meaning,
+        };)*
+        /// Every key, in the order of DESIGN.
+        pub(super) static KEYS: &[&Key] = &[$(&$constant),*];
+    };
+}
+
+keys! {
+    TITLE = "" "title" Allowed::Text, "what stands above tables and plots";
+    WANT = "" "want" Allowed::Names, "what is wanted: some of orbits, branch, impacts, sweep, trajectory, voltage";
+    WORDS = "" "words" Allowed::Names, "the impacts of one motion by wall";
+    MAX_PERIODS = "" "max_periods" Allowed::Count(MOST_PERIODS), "the most forcing periods of a motion";
+    DIGITS = "" "digits" Allowed::Count(MOST_DIGITS), "the significant digits to reach";
+    CAPSULE_MASS = "device" "capsule_mass" Allowed::Positive, "the mass of the capsule, kg";
+    FORCING_AMPLITUDE = "device" "forcing_amplitude" Allowed::Positive, "the amplitude of the force, N";
+    ANGULAR_FREQUENCY = "device" "angular_frequency" Allowed::Positive, "the angular frequency of the force, rad/s";
+    INCLINE = "device" "incline" Allowed::Finite, "the angle against the horizontal, rad";
+    GRAVITY = "device" "gravity" Allowed::NotNegative, "the acceleration of gravity, m/s²";
+    G = "motion" "g" Allowed::Finite, "gravity along the capsule in units of the forcing; [device] gives it too";
+    D = "motion" "d" Allowed::Positive, "the gap between the walls, without unit";
+    R_B = "motion" "r_b" Allowed::Restitution, "the restitution of the bottom";
+    R_T = "motion" "r_t" Allowed::Restitution, "the restitution of the top";
+    BALL_MASS = "membrane" "ball_mass" Allowed::Positive, "the mass of the ball, kg";
+    STIFFNESS = "membrane" "stiffness" Allowed::Positive, "K of the elastic force K delta^exponent, N/m^exponent";
+    EXPONENT = "membrane" "exponent" Allowed::Positive, "the exponent of the elastic force";
+    BALL_RADIUS = "membrane" "ball_radius" Allowed::Positive, "the radius of the ball, m";
+    MEMBRANE_RADIUS = "membrane" "membrane_radius" Allowed::Positive, "the radius of the undeformed membrane, m";
+    INPUT_VOLTAGE = "membrane" "input_voltage" Allowed::Positive, "the input voltage, V";
+    PHASE = "start" "phase" Allowed::Finite, "the phase of the forcing at the first impact, rad";
+    VELOCITY = "start" "velocity" Allowed::NotNegative, "the velocity just before the first impact, without unit";
+    OVER = "sweep" "over" Allowed::Text, "what is swept";
+    FROM = "sweep" "from" Allowed::Finite, "the first value";
+    TO = "sweep" "to" Allowed::Finite, "the last value";
+    POINTS = "sweep" "points" Allowed::Count(MOST_POINTS), "the number of values, both ends counted";
+    IMPACTS = "sweep" "impacts" Allowed::Count(MOST_IMPACTS), "the impacts at each value";
+    KEEP = "sweep" "keep" Allowed::Count(MOST_IMPACTS), "the last impacts at each value, which are kept";
+    BEGIN = "sweep" "start" Allowed::Text, "where each value starts from";
+}
+
+/// The sections, in the order of DESIGN.
+pub(super) const SECTIONS: [&str; 5] = ["device", "motion", "membrane", "start", "sweep"];
+
+impl Key {
+    /// The name with its section: `motion.d`.
+    pub fn path(&self) -> String {
+        match self.section {
+            "" => self.name.to_string(),
+            section => format!("{section}.{}", self.name),
+        }
+    }
+
+    /// The key of this name in a section.
+    pub fn find(section: &str, name: &str) -> Option<&'static Self> {
+        KEYS.iter()
+            .copied()
+            .find(|key| key.section == section && key.name == name)
+    }
+}
+
+/// What to write instead of a key that does not exist: the nearest name, the same name elsewhere, and all there are.
+pub(super) fn instead_of_key(section: &str, name: &str) -> String {
+    let here: Vec<&str> = KEYS
+        .iter()
+        .filter(|key| key.section == section)
+        .map(|key| key.name)
+        .collect();
+    let elsewhere = || KEYS.iter().find(|key| key.name == name);
+    let meant = match nearest(name, here.iter().copied()) {
+        Some(near) => Some(near.to_string()),
+        None => elsewhere().map(|key| key.path()),
+    };
+    let place = match section {
+        "" => "above the sections".to_string(),
+        section => format!("in [{section}]"),
+    };
+    let sections = if section.is_empty() {
+        format!("; the sections are {}", SECTIONS.join(", "))
+    } else {
+        String::new()
+    };
+    format!(
+        "{}there are, {place}: {}{sections}",
+        did_you_mean(meant.as_deref()),
+        here.join(", ")
+    )
+}
+
+/// What to write instead of a section that does not exist.
+pub(super) fn instead_of_section(name: &str) -> String {
+    let meant = nearest(name, SECTIONS);
+    format!("{}there are: {}", did_you_mean(meant), SECTIONS.join(", "))
+}
+
+/// `did you mean X? `, where there is one.
+pub(super) fn did_you_mean(meant: Option<&str>) -> String {
+    meant.map(|meant| format!("did you mean {meant}? ")).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_key_is_found_in_its_own_section_only() {
+        for &key in KEYS {
+            assert_eq!(Key::find(key.section, key.name), Some(key));
+            assert!(key.section.is_empty() || SECTIONS.contains(&key.section));
+            assert!(!key.meaning.is_empty());
+        }
+        assert!(Key::find("device", "d").is_none() && Key::find("", "").is_none());
+    }
+
+    #[test]
+    fn a_key_in_the_wrong_section_is_sent_to_the_right_one() {
+        assert!(instead_of_key("device", "ball_mass").starts_with("did you mean membrane.ball_mass? "));
+        assert!(instead_of_key("motion", "dd").starts_with("did you mean d? "));
+        assert!(instead_of_section("motoin").starts_with("did you mean motion? "));
+    }
+}

@@ -1,0 +1,45 @@
+//! Scenes: what a person wants to know, of which device and motion.
+//!
+//! A [`Scene`] is a TOML file as DESIGN's "Scenes" lays it down. What is wanted decides what is read: a section that
+//! no [`Want`] requires is neither checked nor modelled. Numbers are kept exactly as typed ([`Quantity`]), so that a
+//! scene can be evaluated over any number type.
+//!
+//! ```
+//! use vibro_audit::scene::{Scene, Want};
+//!
+//! let mut scene = Scene::read("motion = { g = 0.1, d = 0.26, r_b = 0.6, r_t = 0.3 }", "mine.toml")?;
+//! scene.set("motion.d=0.3")?;
+//! scene.check(&[Want::Orbits])?;
+//! assert_eq!(scene.motion::<f64>()?.d(), &0.3);
+//!
+//! let error = scene.check(&[Want::Voltage]).unwrap_err();
+//! assert!(error.to_string().starts_with("mine.toml: `voltage` requires membrane.ball_mass"), "{error}");
+//! # Ok::<(), vibro_audit::scene::SceneError>(())
+//! ```
+
+mod builtin;
+mod document;
+mod error;
+mod explain;
+
+mod key;
+mod nearest;
+mod need;
+mod quantity;
+#[allow(clippy::module_inception)]
+mod scene;
+mod setting;
+mod sweep;
+mod value;
+mod want;
+
+pub use builtin::{BUILT_IN, built_in, find};
+pub use error::{Origin, SceneError, SceneProblem};
+pub use key::MOST_DIGITS;
+pub use nearest::nearest;
+pub use need::Note;
+pub use quantity::{Quantity, QuantityError};
+pub use scene::{Scene, Start};
+pub use setting::Setting;
+pub use sweep::{Begin, Diagram, Over, Sweep};
+pub use want::Want;

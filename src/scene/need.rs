@@ -1,0 +1,209 @@
+//! What each want requires of a scene, and what nothing requires.
+
+use super::document::Entry;
+use super::error::{Origin, SceneError, SceneProblem};
+use super::key::{self, Key};
+use super::{Over, Scene, Want};
+use std::fmt;
+
+/// Keys that a want reads.
+pub(super) struct Need {
+    /// Those that must be there.
+    pub required: Vec<&'static Key>,
+    /// Those that have a default.
+    pub optional: Vec<&'static Key>,
+}
+
+impl Need {
+    /// Every key of it.
+    pub fn keys(&self) -> impl Iterator<Item = &'static Key> {
+        self.required.iter().chain(&self.optional).copied()
+    }
+}
+
+/// A known key that nothing requires.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Note {
+    /// The key with its section.
+    pub key: String,
+    /// Where it was given.
+    pub origin: Origin,
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} ({})", self.key, self.origin)
+    }
+}
+
+/// The keys that give g from the device, in the order of DESIGN.
+const DEVICE_G: [&Key; 4] = [
+    &key::CAPSULE_MASS,
+    &key::FORCING_AMPLITUDE,
+    &key::INCLINE,
+    &key::GRAVITY,
+];
+/// The keys that give the units of length, velocity and time.
+const SCALES: [&Key; 3] = [&key::CAPSULE_MASS, &key::FORCING_AMPLITUDE, &key::ANGULAR_FREQUENCY];
+const START: [&Key; 2] = [&key::PHASE, &key::VELOCITY];
+const RANGE: [&Key; 4] = [&key::OVER, &key::FROM, &key::TO, &key::POINTS];
+const DIAGRAM: [&Key; 3] = [&key::IMPACTS, &key::KEEP, &key::BEGIN];
+const MEMBRANE: [&Key; 6] = [
+    &key::BALL_MASS,
+    &key::STIFFNESS,
+    &key::EXPONENT,
+    &key::BALL_RADIUS,
+    &key::MEMBRANE_RADIUS,
+    &key::INPUT_VOLTAGE,
+];
+
+impl Key {
+    /// Whether g comes from this key.
+    pub(super) fn gives_g(&self) -> bool {
+        [&key::INCLINE, &key::GRAVITY, &key::G].contains(&self)
+    }
+}
+
+impl Over {
+    /// The key whose place the sweep takes.
+    pub(super) fn key(self) -> &'static Key {
+        match self {
+            Self::D => &key::D,
+            Self::RB => &key::R_B,
+            Self::RT => &key::R_T,
+            Self::Incline => &key::INCLINE,
+            Self::G => &key::G,
+            Self::ForcingAmplitude => &key::FORCING_AMPLITUDE,
+        }
+    }
+}
+
+impl Scene {
+    /// What `want` reads of this scene.
+    ///
+    /// # Errors
+    /// A sweep over something that cannot be swept.
+    pub(super) fn needs(&self, want: Want) -> Result<Need, SceneError> {
+        let swept = match want {
+            Want::Branch | Want::Sweep => Some(self.over(Some(want))?),
+            _ => None,
+        };
+        let (mut required, mut optional) = (Vec::new(), vec![&key::DIGITS]);
+        match want {
+            Want::Orbits => optional.extend([&key::WORDS, &key::MAX_PERIODS]),
+            Want::Branch => {
+                optional.extend([&key::WORDS, &key::MAX_PERIODS]);
+                required.extend(RANGE);
+            }
+            Want::Impacts | Want::Trajectory => required.extend(START),
+            Want::Sweep => {
+                required.extend(RANGE);
+                required.extend(DIAGRAM);
+                required.extend(START);
+            }
+            Want::Voltage => {
+                optional.clear();
+                required.extend(MEMBRANE);
+                // Along a sweep the scales are those of its values.
+                let is_swept = matches!(self.over(None), Ok(Over::ForcingAmplitude));
+                let given = |key: &&Key| !(is_swept && **key == key::FORCING_AMPLITUDE);
+                required.extend(SCALES.into_iter().filter(given));
+            }
+        }
+        if want != Want::Voltage {
+            required.extend(self.motion_keys(swept));
+        }
+        Ok(Need { required, optional })
+    }
+
+    /// What the motion is made of, where `swept` comes from elsewhere.
+    pub(super) fn motion_keys(&self, swept: Option<Over>) -> Vec<&'static Key> {
+        let of_device = match swept {
+            Some(Over::Incline | Over::ForcingAmplitude) => true,
+            Some(Over::G) => false,
+            _ => self.has_device(),
+        };
+        let gravity: &[&'static Key] = match (swept, of_device) {
+            (Some(Over::G), _) => &[],
+            (_, true) => &DEVICE_G,
+            (_, false) => &[&key::G],
+        };
+        let walls = [&key::D, &key::R_B, &key::R_T];
+        let replaced = swept.map(Over::key);
+        walls
+            .into_iter()
+            .chain(gravity.iter().copied())
+            .filter(|&key| Some(key) != replaced)
+            .collect()
+    }
+
+    /// Checks all that `wants` require and nothing else.
+    ///
+    /// # Errors
+    /// The first key that is lacking or holds what it may not.
+    pub fn check(&self, wants: &[Want]) -> Result<(), SceneError> {
+        for &want in wants {
+            let need = self.needs(want)?;
+            for key in &need.required {
+                self.require(key, Some(want))?;
+            }
+            for key in need.keys() {
+                self.check_key(key)?;
+            }
+            match want {
+                Want::Branch => drop(self.sweep()?),
+                Want::Sweep => {
+                    self.sweep()?;
+                    self.diagram()?;
+                }
+                _ => {}
+            }
+            if need
+                .required
+                .iter()
+                .any(|key| DEVICE_G.contains(key) || **key == key::G)
+                && want != Want::Voltage
+            {
+                self.one_gravity()?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The known keys that none of `wants` requires. They are left alone.
+    ///
+    /// # Errors
+    /// As [`Scene::check`].
+    pub fn notes(&self, wants: &[Want]) -> Result<Vec<Note>, SceneError> {
+        let unneeded = self.unneeded(wants)?;
+        Ok(unneeded
+            .into_iter()
+            .map(|(key, entry)| Note {
+                key: key.path(),
+                origin: entry.origin.clone(),
+            })
+            .collect())
+    }
+
+    fn unneeded(&self, wants: &[Want]) -> Result<Vec<(&'static Key, &Entry)>, SceneError> {
+        let mut needed = vec![&key::TITLE, &key::WANT];
+        for &want in wants {
+            needed.extend(self.needs(want)?.keys());
+        }
+        Ok(self.entries().filter(|(key, _)| !needed.contains(key)).collect())
+    }
+
+    /// What `--strict` asks: that there is no key that none of `wants` requires.
+    ///
+    /// # Errors
+    /// The first such key.
+    pub fn refuse_unneeded(&self, wants: &[Want]) -> Result<(), SceneError> {
+        match self.unneeded(wants)?.first() {
+            None => Ok(()),
+            Some((key, entry)) => {
+                let problem = SceneProblem::Unneeded(key.path());
+                Err(self.error(Some(entry.origin.clone()), problem))
+            }
+        }
+    }
+}

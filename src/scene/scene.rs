@@ -1,0 +1,348 @@
+//! A scene, read key by key as it is asked.
+
+use super::document::{Document, Entry};
+use super::error::{Origin, SceneError, SceneProblem};
+use super::key::{self, Key};
+use super::sweep::{Begin, Diagram, Over, Sweep};
+use super::value::{allowed_number, one_of};
+use super::{Quantity, Want};
+use crate::model::{Device, Motion, Scales, gravity_component};
+use crate::number::Analytic;
+use crate::orbit::{Word, WordError};
+
+/// What a person wants to know, of which device and motion.
+///
+/// The syntax and the names of sections and keys are checked when it is read, a value when it is asked for: what is
+/// not wanted may be wrong. [`Scene::check`] asks for all that some wants require.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    pub(super) document: Document,
+}
+
+/// The impact that a motion starts with: at the bottom.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Start {
+    /// The phase of the forcing, rad, as typed (not reduced).
+    pub phase: Quantity,
+    /// The velocity just before the impact, non-dimensional, not negative.
+    pub velocity: Quantity,
+}
+
+/// What stands in the place of a key along a sweep.
+pub(super) type Swept<'a> = Option<(Over, &'a Quantity)>;
+
+impl Scene {
+    /// Reads the TOML of the scene that errors call `name`.
+    ///
+    /// # Errors
+    /// Malformed TOML, an unknown section or key: with its place and what was probably meant.
+    pub fn read(text: &str, name: &str) -> Result<Self, SceneError> {
+        Document::read(text, name).map(|document| Self { document })
+    }
+
+    /// Gives one key another value, by `key=value` as `--set` has it. The value is TOML; a bare word is text.
+    ///
+    /// # Errors
+    /// An argument that is no `key=value`, an unknown key. The scene stays as it was.
+    pub fn set(&mut self, argument: &str) -> Result<(), SceneError> {
+        self.document.set(argument)
+    }
+
+    /// The file as the user gave it, `stdin`, or the name of a built-in scene.
+    pub fn name(&self) -> &str {
+        self.document.name()
+    }
+
+    /// The title, where there is one.
+    ///
+    /// # Errors
+    /// A title that is no text.
+    pub fn title(&self) -> Result<Option<&str>, SceneError> {
+        match self.document.get(&key::TITLE) {
+            None => Ok(None),
+            Some(entry) => self.text(&key::TITLE, entry).map(Some),
+        }
+    }
+
+    /// What is wanted, each once, in the order given; empty where nothing is said.
+    ///
+    /// # Errors
+    /// What is no list of wants.
+    pub fn want(&self) -> Result<Vec<Want>, SceneError> {
+        let mut wants = Vec::new();
+        for (name, entry) in self.names(&key::WANT)? {
+            let want = Want::find(name).ok_or_else(|| {
+                let known = Want::ALL.map(Want::name);
+                self.wrong(&key::WANT, entry, one_of(name, &known))
+            })?;
+            if !wants.contains(&want) {
+                wants.push(want);
+            }
+        }
+        Ok(wants)
+    }
+
+    /// What is wanted, at least one thing.
+    ///
+    /// # Errors
+    /// As [`Scene::want`], and where nothing is wanted.
+    pub fn wanted(&self) -> Result<Vec<Want>, SceneError> {
+        let entry = self.require(&key::WANT, None)?;
+        let wants = self.want()?;
+        if wants.is_empty() {
+            let allowed = format!("a list of some of {}", Want::ALL.map(Want::name).join(", "));
+            return Err(self.wrong(&key::WANT, entry, allowed));
+        }
+        Ok(wants)
+    }
+
+    /// The words of `orbits` and `branch`, each once, in the order given; BT where none is given.
+    ///
+    /// # Errors
+    /// What is no word.
+    pub fn words(&self) -> Result<Vec<Word>, SceneError> {
+        let mut words: Vec<Word> = Vec::new();
+        for (text, entry) in self.names(&key::WORDS)? {
+            let word = read_word(text).map_err(|allowed| self.wrong(&key::WORDS, entry, allowed))?;
+            if !words.contains(&word) {
+                words.push(word);
+            }
+        }
+        if words.is_empty() {
+            words.push(Word::pair());
+        }
+        Ok(words)
+    }
+
+    /// The most forcing periods of a motion, at least 1; 1 where nothing is said.
+    ///
+    /// # Errors
+    /// What is no such number.
+    pub fn max_periods(&self) -> Result<u32, SceneError> {
+        self.count_or(&key::MAX_PERIODS, 1)
+    }
+
+    /// The significant digits to reach, from 1 to [`MOST_DIGITS`](super::MOST_DIGITS); 12 where nothing is said.
+    ///
+    /// # Errors
+    /// What is no such number.
+    pub fn digits(&self) -> Result<u32, SceneError> {
+        self.count_or(&key::DIGITS, 12)
+    }
+
+    /// The motion, without unit: g from `[device]` or `motion.g`, the rest from `[motion]`.
+    ///
+    /// # Errors
+    /// A key that is lacking or out of its range, g given twice.
+    pub fn motion<T: Analytic>(&self) -> Result<Motion<T>, SceneError> {
+        self.motion_with(None)
+    }
+
+    /// The motion with the swept parameter at `value`.
+    ///
+    /// # Errors
+    /// As [`Scene::motion`], and a value that the parameter cannot have.
+    pub fn swept<T: Analytic>(&self, over: Over, value: &Quantity) -> Result<Motion<T>, SceneError> {
+        self.motion_with(Some((over, value)))
+    }
+
+    fn motion_with<T: Analytic>(&self, swept: Swept) -> Result<Motion<T>, SceneError> {
+        let g = self.gravity(swept)?;
+        let number = |key| self.value_with::<T>(key, swept);
+        Motion::new(g, number(&key::D)?, number(&key::R_B)?, number(&key::R_T)?)
+            .map_err(|error| self.error(None, error))
+    }
+
+    /// g, from wherever it comes.
+    pub(super) fn gravity<T: Analytic>(&self, swept: Swept) -> Result<T, SceneError> {
+        let number = |key| self.value_with::<T>(key, swept);
+        let keys = self.motion_keys(swept.map(|(over, _)| over));
+        if keys.iter().any(|key| key.gives_g()) {
+            self.one_gravity()?;
+        }
+        if !keys.contains(&&key::CAPSULE_MASS) {
+            return number(&key::G);
+        }
+        Ok(gravity_component(
+            number(&key::CAPSULE_MASS)?,
+            number(&key::FORCING_AMPLITUDE)?,
+            &number(&key::INCLINE)?,
+            number(&key::GRAVITY)?,
+        ))
+    }
+
+    /// The number of a key, or that of the sweep in its place.
+    fn value_with<T: Analytic>(&self, key: &'static Key, swept: Swept) -> Result<T, SceneError> {
+        let Some((over, value)) = swept.filter(|(over, _)| over.key() == key) else {
+            return Ok(self.number(key)?.value());
+        };
+        if allowed_number(key.allowed, value).is_some() {
+            let found = value.to_string();
+            return Err(self.error(None, SceneProblem::Swept { over, found }));
+        }
+        Ok(value.value())
+    }
+
+    /// The units of length, velocity and time that the device gives, and its g.
+    ///
+    /// # Errors
+    /// A key of `[device]` that is lacking or out of its range.
+    pub fn scales<T: Analytic>(&self) -> Result<Scales<T>, SceneError> {
+        self.scales_with(None)
+    }
+
+    /// The scales with the swept parameter at `value`; of all that can be swept, the forcing amplitude changes them.
+    ///
+    /// # Errors
+    /// As [`Scene::scales`], and a value that the parameter cannot have.
+    pub fn swept_scales<T: Analytic>(&self, over: Over, value: &Quantity) -> Result<Scales<T>, SceneError> {
+        self.scales_with(Some((over, value)))
+    }
+
+    fn scales_with<T: Analytic>(&self, swept: Swept) -> Result<Scales<T>, SceneError> {
+        let number = |key| self.value_with::<T>(key, swept);
+        let device = Device {
+            capsule_mass: number(&key::CAPSULE_MASS)?,
+            forcing_amplitude: number(&key::FORCING_AMPLITUDE)?,
+            angular_frequency: number(&key::ANGULAR_FREQUENCY)?,
+            incline: number(&key::INCLINE)?,
+            gravity: number(&key::GRAVITY)?,
+        };
+        let section = self.document.section("device").cloned();
+        device.scales().map_err(|error| self.error(section, error))
+    }
+
+    /// The amplitude of the force, N.
+    ///
+    /// # Errors
+    /// It is lacking or out of its range.
+    pub fn forcing_amplitude(&self) -> Result<Quantity, SceneError> {
+        self.number(&key::FORCING_AMPLITUDE)
+    }
+
+    /// The impact that a motion starts with.
+    ///
+    /// # Errors
+    /// A key of `[start]` that is lacking or out of its range.
+    pub fn start(&self) -> Result<Start, SceneError> {
+        Ok(Start {
+            phase: self.number(&key::PHASE)?,
+            velocity: self.number(&key::VELOCITY)?,
+        })
+    }
+
+    /// The values of the sweep.
+    ///
+    /// # Errors
+    /// A key of `[sweep]` that is lacking or out of its range, an end that the swept parameter cannot have, two
+    /// ends that are one although several points are asked for.
+    pub fn sweep(&self) -> Result<Sweep, SceneError> {
+        let over = self.over(None)?;
+        let [from, to] = [&key::FROM, &key::TO];
+        let sweep = Sweep {
+            over,
+            from: self.end(from, over)?,
+            to: self.end(to, over)?,
+            points: self.count(&key::POINTS)?,
+        };
+        if sweep.points > 1 && sweep.from == sweep.to {
+            let allowed = format!("other than sweep.from, where there are {} points", sweep.points);
+            return Err(self.wrong(to, self.require(to, None)?, allowed));
+        }
+        Ok(sweep)
+    }
+
+    /// What is computed and kept at each value of the sweep.
+    ///
+    /// # Errors
+    /// A key of `[sweep]` that is lacking or out of its range.
+    pub fn diagram(&self) -> Result<Diagram, SceneError> {
+        let (impacts, keep) = (self.count(&key::IMPACTS)?, self.count(&key::KEEP)?);
+        if keep > impacts {
+            let allowed = format!("at most sweep.impacts, {impacts}");
+            return Err(self.wrong(&key::KEEP, self.require(&key::KEEP, None)?, allowed));
+        }
+        let entry = self.require(&key::BEGIN, None)?;
+        let name = self.text(&key::BEGIN, entry)?;
+        let start = Begin::ALL.into_iter().find(|begin| begin.name() == name);
+        let known = Begin::ALL.map(Begin::name);
+        Ok(Diagram {
+            impacts,
+            keep,
+            start: start.ok_or_else(|| self.wrong(&key::BEGIN, entry, one_of(name, &known)))?,
+        })
+    }
+
+    /// What is swept; where `by` needs it, an error says so.
+    pub(super) fn over(&self, by: Option<Want>) -> Result<Over, SceneError> {
+        let entry = self.require(&key::OVER, by)?;
+        let name = self.text(&key::OVER, entry)?;
+        let known = Over::ALL.map(Over::name);
+        let over = Over::ALL.into_iter().find(|over| over.name() == name);
+        over.ok_or_else(|| self.wrong(&key::OVER, entry, one_of(name, &known)))
+    }
+
+    fn end(&self, end: &'static Key, over: Over) -> Result<Quantity, SceneError> {
+        let value = self.number(end)?;
+        match allowed_number(over.key().allowed, &value) {
+            None => Ok(value),
+            Some(allowed) => Err(self.wrong(end, self.require(end, None)?, format!("{allowed}, as {over} is"))),
+        }
+    }
+
+    pub(super) fn has_device(&self) -> bool {
+        self.document.has_section("device")
+    }
+
+    /// That g is not given both ways.
+    pub(super) fn one_gravity(&self) -> Result<(), SceneError> {
+        match self.document.get(&key::G) {
+            Some(entry) if self.has_device() => Err(self.error(Some(entry.origin.clone()), SceneProblem::TwoGravities)),
+            _ => Ok(()),
+        }
+    }
+
+    pub(super) fn entries(&self) -> impl Iterator<Item = (&'static Key, &Entry)> {
+        self.document.entries()
+    }
+
+    pub(super) fn error(&self, origin: Option<Origin>, problem: impl Into<SceneProblem>) -> SceneError {
+        self.document.error(origin, problem)
+    }
+}
+
+/// A word in a spelling of its own, or what is allowed: a rotation such as TB would be taken for a misprint of another.
+fn read_word(text: &str) -> Result<Word, String> {
+    let word: Word = text
+        .parse()
+        .map_err(|error: WordError| format!("words such as \"BT\" or \"BTT\": {error}"))?;
+    let one_wall = !(text.contains('B') && text.contains('T'));
+    if one_wall || (text.starts_with('B') && text.ends_with('T')) {
+        return Ok(word);
+    }
+    Err(format!(
+        "written from a bottom impact that follows a top one: \"{word}\""
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_word_starts_at_a_bottom_impact_that_follows_a_top_one() {
+        for text in ["BT", "BTT", "BBT", "BTBT", "B", "T", "TT", "BBBTTT", "BTBBT"] {
+            assert_eq!(read_word(text), Ok(text.parse().expect("a word")), "{text}");
+        }
+        for (text, wanted) in [
+            ("TB", "\"BT\""),
+            ("BTB", "\"BBT\""),
+            ("TBT", "\"BTT\""),
+            ("bt", "only B (bottom) and T (top)"),
+            ("", "as in BT or BTT"),
+            ("BTBTBTB", "at most 6"),
+        ] {
+            assert!(read_word(text).is_err_and(|allowed| allowed.contains(wanted)), "{text}");
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! The parameters of a scene's motion as typed, over any number: at one value, or along a sweep.
+
+use super::error::SceneError;
+use super::key;
+use super::sweep::Over;
+use super::{Quantity, Scene};
+use crate::model::{Motion, MotionError, gravity_component};
+use crate::number::Analytic;
+use crate::orbit::{Exact, Family, Parameters};
+use std::cmp::Ordering;
+
+/// Gravity along the capsule, as typed; `None` where that key is swept.
+// One a scene: its size is nothing.
+#[allow(clippy::large_enum_variant)]
+#[derive(Clone, Debug, PartialEq)]
+enum Gravity {
+    /// `motion.g`
+    Component(Option<Quantity>),
+    /// `[device]`
+    Device {
+        capsule_mass: Quantity,
+        forcing_amplitude: Option<Quantity>,
+        incline: Option<Quantity>,
+        gravity: Quantity,
+    },
+}
+
+/// All that a motion needs, checked; what is swept is left open.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setting {
+    over: Option<Over>,
+    gravity: Gravity,
+    d: Option<Quantity>,
+    r_b: Option<Quantity>,
+    r_t: Option<Quantity>,
+}
+
+impl Scene {
+    /// The parameters of the motion, without a sweep.
+    ///
+    /// # Errors
+    /// As [`Scene::motion`].
+    pub fn setting(&self) -> Result<Setting, SceneError> {
+        self.motion::<f64>()?;
+        self.setting_without(None)
+    }
+
+    /// The parameters of the motion along the scene's sweep.
+    ///
+    /// # Errors
+    /// As [`Scene::sweep`] and [`Scene::motion`].
+    pub fn swept_setting(&self) -> Result<Setting, SceneError> {
+        let sweep = self.sweep()?;
+        for end in [&sweep.from, &sweep.to] {
+            self.swept::<f64>(sweep.over, end)?;
+        }
+        self.setting_without(Some(sweep.over))
+    }
+
+    fn setting_without(&self, over: Option<Over>) -> Result<Setting, SceneError> {
+        let keys = self.motion_keys(over);
+        let open = |key: &'static key::Key| keys.contains(&key).then(|| self.number(key)).transpose();
+        let gravity = if keys.contains(&&key::GRAVITY) {
+            Gravity::Device {
+                capsule_mass: self.number(&key::CAPSULE_MASS)?,
+                forcing_amplitude: open(&key::FORCING_AMPLITUDE)?,
+                incline: open(&key::INCLINE)?,
+                gravity: self.number(&key::GRAVITY)?,
+            }
+        } else {
+            Gravity::Component(open(&key::G)?)
+        };
+        Ok(Setting {
+            over,
+            gravity,
+            d: open(&key::D)?,
+            r_b: open(&key::R_B)?,
+            r_t: open(&key::R_T)?,
+        })
+    }
+}
+
+impl Setting {
+    /// What is swept.
+    pub fn over(&self) -> Option<Over> {
+        self.over
+    }
+
+    /// The motion over `T`, with `swept` for what is left open.
+    fn with<T: Analytic>(&self, swept: &T) -> Result<Motion<T>, MotionError> {
+        let or_swept = |typed: &Option<Quantity>| typed.as_ref().map_or_else(|| swept.clone(), Quantity::value);
+        let g = match &self.gravity {
+            Gravity::Component(g) => or_swept(g),
+            Gravity::Device {
+                capsule_mass,
+                forcing_amplitude,
+                incline,
+                gravity,
+            } => gravity_component(
+                capsule_mass.value(),
+                or_swept(forcing_amplitude),
+                &or_swept(incline),
+                gravity.value(),
+            ),
+        };
+        Motion::new(g, or_swept(&self.d), or_swept(&self.r_b), or_swept(&self.r_t))
+    }
+
+    fn is_weightless(&self) -> bool {
+        let is_zero = |typed: &Quantity| typed.sign() == Ordering::Equal;
+        match &self.gravity {
+            Gravity::Component(g) => g.as_ref().is_some_and(is_zero),
+            Gravity::Device { incline, gravity, .. } => is_zero(gravity) || incline.as_ref().is_some_and(is_zero),
+        }
+    }
+}
+
+impl Exact for Quantity {
+    fn value<T: Analytic>(&self) -> T {
+        Self::value(self)
+    }
+}
+
+impl Parameters for Setting {
+    /// Nothing is left open where the setting came from [`Scene::setting`]; else what is swept is 0.
+    fn motion<T: Analytic>(&self) -> Result<Motion<T>, MotionError> {
+        self.with(&T::zero())
+    }
+}
+
+impl Family for Setting {
+    fn motion_at<T: Analytic>(&self, parameter: &T) -> Result<Motion<T>, MotionError> {
+        self.with(parameter)
+    }
+
+    fn is_symmetric(&self) -> bool {
+        let (Some(r_b), Some(r_t)) = (&self.r_b, &self.r_t) else {
+            return false;
+        };
+        r_b == r_t && (self.is_weightless() || r_b.compared_with_one() == Ordering::Equal)
+    }
+}

@@ -1,0 +1,137 @@
+//! One key of a scene, from what was typed to what it means.
+
+use super::document::{Entry, Value};
+use super::error::{SceneError, SceneProblem};
+use super::key::{self, Allowed, Key, did_you_mean};
+use super::{Quantity, QuantityError, Scene, Want, nearest};
+use std::cmp::Ordering;
+
+impl Scene {
+    /// What was typed for a key that `by` cannot do without.
+    pub(super) fn require(&self, key: &'static Key, by: Option<Want>) -> Result<&Entry, SceneError> {
+        self.document.get(key).ok_or_else(|| {
+            let section = self.document.section(key.section);
+            let where_to = match section {
+                _ if key.section.is_empty() => String::new(),
+                Some(_) => format!(", which [{}] lacks", key.section),
+                None => format!("; there is no section [{}]", key.section),
+            };
+            let problem = SceneProblem::Missing {
+                by,
+                key: key.path(),
+                meaning: key.meaning,
+                where_to,
+            };
+            self.error(section.cloned(), problem)
+        })
+    }
+
+    /// Checks one key by itself, where it is given.
+    pub(super) fn check_key(&self, key: &'static Key) -> Result<(), SceneError> {
+        let Some(entry) = self.document.get(key) else {
+            return Ok(());
+        };
+        match key.allowed {
+            Allowed::Text => drop(self.text(key, entry)?),
+            Allowed::Names if *key == key::WORDS => drop(self.words()?),
+            Allowed::Names => drop(self.want()?),
+            Allowed::Count(_) => drop(self.count(key)?),
+            _ => drop(self.number(key)?),
+        }
+        Ok(())
+    }
+
+    /// The number of a key.
+    pub(super) fn number(&self, key: &'static Key) -> Result<Quantity, SceneError> {
+        let entry = self.require(key, None)?;
+        let (Value::Text(typed) | Value::Number(typed)) = &entry.value else {
+            return Err(self.wrong(key, entry, QuantityError::NoNumber.to_string()));
+        };
+        let value = Quantity::read(typed).map_err(|error| self.wrong(key, entry, error.to_string()))?;
+        match allowed_number(key.allowed, &value) {
+            None => Ok(value),
+            Some(allowed) => Err(self.wrong(key, entry, allowed.to_string())),
+        }
+    }
+
+    pub(super) fn count_or(&self, key: &'static Key, default: u32) -> Result<u32, SceneError> {
+        match self.document.get(key) {
+            None => Ok(default),
+            Some(_) => self.count(key),
+        }
+    }
+
+    pub(super) fn count(&self, key: &'static Key) -> Result<u32, SceneError> {
+        let entry = self.require(key, None)?;
+        let most = match key.allowed {
+            Allowed::Count(most) => most,
+            _ => u32::MAX,
+        };
+        let number = match &entry.value {
+            Value::Number(typed) => typed.parse::<u32>().ok(),
+            _ => None,
+        };
+        number
+            .filter(|number| (1..=most).contains(number))
+            .ok_or_else(|| self.wrong(key, entry, format!("an integer from 1 to {most}")))
+    }
+
+    pub(super) fn text<'a>(&self, key: &'static Key, entry: &'a Entry) -> Result<&'a str, SceneError> {
+        match &entry.value {
+            Value::Text(text) => Ok(text),
+            _ => Err(self.wrong(key, entry, "text between quotes".to_string())),
+        }
+    }
+
+    /// The texts of a list; one alone counts as a list of one.
+    pub(super) fn names(&self, key: &'static Key) -> Result<Vec<(&str, &Entry)>, SceneError> {
+        let Some(entry) = self.document.get(key) else {
+            return Ok(Vec::new());
+        };
+        let list = match &entry.value {
+            Value::List(list) => list.iter().collect(),
+            _ => vec![entry],
+        };
+        list.into_iter()
+            .map(|item| match &item.value {
+                Value::Text(text) => Ok((text.as_str(), item)),
+                _ => Err(self.wrong(key, item, "a list of texts, as in [\"…\", \"…\"]".to_string())),
+            })
+            .collect()
+    }
+
+    pub(super) fn wrong(&self, key: &Key, entry: &Entry, allowed: String) -> SceneError {
+        let problem = SceneProblem::Value {
+            key: key.path(),
+            found: entry.shown.clone(),
+            allowed,
+        };
+        self.error(Some(entry.origin.clone()), problem)
+    }
+}
+
+/// What is allowed, where `value` is not.
+pub(super) fn allowed_number(allowed: Allowed, value: &Quantity) -> Option<&'static str> {
+    let sign = value.sign();
+    let (is_right, words) = match allowed {
+        Allowed::Positive => (sign == Ordering::Greater, "above 0"),
+        Allowed::NotNegative => (sign != Ordering::Less, "not below 0"),
+        Allowed::Restitution => (
+            sign == Ordering::Greater && value.compared_with_one() != Ordering::Greater,
+            "above 0 and at most 1",
+        ),
+        _ => (true, ""),
+    };
+    (!is_right).then_some(words)
+}
+
+/// `one of a, b`, with the nearest first where one is near.
+pub(super) fn one_of(found: &str, known: &[&str]) -> String {
+    let meant = nearest(found, known.iter().copied());
+    let hint = did_you_mean(meant);
+    let list = known.join(", ");
+    match hint.trim_end() {
+        "" => format!("one of {list}"),
+        hint => format!("one of {list} ({hint})"),
+    }
+}

@@ -1,0 +1,490 @@
+//! Golden values as their users meet them: the paper's, and a directory of one's own with everything that can be
+//! wrong about it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+const HEADER: &str = "id,place,scene,set,quantity,printed,unit,expected,rests_on,note";
+const SCENE: &str = "[device]\ncapsule_mass = 0.1245\nforcing_amplitude = 5.0\nincline = \"pi/6\"\ngravity = 9.8\n\
+                     [motion]\nd = 0.26\nr_b = 0.5\nr_t = 0.5\n";
+/// A row that holds.
+const RIGHT: &str = "g,section 2,scenes/own.toml,,motion.g,0.12201,,reproduced,forcing_amplitude,";
+
+fn check(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
+        .arg("check")
+        .args(arguments)
+        .stdin(Stdio::null())
+        .output()
+        .unwrap()
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+/// A directory of golden values of its own for each test, removed at its end.
+struct Golden(PathBuf);
+
+impl Golden {
+    fn new(name: &str, rows: &[&str]) -> Self {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("check-{name}"));
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(path.join("scenes")).unwrap();
+        let golden = Self(path);
+        golden.write("printed.csv", format!("{HEADER}\n{}\n", rows.join("\n")));
+        golden.write("scenes/own.toml", SCENE);
+        golden
+    }
+
+    /// The paper's own directory, copied.
+    fn paper(name: &str) -> Self {
+        let golden = Self::new(name, &[]);
+        copy(&Path::new(env!("CARGO_MANIFEST_DIR")).join("golden/paper"), &golden.0);
+        golden
+    }
+
+    fn write(&self, file: &str, text: impl AsRef<[u8]>) {
+        fs::write(self.0.join(file), text).unwrap();
+    }
+
+    fn path(&self) -> &str {
+        self.0.to_str().unwrap()
+    }
+
+    /// Status and rows by id: verdict, expected, reason.
+    fn verdicts(&self) -> (Option<i32>, Vec<[String; 4]>) {
+        let output = check(&[self.path(), "--format", "csv"]);
+        let text = stdout(&output);
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        let headers = reader.headers().unwrap().clone();
+        let rows = reader.records().map(|record| {
+            let record = record.unwrap();
+            ["id", "verdict", "expected", "reason"].map(|name| {
+                let index = headers.iter().position(|column| column == name).unwrap();
+                record[index].to_owned()
+            })
+        });
+        (output.status.code(), rows.collect())
+    }
+
+    /// Asserts that the directory is refused: status 2, nothing on stdout, one message that has `words`.
+    fn assert_refused(&self, words: &[&str]) {
+        assert_refused(&[self.path()], words);
+    }
+}
+
+impl Drop for Golden {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn copy(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap() {
+        let entry = entry.unwrap();
+        let target = to.join(entry.file_name());
+        if entry.path().is_dir() {
+            copy(&entry.path(), &target);
+        } else {
+            fs::copy(entry.path(), target).unwrap();
+        }
+    }
+}
+
+fn assert_refused(arguments: &[&str], words: &[&str]) {
+    let output = check(arguments);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+    assert!(output.stdout.is_empty(), "{arguments:?} printed on stdout");
+    assert!(
+        message.starts_with("error: ") && message.trim_end().lines().count() == 1,
+        "{message}"
+    );
+    assert!(!message.contains("panicked"), "{message}");
+    for word in words {
+        assert!(message.contains(word), "{arguments:?} does not say `{word}`: {message}");
+    }
+}
+
+#[test]
+fn a_directory_of_one_s_own_is_held_against_its_own_scenes() {
+    let golden = Golden::new("own", &[RIGHT]);
+    let (status, rows) = golden.verdicts();
+    assert_eq!(status, Some(0));
+    assert_eq!(rows, [["g", "reproduced", "reproduced", ""].map(str::to_owned)]);
+    golden.write("scenes/own.toml", SCENE.replace("9.8", "9.9"));
+    let (status, rows) = golden.verdicts();
+    assert_eq!(status, Some(1));
+    let reason = &rows[0][3];
+    assert!(
+        reason.starts_with(
+            "EXPECTED reproduced, IS wrong: differs from the 3rd figure on: printed 0.12201, computed 0.123255"
+        ),
+        "{reason}"
+    );
+}
+
+#[test]
+fn a_last_figure_changed_by_five_changes_verdict_and_status() {
+    for printed in ["0.12206", "0.12196"] {
+        let golden = Golden::new(&format!("five-{printed}"), &[&RIGHT.replace("0.12201", printed)]);
+        let (status, rows) = golden.verdicts();
+        assert_eq!((status, rows[0][1].as_str()), (Some(1), "rounded"), "{printed}");
+    }
+}
+
+#[test]
+fn missing_and_empty_files_are_failures_and_never_created() {
+    assert_refused(&["no/such/directory"], &["there is no directory no/such/directory"]);
+    let golden = Golden::new("missing", &[RIGHT]);
+    fs::remove_file(golden.0.join("printed.csv")).unwrap();
+    golden.assert_refused(&["printed.csv", "there is no such file", "never created"]);
+    assert!(!golden.0.join("printed.csv").exists());
+    for (text, words) in [
+        ("", "it is empty"),
+        ("\n \n", "it is empty"),
+        (HEADER, "has a header and no rows"),
+    ] {
+        golden.write("printed.csv", text);
+        golden.assert_refused(&["printed.csv", words]);
+    }
+    golden.write("printed.csv", [0xff, 0xfe, 0x00]);
+    golden.assert_refused(&["printed.csv", "not UTF-8 from byte 0"]);
+    let file = golden.0.join("scenes/own.toml");
+    assert_refused(&[file.to_str().unwrap()], &["there is no directory"]);
+    fs::remove_file(golden.0.join("printed.csv")).unwrap();
+    fs::create_dir(golden.0.join("printed.csv")).unwrap();
+    golden.assert_refused(&["it is a directory"]);
+}
+
+#[test]
+fn what_is_wrong_in_printed_csv_is_named_by_file_line_and_column() {
+    for (case, row, words) in [
+        (
+            "verdict",
+            "a,p,scenes/own.toml,,motion.g,1,,right,,",
+            vec![
+                "line 3, column `expected`",
+                "`right` is no verdict",
+                "reproduced, rounded, wrong and undetermined",
+            ],
+        ),
+        (
+            "number",
+            "a,p,scenes/own.toml,,motion.g,1.2.3,,wrong,,",
+            vec!["line 3, column `printed`", "`1.2.3` is not a number"],
+        ),
+        (
+            "nan",
+            "a,p,scenes/own.toml,,motion.g,NaN,,wrong,,",
+            vec!["column `printed`", "`NaN` is not a number"],
+        ),
+        (
+            "empty",
+            "a,p,scenes/own.toml,,motion.g,,,wrong,,",
+            vec!["column `printed`", "it is empty"],
+        ),
+        (
+            "twice",
+            "g,p,scenes/own.toml,,motion.g,1,,wrong,,",
+            vec!["line 3, column `id`", "`g` stands on line 2 already"],
+        ),
+        (
+            "short",
+            "a,p,scenes/own.toml",
+            vec!["line 3", "3 fields where the header has 10"],
+        ),
+        (
+            "quote",
+            "a,\"p,scenes/own.toml,,motion.g,1,,wrong,,",
+            vec!["line 3", "double quotes"],
+        ),
+        (
+            "column",
+            "a,p,scenes/own.toml,,motion.speed,1,,wrong,,",
+            vec!["column `quantity`", "no column `speed`", "g, d, r_b, r_t"],
+        ),
+        (
+            "quantity",
+            "a,p,scenes/own.toml,,speed,1,,wrong,,",
+            vec!["column `quantity`", "`speed` is no quantity"],
+        ),
+        (
+            "command",
+            "a,p,scenes/own.toml,,sail.d,1,,wrong,,",
+            vec!["line 3", "no command `sail`", "inferred"],
+        ),
+        (
+            "set",
+            "a,p,scenes/own.toml,d,motion.d,1,,wrong,,",
+            vec!["column `set`", "`d` is no setting"],
+        ),
+        (
+            "key",
+            "a,p,scenes/own.toml,motion.e=1,motion.d,1,,wrong,,",
+            vec!["line 3", "scenes/own.toml", "motion.e"],
+        ),
+        (
+            "value",
+            "a,p,scenes/own.toml,motion.r_b=1.5,motion.d,1,,wrong,,",
+            vec!["line 3", "1.5", "above 0 and at most 1"],
+        ),
+        (
+            "nan-value",
+            "a,p,scenes/own.toml,motion.d=nan,motion.d,1,,wrong,,",
+            vec!["line 3", "nan"],
+        ),
+        (
+            "row",
+            "a,p,scenes/own.toml,row.d=9,motion.d,1,,wrong,,",
+            vec!["column `quantity`", "no row is meant; there are: d=0.26"],
+        ),
+        (
+            "scene",
+            "a,p,scenes/other.toml,,motion.d,1,,wrong,,",
+            vec!["line 3", "scenes/other.toml", "no such file"],
+        ),
+        (
+            "name",
+            "a,p,fig99,,motion.d,1,,wrong,,",
+            vec!["line 3", "no built-in scene `fig99`"],
+        ),
+        (
+            "outside",
+            "a,p,../own.toml,,motion.d,1,,wrong,,",
+            vec!["line 3", "leads out of the directory"],
+        ),
+        (
+            "word",
+            "a,p,,row.label=9,audit.verdict,0.5,,wrong,,",
+            vec!["equations.toml", "no such file"],
+        ),
+    ] {
+        let golden = Golden::new(&format!("bad-{case}"), &[RIGHT, row]);
+        let words: Vec<&str> = words.into_iter().chain(["printed.csv"]).collect();
+        golden.assert_refused(&words);
+    }
+}
+
+#[test]
+fn another_header_is_refused_with_the_right_one() {
+    let golden = Golden::new("header", &[RIGHT]);
+    let text = format!("{HEADER}\n{RIGHT}\n");
+    golden.write("printed.csv", text.replacen("expected", "wanted", 1));
+    golden.assert_refused(&["line 1", "`wanted` and no `expected`", HEADER]);
+    golden.write("printed.csv", RIGHT);
+    golden.assert_refused(&["line 1", HEADER]);
+}
+
+#[test]
+fn a_built_in_scene_may_be_named() {
+    let golden = Golden::new("named", &[&RIGHT.replace("scenes/own.toml", "fig02")]);
+    assert_eq!(golden.verdicts().0, Some(0));
+}
+
+#[test]
+fn a_decided_claim_is_a_quantity_too() {
+    let golden = Golden::new("claim", &["a,(9),,row.label=own,audit.verdict,proved,,wrong,,"]);
+    golden.write(
+        "equations.toml",
+        "[[equation]]\nlabel = \"given\"\nrole = \"premise\"\ntex = 'd = r_B'\n\
+         [[equation]]\nlabel = \"own\"\nrole = \"claim\"\ntex = 'd = r_T'\nfollows_from = [\"given\"]\n",
+    );
+    let (status, rows) = golden.verdicts();
+    assert_eq!(status, Some(0), "{rows:?}");
+    assert_eq!(rows[0][3], "printed proved, it is refuted");
+}
+
+#[test]
+fn what_the_paper_leaves_open_is_undetermined() {
+    let golden = Golden::new(
+        "open",
+        &["a,Table 1,,,,omega,rad/s,undetermined,,Table 1 prints no frequency"],
+    );
+    let (status, rows) = golden.verdicts();
+    assert_eq!((status, rows[0][1].as_str()), (Some(0), "undetermined"));
+}
+
+#[test]
+fn reference_files_are_read_as_strictly() {
+    let golden = Golden::new("reference", &[RIGHT]);
+    fs::create_dir(golden.0.join("reference")).unwrap();
+    golden.assert_refused(&["reference", "no .csv file"]);
+    let header = "id,scene,set,quantity,value,by,confirmed_by";
+    for (text, words) in [
+        (String::new(), "it is empty"),
+        (header.to_owned(), "a header and no rows"),
+        (
+            format!("{header}\na,scenes/own.toml,,motion.g,abc,x,y\n"),
+            "column `value`: `abc` is not a number",
+        ),
+        (
+            format!("{header}\na,scenes/own.toml,,motion.g,,x,y\n"),
+            "column `value`: it is empty; `check DIR --bless`",
+        ),
+        (
+            format!("{header}\na,scenes/own.toml,,motion.g.max,1,x,y\n"),
+            "without .min or .max",
+        ),
+    ] {
+        golden.write("reference/device.csv", text);
+        golden.assert_refused(&["device.csv", words]);
+    }
+    golden.write(
+        "reference/device.csv",
+        format!("{header}\na,scenes/own.toml,,motion.g,0.122010000000000000000000000000,x,y\n"),
+    );
+    let (status, rows) = golden.verdicts();
+    assert_eq!((status, rows.len()), (Some(0), 2), "{rows:?}");
+    golden.write(
+        "reference/device.csv",
+        format!("{header}\na,scenes/own.toml,,motion.g,0.122010000001000000000000000000,x,y\n"),
+    );
+    let (status, rows) = golden.verdicts();
+    assert_eq!((status, rows[1][1].as_str()), (Some(1), "wrong"), "{rows:?}");
+}
+
+#[test]
+fn blessing_never_touches_what_is_printed() {
+    assert_refused(&["--bless"], &["name it"]);
+    let golden = Golden::new("bless", &[&RIGHT.replace("0.12201", "0.5")]);
+    let before = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+    assert_refused(
+        &[golden.path(), "--bless"],
+        &["no folder reference/", "none is created"],
+    );
+    assert_eq!(fs::read_to_string(golden.0.join("printed.csv")).unwrap(), before);
+    assert!(!golden.0.join("reference").exists());
+}
+
+#[test]
+fn junit_reports_one_test_a_row_and_other_commands_have_none() {
+    let golden = Golden::new(
+        "junit",
+        &[
+            RIGHT,
+            &RIGHT.replace("g,section", "h,section").replace("0.12201", "0.5"),
+        ],
+    );
+    let output = check(&[golden.path(), "--format", "junit"]);
+    let text = stdout(&output);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        text.contains("<testsuite name=\"vibro-audit\" tests=\"2\" failures=\"1\""),
+        "{text}"
+    );
+    assert!(
+        text.contains("<testcase name=\"g\" classname=\"section 2\"/>"),
+        "{text}"
+    );
+    assert!(
+        text.contains("<failure type=\"wrong\" message=\"EXPECTED reproduced, IS wrong: "),
+        "{text}"
+    );
+    let other = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
+        .args(["audit", "--format", "junit"])
+        .output()
+        .unwrap();
+    let message = String::from_utf8(other.stderr).unwrap();
+    assert_eq!(other.status.code(), Some(2));
+    assert!(
+        message.contains("only `check` has tests") && other.stdout.is_empty(),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_full_disk_is_an_error_and_no_partial_file() {
+    if !Path::new("/dev/full").exists() {
+        return;
+    }
+    let golden = Golden::new("full", &[RIGHT]);
+    let output = check(&[golden.path(), "--out", "/dev/full"]);
+    assert_eq!(output.status.code(), Some(2));
+}
+
+#[test]
+fn the_paper_s_values_are_all_as_expected() {
+    let output = check(&[]);
+    assert_eq!(output.status.code(), Some(0), "{}", stdout(&output));
+    let copied = Golden::paper("copy");
+    let there = check(&[copied.path()]);
+    assert_eq!(
+        stdout(&there),
+        stdout(&output),
+        "the directory stands alone wherever it is copied"
+    );
+}
+
+/// The printed text with its last figure changed by five, up or down, as the figure allows.
+fn changed(printed: &str) -> Option<String> {
+    let at = printed.rfind(|c: char| c.is_ascii_digit())?;
+    let figure: u8 = printed.as_bytes()[at] - b'0';
+    let other = if figure < 5 { figure + 5 } else { figure - 5 };
+    Some(format!("{}{other}{}", &printed[..at], &printed[at + 1..]))
+}
+
+#[test]
+fn every_reproduced_figure_changed_by_five_changes_its_row_and_the_status() {
+    let golden = Golden::paper("changed");
+    // none of the references is touched, and each costs a search
+    fs::remove_dir_all(golden.0.join("reference")).unwrap();
+    let text = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+    let (status, before) = golden.verdicts();
+    assert_eq!(status, Some(0));
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let records: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let mut tried = 0;
+    for (record, row) in records.iter().zip(before) {
+        let Some(other) = changed(&record[5]).filter(|_| row[1] == "reproduced") else {
+            continue;
+        };
+        tried += 1;
+        // The row alone, for speed: the others were as expected.
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        writer.write_record(HEADER.split(',')).unwrap();
+        let fields = record.iter().enumerate();
+        writer
+            .write_record(fields.map(|(column, field)| if column == 5 { &other } else { field }))
+            .unwrap();
+        golden.write("printed.csv", writer.into_inner().unwrap());
+        let (status, after) = golden.verdicts();
+        assert_eq!(status, Some(1), "{record:?}");
+        assert_ne!(after[0][1], "reproduced", "{record:?}");
+    }
+    assert!(tried >= 15, "only {tried} rows print a number that is reproduced");
+}
+
+#[test]
+fn a_printed_pair_changed_by_five_excludes_the_amplitude_of_the_scenes() {
+    let golden = Golden::paper("pair");
+    fs::remove_dir_all(golden.0.join("reference")).unwrap();
+    let text = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+    let amplitude = |text: String| {
+        let wanted =
+            |line: &&str| line.starts_with("id,") || line.contains("amplitude") || line.contains("row.word=BT,");
+        golden.write(
+            "printed.csv",
+            text.lines().filter(wanted).collect::<Vec<_>>().join("\n"),
+        );
+        let (_, rows) = golden.verdicts();
+        rows.into_iter().find(|row| row[0] == "table1-amplitude").unwrap()
+    };
+    let [_, verdict, _, reason] = amplitude(text.clone());
+    assert_eq!(verdict, "wrong");
+    assert!(
+        reason.contains("no other than [4.99994, 5.00006] reproduces"),
+        "{reason}"
+    );
+    for (printed, changed) in [(",0.83272,", ",0.83277,"), (",-0.514769,", ",-0.514764,")] {
+        let [_, verdict, _, reason] = amplitude(text.replacen(printed, changed, 1));
+        assert_eq!(verdict, "undecided", "{printed}: {reason}");
+        assert!(
+            reason.contains("contradict each other") || reason.contains("not the scene's 5"),
+            "{reason}"
+        );
+    }
+}
