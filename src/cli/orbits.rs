@@ -186,7 +186,10 @@ fn told(search: &Search) -> Vec<String> {
             index + 1
         ));
     }
-    lines.push(format!("{} pieces examined:", decided.len()));
+    lines.push(format!(
+        "{} pieces examined; what Krawczyk's operator cut off a piece holds no motion, and is not listed:",
+        decided.len()
+    ));
     lines.push(format!("  {:<24}{:<24}decided", "T_1", "psi"));
     for ([t_1, psi], decision) in decided {
         let span = |side: &Interval<f64>| format!("[{:.6}, {:.6}]", side.low(), side.high());

@@ -13,10 +13,10 @@ use crate::number::{Dual, Interval, seeded};
 /// Cells of a cover are at most this part of the range of each unknown, for one period of the forcing.
 const PARTS: f64 = 32.0;
 
-/// A cover that needs more cells than this for each period is refused.
+/// With so many cells none is halved any more: the cover stays one, of coarser cells.
 const MOST_CELLS: usize = 400_000;
 
-/// And of the values of the parameter, where their range is narrow.
+/// Nor are they made narrower, in the parameter, than this part of its size: a narrow range needs no parts.
 const NARROW: f64 = 0.01;
 
 /// Cells are made larger by this part of the widest there are.
@@ -52,7 +52,6 @@ impl Cover {
     pub fn new(family: &impl Family, periods: u32, range: Interval<f64>) -> Result<Self, CoverError> {
         let turn = 2.0 * std::f64::consts::PI;
         let total = 2.0 * f64::from(periods);
-        // A range of little compared with its values needs no parts of its own.
         let share = (4.0 * width(range) / PARTS).max(NARROW * range.magnitude());
         let widest = [2.0 / PARTS, turn / PARTS, share];
         let start = [

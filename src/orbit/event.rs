@@ -87,6 +87,28 @@ impl Condition {
     }
 }
 
+/// [the distance from a wall, the velocity], a time `after` into a flight, by (4) and (3); both 0 at a touch.
+///
+/// Of the flight: g and d, the walls [from, to be touched], the velocity just after the impact and its phase.
+pub(super) fn contact<T: Analytic>(
+    [g, d]: [&T; 2],
+    [from, wall]: [Side; 2],
+    launch: T,
+    phase: &T,
+    after: &T,
+) -> [T; 2] {
+    let pi = T::pi();
+    let (start_sin, start_cos) = phase.sincos();
+    let (sin, cos) = (phase.clone() + pi.clone() * after.clone()).sincos();
+    let pull = g.clone() * after.clone();
+    let carried = start_sin / pi.clone();
+    let velocity = launch.clone() + pull.clone() + sin / pi.clone() - carried.clone();
+    let moved = (launch - carried + pull * T::from_ratio(1, 2)) * after.clone() + (start_cos - cos) / (pi.clone() * pi);
+    let inwards = -from.signed(moved);
+    let distance = if wall == from { inwards } else { d.clone() - inwards };
+    [distance, velocity]
+}
+
 /// A contact of velocity 0 within a flight of a 1-1 motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Touch {
@@ -125,21 +147,8 @@ impl Touch {
             Side::Bottom => (balance.restitution(Side::Bottom), v, at_bottom),
             Side::Top => (balance.restitution(Side::Top), w, at_top),
         };
-        let launch = -(r * before);
-        let pi = T::pi();
-        let (start_sin, start_cos) = phase.sincos();
-        let (sin, cos) = (phase + pi.clone() * after.clone()).sincos();
-        let pull = balance.g().clone() * after.clone();
-        let carried = start_sin.clone() / pi.clone();
-        let velocity = launch.clone() + pull.clone() + sin / pi.clone() - carried.clone();
-        let moved = (launch - carried + pull * T::from_ratio(1, 2)) * after.clone();
-        let displacement = moved + (start_cos - cos) / (pi.clone() * pi);
-        let target = match (self.from, self.wall) {
-            (Side::Bottom, Side::Top) => -balance.d().clone(),
-            (Side::Top, Side::Bottom) => balance.d().clone(),
-            _ => T::zero(),
-        };
-        [displacement - target, velocity]
+        let walls = [self.from, self.wall];
+        contact([balance.g(), balance.d()], walls, -(r * before), &phase, after)
     }
 
     /// Whether such a contact may be, for certain `false` only where it cannot: the time must lie within the flight,

@@ -2,7 +2,7 @@
 
 use super::along::Along;
 use super::cell::Cell;
-use super::event::Event;
+use super::event::{Event, contact};
 use super::family::Family;
 use super::leap;
 use super::orbit::{Fix, links};
@@ -80,23 +80,10 @@ impl Mark {
     }
 }
 
-/// [the distance from the wall, the velocity], a time `after` into the flight from `side`.
+/// [`contact`] of the flight after an impact.
 pub(super) fn touch<T: Analytic>(motion: &Motion<T>, side: Side, fix: &Fix<T>, wall: Side, after: &T) -> [T; 2] {
-    let pi = T::pi();
     let launch = -(motion.restitution(side).clone() * fix.velocity.clone());
-    let (start_sin, start_cos) = fix.phase.sincos();
-    let (sin, cos) = (fix.phase.clone() + pi.clone() * after.clone()).sincos();
-    let pull = motion.g().clone() * after.clone();
-    let carried = start_sin / pi.clone();
-    let velocity = launch.clone() + pull.clone() + sin / pi.clone() - carried.clone();
-    let moved = (launch - carried + pull * T::from_ratio(1, 2)) * after.clone() + (start_cos - cos) / (pi.clone() * pi);
-    let inwards = -side.signed(moved);
-    let distance = if wall == side {
-        inwards
-    } else {
-        motion.d().clone() - inwards
-    };
-    [distance, velocity]
+    contact([motion.g(), motion.d()], [side, wall], launch, &fix.phase, after)
 }
 
 /// The equations of a word and those of a mark, in the phases, the parameter and, for a touch, its time.
