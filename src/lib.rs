@@ -5,6 +5,7 @@ pub mod algebra;
 pub mod claim;
 pub mod cli;
 pub mod evidence;
+pub mod impact;
 pub mod model;
 pub mod number;
 pub mod orbit;
