@@ -12,6 +12,7 @@ mod orbits;
 mod run;
 mod scene;
 mod scenes;
+mod simulate;
 mod source;
 mod trade;
 
@@ -45,6 +46,7 @@ enum Command {
     Audit(audit::Arguments),
     Orbits(orbits::Arguments),
     Branch(branch::Arguments),
+    Simulate(simulate::Arguments),
     Scenes(scenes::Arguments),
     Run(run::Arguments),
     Check(check::Arguments),
@@ -57,6 +59,7 @@ impl Command {
             Self::Audit(arguments) => audit::run(arguments, options),
             Self::Orbits(arguments) => orbits::run(arguments, options),
             Self::Branch(arguments) => branch::run(arguments, options),
+            Self::Simulate(arguments) => simulate::run(arguments, options),
             Self::Scenes(arguments) => scenes::run(arguments),
             Self::Run(arguments) => run::run(arguments, options),
             Self::Check(arguments) => check::run(arguments, options),
