@@ -4,6 +4,8 @@
 
 mod event;
 mod simulation;
+mod trajectory;
 
 pub use event::{Event, Kind};
 pub use simulation::{Simulation, Start};
+pub use trajectory::{Snapshot, Trajectory};
