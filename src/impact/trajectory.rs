@@ -385,7 +385,7 @@ mod tests {
                 prop_assert!((at.z.re.eps - at.zdot.re.re).abs() < 1e-13, "Zdot is the derivative of Z");
                 prop_assert!((at.zdot.re.eps - forcing - g).abs() < 1e-13, "Zddot = f + g");
                 let half_of = constant(&0.5);
-                let energy = at.zdot.clone() * at.zdot.clone() * half_of - constant(&g) * at.z.clone();
+                let energy = at.zdot * at.zdot * half_of - constant(&g) * at.z;
                 prop_assert!((energy.re.eps - forcing * at.zdot.re.re).abs() < 1e-13, "the power is f Zdot");
                 prop_assert!((at.ball.eps.eps + g).abs() < 1e-13, "the ball falls freely");
                 prop_assert!((at.capsule.eps.eps - forcing).abs() < 1e-13, "the capsule follows the force");
