@@ -2,10 +2,19 @@
 //!
 //! Uses `number/` and `model/`.
 
+mod chatter;
+mod course;
 mod event;
+mod expansion;
+mod flight;
+mod growth;
+mod meeting;
+mod scaled;
 mod simulation;
+mod swing;
 mod trajectory;
 
 pub use event::{Event, Kind};
-pub use simulation::{Simulation, Start};
+pub use growth::Growth;
+pub use simulation::{LISTED, Simulation, Start};
 pub use trajectory::{Snapshot, Trajectory};
