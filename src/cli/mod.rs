@@ -9,14 +9,16 @@ mod failure;
 mod golden;
 mod options;
 mod orbits;
+mod progress;
 mod run;
 mod scene;
 mod scenes;
 mod source;
+mod sweep;
 mod trade;
 mod trajectory;
 
-pub use answer::{Answer, Content};
+pub use answer::{Answer, Content, Rows};
 pub use exit::Exit;
 pub use failure::Failure;
 pub use options::Options;
@@ -46,6 +48,7 @@ enum Command {
     Audit(audit::Arguments),
     Orbits(orbits::Arguments),
     Branch(branch::Arguments),
+    Sweep(sweep::Arguments),
     Trajectory(trajectory::Arguments),
     Scenes(scenes::Arguments),
     Run(run::Arguments),
@@ -59,6 +62,7 @@ impl Command {
             Self::Audit(arguments) => audit::run(arguments, options),
             Self::Orbits(arguments) => orbits::run(arguments, options),
             Self::Branch(arguments) => branch::run(arguments, options),
+            Self::Sweep(arguments) => sweep::run(arguments, options),
             Self::Trajectory(arguments) => trajectory::run(arguments, options),
             Self::Scenes(arguments) => scenes::run(arguments),
             Self::Run(arguments) => run::run(arguments, options),
@@ -113,8 +117,7 @@ fn run_line(line: &Line) -> Result<Exit, Failure> {
     let output = line.command.output(&line.options);
     output.check()?;
     let answer = line.command.run(&line.options)?;
-    answer.write(&output, &line.options)?;
-    Ok(answer.exit)
+    answer.write(&output, &line.options)
 }
 
 #[cfg(test)]

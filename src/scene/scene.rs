@@ -316,6 +316,10 @@ impl Scene {
         self.document.has_section("device")
     }
 
+    pub(super) fn has_membrane(&self) -> bool {
+        self.document.has_section("membrane")
+    }
+
     /// That g is not given both ways.
     pub(super) fn one_gravity(&self) -> Result<(), SceneError> {
         match self.document.get(&key::G) {
