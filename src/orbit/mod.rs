@@ -48,6 +48,7 @@ mod unsettled;
 mod wanted;
 mod word;
 
+pub use crate::model::{Exact, Parameters};
 pub use attractor::{Attractor, LONGEST_WORD, SETTLED};
 pub use balance::Balance;
 pub use bifurcation::{Bifurcations, CROSSING, Located, bifurcations};
@@ -59,7 +60,7 @@ pub use cover::{Cover, CoverError};
 pub use cycle::{Cycle, search, search_from};
 pub use equations::{Conditioned, Symmetric, Touching};
 pub use event::{Condition, Event, Touch};
-pub use family::{Exact, Family, Fixed, Parameters};
+pub use family::{Family, Fixed};
 pub use find::{Found, Open, Proved, find, find_as};
 pub use follow::Followed;
 pub use instant::{Enclosed, Instant, narrowed};

@@ -12,6 +12,13 @@ struct Row<'a> {
     figures: Figures,
 }
 
+impl<'a> Row<'a> {
+    fn read(value: &'a Value) -> Result<Self, String> {
+        let figures = Figures::read(&value.text).ok_or_else(|| format!("`{}` is no number", value.text))?;
+        Ok(Self { value, figures })
+    }
+}
+
 /// What is asked of the values of rows, in the order of their table.
 ///
 /// A trend is what is certain of it: `neither` where one value is certainly above the next and another one below it,
@@ -20,12 +27,7 @@ struct Row<'a> {
 /// # Errors
 /// A message for a person: no row, a value that is no number, a trend of one row.
 pub fn across(asked: Across, values: &[Value]) -> Result<Value, String> {
-    let read = |value| {
-        let Value { text, .. } = value;
-        let figures = Figures::read(text).ok_or_else(|| format!("`{text}` is no number"))?;
-        Ok(Row { value, figures })
-    };
-    let rows: Vec<Row> = values.iter().map(read).collect::<Result<_, String>>()?;
+    let rows: Vec<Row> = values.iter().map(Row::read).collect::<Result<_, String>>()?;
     let least = rows.iter().min_by(|a, b| a.figures.value.cmp(&b.figures.value));
     let greatest = rows.iter().max_by(|a, b| a.figures.value.cmp(&b.figures.value));
     let (Some(least), Some(greatest)) = (least, greatest) else {
