@@ -1,6 +1,6 @@
 //! What golden rows ask for, answered by the commands themselves.
 
-use super::{Content, Failure, Options, audit, branch, orbits};
+use super::{Content, Failure, Options, audit, branch, orbits, simulate, sweep, trajectory, voltage};
 use crate::number::{Analytic, Decimals, Field, Wide};
 use crate::reference::{Computed, Directory, Made, Quantity, Request, Setting};
 use crate::report::{Cell, Table};
@@ -8,8 +8,20 @@ use crate::scene::{self, Scene};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
-/// The commands whose columns a golden row may name. `motion` is the scene's own: its parameters and units.
-const KNOWN: [&str; 5] = ["audit", "branch", "inferred", "motion", "orbits"];
+/// The commands whose columns a golden row may name. `motion` is the scene's own: its parameters and units; `summary` is
+/// `sweep --summary`; `voltage` are the certified orbits along the sweep with their voltages.
+const KNOWN: [&str; 10] = [
+    "audit",
+    "branch",
+    "inferred",
+    "motion",
+    "orbits",
+    "simulate",
+    "summary",
+    "sweep",
+    "trajectory",
+    "voltage",
+];
 
 /// The columns of `motion`: the parameters without unit, where the walls are, and the device's amplitude and units.
 const MOTION: [&str; 11] = [
@@ -35,6 +47,9 @@ const MOTION_BOUND: f64 = 1e-30;
 /// The figures in which references are made: more than the 30 that are kept.
 const MADE: Decimals = Decimals(40);
 
+/// The figures of voltages: all that f64 tells and a few more.
+const TOLD: usize = 20;
+
 /// What makes references, and what confirms them.
 const FIRST_MEANS: &str = "proved enclosure";
 const SECOND_MEANS: &str = "return map";
@@ -54,6 +69,11 @@ pub fn answer(directory: &Directory, request: &Request, options: &Options) -> Re
         "motion" => motion(&scene(directory, request)?)?,
         "orbits" => orbits::table(&scene(directory, request)?, options)?,
         "branch" => branch::table(&scene(directory, request)?, options)?,
+        "sweep" => sweep::table(&scene(directory, request)?, options)?,
+        "summary" => sweep::summary(&scene(directory, request)?, options)?,
+        "simulate" => simulate::table(&scene(directory, request)?, options)?,
+        "trajectory" => trajectory::table(&scene(directory, request)?, options)?,
+        "voltage" => voltages(&scene(directory, request)?)?,
         command => return Err(no_answer(command)),
     };
     Ok(as_text(&table))
@@ -109,9 +129,10 @@ fn twice(directory: &Directory, request: &Request) -> Result<[Computed; 2], Fail
     let tables = match request.command.as_str() {
         "orbits" => orbits::twice(&scene, MADE)?,
         "branch" => branch::twice(&scene, MADE)?,
+        "voltage" => voltage::twice(&scene, MADE)?,
         command => {
             let found = command.to_owned();
-            let known = vec!["branch", "orbits"];
+            let known = vec!["branch", "orbits", "voltage"];
             return Err(Failure::NoAnswer { found, known });
         }
     };
@@ -152,8 +173,16 @@ fn verdicts(directory: &Directory, request: &Request) -> Result<Table, Failure> 
     let answer = audit::verdicts(&directory.read(sheet)?, &directory.name(sheet))?;
     match answer.content {
         Content::Table(table) => Ok(table),
+        Content::Rows(rows) => rows.table(),
         Content::Text(_) => Ok(Table::default()),
     }
+}
+
+/// The voltages of the certified orbits, to the digits of the scene where these are more than [`TOLD`].
+fn voltages(scene: &Scene) -> Result<Table, Failure> {
+    let figures = (scene.digits()? as usize).max(TOLD);
+    let [first, _] = voltage::twice(scene, Decimals(figures))?;
+    Ok(first)
 }
 
 /// The scene's own numbers. What it does not give, such as units without a frequency, stays empty.

@@ -9,14 +9,18 @@ mod failure;
 mod golden;
 mod options;
 mod orbits;
+mod progress;
 mod run;
 mod scene;
 mod scenes;
 mod simulate;
 mod source;
+mod sweep;
 mod trade;
+mod trajectory;
+mod voltage;
 
-pub use answer::{Answer, Content};
+pub use answer::{Answer, Content, Rows};
 pub use exit::Exit;
 pub use failure::Failure;
 pub use options::Options;
@@ -47,6 +51,8 @@ enum Command {
     Orbits(orbits::Arguments),
     Branch(branch::Arguments),
     Simulate(simulate::Arguments),
+    Sweep(sweep::Arguments),
+    Trajectory(trajectory::Arguments),
     Scenes(scenes::Arguments),
     Run(run::Arguments),
     Check(check::Arguments),
@@ -60,6 +66,8 @@ impl Command {
             Self::Orbits(arguments) => orbits::run(arguments, options),
             Self::Branch(arguments) => branch::run(arguments, options),
             Self::Simulate(arguments) => simulate::run(arguments, options),
+            Self::Sweep(arguments) => sweep::run(arguments, options),
+            Self::Trajectory(arguments) => trajectory::run(arguments, options),
             Self::Scenes(arguments) => scenes::run(arguments),
             Self::Run(arguments) => run::run(arguments, options),
             Self::Check(arguments) => check::run(arguments, options),
@@ -113,8 +121,7 @@ fn run_line(line: &Line) -> Result<Exit, Failure> {
     let output = line.command.output(&line.options);
     output.check()?;
     let answer = line.command.run(&line.options)?;
-    answer.write(&output, &line.options)?;
-    Ok(answer.exit)
+    answer.write(&output, &line.options)
 }
 
 #[cfg(test)]

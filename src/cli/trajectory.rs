@@ -1,0 +1,233 @@
+//! `vibro-audit trajectory SCENE [--samples N] [--until T | --impacts N]`.
+
+use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
+use crate::impact::{Event, Extent, History, Row, Snapshot, Trajectory, history};
+use crate::model::Scales;
+use crate::report::{Cell, Table};
+use crate::scene::{Scene, Want};
+use std::f64::consts::PI;
+use std::str::FromStr;
+
+/// The samples where none are named.
+const SAMPLES: u32 = 1001;
+/// The paper's t_final: "the codes are run again with t_final = 10".
+const UNTIL: f64 = 10.0;
+
+/// The motion between the impacts, at evenly spaced times, without unit and in SI
+///
+/// z and zdot are the ball's against the capsule: z = d/2 at the bottom, -d/2 at the top. capsule is the middle of the
+/// capsule and ball = capsule - z the ball, in the frame in which the capsule swings about 0; the columns in SI follow,
+/// empty where [device] does not give the units. energy is zdot²/2 - g z, that of the ball against the capsule, and
+/// ball_energy its energy in the frame at rest. At an impact the velocity is that before it.
+#[derive(Debug, clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// How many times, both ends counted
+    #[arg(long, value_name = "N", default_value_t = SAMPLES, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+    samples: u32,
+    /// The last time; the forcing period is 2. The default is the paper's t_final [default: 10]
+    #[arg(long, value_name = "T", conflicts_with = "impacts")]
+    until: Option<Duration>,
+    /// The last time is that of this impact, the start counted as the first
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    impacts: Option<u32>,
+}
+
+/// The digits that every event has where none are asked for, and the most that f64 shows.
+const DIGITS: u32 = 6;
+const MOST: u32 = 15;
+
+/// Where the samples end.
+#[derive(Clone, Copy, Debug)]
+enum End {
+    Time(f64),
+    /// The time of this impact, from 1.
+    Impact(u32),
+}
+
+/// A time that can be waited for.
+#[derive(Clone, Copy, Debug)]
+struct Duration(f64);
+
+impl FromStr for Duration {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let time = text.parse().ok().filter(|&time: &f64| time > 0.0 && time.is_finite());
+        time.map(Self).ok_or("a finite number above 0 is needed")
+    }
+}
+
+/// The columns that scripts rely on, then the same in SI, then energies over the mass of the ball, without
+/// unit, and the digits of the event before.
+const COLUMNS: [&str; 14] = [
+    "time",
+    "phase",
+    "z",
+    "zdot",
+    "capsule",
+    "ball",
+    "time_s",
+    "z_m",
+    "zdot_m_s",
+    "capsule_m",
+    "ball_m",
+    "energy",
+    "ball_energy",
+    "digits",
+];
+
+/// Runs the command.
+pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
+    let scene = arguments.scene.load_for(&[Want::Trajectory])?;
+    let until = arguments.until.map_or(UNTIL, |Duration(time)| time);
+    let end = arguments.impacts.map_or(End::Time(until), End::Impact);
+    Ok(Answer {
+        content: Content::Table(sampled(&scene, options, end, arguments.samples)?),
+        exit: Exit::AsExpected,
+    })
+}
+
+/// The table of a scene, as far and as fine as without options.
+pub fn table(scene: &Scene, options: &Options) -> Result<Table, Failure> {
+    sampled(scene, options, End::Time(UNTIL), SAMPLES)
+}
+
+fn sampled(scene: &Scene, options: &Options, end: End, samples: u32) -> Result<Table, Failure> {
+    let history = events(scene, options, end)?;
+    let last = history.rows.back().map_or(0.0, |row| row.time);
+    let until = match end {
+        End::Time(time) => time,
+        End::Impact(_) => last,
+    };
+    let first = history.rows.front().map_or(0.0, |row| row.phase);
+    let motion = scene.motion::<f64>()?;
+    let g = *motion.g();
+    let mut trajectory = Trajectory::new(motion, history.rows.iter().map(|row| event(row, first)));
+    let units = units(scene);
+    let mut table = Table::new(COLUMNS);
+    for index in 0..samples {
+        let time = sample(index, samples, until);
+        let Some(snapshot) = trajectory.at(&time) else {
+            note(&format!(
+                "rounding hides what happens at time {last}; what follows is not known"
+            ));
+            break;
+        };
+        let mut cells = row(&snapshot, units, g);
+        let before = history.rows.partition_point(|row| row.time < time).saturating_sub(1);
+        cells.push(Cell::from(history.rows.get(before).map(|row| i64::from(row.digits))));
+        table.push(cells)?;
+    }
+    Ok(table)
+}
+
+/// The events up to the end, in numbers wide enough for them.
+fn events(scene: &Scene, options: &Options, end: End) -> Result<History<f64>, Failure> {
+    let (impacts, until) = match end {
+        End::Time(time) => (u64::MAX, time),
+        End::Impact(count) => (u64::from(count), f64::INFINITY),
+    };
+    let extent = Extent {
+        impacts,
+        until,
+        last: usize::MAX,
+        digits: options
+            .digits
+            .or(scene.asked_digits()?)
+            .map_or(DIGITS, |digits| digits.min(MOST)),
+    };
+    let history = history(&scene.setting()?, &scene.start()?, &extent)?;
+    if let Some(event) = history.lost_at {
+        note(&format!(
+            "from event {event} on no digit holds: what follows tells how such a motion goes on, not how this one does"
+        ));
+    }
+    if let End::Impact(count) = end
+        && history.has_ended
+    {
+        note(&format!(
+            "there are not {count} impacts: the last row is at the last event"
+        ));
+    }
+    Ok(history)
+}
+
+/// An event with its turn of the forcing, counted from that of the first event, of phase `first`.
+fn event(row: &Row<f64>, first: f64) -> Event<f64> {
+    Event {
+        kind: row.kind,
+        side: row.side,
+        turns: ((row.time - (row.phase - first) / PI) / 2.0).round() as i64,
+        phase: row.phase,
+        velocity: row.velocity,
+    }
+}
+
+/// The units of time, Z, Zdot, X and x; none where the device does not give them.
+fn units(scene: &Scene) -> Option<[f64; 5]> {
+    let scales = scene.scales::<f64>();
+    if let Err(error) = &scales {
+        note(&format!("the columns in SI are empty: {error}"));
+    }
+    let Scales {
+        length, velocity, time, ..
+    } = scales.ok()?;
+    Some([time, length, velocity, length, length])
+}
+
+/// The time of a sample; the last is `until` to every digit.
+fn sample(index: u32, samples: u32, until: f64) -> f64 {
+    if samples < 2 {
+        return 0.0;
+    }
+    let steps = f64::from(samples - 1);
+    if index == samples - 1 {
+        until
+    } else {
+        until * (f64::from(index) / steps)
+    }
+}
+
+fn row(snapshot: &Snapshot<f64>, units: Option<[f64; 5]>, g: f64) -> Vec<Cell> {
+    let Snapshot {
+        time,
+        phase,
+        z,
+        zdot,
+        capsule,
+        ball,
+    } = *snapshot;
+    let mut cells: Vec<Cell> = [time, phase, z, zdot, capsule, ball].map(Cell::from).into();
+    let of_unit =
+        |index: usize, value: f64| Cell::from(units.and_then(|units| units.get(index).map(|unit| unit * value)));
+    let values = [time, z, zdot, capsule, ball].into_iter().enumerate();
+    cells.extend(values.map(|(index, value)| of_unit(index, value)));
+    // Xdot is F_1, of zero mean in this frame
+    let falling = phase.sin() / PI - zdot;
+    let energies = [0.5 * zdot * zdot - g * z, 0.5 * falling * falling + g * ball];
+    cells.extend(energies.map(Cell::from));
+    cells
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_reach_from_end_to_end() {
+        let times: Vec<f64> = (0..5).map(|index| sample(index, 5, 10.0)).collect();
+        assert_eq!(times, [0.0, 2.5, 5.0, 7.5, 10.0]);
+        let until = 0.1 + 0.7;
+        assert_eq!(sample(6, 7, until), until);
+        assert_eq!(sample(0, 1, until), 0.0);
+    }
+
+    #[test]
+    fn a_time_that_cannot_be_waited_for_is_refused() {
+        for text in ["0", "-1", "NaN", "inf", "ten", ""] {
+            assert!(text.parse::<Duration>().is_err(), "{text}");
+        }
+    }
+}
