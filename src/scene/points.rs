@@ -2,8 +2,8 @@
 
 use super::sweep::{Begin, Diagram, Sweep};
 use super::{Quantity, Scene, SceneError, Setting, Want};
-use crate::impact::{Event, Growth, Kind, Simulation, Start};
-use crate::model::{Membrane, Motion, Side};
+use crate::impact::{Event, Growth, Kind, Origin, Start, Widening};
+use crate::model::{Membrane, Motion};
 use crate::orbit::{Family, Parameters, Settled, lyapunov};
 use rayon::prelude::*;
 use std::vec::IntoIter;
@@ -27,7 +27,7 @@ pub struct Point {
     pub voltages: Option<Vec<f64>>,
     /// The mean (7) of U_k over [`Point::counted`], V; none where no voltage is modelled, or there is no impact.
     pub mean_voltage: Option<f64>,
-    /// How far the last impact can be relied on; none where that is not asked for ([`Points::with_growth`]).
+    /// How far the last impact can be relied on; none where that is not asked for ([`Points::with_reliance`]).
     pub reliance: Option<Reliance>,
 }
 
@@ -96,19 +96,14 @@ impl Scene {
     pub fn points(&self) -> Result<Points, SceneError> {
         let wants = self.wants_of_sweep()?;
         self.check(&wants)?;
-        let start = self.start()?;
         let membrane = wants.contains(&Want::Voltage).then(|| self.membrane()).transpose()?;
         Ok(Points {
             sweep: self.sweep()?,
             diagram: self.diagram()?,
             setting: self.swept_setting()?,
-            start: Start {
-                side: Side::Bottom,
-                phase: start.phase.value(),
-                velocity: start.velocity.value(),
-            },
+            start: self.start()?.start(),
             membrane,
-            with_growth: false,
+            with_reliance: false,
             scene: self.clone(),
             next: 0,
             block: Vec::new().into_iter(),
@@ -126,7 +121,7 @@ pub struct Points {
     setting: Setting,
     start: Start<f64>,
     membrane: Option<Membrane<f64>>,
-    with_growth: bool,
+    with_reliance: bool,
     next: u32,
     block: IntoIter<Result<Point, SceneError>>,
     /// Where the motion at the value before came to, where the next one follows it.
@@ -134,10 +129,10 @@ pub struct Points {
 }
 
 impl Points {
-    /// The same points, each with its [`Reliance`]; for some more time.
-    pub fn with_growth(self) -> Self {
+    /// The same points, each with its [`Reliance`]; for up to twice the time.
+    pub fn with_reliance(self) -> Self {
         Self {
-            with_growth: true,
+            with_reliance: true,
             ..self
         }
     }
@@ -153,14 +148,11 @@ impl Points {
         let motion = self.setting.fixed(&value).motion::<f64>();
         let motion = motion.map_err(|error| self.scene.error(None, error))?;
         let start = before.map_or_else(|| self.start.clone(), Start::from);
-        let mut simulation = Simulation::new(&motion, &start);
-        if self.with_growth {
-            simulation = simulation.with_growth();
-        }
+        let mut events = Widening::new(&motion, &start);
         let impacts = self.diagram.impacts;
-        let settled = Settled::after(simulation.by_ref(), impacts, self.diagram.keep);
-        let reliance = simulation.growth().map(|growth| Reliance {
-            digits: settled.end.as_ref().map_or(0, |end| digits(growth, end)),
+        let settled = Settled::after(events.by_ref(), impacts, self.diagram.keep);
+        let reliance = self.with_reliance.then(|| Reliance {
+            digits: settled.end.as_ref().map_or(0, |end| digits(events.growth(), end)),
             lyapunov: lyapunov(&motion, &settled, impacts),
         });
         let mut point = Point {
