@@ -21,6 +21,7 @@ mod json;
 mod junit;
 mod markdown;
 mod output;
+pub mod plot;
 mod table;
 mod text;
 

@@ -1,0 +1,112 @@
+//! Where the labels of marks stand so that none hides another.
+
+/// A box on the grid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Rect {
+    pub left: i32,
+    pub top: i32,
+    pub width: i32,
+    pub height: i32,
+}
+
+impl Rect {
+    /// The area that two have in common.
+    fn overlap(&self, other: &Self) -> i64 {
+        let common = |low: i32, length: i32, other_low: i32, other_length: i32| {
+            i64::from((low + length).min(other_low + other_length) - low.max(other_low)).max(0)
+        };
+        common(self.left, self.width, other.left, other.width) * common(self.top, self.height, other.top, other.height)
+    }
+
+    fn area(&self) -> i64 {
+        i64::from(self.width) * i64::from(self.height)
+    }
+}
+
+/// The free room of a panel.
+#[derive(Debug)]
+pub(super) struct Room {
+    frame: Rect,
+    taken: Vec<Rect>,
+}
+
+impl Room {
+    /// All of a frame but what is taken.
+    pub fn new(frame: Rect) -> Self {
+        let taken = Vec::new();
+        Self { frame, taken }
+    }
+
+    /// Nothing else may stand here.
+    pub fn take(&mut self, rect: Rect) {
+        self.taken.push(rect);
+    }
+
+    /// The place for a label so wide and high beside a mark: of twelve around it the first that hides nothing, else
+    /// the one that hides least. It is taken then.
+    pub fn place(&mut self, (x, y): (i32, i32), (width, height): (i32, i32), apart: i32) -> Rect {
+        let rect = |left: i32, top: i32| Rect {
+            left,
+            top,
+            width,
+            height,
+        };
+        let (right, left) = (x + apart, x - apart - width);
+        let (above, below) = (y - apart - height, y + apart);
+        let (middle_x, middle_y) = (x - width / 2, y - height / 2);
+        let farther = 2 * apart + height;
+        let candidates = [
+            rect(right, above),
+            rect(left, above),
+            rect(right, below),
+            rect(left, below),
+            rect(right, middle_y),
+            rect(left, middle_y),
+            rect(middle_x, above),
+            rect(middle_x, below),
+            rect(right, above - farther),
+            rect(left, above - farther),
+            rect(right, below + farther),
+            rect(left, below + farther),
+        ];
+        let hidden = |candidate: &Rect| {
+            let outside = candidate.area() - candidate.overlap(&self.frame);
+            outside * 4 + self.taken.iter().map(|taken| taken.overlap(candidate)).sum::<i64>()
+        };
+        let mut best = candidates[0];
+        for candidate in candidates {
+            if hidden(&candidate) < hidden(&best) {
+                best = candidate;
+            }
+        }
+        self.taken.push(best);
+        best
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_of_marks_close_together_do_not_overlap_and_stay_in_the_frame() {
+        let frame = Rect {
+            left: 0,
+            top: 0,
+            width: 2000,
+            height: 1000,
+        };
+        let mut room = Room::new(frame);
+        let places: Vec<Rect> = [(1950, 20), (1900, 60), (1980, 900), (1000, 500), (1010, 510)]
+            .into_iter()
+            .map(|at| room.place(at, (300, 110), 50))
+            .collect();
+        for (index, place) in places.iter().enumerate() {
+            assert_eq!(place.overlap(&frame), place.area(), "{place:?}");
+            assert!(
+                places[..index].iter().all(|other| other.overlap(place) == 0),
+                "{place:?}"
+            );
+        }
+    }
+}
