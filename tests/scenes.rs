@@ -126,6 +126,26 @@ fn a_scene_is_evaluated_from_what_was_typed_not_from_its_f64() {
 }
 
 #[test]
+fn the_membrane_is_read_and_one_that_cannot_be_is_named_with_its_place() {
+    let membrane = whole().membrane::<f64>().unwrap();
+    assert!((membrane.deflection(&8.0) / 0.0216 - 1.0).abs() < 0.01);
+    let error = |sets: &[&str]| set(&whole(), sets).membrane::<f64>().unwrap_err().to_string();
+    assert_says(
+        &error(&["membrane.stiffness=-1"]),
+        &["whole.toml", "--set", "stiffness", "above 0"],
+    );
+    let narrow = set(&whole(), &["membrane.ball_radius=0.0063"]);
+    for error in [
+        narrow.membrane::<f64>().unwrap_err(),
+        narrow.check(&[Want::Voltage]).unwrap_err(),
+    ] {
+        let words = ["whole.toml: line 23", "membrane_radius is 0.0063", "above ball_radius"];
+        assert_says(&error.to_string(), &words);
+    }
+    narrow.check(&[Want::Sweep]).unwrap();
+}
+
+#[test]
 fn what_no_want_requires_may_be_wrong_or_missing() {
     let broken = set(
         &whole(),

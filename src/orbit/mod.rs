@@ -1,10 +1,11 @@
 //! Periodic motions: all 1-1 motions of a scene, motions of general words, their stability, clearance and bifurcations.
 //!
 //! Every value of an [`Orbit`] is an enclosure. The forcing is the paper's cos(pi t), of phase 0 at t = 0. Uses
-//! `number/` and `model/`.
+//! `number/`, `model/` and, for what a simulated motion comes to, `impact/`.
 
 mod along;
 mod arc;
+mod attractor;
 mod balance;
 mod bifurcation;
 mod branch;
@@ -38,6 +39,7 @@ mod refine;
 mod returning;
 mod root;
 mod rounded;
+mod settled;
 mod slopes;
 mod stability;
 mod strand;
@@ -46,6 +48,7 @@ mod unsettled;
 mod wanted;
 mod word;
 
+pub use attractor::{Attractor, LONGEST_WORD, SETTLED};
 pub use balance::Balance;
 pub use bifurcation::{Bifurcations, CROSSING, Located, bifurcations};
 pub use branch::{OpenEvent, Prepared};
@@ -70,6 +73,7 @@ pub use refine::refined;
 pub use returning::{NoReturn, Returning, returning, returning_at};
 pub use root::{Root, prove, sharpen};
 pub use rounded::Rounded;
+pub use settled::Settled;
 pub use stability::{Kind, Link, Multiplier, determinant, multipliers, trace};
 pub use system::Decision;
 pub use unsettled::{Question, Unsettled};

@@ -1,7 +1,7 @@
 //! Why a scene cannot be used: what, where, and what is allowed.
 
 use super::{Over, Want};
-use crate::model::{DeviceError, MotionError};
+use crate::model::{DeviceError, MembraneError, MotionError};
 use crate::tex::Place;
 use std::fmt;
 
@@ -111,4 +111,7 @@ pub enum SceneProblem {
     /// The device has no scales.
     #[error(transparent)]
     Device(#[from] DeviceError),
+    /// The membrane is none.
+    #[error(transparent)]
+    Membrane(#[from] MembraneError),
 }

@@ -21,10 +21,10 @@ mod builtin;
 mod document;
 mod error;
 mod explain;
-
 mod key;
 mod nearest;
 mod need;
+mod points;
 mod quantity;
 #[allow(clippy::module_inception)]
 mod scene;
@@ -38,6 +38,7 @@ pub use error::{Origin, SceneError, SceneProblem};
 pub use key::MOST_DIGITS;
 pub use nearest::nearest;
 pub use need::Note;
+pub use points::{MeanOver, Point, Points};
 pub use quantity::{Quantity, QuantityError};
 pub use scene::{Scene, Start};
 pub use setting::Setting;

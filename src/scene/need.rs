@@ -156,6 +156,7 @@ impl Scene {
                     self.sweep()?;
                     self.diagram()?;
                 }
+                Want::Voltage => drop(self.membrane::<f64>()?),
                 _ => {}
             }
             if need

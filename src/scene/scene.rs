@@ -6,7 +6,7 @@ use super::key::{self, Key};
 use super::sweep::{Begin, Diagram, Over, Sweep};
 use super::value::{allowed_number, one_of};
 use super::{Quantity, Want};
-use crate::model::{Device, Motion, Scales, gravity_component};
+use crate::model::{Device, Membrane, MembraneError, Motion, Scales, gravity_component};
 use crate::number::Analytic;
 use crate::orbit::{Word, WordError};
 
@@ -212,6 +212,28 @@ impl Scene {
         device.scales().map_err(|error| self.error(section, error))
     }
 
+    /// The membrane and the ball that strikes it.
+    ///
+    /// # Errors
+    /// A key of `[membrane]` that is lacking or out of its range, a membrane that is not wider than the ball.
+    pub fn membrane<T: Analytic>(&self) -> Result<Membrane<T>, SceneError> {
+        let number = |key| Ok::<T, SceneError>(self.number(key)?.value());
+        let membrane = Membrane::new(
+            number(&key::BALL_MASS)?,
+            number(&key::STIFFNESS)?,
+            number(&key::EXPONENT)?,
+            number(&key::BALL_RADIUS)?,
+            number(&key::MEMBRANE_RADIUS)?,
+            number(&key::INPUT_VOLTAGE)?,
+        );
+        membrane.map_err(|error| {
+            let narrow = matches!(error, MembraneError::Narrow { .. });
+            let entry = self.document.get(&key::MEMBRANE_RADIUS).filter(|_| narrow);
+            let origin = entry.map(|entry| entry.origin.clone());
+            self.error(origin.or_else(|| self.document.section("membrane").cloned()), error)
+        })
+    }
+
     /// The amplitude of the force, N.
     ///
     /// # Errors
@@ -292,6 +314,10 @@ impl Scene {
 
     pub(super) fn has_device(&self) -> bool {
         self.document.has_section("device")
+    }
+
+    pub(super) fn has_membrane(&self) -> bool {
+        self.document.has_section("membrane")
     }
 
     /// That g is not given both ways.

@@ -1,0 +1,400 @@
+//! What a motion comes to: the word and the forcing periods of its last impacts.
+
+use crate::impact::{Event, Kind};
+use crate::model::Side;
+use std::f64::consts::TAU;
+
+/// The most letters of a word that is looked for.
+pub const LONGEST_WORD: usize = 60;
+
+/// How far two events may lie apart that are taken for the same one a cycle on: in phase, rad, and in velocity as a
+/// part of the greatest one of the cycle.
+///
+/// Rounding moves a settled motion of f64 by some 1e-16 / (1 - multiplier), so that a multiplier of 1 - 1e-6 still
+/// passes; and the two impacts into which a period doubling splits one part as the square root of the distance from it,
+/// so that they are taken for one only where the parameter is within some 1e-18 of the bifurcation.
+pub const SETTLED: f64 = 1e-9;
+
+/// A motion that repeats itself, or rests for ever.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attractor {
+    /// The impacts of one cycle by wall, written as a [`Word`](super::Word) is: from a bottom impact that follows a top
+    /// one; of several such, the fastest first; on one wall, from the fastest. It may have up to [`LONGEST_WORD`]
+    /// letters. A chatter that comes to rest is infinitely many impacts and one letter with a star: `BT*` is a bottom
+    /// impact, then a chatter that ends at rest on the top, and a release from there.
+    pub word: String,
+    /// The forcing periods of one cycle; none where the ball rests for ever (`B*`, `T*`).
+    pub periods: Option<i64>,
+    /// The impacts of the last cycle in word order, those of a chatter as far as they are listed; none where the ball
+    /// rests for ever.
+    pub impacts: Vec<Event<f64>>,
+}
+
+impl Attractor {
+    /// What a motion has come to by its last events; `None` where they do not repeat: the motion is chaotic, has not
+    /// settled, or an undecided contact ended it.
+    ///
+    /// The least number of impacts that repeats: two more cycles before the last must be the same to [`SETTLED`]. Of a
+    /// cycle with a rest one is enough, for a rest forgets what was before: the release that follows has its phase from
+    /// g alone. `events` are the last ones of a motion in order, impacts, rests and releases; a rest as the last of all
+    /// is one that nothing releases.
+    pub fn of(events: &[Event<f64>]) -> Option<Self> {
+        let last = events.last()?;
+        match last.kind {
+            Kind::Undecided => return None,
+            Kind::Rest => return Some(Self::at_rest(last.side)),
+            Kind::Impact | Kind::Release => {}
+        }
+        let letters = letters(events);
+        // A chatter that the list cuts off is no letter yet: then the last rest is the end.
+        let rested = letters
+            .iter()
+            .rposition(|letter| letter.rests)
+            .map_or(0, |last| last + 1);
+        let ends = [letters.len(), rested];
+        let (cycle, periods) = ends.iter().find_map(|end| repeated(&letters[..*end]))?;
+        let first = start(cycle);
+        let rotated = || cycle[first..].iter().chain(&cycle[..first]);
+        let impacts_of = |letter: &Letter, turns: i64| {
+            let of_letter = &events[letter.from..letter.to];
+            let impacts = of_letter.iter().filter(|event| event.kind == Kind::Impact);
+            let later = impacts.map(move |event| Event {
+                turns: event.turns + turns,
+                ..event.clone()
+            });
+            later.collect::<Vec<_>>()
+        };
+        let impacts = cycle[first..]
+            .iter()
+            .flat_map(|letter| impacts_of(letter, 0))
+            // those before the first one come again a cycle later
+            .chain(cycle[..first].iter().flat_map(|letter| impacts_of(letter, periods)))
+            .collect();
+        Some(Self {
+            word: rotated().map(Letter::text).collect(),
+            periods: Some(periods),
+            impacts,
+        })
+    }
+
+    fn at_rest(side: Side) -> Self {
+        let text = match side {
+            Side::Bottom => "B*",
+            Side::Top => "T*",
+        };
+        Self {
+            word: text.to_owned(),
+            periods: None,
+            impacts: Vec::new(),
+        }
+    }
+}
+
+/// One impact, or a chatter that comes to rest.
+#[derive(Clone, Debug)]
+struct Letter {
+    side: Side,
+    rests: bool,
+    turns: i64,
+    phase: f64,
+    /// In size, of the first impact.
+    speed: f64,
+    /// Where its events begin in the list, and where they end.
+    from: usize,
+    to: usize,
+}
+
+impl Letter {
+    fn text(&self) -> &'static str {
+        match (self.side, self.rests) {
+            (Side::Bottom, false) => "B",
+            (Side::Top, false) => "T",
+            (Side::Bottom, true) => "B*",
+            (Side::Top, true) => "T*",
+        }
+    }
+
+    /// The whole turns from `before` to here, where this is the same event again to [`SETTLED`].
+    fn turns_since(&self, before: &Self, scale: f64) -> Option<i64> {
+        let apart = self.phase - before.phase;
+        let wrapped = (apart / TAU).round();
+        let same = self.side == before.side
+            && self.rests == before.rests
+            && (apart - wrapped * TAU).abs() <= SETTLED
+            && (self.speed - before.speed).abs() <= SETTLED * scale;
+        // the phases are in [0, 2 pi): wrapped is -1, 0 or 1
+        same.then_some(self.turns - before.turns + wrapped as i64)
+    }
+}
+
+/// The letters of a list of events: all impacts on one wall that lead to a rest without another event between are one.
+fn letters(events: &[Event<f64>]) -> Vec<Letter> {
+    let mut letters: Vec<Letter> = Vec::with_capacity(events.len());
+    for (index, event) in events.iter().enumerate() {
+        let mut letter = Letter {
+            side: event.side,
+            rests: event.kind == Kind::Rest,
+            turns: event.turns,
+            phase: event.phase,
+            speed: event.velocity.abs(),
+            from: index,
+            to: index + 1,
+        };
+        match event.kind {
+            Kind::Impact => letters.push(letter),
+            Kind::Rest => {
+                while let Some(first) = letters.pop_if(|last| !last.rests && last.side == event.side) {
+                    letter = Letter {
+                        rests: true,
+                        to: index + 1,
+                        ..first
+                    };
+                }
+                letters.push(letter);
+            }
+            Kind::Release | Kind::Undecided => {}
+        }
+    }
+    letters
+}
+
+/// The shortest cycle that the letters end with, and its turns.
+fn repeated(letters: &[Letter]) -> Option<(&[Letter], i64)> {
+    let longest = LONGEST_WORD.min(letters.len() / 2);
+    (1..=longest).find_map(|length| {
+        let cycle = &letters[letters.len() - length..];
+        let scale = cycle.iter().map(|letter| letter.speed).fold(0.0, f64::max);
+        let repeats = if cycle.iter().any(|letter| letter.rests) { 1 } else { 2 };
+        let needed = (repeats + 1) * length;
+        let compared = &letters[letters.len().checked_sub(needed)?..];
+        let mut turns = compared[length..]
+            .iter()
+            .zip(compared)
+            .rev()
+            .map(|(letter, before)| letter.turns_since(before, scale));
+        let first = turns.next()??;
+        (first > 0 && turns.all(|other| other == Some(first))).then_some((cycle, first))
+    })
+}
+
+/// Where the word of a cycle starts. Of starts that are equally fast, the one whose word comes first in the alphabet.
+fn start(cycle: &[Letter]) -> usize {
+    let length = cycle.len();
+    let before = |index: usize| &cycle[(index + length - 1) % length];
+    let one_wall = cycle.iter().all(|letter| letter.side == cycle[0].side);
+    let may_start =
+        |index: &usize| one_wall || (cycle[*index].side == Side::Bottom && before(*index).side == Side::Top);
+    let fastest = (0..length)
+        .filter(may_start)
+        .map(|index| cycle[index].speed)
+        .fold(0.0, f64::max);
+    let word = |first: usize| (0..length).map(move |index| cycle[(first + index) % length].text());
+    (0..length)
+        .filter(may_start)
+        .filter(|index| cycle[*index].speed >= fastest * (1.0 - 2.0 * SETTLED))
+        .min_by(|one, other| word(*one).cmp(word(*other)))
+        .unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// An impact: wall, time in forcing periods, speed.
+    type Told = (char, f64, f64);
+
+    fn impact((wall, time, speed): Told) -> Event<f64> {
+        let side = if wall == 'B' { Side::Bottom } else { Side::Top };
+        Event {
+            kind: Kind::Impact,
+            side,
+            turns: time.floor() as i64,
+            phase: (time - time.floor()) * TAU,
+            velocity: side.signed(speed),
+        }
+    }
+
+    fn at(kind: Kind, wall: char, time: f64) -> Event<f64> {
+        Event {
+            kind,
+            ..impact((wall, time, 0.0))
+        }
+    }
+
+    /// `count` impacts of the motion that repeats `cycle` every `periods`, from impact `first` of it on.
+    fn repeating(cycle: &[Told], periods: i64, first: usize, count: usize) -> Vec<Event<f64>> {
+        let told = (first..first + count).map(|index| {
+            let (wall, time, speed) = cycle[index % cycle.len()];
+            (wall, time + (index / cycle.len()) as f64 * periods as f64, speed)
+        });
+        told.map(impact).collect()
+    }
+
+    fn found(events: &[Event<f64>]) -> Option<(String, Option<i64>, usize)> {
+        Attractor::of(events).map(|found| (found.word, found.periods, found.impacts.len()))
+    }
+
+    fn word(text: &str, periods: i64, impacts: usize) -> Option<(String, Option<i64>, usize)> {
+        Some((text.to_owned(), Some(periods), impacts))
+    }
+
+    #[test]
+    fn the_least_cycle_that_comes_three_times_is_the_word() {
+        let pair = [('B', 0.1, 0.7), ('T', 0.7, 0.5)];
+        assert_eq!(found(&repeating(&pair, 1, 0, 6)), word("BT", 1, 2));
+        assert_eq!(found(&repeating(&pair, 1, 0, 5)), None);
+        assert_eq!(found(&repeating(&pair, 3, 1, 20)), word("BT", 3, 2));
+        let three = [('T', 0.2, 0.5), ('T', 0.5, 0.1), ('B', 0.9, 0.7)];
+        assert_eq!(found(&repeating(&three, 1, 0, 60)), word("BTT", 1, 3));
+        let doubled = [
+            ('B', 0.1, 0.7),
+            ('T', 0.7, 0.5),
+            ('B', 1.1, 0.7 + 1e-6),
+            ('T', 1.7, 0.5),
+        ];
+        assert_eq!(found(&repeating(&doubled, 2, 0, 60)), word("BTBT", 2, 4));
+        assert_eq!(found(&repeating(&[('T', 0.0, 0.3)], 1, 0, 3)), word("T", 1, 1));
+        assert_eq!(found(&[]), None);
+    }
+
+    #[test]
+    fn the_impacts_are_those_of_the_last_cycle_in_word_order() {
+        let cycle = [
+            ('B', 0.1, 0.3),
+            ('T', 0.7, 0.5),
+            ('B', 1.1, 0.7),
+            ('B', 1.5, 0.1),
+            ('T', 1.9, 0.2),
+        ];
+        let found = Attractor::of(&repeating(&cycle, 2, 3, 40)).expect("a cycle");
+        assert_eq!((found.word.as_str(), found.periods), ("BBTBT", Some(2)));
+        let speeds: Vec<f64> = found.impacts.iter().map(|event| event.velocity.abs()).collect();
+        assert_eq!(speeds, [0.7, 0.1, 0.2, 0.3, 0.5]);
+        let times: Vec<f64> = found.impacts.iter().map(|event| event.time(&0.0)).collect();
+        assert!(times.is_sorted() && times[4] - times[0] < 4.0, "{times:?}");
+    }
+
+    #[test]
+    fn a_phase_that_rounding_moves_across_a_whole_turn_is_the_same_phase() {
+        let mut events = repeating(&[('B', 0.0, 0.7), ('T', 0.5, 0.5)], 1, 0, 12);
+        let early = &mut events[10];
+        (early.turns, early.phase) = (early.turns - 1, TAU.next_down());
+        assert_eq!(found(&events), word("BT", 1, 2));
+    }
+
+    /// A bottom impact, a chatter on the top of as many impacts as are asked for, rest and release; again and again.
+    fn chattering(counts: &[usize]) -> Vec<Event<f64>> {
+        let mut events = Vec::new();
+        for (turn, &count) in counts.iter().enumerate() {
+            let turn = turn as f64;
+            events.push(impact(('B', turn + 0.1, 0.6)));
+            let chatter = (0..count).map(|index| {
+                let part = 0.3_f64.powi(index as i32);
+                impact(('T', turn + 0.8 - 0.2 * part, 0.5 * part))
+            });
+            events.extend(chatter);
+            events.push(at(Kind::Rest, 'T', turn + 0.8));
+            events.push(at(Kind::Release, 'T', turn + 0.9));
+        }
+        events
+    }
+
+    #[test]
+    fn a_chatter_that_comes_to_rest_is_one_letter_with_a_star() {
+        // the last impact that is listed may come to lie on either side of the limit
+        let events = chattering(&[12, 11, 12]);
+        assert_eq!(found(&events), word("BT*", 1, 13));
+        // cut off at any impact after two whole cycles and the first letter of the next
+        let next = chattering(&[12; 4]);
+        let ends = (events.len()..next.len()).filter(|end| next[end - 1].kind == Kind::Impact);
+        for end in ends {
+            assert_eq!(found(&next[..end]), word("BT*", 1, 13), "{end}");
+        }
+        assert_eq!(found(&chattering(&[12])), None);
+    }
+
+    #[test]
+    fn a_ball_that_is_not_released_rests_for_ever() {
+        let mut events = chattering(&[12, 12]);
+        events.pop();
+        assert_eq!(found(&events), Some(("T*".to_owned(), None, 0)));
+        assert_eq!(found(&[at(Kind::Rest, 'B', 0.2)]), Some(("B*".to_owned(), None, 0)));
+        let returning: Vec<_> = (0..2)
+            .flat_map(|turn| {
+                let turn = f64::from(turn);
+                [
+                    impact(('B', turn + 0.1, 0.2)),
+                    at(Kind::Rest, 'B', turn + 0.3),
+                    at(Kind::Release, 'B', turn + 0.8),
+                ]
+            })
+            .collect();
+        assert_eq!(found(&returning), word("B*", 1, 1));
+    }
+
+    #[test]
+    fn after_an_undecided_contact_nothing_is_known() {
+        let mut events = repeating(&[('B', 0.1, 0.7), ('T', 0.7, 0.5)], 1, 0, 60);
+        events.push(at(Kind::Undecided, 'T', 31.0));
+        assert_eq!(found(&events), None);
+    }
+
+    /// Cycles of up to 12 impacts in up to 3 periods, times in order.
+    fn cycles() -> impl Strategy<Value = (Vec<Told>, i64)> {
+        let letter = (prop::bool::ANY, 0.02_f64..1.0, 0.05_f64..1.0);
+        (prop::collection::vec(letter, 1..12), 1_i64..4).prop_map(|(letters, periods)| {
+            let whole: f64 = letters.iter().map(|(_, step, _)| step).sum();
+            let mut time = 0.0;
+            let cycle = letters.iter().map(|&(bottom, step, speed)| {
+                let told = (if bottom { 'B' } else { 'T' }, time, speed);
+                time += step / whole * periods as f64;
+                told
+            });
+            (cycle.collect(), periods)
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn every_rotation_of_a_cycle_has_the_same_word_and_impacts((cycle, periods) in cycles(), first in 0_usize..12) {
+            let [straight, rotated] = [0, first].map(|first| Attractor::of(&repeating(&cycle, periods, first, 60)));
+            let (straight, rotated) = (straight.expect("a cycle"), rotated.expect("a cycle"));
+            prop_assert_eq!(straight.periods, Some(periods));
+            prop_assert_eq!(straight.word.len(), cycle.len());
+            prop_assert_eq!((&straight.word, straight.periods), (&rotated.word, rotated.periods));
+            for (one, other) in straight.impacts.iter().zip(&rotated.impacts) {
+                prop_assert_eq!((one.side, one.velocity), (other.side, other.velocity));
+            }
+            let mixed = straight.word.contains('B') && straight.word.contains('T');
+            prop_assert!(!mixed || (straight.word.starts_with('B') && straight.word.ends_with('T')));
+        }
+
+        #[test]
+        fn noise_below_the_tolerance_changes_nothing_and_noise_above_it_leaves_no_word(
+            (cycle, periods) in cycles(), seed in 0_u64..1000, below: bool
+        ) {
+            let mut events = repeating(&cycle, periods, 0, 60);
+            let size = if below { 1e-12 } else { 1e-6 };
+            for (index, event) in events.iter_mut().enumerate() {
+                let noise = crate::number::mix(seed ^ index as u64) as f64 / u64::MAX as f64;
+                event.velocity += size * (noise - 0.5);
+            }
+            let word = Attractor::of(&events).map(|found| found.word.len());
+            prop_assert_eq!(word, below.then_some(cycle.len()));
+        }
+
+        #[test]
+        fn the_mirror_image_exchanges_the_walls((cycle, periods) in cycles()) {
+            let events = repeating(&cycle, periods, 0, 60);
+            let mirrored: Vec<_> = events.iter().map(|event| Event {
+                side: event.side.opposite(),
+                velocity: -event.velocity,
+                ..event.clone()
+            }).collect();
+            let [word, image] = [events, mirrored].map(|events| Attractor::of(&events).expect("a cycle").word);
+            let exchanged: String = word.chars().map(|wall| if wall == 'B' { 'T' } else { 'B' }).collect();
+            prop_assert!(image.len() == word.len() && image.repeat(2).contains(&exchanged), "{} {}", word, image);
+        }
+    }
+}

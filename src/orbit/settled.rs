@@ -1,0 +1,136 @@
+//! What a motion does after many impacts.
+
+use super::Attractor;
+use crate::impact::{Event, Kind};
+use std::collections::VecDeque;
+
+/// The impacts among which a cycle is looked for, at least: three times the longest word, and two cycles of which each
+/// has a long chatter.
+const WINDOW: usize = 512;
+
+/// The last impacts of a motion, and what it has come to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settled {
+    /// The number of the first impact that is kept; the start impact has 1.
+    pub first: u64,
+    /// The last impacts, in order.
+    pub kept: Vec<Event<f64>>,
+    /// What the motion has come to, where it repeats itself or rests for ever.
+    pub attractor: Option<Attractor>,
+    /// The last event: the impact at which counting stopped, or what ended the motion before.
+    pub end: Option<Event<f64>>,
+}
+
+impl Settled {
+    /// Follows a motion to impact number `impacts`, or to its end where that comes first, and keeps the last `keep`
+    /// impacts. Memory holds `keep` or 512 of them, whichever is more.
+    pub fn after(events: impl IntoIterator<Item = Event<f64>>, impacts: u32, keep: u32) -> Self {
+        let keep = keep as usize;
+        let mut last: Window = Window::new(keep.max(WINDOW).min(impacts as usize));
+        for event in events {
+            last.push(event);
+            if last.impacts == u64::from(impacts) {
+                break;
+            }
+        }
+        let events = last.events.make_contiguous();
+        let attractor = Attractor::of(events);
+        let mut kept: Vec<Event<f64>> = events
+            .iter()
+            .rev()
+            .filter(|event| event.kind == Kind::Impact)
+            .take(keep)
+            .cloned()
+            .collect();
+        kept.reverse();
+        Self {
+            first: last.impacts + 1 - kept.len() as u64,
+            kept,
+            attractor,
+            end: last.events.pop_back(),
+        }
+    }
+}
+
+/// The last events of a motion, with so many impacts among them at most.
+struct Window {
+    most: usize,
+    events: VecDeque<Event<f64>>,
+    /// All impacts so far.
+    impacts: u64,
+    /// Those that are in `events`.
+    held: usize,
+}
+
+impl Window {
+    fn new(most: usize) -> Self {
+        Self {
+            most,
+            events: VecDeque::new(),
+            impacts: 0,
+            held: 0,
+        }
+    }
+
+    fn push(&mut self, event: Event<f64>) {
+        if event.kind == Kind::Impact {
+            self.impacts += 1;
+            self.held += 1;
+        }
+        self.events.push_back(event);
+        while self.held > self.most
+            && let Some(left) = self.events.pop_front()
+        {
+            self.held -= usize::from(left.kind == Kind::Impact);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Side;
+
+    fn event(kind: Kind, turns: i64) -> Event<f64> {
+        let (side, phase, velocity) = (Side::Bottom, 1.0, 0.5);
+        Event {
+            kind,
+            side,
+            turns,
+            phase,
+            velocity,
+        }
+    }
+
+    #[test]
+    fn the_last_impacts_are_kept_with_their_numbers() {
+        let settled = Settled::after((0..).map(|turn| event(Kind::Impact, turn)), 2000, 60);
+        assert_eq!((settled.first, settled.kept.len()), (1941, 60));
+        assert_eq!(settled.kept[0].turns, 1940);
+        assert_eq!(settled.end, settled.kept.last().cloned());
+        assert_eq!(
+            settled.attractor.map(|found| (found.word, found.periods)),
+            Some(("B".to_owned(), Some(1)))
+        );
+    }
+
+    #[test]
+    fn of_a_motion_that_ends_there_is_what_there_is() {
+        let events = [event(Kind::Impact, 0), event(Kind::Impact, 1), event(Kind::Rest, 2)];
+        let settled = Settled::after(events, 500, 60);
+        assert_eq!((settled.first, settled.kept.len()), (1, 2));
+        assert_eq!(settled.end.map(|end| end.kind), Some(Kind::Rest));
+        assert_eq!(settled.attractor.map(|found| found.word).as_deref(), Some("B*"));
+        let none = Settled::after([], 500, 60);
+        assert_eq!((none.first, none.kept.len(), none.end), (1, 0, None));
+    }
+
+    #[test]
+    fn rests_and_releases_are_not_counted() {
+        let turn = |turn| [Kind::Impact, Kind::Rest, Kind::Release].map(|kind| event(kind, turn));
+        let settled = Settled::after((0..).flat_map(turn), 10, 3);
+        assert_eq!((settled.first, settled.kept.len()), (8, 3));
+        assert!(settled.kept.iter().all(|event| event.kind == Kind::Impact));
+        assert_eq!(settled.attractor.map(|found| found.word).as_deref(), Some("B*"));
+    }
+}

@@ -1,0 +1,202 @@
+//! The points of a sweep: at each value the motion, its last impacts, what it has come to, and their voltage.
+
+use super::sweep::{Begin, Diagram, Sweep};
+use super::{Quantity, Scene, SceneError, Setting, Want};
+use crate::impact::{Event, Kind, Simulation, Start};
+use crate::model::{Membrane, Motion};
+use crate::orbit::{Family, Parameters, Settled};
+use rayon::prelude::*;
+use std::vec::IntoIter;
+
+/// The impacts that may be held at once, if a point for each thread does not take more.
+const HELD: usize = 100_000;
+
+/// The points that are computed together, at most.
+const BLOCK: usize = 1024;
+
+/// What a sweep shows at one of its values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// The value of what is swept.
+    pub value: Quantity,
+    /// The motion there.
+    pub motion: Motion<f64>,
+    /// The last impacts, and what the motion has come to.
+    pub settled: Settled,
+    /// U_k of (6) for each impact that is kept, V; none where no voltage is modelled.
+    pub voltages: Option<Vec<f64>>,
+    /// The mean (7) of U_k over [`Point::counted`], V; none where no voltage is modelled, or there is no impact.
+    pub mean_voltage: Option<f64>,
+}
+
+/// What a mean is taken over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeanOver {
+    /// The impacts of one cycle, a whole number of forcing periods.
+    Periods,
+    /// The impacts that are kept, as many as there are.
+    Impacts,
+}
+
+impl MeanOver {
+    /// The word in the column `mean_over`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Periods => "periods",
+            Self::Impacts => "impacts",
+        }
+    }
+}
+
+impl Point {
+    /// The impacts that stand for the motion: those of its last cycle where it is periodic, else those that are kept.
+    /// Of a chatter that comes to rest, those that are listed.
+    pub fn counted(&self) -> (&[Event<f64>], MeanOver) {
+        match &self.settled.attractor {
+            Some(attractor) if !attractor.impacts.is_empty() => (&attractor.impacts, MeanOver::Periods),
+            _ => (&self.settled.kept, MeanOver::Impacts),
+        }
+    }
+}
+
+impl Scene {
+    /// The wants that a sweep of this scene serves: the diagram, and the voltage where the scene wants it or, where it
+    /// does not say what it wants, where it has a membrane.
+    ///
+    /// # Errors
+    /// As [`Scene::want`].
+    pub fn wants_of_sweep(&self) -> Result<Vec<Want>, SceneError> {
+        let wants = self.want()?;
+        let is_silent = wants.is_empty() && self.has_membrane();
+        let mut served = vec![Want::Sweep];
+        if is_silent || wants.contains(&Want::Voltage) {
+            served.push(Want::Voltage);
+        }
+        Ok(served)
+    }
+
+    /// The points of the sweep in order, computed as they are asked for, a block of them at a time on every core; where
+    /// each value follows the one before, one by one. What is held at once does not grow with their number, and what
+    /// comes out depends neither on the number of threads nor on the blocks.
+    ///
+    /// # Errors
+    /// What [`Scene::check`] says of [`Scene::wants_of_sweep`].
+    pub fn points(&self) -> Result<Points, SceneError> {
+        let wants = self.wants_of_sweep()?;
+        self.check(&wants)?;
+        let start = self.start()?;
+        let membrane = wants.contains(&Want::Voltage).then(|| self.membrane()).transpose()?;
+        Ok(Points {
+            sweep: self.sweep()?,
+            diagram: self.diagram()?,
+            setting: self.swept_setting()?,
+            start: Start {
+                phase: start.phase.value(),
+                velocity: start.velocity.value(),
+            },
+            membrane,
+            scene: self.clone(),
+            next: 0,
+            block: Vec::new().into_iter(),
+            before: None,
+        })
+    }
+}
+
+/// The points of a sweep, one after the other.
+#[derive(Debug)]
+pub struct Points {
+    scene: Scene,
+    sweep: Sweep,
+    diagram: Diagram,
+    setting: Setting,
+    start: Start<f64>,
+    membrane: Option<Membrane<f64>>,
+    next: u32,
+    block: IntoIter<Result<Point, SceneError>>,
+    /// Where the motion at the value before came to, where the next one follows it.
+    before: Option<Event<f64>>,
+}
+
+impl Points {
+    /// The sweep.
+    pub fn sweep(&self) -> &Sweep {
+        &self.sweep
+    }
+
+    /// Point number `index`, from 0, from where the one before came to or from `[start]`.
+    fn point(&self, index: u32, before: Option<&Event<f64>>) -> Result<Point, SceneError> {
+        let value = self.sweep.value(index);
+        let motion = self.setting.fixed(&value).motion::<f64>();
+        let motion = motion.map_err(|error| self.scene.error(None, error))?;
+        let events = match before {
+            Some(event) => Simulation::resume(motion.clone(), event),
+            None => Simulation::new(motion.clone(), self.start.clone()),
+        };
+        let settled = Settled::after(events, self.diagram.impacts, self.diagram.keep);
+        let mut point = Point {
+            value,
+            motion,
+            settled,
+            voltages: None,
+            mean_voltage: None,
+        };
+        self.add_voltages(&mut point)?;
+        Ok(point)
+    }
+
+    fn add_voltages(&self, point: &mut Point) -> Result<(), SceneError> {
+        let Some(membrane) = &self.membrane else {
+            return Ok(());
+        };
+        let unit = self.scene.swept_scales::<f64>(self.sweep.over, &point.value)?.velocity;
+        let voltage = |event: &Event<f64>| membrane.voltage(&(event.velocity * unit));
+        let (counted, _) = point.counted();
+        let sum: f64 = counted.iter().map(voltage).sum();
+        point.mean_voltage = (!counted.is_empty()).then_some(sum / counted.len() as f64);
+        point.voltages = Some(point.settled.kept.iter().map(voltage).collect());
+        Ok(())
+    }
+
+    fn fill(&mut self) {
+        let left = self.sweep.points - self.next;
+        let block = match self.diagram.start {
+            Begin::Each => {
+                let held = HELD / self.diagram.keep as usize;
+                let size = held.clamp(rayon::current_num_threads().min(BLOCK), BLOCK) as u32;
+                let end = self.next + size.min(left);
+                (self.next..end)
+                    .into_par_iter()
+                    .map(|index| self.point(index, None))
+                    .collect()
+            }
+            Begin::Follow if left > 0 => {
+                let point = self.point(self.next, self.before.as_ref());
+                if let Some(end) = point.as_ref().ok().and_then(|point| known_end(&point.settled)) {
+                    self.before = Some(end.clone());
+                }
+                vec![point]
+            }
+            Begin::Follow => Vec::new(),
+        };
+        self.next += block.len() as u32;
+        self.block = block.into_iter();
+    }
+}
+
+/// The last event after which the motion is known.
+fn known_end(settled: &Settled) -> Option<&Event<f64>> {
+    let end = settled.end.as_ref().filter(|end| end.kind != Kind::Undecided);
+    end.or(settled.kept.last())
+}
+
+impl Iterator for Points {
+    type Item = Result<Point, SceneError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.block.len() == 0 {
+            self.fill();
+        }
+        self.block.next()
+    }
+}
