@@ -15,6 +15,7 @@
 //! ```
 
 mod csv;
+pub mod figure;
 mod figures;
 mod format;
 mod json;

@@ -153,6 +153,15 @@ impl<F: Fn(Point) -> (i32, i32)> Frame<'_, '_, F> {
             match &series.shape {
                 Shape::Dots { points, marker } => self.dots(points, marker)?,
                 Shape::Line { points, stroke } => self.line(points, stroke)?,
+                Shape::Marked {
+                    points,
+                    stroke,
+                    marked,
+                    marker,
+                } => {
+                    self.line(points, stroke)?;
+                    self.dots(marked, marker)?;
+                }
                 Shape::Verticals { at, stroke } => {
                     for x in at {
                         self.line(&[(*x, self.y.low()), (*x, self.y.high())], stroke)?;

@@ -91,6 +91,10 @@ fn sample(area: &Area, shape: &Shape, (left, middle): (i32, i32)) -> Drawn {
         Shape::Line { stroke, .. } | Shape::Horizontals { stroke, .. } | Shape::Verticals { stroke, .. } => {
             line(area, stroke, &[(left, middle), (left + wide, middle)])
         }
+        Shape::Marked { stroke, marker, .. } => {
+            line(area, stroke, &[(left, middle), (left + wide, middle)])?;
+            marker.draw(area, centre)
+        }
         Shape::Bands { colour, .. } => {
             let corners = [(left, middle - 45), (left + wide, middle + 45)];
             area.draw(&Rectangle::new(corners, colour.pen().mix(super::draw::SHADE).filled()))

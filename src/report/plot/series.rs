@@ -41,6 +41,13 @@ pub enum Shape {
     Dots { points: Vec<Point>, marker: Marker },
     /// Points joined in order.
     Line { points: Vec<Point>, stroke: Stroke },
+    /// Points joined in order, with markers at some places, by which lines of one dash are told apart.
+    Marked {
+        points: Vec<Point>,
+        stroke: Stroke,
+        marked: Vec<Point>,
+        marker: Marker,
+    },
     /// Single points, each with a label or none.
     Marks { marks: Vec<Mark>, marker: Marker },
     /// Lines across the panel at values of x.
@@ -92,7 +99,9 @@ impl Series {
     pub(super) fn is_empty(&self) -> bool {
         let finite = |(x, y): &Point| x.is_finite() && y.is_finite();
         match &self.shape {
-            Shape::Dots { points, .. } | Shape::Line { points, .. } => !points.iter().any(finite),
+            Shape::Dots { points, .. } | Shape::Line { points, .. } | Shape::Marked { points, .. } => {
+                !points.iter().any(finite)
+            }
             Shape::Marks { marks, .. } => !marks.iter().any(|mark| finite(&mark.at)),
             Shape::Verticals { at, .. } | Shape::Horizontals { at, .. } => !at.iter().any(|value| value.is_finite()),
             Shape::Bands { spans, .. } => !spans.iter().any(finite),
@@ -102,7 +111,9 @@ impl Series {
     /// Every finite point, which the axes should reach. Guide lines and bands do not stretch an axis.
     pub(super) fn points(&self) -> impl Iterator<Item = Point> + '_ {
         let points: Box<dyn Iterator<Item = Point>> = match &self.shape {
-            Shape::Dots { points, .. } | Shape::Line { points, .. } => Box::new(points.iter().copied()),
+            Shape::Dots { points, .. } | Shape::Line { points, .. } | Shape::Marked { points, .. } => {
+                Box::new(points.iter().copied())
+            }
             Shape::Marks { marks, .. } => Box::new(marks.iter().map(|mark| mark.at)),
             _ => Box::new(std::iter::empty()),
         };
