@@ -2,8 +2,17 @@
 //!
 //! Uses `number/` and `model/`.
 
+mod chatter;
+mod course;
 mod event;
+mod expansion;
+mod flight;
+mod growth;
+mod meeting;
+mod scaled;
 mod simulation;
+mod swing;
 
 pub use event::{Event, Kind};
-pub use simulation::{Simulation, Start};
+pub use growth::Growth;
+pub use simulation::{LISTED, Simulation, Start};

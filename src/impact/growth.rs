@@ -1,0 +1,199 @@
+//! How rounding errors grow along a motion, to first order.
+
+use super::course::Step;
+use super::event::Event;
+use super::expansion::Expansion;
+use super::flight::Arrival;
+use super::scaled::Scaled;
+use super::swing::REACH;
+use crate::model::Side;
+use crate::number::Analytic;
+use std::f64::consts::TAU;
+
+/// A step whose error changes the velocity of arrival by more than this part of it is no longer straight.
+const STRAIGHT: f64 = 0.1;
+
+/// What rounding errors have become.
+///
+/// The error in (phase, pi velocity) lies in a rectangle turned by an angle: each impact maps it by the Jacobian of the
+/// one-impact map, and a rectangle turned with the image of its longer side encloses what comes out (R. Lohner, 1987,
+/// "QR-decomposition method"): stretching in one direction is not mixed into the others, so that on a motion that
+/// attracts the bound stays small for ever. To each impact its own rounding is added. First order only: where the
+/// flight grazes closer than the error, or the error bends, nothing is claimed any more.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Growth {
+    /// The turned axes, by columns.
+    axes: [[f64; 2]; 2],
+    /// Half the sides of the rectangle.
+    sides: [f64; 2],
+    /// Errors of phase and pi velocity at the latest event.
+    error: [f64; 2],
+    /// The logarithm of the stretch so far.
+    stretch: f64,
+    epsilon: f64,
+    lost: bool,
+}
+
+impl Growth {
+    pub(super) fn new<T: Analytic>(scaled: &Scaled<T>) -> Self {
+        Self {
+            axes: [[1.0, 0.0], [0.0, 1.0]],
+            sides: [0.0; 2],
+            error: [0.0; 2],
+            stretch: 0.0,
+            epsilon: scaled.epsilon,
+            lost: false,
+        }
+    }
+
+    /// A bound, to first order, of the error of the phase, rad.
+    pub fn phase_error(&self) -> f64 {
+        if self.lost { f64::INFINITY } else { self.error[0] }
+    }
+
+    /// A bound, to first order, of the error of the velocity.
+    pub fn velocity_error(&self) -> f64 {
+        if self.lost {
+            f64::INFINITY
+        } else {
+            self.error[1] * std::f64::consts::FRAC_1_PI
+        }
+    }
+
+    /// The logarithm of the factor by which a small error has grown since the start, along the direction that grows
+    /// the most; minus infinity once a rest has wiped errors out.
+    pub fn stretch(&self) -> f64 {
+        self.stretch
+    }
+
+    pub(super) fn follow<T: Analytic>(&mut self, scaled: &Scaled<T>, event: &Event<T>, step: &Step<T>) {
+        let own = 4.0 * self.epsilon;
+        match step {
+            Step::Start => {
+                // phase and velocity, rounded once
+                let speed = event.velocity.to_f64().abs() * std::f64::consts::PI;
+                self.restart([own * event.phase.to_f64(), own * speed]);
+            }
+            Step::Release => {
+                self.restart([own * TAU, 0.0]);
+                self.stretch = f64::NEG_INFINITY;
+            }
+            Step::Undecided => self.lost = true,
+            Step::Rest { start, angle } => {
+                // the phase of rest alone; what follows does not depend on it
+                let (push, angle) = (start.push.to_f64(), angle.to_f64());
+                let r = scaled.restitution(event.side).to_f64();
+                let by_speed = 2.0 * r / (push * (1.0 - r)) * self.error[1];
+                let by_push = angle * (start.sin.to_f64().abs() / push).min(1e8) * self.error[0];
+                let rounding = own * (TAU + angle);
+                self.error = [self.error[0] + by_speed + by_push + rounding, 0.0];
+            }
+            Step::Flight {
+                start,
+                arrival,
+                noise,
+                from,
+            } => {
+                let flown = Flown::new(scaled, *from, start, arrival, *noise);
+                self.fly(&flown, arrival.clearance);
+            }
+        }
+    }
+
+    fn fly(&mut self, flown: &Flown, clearance: f64) {
+        let [phase, speed] = self.error;
+        let at_a_dip = flown.angle * flown.restitution * speed + (flown.angle + 2.0) * phase;
+        let [[by_phase, by_speed], _] = flown.jacobian;
+        let moved = (by_phase - 1.0).abs() * phase + by_speed.abs() * speed;
+        // NaN loses as well
+        let bends = !(moved * flown.push.abs() < STRAIGHT * flown.speed);
+        self.lost |= bends || at_a_dip >= clearance;
+
+        let [[a, b], [c, d]] = flown.jacobian;
+        let [[p, q], [r, s]] = self.axes;
+        let first = [a * p + b * r, c * p + d * r];
+        let second = [a * q + b * s, c * q + d * s];
+        let length = first[0].hypot(first[1]);
+        let (cos, sin) = (first[0] / length, first[1] / length);
+        let along = (cos * second[0] + sin * second[1]).abs();
+        let across = (cos * second[1] - sin * second[0]).abs();
+        let [e, f] = flown.rounding;
+        self.sides = [
+            length * self.sides[0] + along * self.sides[1] + cos.abs() * e + sin.abs() * f,
+            across * self.sides[1] + sin.abs() * e + cos.abs() * f,
+        ];
+        self.axes = [[cos, -sin], [sin, cos]];
+        self.error = [
+            cos.abs() * self.sides[0] + sin.abs() * self.sides[1],
+            sin.abs() * self.sides[0] + cos.abs() * self.sides[1],
+        ];
+        self.stretch += length.ln();
+    }
+
+    fn restart(&mut self, sides: [f64; 2]) {
+        self.axes = [[1.0, 0.0], [0.0, 1.0]];
+        self.sides = sides;
+        self.error = sides;
+    }
+}
+
+/// A flight as the errors see it, in f64.
+struct Flown {
+    angle: f64,
+    restitution: f64,
+    /// f + g at arrival, and the speed there.
+    push: f64,
+    speed: f64,
+    /// Of (phase, pi speed) at the impacts on both ends; (20), (21) in units without pi.
+    jacobian: [[f64; 2]; 2],
+    /// The flight's own errors of both.
+    rounding: [f64; 2],
+}
+
+impl Flown {
+    fn new<T: Analytic>(
+        scaled: &Scaled<T>,
+        from: Side,
+        start: &Expansion<T>,
+        arrival: &Arrival<T>,
+        noise: f64,
+    ) -> Self {
+        let there = &arrival.there;
+        let [x, w, push, sin, cos] =
+            [&arrival.angle, &there.w, &there.push, &there.sin, &there.cos].map(Analytic::to_f64);
+        let [launch, push_0, sin_0, cos_0] = [&start.w, &start.push, &start.sin, &start.cos].map(Analytic::to_f64);
+        let r = scaled.restitution(from).to_f64();
+        // x cos_0 + sin_0 - sin(x + .), which cancels where x is small
+        let lifted = if x < 0.1 {
+            x * x * (0.5 * sin_0 + x / 6.0 * cos_0)
+        } else {
+            x * cos_0 + sin_0 - sin
+        };
+        let (by_phase, by_speed) = (-lifted / w, -r * x / w);
+        let towards = if arrival.side == from { -1.0 } else { 1.0 };
+        let speed = w.abs();
+        let own = 4.0 * scaled.epsilon;
+        let terms = if x < REACH {
+            launch + push_0.abs() * x + x
+        } else {
+            launch + scaled.g.to_f64().abs() * x + 2.0
+        };
+        Self {
+            angle: x,
+            restitution: r,
+            push,
+            speed,
+            jacobian: [
+                [1.0 + by_phase, by_speed],
+                [
+                    towards * (cos_0 - cos - push * by_phase),
+                    towards * (r - push * by_speed),
+                ],
+            ],
+            rounding: [
+                noise / speed + own * (x + TAU) * 0.25,
+                push.abs() * noise / speed + own * terms,
+            ],
+        }
+    }
+}

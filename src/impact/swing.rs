@@ -1,0 +1,109 @@
+//! Sine and cosine of a small angle, less the first terms of their series.
+
+use crate::number::Analytic;
+
+/// The largest angle, in size, for which [`Swing`] is meant.
+pub(super) const REACH: f64 = 0.5;
+
+/// `sin x`, `1 - cos x`, `x - sin x` and `x²/2 - 1 + cos x`, each with its full relative accuracy.
+#[derive(Clone, Debug)]
+pub(super) struct Swing<T> {
+    pub sin: T,
+    pub fall: T,
+    pub lag: T,
+    pub rest: T,
+}
+
+impl<T: Analytic> Swing<T> {
+    /// By series; `x` at most [`REACH`] in size. `epsilon` is that of the number, which a wide one is slow to tell.
+    #[inline]
+    pub fn of(x: &T, epsilon: f64) -> Self {
+        let square = x.clone() * x.clone();
+        let lag = x.clone() * square.clone() * T::from_ratio(1, 6) * tail(&square, 4, epsilon);
+        let rest = square.clone() * square.clone() * T::from_ratio(1, 24) * tail(&square, 5, epsilon);
+        Self {
+            sin: x.clone() - lag.clone(),
+            fall: square * T::from_ratio(1, 2) - rest.clone(),
+            lag,
+            rest,
+        }
+    }
+}
+
+/// `1 - z/(n(n+1)) (1 - z/((n+2)(n+3)) (1 - ...))`, to the precision of the number.
+#[inline]
+fn tail<T: Analytic>(z: &T, n: i64, epsilon: f64) -> T {
+    let size = z.to_f64();
+    if epsilon > 1e-17 {
+        // z to the number of terms, over the product of the divisors, stays below 2^-53
+        return if size < 1e-5 {
+            terms::<T, 2>(z, n)
+        } else if size < 3e-3 {
+            terms::<T, 4>(z, n)
+        } else {
+            terms::<T, 7>(z, n)
+        };
+    }
+    let (mut sum, mut term) = (T::one(), T::one());
+    let smallest = epsilon / 8.0;
+    for pair in 0_i64.. {
+        let first = n + 2 * pair;
+        term = -(term * z.clone()) / T::from_integer(first * (first + 1));
+        sum += term.clone();
+        // NaN ends it as well
+        if term.to_f64().abs() > smallest {
+            continue;
+        }
+        break;
+    }
+    sum
+}
+
+/// So many terms, from the last to the first; the divisors are constants to the compiler.
+#[inline]
+fn terms<T: Analytic, const TERMS: i64>(z: &T, n: i64) -> T {
+    let mut sum = T::one();
+    for pair in (0..TERMS).rev() {
+        let first = n + 2 * pair;
+        sum = T::one() - z.clone() * T::from_ratio(1, first * (first + 1)) * sum;
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::{DoubleDouble, Wide};
+
+    fn exact(x: f64) -> [Wide<100>; 4] {
+        let x = Wide::<100>::from_f64(x);
+        let (sin, cos) = x.sincos();
+        let fall = Wide::from_f64(1.0) - cos;
+        let half = Wide::from_f64(0.5);
+        [sin.clone(), fall.clone(), x.clone() - sin, x.clone() * x * half - fall]
+    }
+
+    fn worst<T: Analytic>(x: f64, narrow: impl Fn(&T) -> Wide<100>) -> f64 {
+        let Swing { sin, fall, lag, rest } = Swing::of(&T::from_f64(x), T::epsilon().to_f64());
+        let apart = [sin, fall, lag, rest].iter().zip(exact(x)).map(|(ours, exact)| {
+            let apart = (narrow(ours) - exact.clone()) / exact;
+            apart.to_f64().abs()
+        });
+        apart.fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn each_keeps_its_relative_accuracy_down_to_the_smallest_angles() {
+        for size in [1e-30, 1e-9, 3.1e-3, 3.2e-3, 0.0547, 0.0548, 0.2, 0.4999] {
+            for x in [size, -size] {
+                assert!(worst::<f64>(x, |ours| Wide::from_f64(*ours)) < 1e-15, "{x}");
+                let double = |ours: &DoubleDouble| {
+                    Wide::<100>::from_f64(ours.to_f64())
+                        + Wide::from_f64((*ours - DoubleDouble::from_f64(ours.to_f64())).to_f64())
+                };
+                assert!(worst::<DoubleDouble>(x, double) < 1e-30, "{x}");
+                assert!(worst::<Wide<50>>(x, |ours| ours.convert()) < 1e-49, "{x}");
+            }
+        }
+    }
+}
