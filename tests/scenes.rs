@@ -139,7 +139,7 @@ fn the_membrane_is_read_and_one_that_cannot_be_is_named_with_its_place() {
         narrow.membrane::<f64>().unwrap_err(),
         narrow.check(&[Want::Voltage]).unwrap_err(),
     ] {
-        let words = ["whole.toml: line 23", "membrane_radius is 0.0063", "above ball_radius"];
+        let words = ["whole.toml: line 22", "membrane_radius is 0.0063", "above ball_radius"];
         assert_says(&error.to_string(), &words);
     }
     narrow.check(&[Want::Sweep]).unwrap();

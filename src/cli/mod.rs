@@ -14,6 +14,7 @@ mod scene;
 mod scenes;
 mod source;
 mod trade;
+mod trajectory;
 
 pub use answer::{Answer, Content};
 pub use exit::Exit;
@@ -45,6 +46,7 @@ enum Command {
     Audit(audit::Arguments),
     Orbits(orbits::Arguments),
     Branch(branch::Arguments),
+    Trajectory(trajectory::Arguments),
     Scenes(scenes::Arguments),
     Run(run::Arguments),
     Check(check::Arguments),
@@ -57,6 +59,7 @@ impl Command {
             Self::Audit(arguments) => audit::run(arguments, options),
             Self::Orbits(arguments) => orbits::run(arguments, options),
             Self::Branch(arguments) => branch::run(arguments, options),
+            Self::Trajectory(arguments) => trajectory::run(arguments, options),
             Self::Scenes(arguments) => scenes::run(arguments),
             Self::Run(arguments) => run::run(arguments, options),
             Self::Check(arguments) => check::run(arguments, options),

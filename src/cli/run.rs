@@ -1,6 +1,6 @@
 //! `vibro-audit run SCENE [--explain] --out DIR`.
 
-use super::{Answer, Content, Exit, Failure, Options, SceneArguments, branch, orbits};
+use super::{Answer, Content, Exit, Failure, Options, SceneArguments, branch, orbits, trajectory};
 use crate::report::{Cell, Format, Output, OutputError, OutputProblem, Table};
 use crate::scene::{Scene, Want};
 use std::fs;
@@ -20,7 +20,11 @@ pub struct Arguments {
 pub(super) type Serve = fn(&Scene, &Options) -> Result<Table, Failure>;
 
 /// The commands that serve wants, by name; a want whose command is not here has none yet.
-const SERVED: &[(&str, Serve)] = &[("orbits", orbits::table), ("branch", branch::table)];
+const SERVED: &[(&str, Serve)] = &[
+    ("orbits", orbits::table),
+    ("branch", branch::table),
+    ("trajectory", trajectory::table),
+];
 
 /// The columns that scripts rely on.
 const COLUMNS: [&str; 4] = ["command", "want", "file", "rows"];

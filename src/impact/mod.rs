@@ -12,7 +12,9 @@ mod meeting;
 mod scaled;
 mod simulation;
 mod swing;
+mod trajectory;
 
 pub use event::{Event, Kind};
 pub use growth::Growth;
 pub use simulation::{LISTED, Simulation, Start};
+pub use trajectory::{Snapshot, Trajectory};

@@ -131,20 +131,32 @@ impl Scene {
                 sweep.over, sweep.from, sweep.to, sweep.points
             ));
         }
+        let units = self.units(over, wants);
         if wants.contains(&Want::Voltage) {
             lines.push("membrane: its deformation and the voltage at each impact".to_string());
-            if over == Some(Over::ForcingAmplitude) {
-                lines.push("units: of length and velocity, at each forcing_amplitude".to_string());
-            } else if let Ok(scales) = self.scales::<f64>() {
-                let (length, velocity, time) = (scales.length, scales.velocity, scales.time);
-                lines.push(format!(
-                    "units: length 1 is {length:.9} m, velocity 1 is {velocity:.9} m/s, time 1 is {time:.9} s"
-                ));
-            }
+        } else if units.is_some() {
+            lines.push("no membrane: no voltage is wanted".to_string());
         } else {
             lines.push("no membrane and no units: no voltage is wanted".to_string());
         }
+        lines.extend(units);
         Ok(lines)
+    }
+
+    /// The units in which a voltage or a trajectory is given.
+    fn units(&self, over: Option<Over>, wants: &[Want]) -> Option<String> {
+        let of_voltage = wants.contains(&Want::Voltage);
+        if of_voltage && over == Some(Over::ForcingAmplitude) {
+            return Some("units: of length and velocity, at each forcing_amplitude".to_string());
+        }
+        if !(of_voltage || wants.contains(&Want::Trajectory)) {
+            return None;
+        }
+        let scales = self.scales::<f64>().ok()?;
+        let (length, velocity, time) = (scales.length, scales.velocity, scales.time);
+        Some(format!(
+            "units: length 1 is {length:.9} m, velocity 1 is {velocity:.9} m/s, time 1 is {time:.9} s"
+        ))
     }
 }
 

@@ -95,7 +95,14 @@ impl Scene {
                 optional.extend([&key::WORDS, &key::MAX_PERIODS]);
                 required.extend(RANGE);
             }
-            Want::Impacts | Want::Trajectory => required.extend(START),
+            Want::Impacts => required.extend(START),
+            Want::Trajectory => {
+                required.extend(START);
+                // with a frequency the device gives its motion in SI too
+                if self.has_device() {
+                    optional.push(&key::ANGULAR_FREQUENCY);
+                }
+            }
             Want::Sweep => {
                 required.extend(RANGE);
                 required.extend(DIAGRAM);
@@ -156,7 +163,9 @@ impl Scene {
                     self.sweep()?;
                     self.diagram()?;
                 }
-                Want::Voltage => drop(self.membrane::<f64>()?),
+                Want::Voltage => {
+                    self.membrane::<f64>()?;
+                }
                 _ => {}
             }
             if need
