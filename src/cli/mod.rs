@@ -9,6 +9,7 @@ mod failure;
 mod golden;
 mod options;
 mod orbits;
+mod plot;
 mod run;
 mod scene;
 mod scenes;
@@ -47,6 +48,7 @@ enum Command {
     Orbits(orbits::Arguments),
     Branch(branch::Arguments),
     Trajectory(trajectory::Arguments),
+    Plot(plot::Arguments),
     Scenes(scenes::Arguments),
     Run(run::Arguments),
     Check(check::Arguments),
@@ -60,6 +62,7 @@ impl Command {
             Self::Orbits(arguments) => orbits::run(arguments, options),
             Self::Branch(arguments) => branch::run(arguments, options),
             Self::Trajectory(arguments) => trajectory::run(arguments, options),
+            Self::Plot(arguments) => plot::run(arguments, options),
             Self::Scenes(arguments) => scenes::run(arguments),
             Self::Run(arguments) => run::run(arguments, options),
             Self::Check(arguments) => check::run(arguments, options),
@@ -67,10 +70,11 @@ impl Command {
         }
     }
 
-    /// Where the answer goes: to `--out`, but for `run`, whose files go there.
+    /// Where the answer goes: to `--out`, but for `run` and `plot all`, whose files go there.
     fn output(&self, options: &Options) -> Output {
         match self {
             Self::Run(arguments) if !arguments.explain => Output::Stdout,
+            Self::Plot(arguments) if arguments.is_all() => Output::Stdout,
             _ => options.output(),
         }
     }

@@ -99,7 +99,7 @@ fn run_with(served: &[(&str, Serve)], scene: &Scene, wants: &[Want], options: &O
     })
 }
 
-fn create(directory: &Path) -> Result<(), OutputError> {
+pub(super) fn create(directory: &Path) -> Result<(), OutputError> {
     fs::create_dir_all(directory).map_err(|source| OutputError {
         place: directory.display().to_string(),
         problem: OutputProblem::System {
