@@ -1,10 +1,12 @@
 //! What a command hands back, and how it is printed.
 
 use super::{Exit, Failure, Options};
-use crate::report::{Output, Table};
+use crate::report::{Cell, Column, Format, Output, Stream, Table};
+use std::fmt;
+use std::io;
 
 /// What a command found, and what the exit status says of it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug)]
 pub struct Answer {
     /// What to print.
     pub content: Content,
@@ -13,21 +15,130 @@ pub struct Answer {
 }
 
 /// What to print.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug)]
 pub enum Content {
     /// Rows, in the format the user chose.
     Table(Table),
+    /// Rows that are made while they are printed.
+    Rows(Rows),
     /// Text that has one form only, such as a proof; `--format` has no say in it.
     Text(String),
 }
 
+/// Rows of which only a few are held at a time.
+pub struct Rows {
+    /// The columns.
+    pub columns: Vec<Column>,
+    /// The rows in order; the first failure ends them.
+    pub rows: Box<dyn Iterator<Item = Result<Vec<Cell>, Failure>>>,
+}
+
+impl fmt::Debug for Rows {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Rows")
+            .field("columns", &self.columns)
+            .finish_non_exhaustive()
+    }
+}
+
 impl Answer {
-    /// Prints the answer to `output`; text ends with a line break.
-    pub fn write(&self, output: &Output, options: &Options) -> Result<(), Failure> {
-        output.write(|to| match &self.content {
-            Content::Table(table) => table.write(to, options.format, options.figures()),
-            Content::Text(text) => writeln!(to, "{}", text.trim_end_matches('\n')),
-        })?;
-        Ok(())
+    /// Prints the answer to `output`, text with a line break at its end, and says how the command exits.
+    pub fn write(self, output: &Output, options: &Options) -> Result<Exit, Failure> {
+        self.content.write(output, options.format, options.figures())?;
+        Ok(self.exit)
+    }
+}
+
+impl Content {
+    /// Prints it and tells the number of rows.
+    pub(super) fn write(self, output: &Output, format: Format, figures: usize) -> Result<usize, Failure> {
+        match self {
+            Self::Table(table) => {
+                output.write(|to| table.write(to, format, figures))?;
+                Ok(table.rows().len())
+            }
+            Self::Rows(rows) => rows.write(output, format, figures),
+            Self::Text(text) => {
+                output.write(|to| writeln!(to, "{}", text.trim_end_matches('\n')))?;
+                Ok(0)
+            }
+        }
+    }
+}
+
+impl Rows {
+    /// All rows at once.
+    pub(super) fn table(self) -> Result<Table, Failure> {
+        let mut table = Table::new(self.columns);
+        for row in self.rows {
+            table.push(row?)?;
+        }
+        Ok(table)
+    }
+
+    fn write(self, output: &Output, format: Format, figures: usize) -> Result<usize, Failure> {
+        let Self { columns, rows } = self;
+        let (mut count, mut failure) = (0, None);
+        let written = output.write(|to| {
+            let mut stream = Stream::new(columns, format, figures, to);
+            for row in rows {
+                match row {
+                    Ok(row) => stream.push(row)?,
+                    Err(failed) => {
+                        failure = Some(failed);
+                        // so that nothing of the file remains
+                        return Err(io::Error::other("stopped"));
+                    }
+                }
+                count += 1;
+            }
+            stream.end()
+        });
+        match failure {
+            Some(failure) => Err(failure),
+            None => {
+                written?;
+                Ok(count)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    fn rows(count: usize) -> Rows {
+        let row = move |number: usize| {
+            if number < count {
+                Ok(vec![Cell::from(number as f64)])
+            } else {
+                Err(Failure::NoTests)
+            }
+        };
+        Rows {
+            columns: vec![Column::from("number")],
+            rows: Box::new((0..5000).map(row)),
+        }
+    }
+
+    #[test]
+    fn a_failure_midway_is_told_and_leaves_no_file() {
+        let path = std::env::temp_dir().join(format!("vibro-audit-answer-{}", std::process::id()));
+        fs::create_dir_all(&path).unwrap();
+        let output = Output::File(path.join("rows.csv"));
+        let failure = rows(4000).write(&output, Format::Csv, 12).unwrap_err();
+        assert!(matches!(failure, Failure::NoTests), "{failure}");
+        assert_eq!(fs::read_dir(&path).unwrap().count(), 0);
+        assert_eq!(rows(5000).write(&output, Format::Csv, 12).unwrap(), 5000);
+        assert_eq!(fs::read_to_string(path.join("rows.csv")).unwrap().lines().count(), 5001);
+        fs::remove_dir_all(&path).unwrap();
+    }
+
+    #[test]
+    fn all_rows_at_once_are_a_table() {
+        assert_eq!(rows(5000).table().unwrap().rows().len(), 5000);
+        assert!(rows(3).table().is_err());
     }
 }

@@ -1,6 +1,6 @@
 //! What golden rows ask for, answered by the commands themselves.
 
-use super::{Content, Failure, Options, audit, branch, orbits};
+use super::{Content, Failure, Options, audit, branch, orbits, sweep};
 use crate::number::{Analytic, Decimals, Field, Wide};
 use crate::reference::{Computed, Directory, Made, Quantity, Request, Setting};
 use crate::report::{Cell, Table};
@@ -8,8 +8,9 @@ use crate::scene::{self, Scene};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
-/// The commands whose columns a golden row may name. `motion` is the scene's own: its parameters and units.
-const KNOWN: [&str; 5] = ["audit", "branch", "inferred", "motion", "orbits"];
+/// The commands whose columns a golden row may name. `motion` is the scene's own: its parameters and units; `summary` is
+/// `sweep --summary`.
+const KNOWN: [&str; 7] = ["audit", "branch", "inferred", "motion", "orbits", "summary", "sweep"];
 
 /// The columns of `motion`: the parameters without unit, where the walls are, and the device's amplitude and units.
 const MOTION: [&str; 11] = [
@@ -54,6 +55,8 @@ pub fn answer(directory: &Directory, request: &Request, options: &Options) -> Re
         "motion" => motion(&scene(directory, request)?)?,
         "orbits" => orbits::table(&scene(directory, request)?, options)?,
         "branch" => branch::table(&scene(directory, request)?, options)?,
+        "sweep" => sweep::table(&scene(directory, request)?, options)?,
+        "summary" => sweep::summary(&scene(directory, request)?, options)?,
         command => return Err(no_answer(command)),
     };
     Ok(as_text(&table))
@@ -152,6 +155,7 @@ fn verdicts(directory: &Directory, request: &Request) -> Result<Table, Failure> 
     let answer = audit::verdicts(&directory.read(sheet)?, &directory.name(sheet))?;
     match answer.content {
         Content::Table(table) => Ok(table),
+        Content::Rows(rows) => rows.table(),
         Content::Text(_) => Ok(Table::default()),
     }
 }

@@ -10,14 +10,16 @@ mod golden;
 mod options;
 mod orbits;
 mod plot;
+mod progress;
 mod run;
 mod scene;
 mod scenes;
 mod source;
+mod sweep;
 mod trade;
 mod trajectory;
 
-pub use answer::{Answer, Content};
+pub use answer::{Answer, Content, Rows};
 pub use exit::Exit;
 pub use failure::Failure;
 pub use options::Options;
@@ -47,6 +49,7 @@ enum Command {
     Audit(audit::Arguments),
     Orbits(orbits::Arguments),
     Branch(branch::Arguments),
+    Sweep(sweep::Arguments),
     Trajectory(trajectory::Arguments),
     Plot(plot::Arguments),
     Scenes(scenes::Arguments),
@@ -61,6 +64,7 @@ impl Command {
             Self::Audit(arguments) => audit::run(arguments, options),
             Self::Orbits(arguments) => orbits::run(arguments, options),
             Self::Branch(arguments) => branch::run(arguments, options),
+            Self::Sweep(arguments) => sweep::run(arguments, options),
             Self::Trajectory(arguments) => trajectory::run(arguments, options),
             Self::Plot(arguments) => plot::run(arguments, options),
             Self::Scenes(arguments) => scenes::run(arguments),
@@ -117,8 +121,7 @@ fn run_line(line: &Line) -> Result<Exit, Failure> {
     let output = line.command.output(&line.options);
     output.check()?;
     let answer = line.command.run(&line.options)?;
-    answer.write(&output, &line.options)?;
-    Ok(answer.exit)
+    answer.write(&output, &line.options)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! `vibro-audit run SCENE [--explain] --out DIR`.
 
-use super::{Answer, Content, Exit, Failure, Options, SceneArguments, branch, orbits, trajectory};
+use super::{Answer, Content, Exit, Failure, Options, SceneArguments, branch, orbits, sweep, trajectory};
 use crate::report::{Cell, Format, Output, OutputError, OutputProblem, Table};
 use crate::scene::{Scene, Want};
 use std::fs;
@@ -16,14 +16,45 @@ pub struct Arguments {
     pub explain: bool,
 }
 
-/// A command's table for a scene.
-pub(super) type Serve = fn(&Scene, &Options) -> Result<Table, Failure>;
+/// What a command has to say of a scene.
+type Serve = fn(&Scene, &Options) -> Result<Content, Failure>;
 
-/// The commands that serve wants, by name; a want whose command is not here has none yet.
-const SERVED: &[(&str, Serve)] = &[
-    ("orbits", orbits::table),
-    ("branch", branch::table),
-    ("trajectory", trajectory::table),
+/// A file that serves a want.
+struct Served {
+    /// The command of the want.
+    command: &'static str,
+    /// The name of the file, without its extension.
+    file: &'static str,
+    serve: Serve,
+}
+
+/// The files that serve wants; a want whose command is not here has none yet.
+const SERVED: &[Served] = &[
+    Served {
+        command: "orbits",
+        file: "orbits",
+        serve: |scene, options| orbits::table(scene, options).map(Content::Table),
+    },
+    Served {
+        command: "branch",
+        file: "branch",
+        serve: |scene, options| branch::table(scene, options).map(Content::Table),
+    },
+    Served {
+        command: "sweep",
+        file: "sweep",
+        serve: |scene, options| sweep::impact_rows(scene, options).map(Content::Rows),
+    },
+    Served {
+        command: "sweep",
+        file: "summary",
+        serve: |scene, options| sweep::summary_rows(scene, options).map(Content::Rows),
+    },
+    Served {
+        command: "trajectory",
+        file: "trajectory",
+        serve: |scene, options| trajectory::table(scene, options).map(Content::Table),
+    },
 ];
 
 /// The columns that scripts rely on.
@@ -35,7 +66,7 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     let wants = scene.wanted()?;
     arguments.scene.check(&scene, &wants)?;
     if arguments.explain {
-        let text = scene.explain(&wants, |want| serve(SERVED, want).is_some())?;
+        let text = scene.explain(&wants, |want| files(SERVED, want).next().is_some())?;
         return Ok(Answer {
             content: Content::Text(text),
             exit: Exit::AsExpected,
@@ -44,48 +75,47 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     run_with(SERVED, &scene, &wants, options)
 }
 
-fn serve(served: &[(&str, Serve)], want: Want) -> Option<Serve> {
-    served
-        .iter()
-        .find(|(command, _)| *command == want.command())
-        .map(|(_, serve)| *serve)
+fn files(served: &[Served], want: Want) -> impl Iterator<Item = &Served> {
+    served.iter().filter(move |file| file.command == want.command())
 }
 
-/// Writes the table of each served want, and fails for the others afterwards.
-fn run_with(served: &[(&str, Serve)], scene: &Scene, wants: &[Want], options: &Options) -> Result<Answer, Failure> {
+/// Writes the files of each served want, and fails for the others afterwards.
+fn run_with(served: &[Served], scene: &Scene, wants: &[Want], options: &Options) -> Result<Answer, Failure> {
     let unserved: Vec<Want> = wants
         .iter()
         .copied()
-        .filter(|&want| serve(served, want).is_none())
+        .filter(|&want| files(served, want).next().is_none())
         .collect();
     let mut answer = Table::new(COLUMNS);
     let mut written = Vec::new();
     let mut done: Vec<&str> = Vec::new();
     for &want in wants {
-        let Some(serve) = serve(served, want) else { continue };
-        // Voltage is a column of the sweep: one file serves both.
+        // Voltage is a column of the sweep: the same files serve both.
         if done.contains(&want.command()) {
             continue;
         }
         done.push(want.command());
-        let directory = options.out.as_deref().ok_or(Failure::NoDirectory)?;
-        let table = serve(scene, options)?;
-        create(directory)?;
-        let (format, extension) = match options.format {
-            Format::Text | Format::Csv | Format::Junit => (Format::Csv, "csv"),
-            Format::Json => (Format::Json, "json"),
-            Format::Markdown => (Format::Markdown, "md"),
-        };
-        let path = directory.join(format!("{}.{extension}", want.command()));
-        Output::File(path.clone()).write(|to| table.write(to, format, options.figures()))?;
         let same = wants.iter().filter(|other| other.command() == want.command());
-        answer.push([
-            Cell::from(want.command()),
-            Cell::from(same.map(|want| want.name()).collect::<Vec<_>>().join(";")),
-            Cell::from(path.display().to_string()),
-            Cell::from(i64::try_from(table.rows().len()).unwrap_or(i64::MAX)),
-        ])?;
-        written.push(path.display().to_string());
+        let same = same.map(|want| want.name()).collect::<Vec<_>>().join(";");
+        for Served { file, serve, .. } in files(served, want) {
+            let directory = options.out.as_deref().ok_or(Failure::NoDirectory)?;
+            let content = serve(scene, options)?;
+            create(directory)?;
+            let (format, extension) = match options.format {
+                Format::Text | Format::Csv | Format::Junit => (Format::Csv, "csv"),
+                Format::Json => (Format::Json, "json"),
+                Format::Markdown => (Format::Markdown, "md"),
+            };
+            let path = directory.join(format!("{file}.{extension}"));
+            let rows = content.write(&Output::File(path.clone()), format, options.figures())?;
+            answer.push([
+                Cell::from(want.command()),
+                Cell::from(same.as_str()),
+                Cell::from(path.display().to_string()),
+                Cell::from(i64::try_from(rows).unwrap_or(i64::MAX)),
+            ])?;
+            written.push(path.display().to_string());
+        }
     }
     if !unserved.is_empty() {
         return Err(Failure::Unserved {
@@ -114,13 +144,17 @@ mod tests {
     use super::*;
     use crate::report::DEFAULT_DIGITS;
 
-    fn one_row(scene: &Scene, _: &Options) -> Result<Table, Failure> {
+    fn one_row(scene: &Scene, _: &Options) -> Result<Content, Failure> {
         let mut table = Table::new(["name"]);
         table.push([Cell::from(scene.name())])?;
-        Ok(table)
+        Ok(Content::Table(table))
     }
 
-    fn broken(scene: &Scene, _: &Options) -> Result<Table, Failure> {
+    fn file(command: &'static str, file: &'static str, serve: Serve) -> Served {
+        Served { command, file, serve }
+    }
+
+    fn broken(scene: &Scene, _: &Options) -> Result<Content, Failure> {
         scene.motion::<f64>()?;
         one_row(scene, &options(None))
     }
@@ -140,14 +174,18 @@ mod tests {
     }
 
     #[test]
-    fn each_command_writes_one_file_and_what_none_serves_is_named_after() {
+    fn each_command_writes_its_files_once_and_what_none_serves_is_named_after() {
         let scene = Scene::read("", "mine").unwrap();
         let directory = scratch("files");
-        let served: &[(&str, Serve)] = &[("orbits", one_row), ("sweep", one_row)];
+        let served = &[
+            file("orbits", "orbits", one_row),
+            file("sweep", "sweep", one_row),
+            file("sweep", "summary", one_row),
+        ];
         let options = options(Some(&directory));
         let wants = [Want::Orbits, Want::Sweep, Want::Voltage];
         let answer = run_with(served, &scene, &wants, &options).unwrap();
-        assert!(matches!(&answer.content, Content::Table(table) if table.rows().len() == 2));
+        assert!(matches!(&answer.content, Content::Table(table) if table.rows().len() == 3));
         assert_eq!(
             fs::read_to_string(directory.join("orbits.csv")).unwrap(),
             "name\nmine\n"
@@ -157,7 +195,7 @@ mod tests {
             error.contains("branch, impacts, trajectory") && error.contains("sweep.csv"),
             "{error}"
         );
-        assert_eq!(fs::read_dir(&directory).unwrap().count(), 2);
+        assert_eq!(fs::read_dir(&directory).unwrap().count(), 3);
         fs::remove_dir_all(&directory).unwrap();
     }
 
@@ -165,7 +203,7 @@ mod tests {
     fn where_nothing_can_be_computed_no_directory_is_made() {
         let scene = Scene::read("", "mine").unwrap();
         let directory = scratch("none");
-        let served: &[(&str, Serve)] = &[("orbits", broken)];
+        let served = &[file("orbits", "orbits", broken)];
         assert!(run_with(served, &scene, &[Want::Orbits], &options(Some(&directory))).is_err());
         assert!(!directory.exists());
         let error = run_with(served, &scene, &[Want::Orbits], &options(None)).unwrap_err();

@@ -2,6 +2,7 @@
 
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
 use crate::impact::{Event, Kind, Simulation, Snapshot, Start, Trajectory};
+use crate::model::Side;
 use crate::report::{Cell, Table};
 use crate::scene::{Scene, Want};
 use std::str::FromStr;
@@ -80,10 +81,11 @@ pub fn table(scene: &Scene, _: &Options) -> Result<Table, Failure> {
 fn simulation(scene: &Scene) -> Result<Simulation<f64>, Failure> {
     let start = scene.start()?;
     let start = Start {
+        side: Side::Bottom,
         phase: start.phase.value(),
         velocity: start.velocity.value(),
     };
-    Ok(Simulation::new(scene.motion::<f64>()?, start))
+    Ok(Simulation::new(&scene.motion::<f64>()?, &start))
 }
 
 /// The time of an impact, counted from 1; that of the last event where there are not so many.

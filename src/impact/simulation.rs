@@ -95,12 +95,6 @@ impl<T: Analytic> Simulation<T> {
         }
         None
     }
-
-    /// The motion from one of its events on, that event first; at rest after a rest.
-    pub fn resume(motion: Motion<T>, event: &Event<T>) -> Self {
-        let (phase, velocity) = (event.phase.clone(), event.velocity.clone());
-        Self::new(motion, Start { phase, velocity })
-    }
 }
 
 impl<T: Analytic> Iterator for Simulation<T> {

@@ -1,23 +1,35 @@
 //! A table as CSV.
 
 use super::figures::{whole, whole_list};
+use super::stream::Printer;
 use super::{Cell, Table};
 use crate::number::Decimal;
 use std::borrow::Cow;
 use std::io::{self, Write};
 
-/// Writes a header and one record per row.
-pub fn write(table: &Table, to: &mut dyn Write) -> io::Result<()> {
+/// One record per row.
+pub struct Records;
+
+/// Writes the header.
+pub fn begin(head: &Table, to: &mut dyn Write) -> io::Result<Records> {
     let mut writer = csv::Writer::from_writer(to);
     writer
-        .write_record(table.columns().iter().map(|column| &column.name))
+        .write_record(head.columns().iter().map(|column| &column.name))
         .map_err(to_io)?;
-    for row in table.rows() {
-        writer
-            .write_record(row.iter().map(|cell| field(cell).into_owned().into_bytes()))
-            .map_err(to_io)?;
+    writer.flush()?;
+    Ok(Records)
+}
+
+impl Printer for Records {
+    fn rows(&mut self, rows: &[Vec<Cell>], to: &mut dyn Write) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(to);
+        for row in rows {
+            writer
+                .write_record(row.iter().map(|cell| field(cell).into_owned().into_bytes()))
+                .map_err(to_io)?;
+        }
+        writer.flush()
     }
-    writer.flush()
 }
 
 /// The cell without any quoting.
@@ -49,6 +61,7 @@ fn to_io(error: csv::Error) -> io::Error {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Format;
     use super::*;
 
     #[test]
@@ -58,7 +71,7 @@ mod tests {
             .push([Cell::from("a,\"b\"\nc"), Cell::from(vec![0.1, -2.0]), Cell::Empty])
             .unwrap();
         let mut bytes = Vec::new();
-        write(&table, &mut bytes).unwrap();
+        table.write(&mut bytes, Format::Csv, 12).unwrap();
         assert_eq!(
             String::from_utf8(bytes).unwrap(),
             "text,numbers,none\n\"a,\"\"b\"\"\nc\",0.1;-2.0,\n"

@@ -2,24 +2,40 @@
 
 use super::csv::texts;
 use super::figures::whole;
+use super::stream::Printer;
 use super::{Cell, Column, Table};
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 use std::io::{self, Write};
 
-/// Writes the array.
-pub fn write(table: &Table, to: &mut dyn Write) -> io::Result<()> {
+/// One object per row of an array.
+pub struct Objects {
+    columns: Vec<Column>,
+    is_empty: bool,
+}
+
+/// Opens the array.
+pub fn begin(head: &Table, to: &mut dyn Write) -> io::Result<Objects> {
     to.write_all(b"[")?;
-    for (index, cells) in table.rows().iter().enumerate() {
-        to.write_all(if index == 0 { b"\n" } else { b",\n" })?;
-        serde_json::to_writer(
-            &mut *to,
-            &Row {
-                columns: table.columns(),
-                cells,
-            },
-        )?;
+    Ok(Objects {
+        columns: head.columns().to_vec(),
+        is_empty: true,
+    })
+}
+
+impl Printer for Objects {
+    fn rows(&mut self, rows: &[Vec<Cell>], to: &mut dyn Write) -> io::Result<()> {
+        let columns = &self.columns;
+        for cells in rows {
+            to.write_all(if self.is_empty { b"\n" } else { b",\n" })?;
+            self.is_empty = false;
+            serde_json::to_writer(&mut *to, &Row { columns, cells })?;
+        }
+        Ok(())
     }
-    to.write_all(if table.rows().is_empty() { b"]\n" } else { b"\n]\n" })
+
+    fn end(&mut self, to: &mut dyn Write) -> io::Result<()> {
+        to.write_all(if self.is_empty { b"]\n" } else { b"\n]\n" })
+    }
 }
 
 /// A row with its keys, written as a stream so that the order of the columns is kept.
@@ -74,6 +90,7 @@ impl Serialize for Finite {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Format;
     use super::*;
 
     #[test]
@@ -90,7 +107,7 @@ mod tests {
             ])
             .unwrap();
         let mut bytes = Vec::new();
-        write(&table, &mut bytes).unwrap();
+        table.write(&mut bytes, Format::Json, 12).unwrap();
         let expected = "[\n{\"z\":1,\"a\":\"NaN\",\"list\":[0.5,\"inf\"],\"none\":null,\"flag\":true}\n]\n";
         assert_eq!(String::from_utf8(bytes).unwrap(), expected);
     }
@@ -98,7 +115,7 @@ mod tests {
     #[test]
     fn no_rows_are_an_empty_array() {
         let mut bytes = Vec::new();
-        write(&Table::new(["a"]), &mut bytes).unwrap();
+        Table::new(["a"]).write(&mut bytes, Format::Json, 12).unwrap();
         assert_eq!(bytes, b"[]\n");
     }
 }

@@ -1,21 +1,31 @@
 //! A table as Markdown.
 
 use super::csv::field;
+use super::stream::Printer;
 use super::{Cell, Table};
 use std::io::{self, Write};
 
-/// Writes a header, a rule that aligns columns of numbers to the right, and one line per row.
-pub fn write(table: &Table, to: &mut dyn Write) -> io::Result<()> {
-    write_line(to, table.columns().iter().map(|column| escape(&column.name)))?;
-    let rule = (0..table.columns().len()).map(|index| {
-        let rule = if table.is_numeric(index) { "---:" } else { "---" };
+/// One line per row.
+pub struct Lines;
+
+/// Writes a header, and a rule that aligns columns of numbers to the right.
+pub fn begin(head: &Table, to: &mut dyn Write) -> io::Result<Lines> {
+    write_line(to, head.columns().iter().map(|column| escape(&column.name)))?;
+    let rule = (0..head.columns().len()).map(|index| {
+        let rule = if head.is_numeric(index) { "---:" } else { "---" };
         rule.to_owned()
     });
     write_line(to, rule)?;
-    for row in table.rows() {
-        write_line(to, row.iter().map(|cell: &Cell| escape(&field(cell))))?;
+    Ok(Lines)
+}
+
+impl Printer for Lines {
+    fn rows(&mut self, rows: &[Vec<Cell>], to: &mut dyn Write) -> io::Result<()> {
+        for row in rows {
+            write_line(to, row.iter().map(|cell| escape(&field(cell))))?;
+        }
+        Ok(())
     }
-    Ok(())
 }
 
 fn write_line(to: &mut dyn Write, cells: impl Iterator<Item = String>) -> io::Result<()> {
@@ -41,6 +51,7 @@ fn escape(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Format;
     use super::*;
 
     #[test]
@@ -48,7 +59,7 @@ mod tests {
         let mut table = Table::new(["label", "x"]);
         table.push([Cell::from("|r_B| < 1\nalways"), Cell::from(0.25)]).unwrap();
         let mut bytes = Vec::new();
-        write(&table, &mut bytes).unwrap();
+        table.write(&mut bytes, Format::Markdown, 12).unwrap();
         let expected = "| label | x |\n| --- | ---: |\n| \\|r_B\\| \\< 1 always | 0.25 |\n";
         assert_eq!(String::from_utf8(bytes).unwrap(), expected);
     }

@@ -1,6 +1,7 @@
 //! Tables, and how they reach the reader: text, CSV, JSON, Markdown or JUnit, on stdout or in a file.
 //!
-//! A command fills a [`Table`]; [`Table::write`] prints it in a [`Format`]; an [`Output`] says where to.
+//! A command fills a [`Table`]; [`Table::write`] prints it in a [`Format`]; an [`Output`] says where to. What is too
+//! long to be held is printed row by row through a [`Stream`].
 //! CSV, JSON and Markdown print every number so that it reads back to the same value; only text rounds.
 //!
 //! ```
@@ -23,11 +24,13 @@ mod junit;
 mod markdown;
 mod output;
 pub mod plot;
+mod stream;
 mod table;
 mod text;
 
 pub use format::{Format, UnknownFormat};
 pub use output::{Output, OutputError, OutputProblem};
+pub use stream::Stream;
 pub use table::{Cell, Column, RowError, Table};
 
 /// Significant figures of a number in text where the user names none.

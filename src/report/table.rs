@@ -1,6 +1,6 @@
 //! A table: what a command has to say, before any layout.
 
-use super::{Format, csv, json, junit, markdown, text};
+use super::{Format, csv, junit, stream};
 use crate::number::Decimal;
 use std::borrow::Cow;
 use std::io::{self, Write};
@@ -132,7 +132,13 @@ impl Table {
 
     /// Adds a row, which must have as many cells as the table has columns.
     pub fn push(&mut self, row: impl Into<Vec<Cell>>) -> Result<(), RowError> {
-        let row = row.into();
+        let row = self.fitting(row.into())?;
+        self.rows.push(row);
+        Ok(())
+    }
+
+    /// The row, if it has as many cells as the table has columns.
+    pub(super) fn fitting(&self, row: Vec<Cell>) -> Result<Vec<Cell>, RowError> {
         if row.len() != self.columns.len() {
             let names: Vec<&str> = self.columns.iter().map(|column| column.name.as_str()).collect();
             return Err(RowError {
@@ -141,8 +147,12 @@ impl Table {
                 columns: names.join(","),
             });
         }
-        self.rows.push(row);
-        Ok(())
+        Ok(row)
+    }
+
+    /// Leaves the columns and no rows.
+    pub(super) fn clear(&mut self) {
+        self.rows.clear();
     }
 
     /// The columns, in order.
@@ -180,13 +190,12 @@ impl Table {
     /// Writes the table. `digits` is the number of significant figures in text, at least 1; the other formats
     /// print every number whole. JUnit needs a table of verdicts ([`Table::has_verdicts`]).
     pub fn write(&self, to: &mut dyn Write, format: Format, digits: usize) -> io::Result<()> {
-        match format {
-            Format::Text => text::write(self, to, digits),
-            Format::Csv => csv::write(self, to),
-            Format::Json => json::write(self, to),
-            Format::Markdown => markdown::write(self, to),
-            Format::Junit => junit::write(self, to),
+        if format == Format::Junit {
+            return junit::write(self, to);
         }
+        let mut printer = stream::begin(self, format, digits, to)?;
+        printer.rows(&self.rows, to)?;
+        printer.end(to)
     }
 }
 

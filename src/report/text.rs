@@ -6,6 +6,7 @@
 
 use super::csv::texts;
 use super::figures::rounded;
+use super::stream::Printer;
 use super::{Cell, Table};
 use std::io::{self, Write};
 
@@ -14,23 +15,39 @@ const WIDTH: usize = 100;
 const GAP: usize = 2;
 const INDENT: usize = 4;
 
-/// Writes the table with numbers rounded to `digits` significant figures.
-pub fn write(table: &Table, to: &mut dyn Write, digits: usize) -> io::Result<()> {
-    let layout = Layout::new(table, digits);
-    if layout.line_width() > WIDTH && !table.rows().is_empty() {
-        return layout.write_records(to);
+/// Lays out the rows that begin like those of `head`, with numbers rounded to `digits` significant figures, and writes
+/// the header.
+pub fn begin(head: &Table, digits: usize, to: &mut dyn Write) -> io::Result<Layout> {
+    let layout = Layout::new(head, digits);
+    if !layout.has_records() {
+        layout.write_header(to)?;
     }
-    layout.write_header(to)?;
-    for row in &layout.rows {
-        layout.write_row(to, row)?;
-    }
-    Ok(())
+    Ok(layout)
 }
 
-/// The cells as they will be read, and where each column stands.
-struct Layout {
+impl Printer for Layout {
+    fn rows(&mut self, rows: &[Vec<Cell>], to: &mut dyn Write) -> io::Result<()> {
+        for row in rows {
+            let cells: Vec<String> = row.iter().map(|cell| show(cell, self.digits)).collect();
+            if self.has_records() {
+                self.write_record(to, &cells)?;
+            } else {
+                self.write_row(to, &cells)?;
+            }
+            self.is_empty = false;
+        }
+        Ok(())
+    }
+}
+
+/// Where each column stands.
+pub struct Layout {
+    digits: usize,
+    /// Whether nothing has been written yet but the header.
+    is_empty: bool,
+    /// Whether there are rows to lay out at all.
+    has_rows: bool,
     names: Vec<String>,
-    rows: Vec<Vec<String>>,
     widths: Vec<usize>,
     right: Vec<bool>,
     beneath: Vec<bool>,
@@ -58,8 +75,10 @@ impl Layout {
         let right = (0..names.len()).map(|index| table.is_numeric(index)).collect();
         let beneath = vec![false; names.len()];
         let mut layout = Self {
+            digits,
+            is_empty: true,
+            has_rows: !rows.is_empty(),
             names,
-            rows,
             widths,
             right,
             beneath,
@@ -91,6 +110,11 @@ impl Layout {
             .map(|(_, width)| width + GAP)
             .sum::<usize>()
             .saturating_sub(GAP)
+    }
+
+    /// Whether even what cannot move beneath is too wide for a line.
+    fn has_records(&self) -> bool {
+        self.has_rows && self.line_width() > WIDTH
     }
 
     fn write_header(&self, to: &mut dyn Write) -> io::Result<()> {
@@ -129,16 +153,14 @@ impl Layout {
     }
 
     /// One line per cell, names aligned, an empty line between rows.
-    fn write_records(&self, to: &mut dyn Write) -> io::Result<()> {
+    fn write_record(&self, to: &mut dyn Write, row: &[String]) -> io::Result<()> {
         let width = self.names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
-        for (number, row) in self.rows.iter().enumerate() {
-            if number > 0 {
-                writeln!(to)?;
-            }
-            for (name, cell) in self.names.iter().zip(row).filter(|(_, cell)| !cell.is_empty()) {
-                let blanks = " ".repeat(width - name.chars().count().min(width) + GAP);
-                write_wrapped(to, &format!("{name}{blanks}{cell}"), 0, width + GAP)?;
-            }
+        if !self.is_empty {
+            writeln!(to)?;
+        }
+        for (name, cell) in self.names.iter().zip(row).filter(|(_, cell)| !cell.is_empty()) {
+            let blanks = " ".repeat(width - name.chars().count().min(width) + GAP);
+            write_wrapped(to, &format!("{name}{blanks}{cell}"), 0, width + GAP)?;
         }
         Ok(())
     }
@@ -209,11 +231,12 @@ fn one_line(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Format;
     use super::*;
 
     fn print(table: &Table) -> String {
         let mut bytes = Vec::new();
-        write(table, &mut bytes, 12).unwrap();
+        table.write(&mut bytes, Format::Text, 12).unwrap();
         String::from_utf8(bytes).unwrap()
     }
 

@@ -3,7 +3,7 @@
 use super::sweep::{Begin, Diagram, Sweep};
 use super::{Quantity, Scene, SceneError, Setting, Want};
 use crate::impact::{Event, Kind, Simulation, Start};
-use crate::model::{Membrane, Motion};
+use crate::model::{Membrane, Motion, Side};
 use crate::orbit::{Family, Parameters, Settled};
 use rayon::prelude::*;
 use std::vec::IntoIter;
@@ -91,6 +91,7 @@ impl Scene {
             diagram: self.diagram()?,
             setting: self.swept_setting()?,
             start: Start {
+                side: Side::Bottom,
                 phase: start.phase.value(),
                 velocity: start.velocity.value(),
             },
@@ -129,10 +130,8 @@ impl Points {
         let value = self.sweep.value(index);
         let motion = self.setting.fixed(&value).motion::<f64>();
         let motion = motion.map_err(|error| self.scene.error(None, error))?;
-        let events = match before {
-            Some(event) => Simulation::resume(motion.clone(), event),
-            None => Simulation::new(motion.clone(), self.start.clone()),
-        };
+        let start = before.map_or_else(|| self.start.clone(), Start::from);
+        let events = Simulation::new(&motion, &start);
         let settled = Settled::after(events, self.diagram.impacts, self.diagram.keep);
         let mut point = Point {
             value,

@@ -1,0 +1,393 @@
+//! `sweep` as a script sees it: columns, order, what depends on nothing but the scene, and what it refuses.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use vibro_audit::scene::{MeanOver, Scene, find};
+
+fn run_with(arguments: &[&str], stdin: &str, threads: Option<u32>) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
+    command.args(arguments);
+    if let Some(threads) = threads {
+        command.env("RAYON_NUM_THREADS", threads.to_string());
+    }
+    command
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    // A command that refuses its arguments does not read on.
+    let _ = child.stdin.take().unwrap().write_all(stdin.as_bytes());
+    child.wait_with_output().unwrap()
+}
+
+fn printed(arguments: &[&str]) -> String {
+    let output = run_with(arguments, "", None);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {message}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn assert_refused(arguments: &[&str], stdin: &str, words: &[&str]) {
+    let output = run_with(arguments, stdin, None);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+    assert!(output.stdout.is_empty(), "{arguments:?} printed on stdout");
+    assert!(!message.contains("panicked"), "{message}");
+    for word in words {
+        assert!(message.contains(word), "{arguments:?} does not say `{word}`: {message}");
+    }
+}
+
+/// `sweep SCENE --format csv` with these overrides and flags.
+fn arguments<'a>(scene: &'a str, sets: &[&'a str], flags: &[&'a str]) -> Vec<&'a str> {
+    let mut arguments = vec!["sweep", scene, "--format", "csv"];
+    arguments.extend(sets.iter().flat_map(|set| ["--set", set]));
+    arguments.extend(flags);
+    arguments
+}
+
+/// A CSV, by column.
+struct Sheet {
+    columns: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+impl Sheet {
+    fn of(text: &str) -> Self {
+        let mut lines = text.lines().map(|line| line.split(',').map(str::to_owned).collect());
+        let columns = lines.next().unwrap();
+        let rows = lines.collect();
+        Self { columns, rows }
+    }
+
+    fn swept(scene: &str, sets: &[&str]) -> Self {
+        Self::of(&printed(&arguments(scene, sets, &[])))
+    }
+
+    fn summary(scene: &str, sets: &[&str]) -> Self {
+        Self::of(&printed(&arguments(scene, sets, &["--summary"])))
+    }
+
+    fn texts(&self, column: &str) -> Vec<&str> {
+        let index = self.columns.iter().position(|name| name == column).unwrap();
+        self.rows.iter().map(|row| row[index].as_str()).collect()
+    }
+
+    fn numbers(&self, column: &str) -> Vec<f64> {
+        self.texts(column).iter().map(|text| text.parse().unwrap()).collect()
+    }
+}
+
+const FEW: [&str; 3] = ["sweep.points=5", "sweep.impacts=80", "sweep.keep=7"];
+
+#[test]
+fn the_columns_are_those_that_scripts_rely_on() {
+    let swept = Sheet::swept("fig03", &FEW);
+    assert_eq!(swept.columns, ["d", "impact", "side", "phase", "velocity", "voltage"]);
+    let d: Vec<f64> = [0.1, 0.2, 0.3, 0.4, 0.5].iter().flat_map(|d| [*d; 7]).collect();
+    assert_eq!(swept.numbers("d"), d);
+    assert_eq!(swept.texts("impact")[..7], ["74", "75", "76", "77", "78", "79", "80"]);
+    for ((side, velocity), phase) in swept
+        .texts("side")
+        .iter()
+        .zip(swept.numbers("velocity"))
+        .zip(swept.numbers("phase"))
+    {
+        assert_eq!(*side == "bottom", velocity > 0.0);
+        assert!((0.0..std::f64::consts::TAU).contains(&phase));
+    }
+    assert!(swept.numbers("voltage").iter().all(|voltage| *voltage > 0.0));
+    let summary = Sheet::summary("fig03", &FEW);
+    let columns = "d,word,periods,impacts,mean_voltage,lyapunov,digits,mean_over";
+    assert_eq!(summary.columns.join(","), columns);
+    assert_eq!(summary.numbers("d"), [0.1, 0.2, 0.3, 0.4, 0.5]);
+    let by_incline = ["sweep.over=incline", "sweep.from=0", "sweep.to=pi/3"];
+    let sets: Vec<&str> = FEW.into_iter().chain(by_incline).collect();
+    let swept = Sheet::swept("fig03", &sets);
+    assert_eq!(swept.columns[..2], ["incline", "d"]);
+    assert_eq!(swept.numbers("incline")[34], std::f64::consts::FRAC_PI_3);
+    assert!(swept.numbers("d").iter().all(|d| *d == 0.26));
+}
+
+#[test]
+fn at_the_values_of_the_paper_are_its_motions_and_voltages() {
+    for (scene, d, word, impacts, voltage) in [
+        ("fig02", "0.26", "BT", "2", 37876.794),
+        ("fig02", "0.4", "BT", "2", 49816.458),
+        ("fig03", "0.33", "BT", "2", 47272.052),
+        ("fig03", "0.26", "BTT", "3", 28526.39),
+        ("fig03", "0.5", "BT", "2", 61152.5467),
+        ("fig08", "0.5", "BT", "2", 61054.3835),
+    ] {
+        let from = format!("sweep.from={d}");
+        let summary = Sheet::summary(scene, &[&from, "sweep.points=1"]);
+        let row = (
+            summary.texts("word")[0],
+            summary.texts("periods")[0],
+            summary.texts("impacts")[0],
+        );
+        assert_eq!(row, (word, "1", impacts), "{scene} {d}");
+        assert_eq!(summary.texts("mean_over"), ["periods"]);
+        let found = summary.numbers("mean_voltage")[0];
+        let unit = if voltage == 28526.39 { 0.005 } else { 0.0005 };
+        assert!((found - voltage).abs() <= unit, "{scene} {d}: {found}");
+    }
+}
+
+#[test]
+fn the_mean_is_that_of_the_impacts_it_counts() {
+    let sets = ["sweep.points=9", "start.velocity=23"];
+    let (swept, summary) = (Sheet::swept("fig05", &sets), Sheet::summary("fig05", &sets));
+    for (index, d) in summary.numbers("d").into_iter().enumerate() {
+        let rows = swept.numbers("d").into_iter().zip(swept.numbers("voltage"));
+        let voltages: Vec<f64> = rows.filter(|row| row.0 == d).map(|row| row.1).collect();
+        let counted: usize = summary.texts("impacts")[index].parse().unwrap();
+        // one cycle of a chatter may be longer than what is kept
+        let Some(last) = voltages.len().checked_sub(counted) else {
+            continue;
+        };
+        let mean = voltages[last..].iter().sum::<f64>() / counted as f64;
+        let found = summary.numbers("mean_voltage")[index];
+        assert!((mean - found).abs() <= 1e-7 * found, "{d}: {mean} {found}");
+    }
+}
+
+#[test]
+fn a_motion_that_rests_has_a_star_in_its_word() {
+    // FACTS: r .3/.6 from .5293 rests at every value
+    let summary = Sheet::summary("fig04", &["start.velocity=0.5293", "sweep.points=41"]);
+    for (word, d) in summary.texts("word").iter().zip(summary.numbers("d")) {
+        assert!(word.contains('*'), "{d}: `{word}`");
+    }
+    let heavy = ["sweep.over=g", "sweep.from=1.5", "sweep.points=1"];
+    let summary = Sheet::summary("fig03", &heavy);
+    assert_eq!(
+        (summary.texts("word"), summary.texts("periods")),
+        (vec!["B*"], vec![""])
+    );
+    assert_eq!(summary.texts("mean_over"), ["impacts"]);
+    let swept = Sheet::swept("fig03", &heavy);
+    assert_eq!(swept.texts("impact")[0], "1");
+    assert!(swept.rows.len() < 60 && swept.numbers("velocity").iter().all(|velocity| velocity.abs() >= 1e-6));
+}
+
+#[test]
+fn rows_are_the_same_bytes_however_many_threads_there_are() {
+    let sets = ["sweep.points=101", "start.velocity=67"];
+    for (scene, flags) in [
+        ("fig04", &[][..]),
+        ("fig03", &["--summary"]),
+        ("fig02", &["--format", "json"]),
+    ] {
+        let flags: Vec<&str> = flags.to_vec();
+        let mut arguments = arguments(scene, &sets, &[]);
+        if flags.contains(&"json") {
+            arguments.retain(|argument| !["--format", "csv"].contains(argument));
+        }
+        arguments.extend(flags);
+        let outputs = [1, 2, 7].map(|threads| run_with(&arguments, "", Some(threads)).stdout);
+        assert!(
+            outputs[0].len() > 2000 && outputs.iter().all(|output| *output == outputs[0]),
+            "{scene}"
+        );
+    }
+}
+
+#[test]
+fn a_sweep_downwards_is_the_sweep_upwards_from_its_end() {
+    let up = Sheet::swept("fig02", &FEW);
+    let down: Vec<&str> = FEW.into_iter().chain(["sweep.from=0.5", "sweep.to=0.1"]).collect();
+    let down = Sheet::swept("fig02", &down);
+    let turned: Vec<&Vec<String>> = down.rows.chunks(7).rev().flatten().collect();
+    assert_eq!(turned, up.rows.iter().collect::<Vec<_>>());
+}
+
+#[test]
+fn where_a_value_follows_it_starts_from_the_last_impact_of_the_one_before() {
+    let sets = [
+        "sweep.start=follow",
+        "sweep.points=6",
+        "sweep.impacts=30",
+        "sweep.keep=30",
+    ];
+    let swept = Sheet::swept("fig02", &sets);
+    let state = |row: &Vec<String>| row[2..5].to_vec();
+    let values: Vec<&[Vec<String>]> = swept.rows.chunks(30).collect();
+    assert_eq!(values.len(), 6);
+    for pair in values.windows(2) {
+        assert_eq!(state(&pair[0][29]), state(&pair[1][0]));
+    }
+    let each = Sheet::swept("fig02", &["sweep.points=6", "sweep.impacts=30", "sweep.keep=30"]);
+    assert_eq!(swept.rows[..30], each.rows[..30]);
+    assert_ne!(swept.rows[30], each.rows[30]);
+}
+
+#[test]
+fn following_up_and_down_shows_hysteresis_and_threads_change_nothing() {
+    // around the grazing of the 1-1 motion at .2612 both it and the motion of three impacts attract
+    let range = |from, to| vec!["sweep.start=follow", "sweep.points=41", "sweep.keep=12", from, to];
+    let up = Sheet::summary("fig03", &range("sweep.from=0.24", "sweep.to=0.28"));
+    let down = Sheet::summary("fig03", &range("sweep.from=0.28", "sweep.to=0.24"));
+    assert_eq!((up.texts("word")[0], up.texts("word")[40]), ("BTT", "BT"));
+    let mut back = down.texts("word");
+    back.reverse();
+    assert_eq!((back[0], back[40]), ("BTT", "BT"));
+    let change = |words: &[&str]| words.iter().filter(|word| **word == "BTT").count();
+    assert!(
+        change(&up.texts("word")) > change(&back),
+        "{:?} {back:?}",
+        up.texts("word")
+    );
+    let sets = range("sweep.from=0.24", "sweep.to=0.28");
+    let outputs = [1, 2, 7].map(|threads| run_with(&arguments("fig03", &sets, &[]), "", Some(threads)).stdout);
+    assert!(outputs.iter().all(|output| *output == outputs[0]));
+}
+
+const BARE: &str = "want = [\"sweep\"]
+motion = { g = 0.12, d = 0.4, r_b = 0.5, r_t = 0.5 }
+start = { phase = 6.18, velocity = 0.5293 }
+sweep = { over = \"r_t\", from = 0.9, to = 1, points = 3, impacts = 20, keep = 20, start = \"each\" }
+";
+
+#[test]
+fn without_a_voltage_wanted_no_membrane_is_looked_at() {
+    let bare = run_with(&["sweep", "-", "--format", "csv"], BARE, None);
+    let text = String::from_utf8(bare.stdout).unwrap();
+    assert!(
+        text.starts_with("r_t,d,impact,side,phase,velocity,voltage\n0.9,0.4,1,bottom,6.18,0.5293,\n"),
+        "{text}"
+    );
+    assert!(String::from_utf8_lossy(&bare.stderr).contains("no voltage"));
+    assert!(text.lines().skip(1).all(|line| line.ends_with(',')));
+    assert!(
+        text.lines().any(|line| line.starts_with("1.0,0.4,20,")),
+        "the last value is 1"
+    );
+    let broken = ["want=['sweep']", "membrane.stiffness=-1", "sweep.points=1"];
+    assert_eq!(Sheet::swept("fig03", &broken).texts("voltage")[0], "");
+    let wanted = ["membrane.stiffness=-1", "sweep.points=1"];
+    assert_refused(&arguments("fig03", &wanted, &[]), "", &["membrane.stiffness is -1"]);
+    // a scene that does not say what it wants
+    let silent = |text: &str| run_with(&["sweep", "-", "--format", "csv"], text, None);
+    let lines = find("fig03").unwrap().lines().filter(|line| !line.starts_with("want"));
+    let text = lines
+        .collect::<Vec<_>>()
+        .join("\n")
+        .replace("points = 401", "points = 1");
+    let with_membrane = Sheet::of(&String::from_utf8(silent(&text).stdout).unwrap());
+    assert_ne!(with_membrane.texts("voltage")[0], "");
+}
+
+#[test]
+fn what_cannot_be_swept_is_refused_before_anything_is_written() {
+    for (sets, words) in [
+        (
+            &["sweep.keep=501"][..],
+            &["sweep.keep is 501", "at most sweep.impacts, 500"][..],
+        ),
+        (&["sweep.start=never"], &["never", "each"]),
+        (&["sweep.from=0"], &["sweep.from is 0", "above 0"]),
+        (&["sweep.from=NaN"], &["sweep.from is NaN"]),
+        (&["sweep.to=0.1"], &["sweep.to", "other than sweep.from"]),
+        (&["sweep.points=0"], &["sweep.points is 0"]),
+        (&["sweep.over=moon"], &["moon", "forcing_amplitude"]),
+        (&["start.velocity=-1"], &["start.velocity is -1"]),
+        (
+            &["membrane.membrane_radius=0.004"],
+            &["membrane_radius is 0.004", "ball_radius"],
+        ),
+    ] {
+        for flags in [&[][..], &["--summary"]] {
+            assert_refused(&arguments("fig03", sets, flags), "", words);
+        }
+    }
+    let lacking = BARE.replace("start = {", "# start = {");
+    assert_refused(&["sweep", "-"], &lacking, &["`sweep` requires start.phase"]);
+    assert_refused(&["sweep", "-", "--format", "junit"], BARE, &["only `check` has tests"]);
+    assert_refused(&["sweep", "fig12"], "", &["`sweep` requires sweep.over"]);
+    assert_refused(&["sweep"], "", &["SCENE"]);
+    let scratch = scratch("refused");
+    let out = scratch.join("none/sweep.csv").to_str().unwrap().to_owned();
+    assert_refused(&["sweep", "fig03", "--out", &out], "", &["there is no directory"]);
+    let out = scratch.join("sweep.csv").to_str().unwrap().to_owned();
+    assert_refused(
+        &["sweep", "fig03", "--out", &out, "--set", "sweep.keep=0"],
+        "",
+        &["sweep.keep"],
+    );
+    assert_eq!(fs::read_dir(&scratch).unwrap().count(), 0);
+    fs::remove_dir_all(&scratch).unwrap();
+}
+
+fn scratch(name: &str) -> std::path::PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("sweep-{name}"));
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(&path).unwrap();
+    path
+}
+
+#[test]
+fn every_format_has_all_rows_and_a_file_is_what_stdout_would_be() {
+    let sets = ["--set", "sweep.points=21", "--set", "sweep.keep=60"];
+    let with = |flags: &[&str]| printed(&[&["sweep", "fig03"], &sets[..], flags].concat());
+    let csv = with(&["--format", "csv"]);
+    let rows = csv.lines().count() - 1;
+    assert_eq!(rows, 21 * 60);
+    let json: serde_json::Value = serde_json::from_str(&with(&["--format", "json"])).unwrap();
+    let array = json.as_array().unwrap();
+    assert_eq!(array.len(), rows);
+    let first: Vec<&str> = csv.lines().nth(1).unwrap().split(',').collect();
+    assert_eq!(array[0]["velocity"].as_f64(), first[4].parse().ok());
+    assert_eq!(with(&["--format", "markdown"]).lines().count(), rows + 2);
+    let text = with(&[]);
+    assert_eq!(text.lines().count(), rows + 2, "one line a row: it fits a terminal");
+    let scratch = scratch("formats");
+    let out = scratch.join("sweep.csv").to_str().unwrap().to_owned();
+    assert_eq!(with(&["--format", "csv", "--out", &out]), "");
+    assert_eq!(fs::read_to_string(&out).unwrap(), csv);
+    fs::remove_dir_all(&scratch).unwrap();
+}
+
+#[test]
+fn run_writes_the_diagram_and_its_summary() {
+    let scratch = scratch("run");
+    let out = scratch.to_str().unwrap();
+    let told = printed(&[
+        "run",
+        "fig14",
+        "--set",
+        "sweep.points=3",
+        "--out",
+        out,
+        "--format",
+        "csv",
+    ]);
+    assert!(
+        told.contains("sweep.csv,180") && told.contains("summary.csv,3"),
+        "{told}"
+    );
+    for (file, flags) in [("sweep.csv", &[][..]), ("summary.csv", &["--summary"])] {
+        let alone = printed(&arguments("fig14", &["sweep.points=3"], flags));
+        assert_eq!(fs::read_to_string(scratch.join(file)).unwrap(), alone);
+    }
+    fs::remove_dir_all(&scratch).unwrap();
+}
+
+#[test]
+fn the_library_gives_the_points_that_the_command_prints() {
+    let mut scene = Scene::read(find("fig03").unwrap(), "fig03").unwrap();
+    for set in FEW {
+        scene.set(set).unwrap();
+    }
+    let points: Vec<_> = scene.points().unwrap().map(Result::unwrap).collect();
+    let swept = Sheet::swept("fig03", &FEW);
+    let velocities = points
+        .iter()
+        .flat_map(|point| point.settled.kept.iter().map(|event| event.velocity));
+    assert_eq!(velocities.collect::<Vec<_>>(), swept.numbers("velocity"));
+    let voltages = points.iter().flat_map(|point| point.voltages.clone().unwrap());
+    assert_eq!(voltages.collect::<Vec<_>>(), swept.numbers("voltage"));
+    assert_eq!(points[4].counted().1, MeanOver::Periods);
+}
