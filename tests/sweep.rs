@@ -107,7 +107,7 @@ fn the_columns_are_those_that_scripts_rely_on() {
     let sets: Vec<&str> = FEW.into_iter().chain(by_incline).collect();
     let swept = Sheet::swept("fig03", &sets);
     assert_eq!(swept.columns[..2], ["incline", "d"]);
-    assert_eq!(swept.numbers("incline")[34], std::f64::consts::FRAC_PI_3);
+    assert!((swept.numbers("incline")[34] - std::f64::consts::FRAC_PI_3).abs() < 1e-15);
     assert!(swept.numbers("d").iter().all(|d| *d == 0.26));
 }
 
@@ -131,7 +131,8 @@ fn at_the_values_of_the_paper_are_its_motions_and_voltages() {
         assert_eq!(row, (word, "1", impacts), "{scene} {d}");
         assert_eq!(summary.texts("mean_over"), ["periods"]);
         let found = summary.numbers("mean_voltage")[0];
-        let unit = if voltage == 28526.39 { 0.005 } else { 0.0005 };
+        // within one unit of the last figure
+        let unit = if voltage == 28526.39 { 0.01 } else { 0.001 };
         assert!((found - voltage).abs() <= unit, "{scene} {d}: {found}");
     }
 }
@@ -156,11 +157,19 @@ fn the_mean_is_that_of_the_impacts_it_counts() {
 
 #[test]
 fn a_motion_that_rests_has_a_star_in_its_word() {
-    // FACTS: r .3/.6 from .5293 rests at every value
-    let summary = Sheet::summary("fig04", &["start.velocity=0.5293", "sweep.points=41"]);
-    for (word, d) in summary.texts("word").iter().zip(summary.numbers("d")) {
-        assert!(word.contains('*'), "{d}: `{word}`");
-    }
+    let summary = Sheet::summary("fig03", &["sweep.from=0.17", "sweep.to=0.19", "sweep.points=5"]);
+    assert_eq!(
+        (summary.texts("word"), summary.texts("periods")),
+        (vec!["BT*"; 5], vec!["1"; 5])
+    );
+    // each of the impacts that are listed of a chatter counts
+    assert!(
+        summary
+            .texts("impacts")
+            .iter()
+            .all(|impacts| impacts.parse().is_ok_and(|impacts: u32| impacts > 8))
+    );
+    assert_eq!(summary.texts("mean_over"), ["periods"; 5]);
     let heavy = ["sweep.over=g", "sweep.from=1.5", "sweep.points=1"];
     let summary = Sheet::summary("fig03", &heavy);
     assert_eq!(
@@ -226,21 +235,21 @@ fn where_a_value_follows_it_starts_from_the_last_impact_of_the_one_before() {
 
 #[test]
 fn following_up_and_down_shows_hysteresis_and_threads_change_nothing() {
-    // around the grazing of the 1-1 motion at .2612 both it and the motion of three impacts attract
-    let range = |from, to| vec!["sweep.start=follow", "sweep.points=41", "sweep.keep=12", from, to];
-    let up = Sheet::summary("fig03", &range("sweep.from=0.24", "sweep.to=0.28"));
-    let down = Sheet::summary("fig03", &range("sweep.from=0.28", "sweep.to=0.24"));
-    assert_eq!((up.texts("word")[0], up.texts("word")[40]), ("BTT", "BT"));
+    // the 1-1 motion attracts down to its grazing at .2612, the motion of three impacts up to .28
+    let range = |from, to| vec!["sweep.start=follow", "sweep.points=31", "sweep.keep=12", from, to];
+    let up = Sheet::summary("fig03", &range("sweep.from=0.24", "sweep.to=0.3"));
+    let down = Sheet::summary("fig03", &range("sweep.from=0.3", "sweep.to=0.24"));
+    assert_eq!((up.texts("word")[0], up.texts("word")[30]), ("BTT", "BT"));
     let mut back = down.texts("word");
     back.reverse();
-    assert_eq!((back[0], back[40]), ("BTT", "BT"));
+    assert_eq!((back[0], back[30]), ("BTT", "BT"));
     let change = |words: &[&str]| words.iter().filter(|word| **word == "BTT").count();
     assert!(
         change(&up.texts("word")) > change(&back),
         "{:?} {back:?}",
         up.texts("word")
     );
-    let sets = range("sweep.from=0.24", "sweep.to=0.28");
+    let sets = range("sweep.from=0.24", "sweep.to=0.3");
     let outputs = [1, 2, 7].map(|threads| run_with(&arguments("fig03", &sets, &[]), "", Some(threads)).stdout);
     assert!(outputs.iter().all(|output| *output == outputs[0]));
 }
