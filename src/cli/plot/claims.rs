@@ -57,20 +57,31 @@ impl Claims {
         let Ok(motion) = scene.swept::<f64>(Over::D, &sweep.from) else {
             return Vec::new();
         };
-        let own = self.rows.iter().filter(|row| row.column == column && is_same(&row.motion, &motion));
+        let own = self
+            .rows
+            .iter()
+            .filter(|row| row.column == column && is_same(&row.motion, &motion));
         own.map(|row| row.claim.clone()).collect()
     }
 
     /// The velocities at this very motion of a scene of the paper, at (Z, Zdot).
     pub fn at(&self, scene: &Scene) -> Vec<Claim> {
-        let Some(motion) = scene.motion::<f64>().ok().filter(|_| scene::find(scene.name()).is_some()) else {
+        let Some(motion) = scene
+            .motion::<f64>()
+            .ok()
+            .filter(|_| scene::find(scene.name()).is_some())
+        else {
             return Vec::new();
         };
         let here = |row: &&Row| {
             let is_there = (row.claim.at.0 - motion.d()).abs() < SAME;
             row.column == Column::Velocity && is_there && is_same(&row.motion, &motion)
         };
-        let own = self.rows.iter().filter(here).filter(|row| row.claim.bifurcation.is_none());
+        let own = self
+            .rows
+            .iter()
+            .filter(here)
+            .filter(|row| row.claim.bifurcation.is_none());
         own.map(|row| {
             let (d, velocity) = row.claim.at;
             Claim {
@@ -105,12 +116,19 @@ fn row(printed: &Printed) -> Result<Option<Row>, Failure> {
         _ => return Ok(None),
     };
     let text = printed.printed();
-    let figures = text.trim_start_matches(['-', '0', '.']).bytes().filter(u8::is_ascii_digit).count();
+    let figures = text
+        .trim_start_matches(['-', '0', '.'])
+        .bytes()
+        .filter(u8::is_ascii_digit)
+        .count();
     let Some(value) = text.parse::<f64>().ok().filter(|_| figures >= FEWEST_FIGURES) else {
         return Ok(None);
     };
     let name = printed.record.field("scene");
-    let name = name.strip_prefix("scenes/").and_then(|name| name.strip_suffix(".toml")).unwrap_or(name);
+    let name = name
+        .strip_prefix("scenes/")
+        .and_then(|name| name.strip_suffix(".toml"))
+        .unwrap_or(name);
     let Some(text_of_scene) = scene::find(name) else {
         return Ok(None);
     };
@@ -119,11 +137,15 @@ fn row(printed: &Printed) -> Result<Option<Row>, Failure> {
         scene.set(&format!("{key}={value}"))?;
     }
     let selected = |column: &str| {
-        let selector = printed.setting.selectors.iter().find(|selector| selector.field.column == column);
+        let selector = printed
+            .setting
+            .selectors
+            .iter()
+            .find(|selector| selector.field.column == column);
         selector.map(|selector| &selector.wanted)
     };
     let gap = match selected("d") {
-        Some(Wanted::Number(figures) | Wanted::Nearest(figures)) => Some(crate::number::Field::to_f64(&figures.value)),
+        Some(Wanted::Number(figures) | Wanted::Nearest(figures)) => Some(figures.value.0.to_f64().value()),
         _ if quantity.command == "branch" => None,
         _ => scene.motion::<f64>().ok().map(|motion| *motion.d()),
     };
@@ -161,8 +183,16 @@ mod tests {
         let claims = Claims::read().unwrap();
         let found = claims.along(&built_in("fig02"), Column::Velocity);
         let at = |at: (f64, f64)| found.iter().filter(|claim| claim.at == at).collect::<Vec<_>>();
-        assert!(at((0.4, 0.83272)).iter().any(|claim| claim.verdict == Verdict::Reproduced));
-        assert!(at((0.26, 0.677449)).iter().any(|claim| claim.bifurcation.as_deref() == Some("period-doubling")));
+        assert!(
+            at((0.4, 0.83272))
+                .iter()
+                .any(|claim| claim.verdict == Verdict::Reproduced)
+        );
+        assert!(
+            at((0.26, 0.677449))
+                .iter()
+                .any(|claim| claim.bifurcation.as_deref() == Some("period-doubling"))
+        );
         assert!(at((0.33, 0.729028)).is_empty() && at((0.5, 1.0)).is_empty());
         assert!(claims.along(&built_in("fig07"), Column::Phase).is_empty());
     }

@@ -100,7 +100,9 @@ fn scenes(arguments: &Arguments) -> Result<Vec<Scene>, Failure> {
 /// What a sweep of the scene shows, where it wants one.
 fn swept(scene: &Scene) -> Result<Option<swept::Swept>, Failure> {
     let wants = scene.want()?;
-    let is_swept = wants.iter().any(|want| matches!(want, Want::Branch | Want::Sweep | Want::Voltage));
+    let is_swept = wants
+        .iter()
+        .any(|want| matches!(want, Want::Branch | Want::Sweep | Want::Voltage));
     is_swept.then(|| swept::Swept::new(scene)).transpose()
 }
 

@@ -79,7 +79,11 @@ impl Drawn {
             let mut flight: Vec<Point> = launch.take().into_iter().collect();
             for step in 1..=BETWEEN {
                 let part = f64::from(step) / f64::from(BETWEEN);
-                let time = if step == BETWEEN { pair[1] } else { pair[0] + part * (pair[1] - pair[0]) };
+                let time = if step == BETWEEN {
+                    pair[1]
+                } else {
+                    pair[0] + part * (pair[1] - pair[0])
+                };
                 let Some(snapshot) = trajectory.at(&time) else { break };
                 flight.push((snapshot.z, snapshot.zdot));
                 drawn.sample(&snapshot);

@@ -40,7 +40,10 @@ pub(super) struct Shared {
 /// What a sweep requires and a scene lacks.
 pub(super) fn swept(scenes: &[Scene]) -> Result<Shared, Failure> {
     let mut different: Vec<&Scene> = Vec::new();
-    for scene in scenes.iter().filter(|scene| !is_comparison(scene) && scene.sweep().is_ok()) {
+    for scene in scenes
+        .iter()
+        .filter(|scene| !is_comparison(scene) && scene.sweep().is_ok())
+    {
         if !different.iter().any(|known| shows(known, scene)) {
             different.push(scene);
         }
@@ -64,7 +67,9 @@ fn shows(one: &Scene, other: &Scene) -> bool {
     let wants = |scene: &Scene| scene.want().unwrap_or_default();
     let known = wants(one);
     let swept = [Want::Branch, Want::Sweep, Want::Voltage];
-    let has_all = wants(other).iter().all(|want| known.contains(want) || !swept.contains(want));
+    let has_all = wants(other)
+        .iter()
+        .all(|want| known.contains(want) || !swept.contains(want));
     has_all
         && one.swept_setting().ok() == other.swept_setting().ok()
         && one.sweep().ok() == other.sweep().ok()
@@ -77,8 +82,7 @@ fn shows(one: &Scene, other: &Scene) -> bool {
 
 /// Whether the same impact gives the same voltage.
 fn has_same_voltage(one: &Scene, other: &Scene) -> bool {
-    one.membrane::<f64>().ok() == other.membrane::<f64>().ok()
-        && one.scales::<f64>().ok() == other.scales::<f64>().ok()
+    one.membrane::<f64>().ok() == other.membrane::<f64>().ok() && one.scales::<f64>().ok() == other.scales::<f64>().ok()
 }
 
 /// The mean voltages of all scenes that want voltage, in one panel.

@@ -48,7 +48,11 @@ impl Swept {
     /// What is not known of the scene.
     pub fn panels(&self, scene: &Scene, claims: &Claims) -> Result<[Panel; 2], Failure> {
         let velocity = claims.along(scene, Column::Velocity);
-        let second = match self.energy.as_ref().filter(|_| scene.want().is_ok_and(|wants| wants.contains(&Want::Voltage))) {
+        let second = match self
+            .energy
+            .as_ref()
+            .filter(|_| scene.want().is_ok_and(|wants| wants.contains(&Want::Voltage)))
+        {
             Some(energy) => {
                 let mut printed = claims.along(scene, Column::Mean);
                 printed.extend(claims.along(scene, Column::Voltage));
