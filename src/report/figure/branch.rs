@@ -63,7 +63,7 @@ pub struct Bifurcation {
     pub event: Event,
 }
 
-const WIDTH: f64 = 1.6;
+const WIDTH: f64 = 1.4;
 
 /// The branches of each motion, dashed as they are stable, and their bifurcations.
 pub(super) fn series(steps: &[Step], bifurcations: &[Bifurcation], quantity: Quantity) -> Vec<Series> {

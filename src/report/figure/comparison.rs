@@ -1,7 +1,7 @@
 //! Mean voltages side by side.
 
 use super::claim::{self, Claim};
-use super::energy::{LABEL, in_thousands};
+use super::energy::{LABEL, in_thousands, parted};
 use super::parameter::Parameter;
 use crate::report::plot::{Axis, Colour, Dash, Form, Marker, Panel, Point, Series, Shape, Stroke};
 
@@ -56,13 +56,15 @@ pub fn comparison(parameter: &Parameter, curves: &[Curve], claims: &[Claim]) -> 
         };
         let width = 1.6;
         let shape = Shape::Marked {
-            points: mean,
+            points: parted(&mean),
             stroke: Stroke { colour, dash, width },
             marked,
             marker,
         };
         let name = curve.name.clone();
         panel.series.push(Series { name, shape });
+        // a value between two jumps is no line
+        panel.series.push(Series::dots("", mean, Marker::dot(colour, width)));
     }
     let claims: Vec<Claim> = claims
         .iter()

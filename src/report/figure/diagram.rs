@@ -73,12 +73,12 @@ impl Quantity {
 }
 
 /// The looks of simulated impacts, at the bottom and at the top.
-pub(super) const BOTTOM: Marker = Marker::dot(Colour::Sky, 3.2);
+pub(super) const BOTTOM: Marker = Marker::dot(Colour::Sky, 2.8);
 pub(super) const TOP: Marker = Marker {
     colour: Colour::Orange,
     form: Form::Triangle,
     filled: true,
-    size: 3.2,
+    size: 2.8,
 };
 
 impl Diagram {

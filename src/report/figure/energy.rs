@@ -3,7 +3,7 @@
 use super::claim::{self, Claim};
 use super::diagram::{BOTTOM, TOP};
 use super::parameter::Parameter;
-use crate::report::plot::{Axis, Colour, Dash, Panel, Point, Series, Stroke};
+use crate::report::plot::{Axis, Colour, Dash, Marker, Panel, Point, Series, Stroke};
 
 /// All that an energy diagram shows, in volts.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +24,29 @@ pub(super) fn in_thousands(points: &[Point]) -> Vec<Point> {
     points.iter().map(|(x, volts)| (*x, volts / 1000.0)).collect()
 }
 
+/// A change from one value to the next by more than this part of all changes is a jump.
+const JUMP: f64 = 0.12;
+
+/// A mean over the parameter, broken where it jumps: from one value to the next the motion is another, and nothing
+/// lies between.
+pub(super) fn parted(points: &[Point]) -> Vec<Point> {
+    let finite = points.iter().map(|point| point.1).filter(|value| value.is_finite());
+    let (low, high) = finite.fold((f64::MAX, f64::MIN), |(low, high), value| {
+        (low.min(value), high.max(value))
+    });
+    let mut parted: Vec<Point> = Vec::new();
+    for point in points {
+        let jumps = parted
+            .last()
+            .is_some_and(|last| (last.1 - point.1).abs() > JUMP * (high - low));
+        if jumps {
+            parted.push((f64::NAN, f64::NAN));
+        }
+        parted.push(*point);
+    }
+    parted
+}
+
 impl Energy {
     /// The panel, with what is printed of it, also in volts.
     pub fn panel(&self, claims: &[Claim]) -> Panel {
@@ -37,7 +60,9 @@ impl Energy {
         panel.series = vec![
             Series::dots("bottom impacts, U\u{2096}", in_thousands(&self.bottom), BOTTOM),
             Series::dots("top impacts, U\u{2096}", in_thousands(&self.top), TOP),
-            Series::line("mean voltage", in_thousands(&self.mean), mean),
+            Series::line("mean voltage", parted(&in_thousands(&self.mean)), mean),
+            // a value between two jumps is no line
+            Series::dots("", in_thousands(&self.mean), Marker::dot(mean.colour, mean.width)),
         ];
         let claims: Vec<Claim> = claims
             .iter()
@@ -49,5 +74,25 @@ impl Energy {
             .collect();
         panel.series.extend(claim::series(&claims));
         panel
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mean_is_broken_where_it_jumps_and_nowhere_else() {
+        let points = [
+            (0.1, 10.0),
+            (0.2, 10.5),
+            (0.3, 20.0),
+            (0.4, f64::NAN),
+            (0.5, 20.0),
+            (0.6, 20.1),
+        ];
+        let parted = parted(&points);
+        let breaks: Vec<usize> = (0..parted.len()).filter(|&index| parted[index].0.is_nan()).collect();
+        assert_eq!((parted.len(), breaks), (7, vec![2]));
     }
 }

@@ -1,7 +1,7 @@
 //! A phase portrait: velocity over place, between the walls.
 
 use super::claim::{self, Claim};
-use crate::report::plot::{Axis, Colour, Dash, Marker, Panel, Point, Series, Stroke};
+use crate::report::plot::{Axis, Colour, Dash, Marker, Panel, Point, Series, Shape, Stroke};
 
 /// One flight after the other: what a trajectory is sampled to.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -32,7 +32,7 @@ impl Portrait {
     /// The panel, with what is printed of it: at (Z, Zdot).
     pub fn panel(&self, claims: &[Claim]) -> Panel {
         let half = self.gap / 2.0;
-        let reach = 1.12 * half;
+        let (reach, far) = (1.12 * half, 2.0 * half);
         let mut panel = Panel::new(
             Axis::over(
                 "place of the ball, Z  [A\u{3c0}\u{b2}/(M\u{3c9}\u{b2})]",
@@ -59,11 +59,14 @@ impl Portrait {
         };
         let sized = |marker: Marker| Marker { size: 6.0, ..marker };
         panel.series = vec![
-            Series::verticals(
-                "walls: top \u{2212}d/2, bottom +d/2",
-                vec![-half, half],
-                stroke(Colour::Grey, Dash::Solid, 3.0),
-            ),
+            Series {
+                name: "walls: top \u{2212}d/2, bottom +d/2".to_owned(),
+                shape: Shape::Bands {
+                    spans: vec![(-far, -half), (half, far)],
+                    colour: Colour::Grey,
+                },
+            },
+            Series::verticals("", vec![-half, half], stroke(Colour::Black, Dash::Solid, 1.0)),
             Series::line(
                 "flight",
                 joined(self.flights.clone()),
@@ -72,7 +75,7 @@ impl Portrait {
             Series::line(
                 "impact",
                 joined(jumps.collect()),
-                stroke(Colour::Vermillion, Dash::Dashed, 1.5),
+                stroke(Colour::Vermillion, Dash::Dashed, 2.2),
             ),
             Series::dots(
                 "before a bottom impact",

@@ -39,6 +39,7 @@ const LEFT: f64 = 6.0;
 const X_ROOM: f64 = 60.0;
 const Y_ROOM: f64 = 36.0;
 /// Tenths of a pixel.
+const DOT: i32 = 30;
 const FRAME: u32 = 12;
 const GRID: u32 = 7;
 const GRID_COLOUR: RGBColor = RGBColor(225, 225, 225);
@@ -143,12 +144,7 @@ impl<F: Fn(Point) -> (i32, i32)> Frame<'_, '_, F> {
             self.area
                 .draw_text("no points", &style, (left + width / 2, top + height / 2))?;
         }
-        let mut room = Room::new(self.rect);
-        for series in &panel.series {
-            if let Shape::Marks { marks, marker } = &series.shape {
-                marks.iter().for_each(|mark| room.take(self.around(mark, marker)));
-            }
-        }
+        let mut room = self.room(panel);
         for series in &panel.series {
             match &series.shape {
                 Shape::Dots { points, marker } => self.dots(points, marker)?,
@@ -188,6 +184,42 @@ impl<F: Fn(Point) -> (i32, i32)> Frame<'_, '_, F> {
         Ok(())
     }
 
+    /// What labels should not hide: marks, points and lines. Guide lines may be crossed.
+    fn room(&self, panel: &Panel) -> Room {
+        let mut room = Room::new(self.rect);
+        let is_labelled = |mark: &Mark| !mark.label.is_empty();
+        let shapes = || panel.series.iter().map(|series| &series.shape);
+        let labelled = |shape: &Shape| matches!(shape, Shape::Marks { marks, .. } if marks.iter().any(is_labelled));
+        if !shapes().any(labelled) {
+            return room;
+        }
+        for shape in shapes() {
+            match shape {
+                Shape::Marks { marks, marker } => {
+                    let side = marker.size * 1.2 * TENTHS;
+                    room.keep_apart((side / 2.0) as i32 + 5);
+                    let shown = marks.iter().filter(|mark| self.shows(&mark.at));
+                    shown.for_each(|mark| room.take(Rect::around((self.map)(mark.at), side as i32)));
+                }
+                Shape::Dots { points, .. } => {
+                    let shown = points.iter().filter(|point| self.shows(point));
+                    let known: HashSet<(i32, i32)> = shown.map(|point| (self.map)(*point)).collect();
+                    known.into_iter().for_each(|at| room.take(Rect::around(at, DOT)));
+                }
+                Shape::Line { points, .. } | Shape::Marked { points, .. } => {
+                    for piece in clip::pieces(points, &self.x, &self.y) {
+                        let grid: Vec<(i32, i32)> = piece.into_iter().map(&self.map).collect();
+                        for ends in grid.windows(2) {
+                            along(ends[0], ends[1]).for_each(|at| room.take(Rect::around(at, DOT)));
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        room
+    }
+
     /// Each point of the grid once.
     fn dots(&self, points: &[Point], marker: &Marker) -> Drawn {
         let mut known = HashSet::new();
@@ -219,7 +251,7 @@ impl<F: Fn(Point) -> (i32, i32)> Frame<'_, '_, F> {
                 continue;
             }
             let size = [width(&mark.label) * LABEL_FONT + 4.0, LABEL_FONT * 1.2].map(|side| (side * TENTHS) as i32);
-            let place = room.place(at, (size[0], size[1]), (marker.size * 0.6 * TENTHS) as i32);
+            let place = room.place(at, (size[0], size[1]));
             let corners = [
                 (place.left, place.top),
                 (place.left + place.width, place.top + place.height),
@@ -232,26 +264,16 @@ impl<F: Fn(Point) -> (i32, i32)> Frame<'_, '_, F> {
         Ok(())
     }
 
-    fn around(&self, mark: &Mark, marker: &Marker) -> Rect {
-        let side = (marker.size * 1.2 * TENTHS) as i32;
-        if !self.shows(&mark.at) {
-            return Rect {
-                left: 0,
-                top: 0,
-                width: 0,
-                height: 0,
-            };
-        }
-        let (x, y) = (self.map)(mark.at);
-        Rect {
-            left: x - side / 2,
-            top: y - side / 2,
-            width: side,
-            height: side,
-        }
-    }
-
     fn shows(&self, (x, y): &Point) -> bool {
         self.x.contains(*x) && self.y.contains(*y)
     }
+}
+
+/// Points of the grid from one to another, close enough for none to be missed.
+fn along(from: (i32, i32), to: (i32, i32)) -> impl Iterator<Item = (i32, i32)> {
+    let steps = ((to.0 - from.0).abs().max((to.1 - from.1).abs()) / DOT).max(1);
+    (0..=steps).map(move |step| {
+        let at = |from: i32, to: i32| from + (to - from) * step / steps;
+        (at(from.0, to.0), at(from.1, to.1))
+    })
 }

@@ -10,6 +10,16 @@ pub(super) struct Rect {
 }
 
 impl Rect {
+    /// A square around a point.
+    pub fn around((x, y): (i32, i32), side: i32) -> Self {
+        Self {
+            left: x - side / 2,
+            top: y - side / 2,
+            width: side,
+            height: side,
+        }
+    }
+
     /// The area that two have in common.
     fn overlap(&self, other: &Self) -> i64 {
         let common = |low: i32, length: i32, other_low: i32, other_length: i32| {
@@ -28,13 +38,23 @@ impl Rect {
 pub(super) struct Room {
     frame: Rect,
     taken: Vec<Rect>,
+    /// From a mark to its label.
+    apart: i32,
 }
 
 impl Room {
     /// All of a frame but what is taken.
     pub fn new(frame: Rect) -> Self {
-        let taken = Vec::new();
-        Self { frame, taken }
+        Self {
+            frame,
+            taken: Vec::new(),
+            apart: 0,
+        }
+    }
+
+    /// Labels stand at least so far from their marks.
+    pub fn keep_apart(&mut self, apart: i32) {
+        self.apart = self.apart.max(apart);
     }
 
     /// Nothing else may stand here.
@@ -44,7 +64,8 @@ impl Room {
 
     /// The place for a label so wide and high beside a mark: of twelve around it the first that hides nothing, else
     /// the one that hides least. It is taken then.
-    pub fn place(&mut self, (x, y): (i32, i32), (width, height): (i32, i32), apart: i32) -> Rect {
+    pub fn place(&mut self, (x, y): (i32, i32), (width, height): (i32, i32)) -> Rect {
+        let apart = self.apart;
         let rect = |left: i32, top: i32| Rect {
             left,
             top,
@@ -97,9 +118,10 @@ mod tests {
             height: 1000,
         };
         let mut room = Room::new(frame);
+        room.keep_apart(50);
         let places: Vec<Rect> = [(1950, 20), (1900, 60), (1980, 900), (1000, 500), (1010, 510)]
             .into_iter()
-            .map(|at| room.place(at, (300, 110), 50))
+            .map(|at| room.place(at, (300, 110)))
             .collect();
         for (index, place) in places.iter().enumerate() {
             assert_eq!(place.overlap(&frame), place.area(), "{place:?}");

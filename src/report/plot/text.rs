@@ -17,17 +17,16 @@ pub(super) fn escaped(text: &str) -> String {
     out
 }
 
-/// About how wide text is in Helvetica and its like, in units of the font's size: within a tenth for words, never
-/// much too narrow.
+/// About how wide text is, in units of the font's size: that of DejaVu Sans, the widest of the family that is asked
+/// for, so that nothing overlaps in any of them.
 pub(super) fn width(text: &str) -> f64 {
     let wide = |sign: char| match sign {
-        'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '|' | '\'' | '!' | '(' | ')' | ' ' | '/' | 'f' | 't' | 'r' | 'I' => {
-            0.31
-        }
-        'm' | 'w' | 'M' | 'W' | '%' | '@' => 0.87,
-        'A'..='Z' | '=' | '+' | '\u{2212}' | '<' | '>' | 'Ż' => 0.68,
-        'a'..='z' | '0'..='9' | '_' | '-' => 0.56,
-        _ => 0.62,
+        'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '|' | '\'' | '!' | ' ' | '/' | 'I' => 0.33,
+        'f' | 't' | 'r' | '(' | ')' | '[' | ']' | '-' => 0.41,
+        'm' | 'w' | 'M' | 'W' | '%' | '@' => 0.98,
+        '=' | '+' | '\u{2212}' | '<' | '>' => 0.84,
+        'A'..='Z' | '\u{17b}' => 0.72,
+        _ => 0.63,
     };
     text.chars().map(wide).sum()
 }
