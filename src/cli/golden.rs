@@ -1,6 +1,6 @@
 //! What golden rows ask for, answered by the commands themselves.
 
-use super::{Content, Failure, Options, audit, branch, orbits, sweep};
+use super::{Content, Failure, Options, audit, branch, orbits, simulate, sweep, trajectory, voltage};
 use crate::number::{Analytic, Decimals, Field, Wide};
 use crate::reference::{Computed, Directory, Made, Quantity, Request, Setting};
 use crate::report::{Cell, Table};
@@ -35,6 +35,9 @@ const MOTION_BOUND: f64 = 1e-30;
 
 /// The figures in which references are made: more than the 30 that are kept.
 const MADE: Decimals = Decimals(40);
+
+/// The figures of voltages: all that f64 tells and a few more.
+const TOLD: usize = 20;
 
 /// What makes references, and what confirms them.
 const FIRST_MEANS: &str = "proved enclosure";
@@ -112,9 +115,10 @@ fn twice(directory: &Directory, request: &Request) -> Result<[Computed; 2], Fail
     let tables = match request.command.as_str() {
         "orbits" => orbits::twice(&scene, MADE)?,
         "branch" => branch::twice(&scene, MADE)?,
+        "voltage" => voltage::twice(&scene, MADE)?,
         command => {
             let found = command.to_owned();
-            let known = vec!["branch", "orbits"];
+            let known = vec!["branch", "orbits", "voltage"];
             return Err(Failure::NoAnswer { found, known });
         }
     };
@@ -158,6 +162,13 @@ fn verdicts(directory: &Directory, request: &Request) -> Result<Table, Failure> 
         Content::Rows(rows) => rows.table(),
         Content::Text(_) => Ok(Table::default()),
     }
+}
+
+/// The voltages of the certified orbits, to the digits of the scene where these are more than [`TOLD`].
+fn voltages(scene: &Scene) -> Result<Table, Failure> {
+    let figures = (scene.digits()? as usize).max(TOLD);
+    let [first, _] = voltage::twice(scene, Decimals(figures))?;
+    Ok(first)
 }
 
 /// The scene's own numbers. What it does not give, such as units without a frequency, stays empty.

@@ -14,10 +14,12 @@ mod progress;
 mod run;
 mod scene;
 mod scenes;
+mod simulate;
 mod source;
 mod sweep;
 mod trade;
 mod trajectory;
+mod voltage;
 
 pub use answer::{Answer, Content, Rows};
 pub use exit::Exit;
@@ -49,6 +51,7 @@ enum Command {
     Audit(audit::Arguments),
     Orbits(orbits::Arguments),
     Branch(branch::Arguments),
+    Simulate(simulate::Arguments),
     Sweep(sweep::Arguments),
     Trajectory(trajectory::Arguments),
     Plot(plot::Arguments),
@@ -64,6 +67,7 @@ impl Command {
             Self::Audit(arguments) => audit::run(arguments, options),
             Self::Orbits(arguments) => orbits::run(arguments, options),
             Self::Branch(arguments) => branch::run(arguments, options),
+            Self::Simulate(arguments) => simulate::run(arguments, options),
             Self::Sweep(arguments) => sweep::run(arguments, options),
             Self::Trajectory(arguments) => trajectory::run(arguments, options),
             Self::Plot(arguments) => plot::run(arguments, options),

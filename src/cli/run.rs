@@ -1,6 +1,6 @@
 //! `vibro-audit run SCENE [--explain] --out DIR`.
 
-use super::{Answer, Content, Exit, Failure, Options, SceneArguments, branch, orbits, sweep, trajectory};
+use super::{Answer, Content, Exit, Failure, Options, SceneArguments, branch, orbits, simulate, sweep, trajectory};
 use crate::report::{Cell, Format, Output, OutputError, OutputProblem, Table};
 use crate::scene::{Scene, Want};
 use std::fs;
@@ -39,6 +39,11 @@ const SERVED: &[Served] = &[
         command: "branch",
         file: "branch",
         serve: |scene, options| branch::table(scene, options).map(Content::Table),
+    },
+    Served {
+        command: "simulate",
+        file: "simulate",
+        serve: |scene, options| simulate::table(scene, options).map(Content::Table),
     },
     Served {
         command: "sweep",

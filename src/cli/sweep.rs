@@ -4,7 +4,7 @@ use super::answer::Rows;
 use super::progress::Progress;
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
 use crate::report::{Cell, Column, Table};
-use crate::scene::{Over, Point, Scene, Want};
+use crate::scene::{Over, Point, Points, Scene, Want};
 
 /// The bifurcation diagram of a scene: at each value of its sweep the last impacts and their voltage
 #[derive(Debug, clap::Args)]
@@ -56,16 +56,22 @@ pub fn summary(scene: &Scene, options: &Options) -> Result<Table, Failure> {
 
 /// The last impacts at each value.
 pub fn impact_rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
-    rows(scene, options, &COLUMNS, of_impacts)
+    rows(scene.points()?, options, &COLUMNS, of_impacts)
 }
 
 /// What the motion at each value has come to.
 pub fn summary_rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
-    rows(scene, options, &SUMMARY, |point| vec![of_point(point)])
+    rows(scene.points()?.with_growth(), options, &SUMMARY, |point| {
+        vec![of_point(point)]
+    })
 }
 
-fn rows(scene: &Scene, options: &Options, columns: &[&str], of: fn(&Point) -> Vec<Vec<Cell>>) -> Result<Rows, Failure> {
-    let points = scene.points()?;
+fn rows(
+    points: Points,
+    options: &Options,
+    columns: &[&str],
+    of: fn(&Point) -> Vec<Vec<Cell>>,
+) -> Result<Rows, Failure> {
     let over = points.sweep().over;
     let total = points.sweep().points as usize;
     let swept = (over != Over::D).then_some(over.name());
@@ -123,8 +129,8 @@ fn of_point(point: &Point) -> Vec<Cell> {
         Cell::from(attractor.and_then(|found| found.periods)),
         count(counted.len() as u64),
         Cell::from(point.mean_voltage),
-        Cell::Empty,
-        Cell::Empty,
+        Cell::from(point.reliance.and_then(|reliance| reliance.lyapunov)),
+        Cell::from(point.reliance.map(|reliance| i64::from(reliance.digits))),
         Cell::from(over.name()),
     ]
 }

@@ -1,10 +1,11 @@
 //! `vibro-audit trajectory SCENE [--samples N] [--until T | --impacts N]`.
 
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
-use crate::impact::{Event, Kind, Simulation, Snapshot, Start, Trajectory};
-use crate::model::Side;
+use crate::impact::{Event, Extent, History, Row, Snapshot, Trajectory, history};
+use crate::model::Scales;
 use crate::report::{Cell, Table};
 use crate::scene::{Scene, Want};
+use std::f64::consts::PI;
 use std::str::FromStr;
 
 /// The samples where none are named.
@@ -16,7 +17,8 @@ const UNTIL: f64 = 10.0;
 ///
 /// z and zdot are the ball's against the capsule: z = d/2 at the bottom, -d/2 at the top. capsule is the middle of the
 /// capsule and ball = capsule - z the ball, in the frame in which the capsule swings about 0; the columns in SI follow,
-/// empty where [device] does not give the units. At an impact the velocity is that before it.
+/// empty where [device] does not give the units. energy is zdot²/2 - g z, that of the ball against the capsule, and
+/// ball_energy its energy in the frame at rest. At an impact the velocity is that before it.
 #[derive(Debug, clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -32,6 +34,18 @@ pub struct Arguments {
     impacts: Option<u32>,
 }
 
+/// The digits that every event has where none are asked for, and the most that f64 shows.
+const DIGITS: u32 = 6;
+const MOST: u32 = 15;
+
+/// Where the samples end.
+#[derive(Clone, Copy, Debug)]
+enum End {
+    Time(f64),
+    /// The time of this impact, from 1.
+    Impact(u32),
+}
+
 /// A time that can be waited for.
 #[derive(Clone, Copy, Debug)]
 struct Duration(f64);
@@ -45,8 +59,8 @@ impl FromStr for Duration {
     }
 }
 
-/// The columns that scripts rely on, then the same in SI.
-const COLUMNS: [&str; 11] = [
+/// The columns that scripts rely on, then the same in SI, then energies over the mass of the ball, without unit.
+const COLUMNS: [&str; 13] = [
     "time",
     "phase",
     "z",
@@ -58,86 +72,104 @@ const COLUMNS: [&str; 11] = [
     "zdot_m_s",
     "capsule_m",
     "ball_m",
+    "energy",
+    "ball_energy",
 ];
 
 /// Runs the command.
-pub fn run(arguments: &Arguments, _: &Options) -> Result<Answer, Failure> {
+pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let scene = arguments.scene.load_for(&[Want::Trajectory])?;
-    let until = match arguments.impacts {
-        Some(count) => time_of_impact(&scene, count)?,
-        None => arguments.until.map_or(UNTIL, |Duration(time)| time),
-    };
+    let until = arguments.until.map_or(UNTIL, |Duration(time)| time);
+    let end = arguments.impacts.map_or(End::Time(until), End::Impact);
     Ok(Answer {
-        content: Content::Table(sampled(&scene, until, arguments.samples)?),
+        content: Content::Table(sampled(&scene, options, end, arguments.samples)?),
         exit: Exit::AsExpected,
     })
 }
 
 /// The table of a scene, as far and as fine as without options.
-pub fn table(scene: &Scene, _: &Options) -> Result<Table, Failure> {
-    sampled(scene, UNTIL, SAMPLES)
+pub fn table(scene: &Scene, options: &Options) -> Result<Table, Failure> {
+    sampled(scene, options, End::Time(UNTIL), SAMPLES)
 }
 
-fn simulation(scene: &Scene) -> Result<Simulation<f64>, Failure> {
-    let start = scene.start()?;
-    let start = Start {
-        side: Side::Bottom,
-        phase: start.phase.value(),
-        velocity: start.velocity.value(),
+fn sampled(scene: &Scene, options: &Options, end: End, samples: u32) -> Result<Table, Failure> {
+    let history = events(scene, options, end)?;
+    let last = history.rows.back().map_or(0.0, |row| row.time);
+    let until = match end {
+        End::Time(time) => time,
+        End::Impact(_) => last,
     };
-    Ok(Simulation::new(&scene.motion::<f64>()?, &start))
-}
-
-/// The time of an impact, counted from 1; that of the last event where there are not so many.
-fn time_of_impact(scene: &Scene, count: u32) -> Result<f64, Failure> {
-    let mut events = simulation(scene)?;
-    let Some(first) = events.next() else { return Ok(0.0) };
-    let (mut last, mut left) = (first.clone(), count - 1);
-    while left > 0 {
-        let Some(event) = events.next() else {
+    let first = history.rows.front().map_or(0.0, |row| row.phase);
+    let motion = scene.motion::<f64>()?;
+    let g = *motion.g();
+    let mut trajectory = Trajectory::new(motion, history.rows.iter().map(|row| event(row, first)));
+    let units = units(scene);
+    let mut table = Table::new(COLUMNS);
+    for index in 0..samples {
+        let time = sample(index, samples, until);
+        let Some(snapshot) = trajectory.at(&time) else {
             note(&format!(
-                "there are {} impacts, not {count}: the last row is at the last event",
-                count - left
+                "rounding hides what happens at time {last}; what follows is not known"
             ));
             break;
         };
-        left -= u32::from(event.kind == Kind::Impact);
-        last = event;
+        table.push(row(&snapshot, units, g))?;
     }
-    Ok(last.time(&first.phase))
+    Ok(table)
 }
 
-fn sampled(scene: &Scene, until: f64, samples: u32) -> Result<Table, Failure> {
+/// The events up to the end, in numbers wide enough for them.
+fn events(scene: &Scene, options: &Options, end: End) -> Result<History<f64>, Failure> {
+    let (impacts, until) = match end {
+        End::Time(time) => (u64::MAX, time),
+        End::Impact(count) => (u64::from(count), f64::INFINITY),
+    };
+    let extent = Extent {
+        impacts,
+        until,
+        last: usize::MAX,
+        digits: options
+            .digits
+            .or(scene.asked_digits()?)
+            .map_or(DIGITS, |digits| digits.min(MOST)),
+    };
+    let history = history(&scene.setting()?, &scene.start()?, &extent)?;
+    if let Some(event) = history.lost_at {
+        note(&format!(
+            "from event {event} on no digit holds: what follows tells how such a motion goes on, not how this one does"
+        ));
+    }
+    if let End::Impact(count) = end
+        && history.has_ended
+    {
+        note(&format!(
+            "there are not {count} impacts: the last row is at the last event"
+        ));
+    }
+    Ok(history)
+}
+
+/// An event with its turn of the forcing, counted from that of the first event, of phase `first`.
+fn event(row: &Row<f64>, first: f64) -> Event<f64> {
+    Event {
+        kind: row.kind,
+        side: row.side,
+        turns: ((row.time - (row.phase - first) / PI) / 2.0).round() as i64,
+        phase: row.phase,
+        velocity: row.velocity,
+    }
+}
+
+/// The units of time, Z, Zdot, X and x; none where the device does not give them.
+fn units(scene: &Scene) -> Option<[f64; 5]> {
     let scales = scene.scales::<f64>();
     if let Err(error) = &scales {
         note(&format!("the columns in SI are empty: {error}"));
     }
-    let units = scales.ok().map(|scales| {
-        let (length, velocity, time) = (scales.length, scales.velocity, scales.time);
-        [time, length, velocity, length, length]
-    });
-    let mut undecided: Option<Event<f64>> = None;
-    let events = simulation(scene)?.inspect(|event| {
-        if event.kind == Kind::Undecided {
-            undecided = Some(event.clone());
-        }
-    });
-    let mut trajectory = Trajectory::new(scene.motion()?, events);
-    let mut table = Table::new(COLUMNS);
-    for index in 0..samples {
-        let Some(snapshot) = trajectory.at(&sample(index, samples, until)) else {
-            break;
-        };
-        table.push(row(&snapshot, units))?;
-    }
-    drop(trajectory);
-    if let Some(event) = undecided {
-        let Event { side, phase, turns, .. } = event;
-        note(&format!(
-            "rounding hides whether the ball touches the {side} at phase {phase} of turn {turns}: what follows is not known"
-        ));
-    }
-    Ok(table)
+    let Scales {
+        length, velocity, time, ..
+    } = scales.ok()?;
+    Some([time, length, velocity, length, length])
 }
 
 /// The time of a sample; the last is `until` to every digit.
@@ -153,7 +185,7 @@ fn sample(index: u32, samples: u32, until: f64) -> f64 {
     }
 }
 
-fn row(snapshot: &Snapshot<f64>, units: Option<[f64; 5]>) -> Vec<Cell> {
+fn row(snapshot: &Snapshot<f64>, units: Option<[f64; 5]>, g: f64) -> Vec<Cell> {
     let Snapshot {
         time,
         phase,
@@ -167,6 +199,10 @@ fn row(snapshot: &Snapshot<f64>, units: Option<[f64; 5]>) -> Vec<Cell> {
         |index: usize, value: f64| Cell::from(units.and_then(|units| units.get(index).map(|unit| unit * value)));
     let values = [time, z, zdot, capsule, ball].into_iter().enumerate();
     cells.extend(values.map(|(index, value)| of_unit(index, value)));
+    // Xdot is F_1, of zero mean in this frame
+    let falling = phase.sin() / PI - zdot;
+    let energies = [0.5 * zdot * zdot - g * z, 0.5 * falling * falling + g * ball];
+    cells.extend(energies.map(Cell::from));
     cells
 }
 

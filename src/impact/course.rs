@@ -74,6 +74,34 @@ impl<T: Analytic> Course<T> {
         &self.scaled
     }
 
+    /// Goes on after `event`.
+    pub fn resume(&mut self, event: &Event<T>) {
+        let (side, phase) = (event.side, event.phase.clone());
+        self.turns = event.turns;
+        match event.kind {
+            Kind::Impact => {
+                let speed = side.signed(event.velocity.clone()) * self.scaled.pi.clone();
+                self.impact(side, phase, speed);
+            }
+            Kind::Rest => self.place = Place::Resting { side, since: phase },
+            Kind::Release => self.release(side, phase),
+            Kind::Undecided => self.place = Place::Ended,
+        }
+    }
+
+    /// Leaves a wall at a zero of f + g, with velocity 0.
+    fn release(&mut self, side: Side, phase: T) {
+        let (sin, cos) = phase.sincos();
+        self.place = Place::Leaving(Departure {
+            side,
+            phase,
+            sin,
+            cos,
+            speed: T::zero(),
+            released: true,
+        });
+    }
+
     /// What happens next; `None` where nothing does any more.
     pub fn advance(&mut self) -> Option<(Event<T>, Step<T>)> {
         match std::mem::replace(&mut self.place, Place::Ended) {
@@ -84,16 +112,7 @@ impl<T: Analytic> Course<T> {
                 if (phase.clone() - since).to_f64() < 0.0 {
                     self.turns += 1;
                 }
-                let (sin, cos) = phase.sincos();
-                let from = Departure {
-                    side,
-                    phase: phase.clone(),
-                    sin,
-                    cos,
-                    speed: T::zero(),
-                    released: true,
-                };
-                self.place = Place::Leaving(from);
+                self.release(side, phase.clone());
                 Some((self.event(Kind::Release, side, phase, T::zero()), Step::Release))
             }
             Place::Ended => None,

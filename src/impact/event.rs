@@ -53,6 +53,17 @@ pub struct Event<T> {
 }
 
 impl<T: Analytic> Event<T> {
+    /// The same event over another number.
+    pub fn convert<U>(&self, convert: impl Fn(&T) -> U) -> Event<U> {
+        Event {
+            kind: self.kind,
+            side: self.side,
+            turns: self.turns,
+            phase: convert(&self.phase),
+            velocity: convert(&self.velocity),
+        }
+    }
+
     /// The time since an instant of phase `start` in the first turn; the period of the forcing is 2.
     pub fn time(&self, start: &T) -> T {
         T::from_integer(2 * self.turns) + (self.phase.clone() - start.clone()) / T::pi()

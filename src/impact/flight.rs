@@ -308,7 +308,7 @@ impl<'a, T: Analytic> Flight<'a, T> {
         if !(now > room && now < gap - room) {
             return Ok(0);
         }
-        if !(end < LONGEST) {
+        if end.is_nan() || end >= LONGEST {
             return Err(Stop::Unending);
         }
         Ok((((end - angle) / TAU).floor() - 1.0).max(0.0) as i64)

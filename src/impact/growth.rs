@@ -105,9 +105,8 @@ impl Growth {
         let at_a_dip = flown.angle * flown.restitution * speed + (flown.angle + 2.0) * phase;
         let [[by_phase, by_speed], _] = flown.jacobian;
         let moved = (by_phase - 1.0).abs() * phase + by_speed.abs() * speed;
-        // NaN loses as well
-        let bends = !(moved * flown.push.abs() < STRAIGHT * flown.speed);
-        self.lost |= bends || at_a_dip >= clearance;
+        let bend = moved * flown.push.abs() / flown.speed;
+        self.lost |= bend.is_nan() || bend >= STRAIGHT || at_a_dip >= clearance;
 
         let [[a, b], [c, d]] = flown.jacobian;
         let [[p, q], [r, s]] = self.axes;
@@ -128,6 +127,16 @@ impl Growth {
             sin.abs() * self.sides[0] + cos.abs() * self.sides[1],
         ];
         self.stretch += length.ln();
+    }
+
+    /// Claims nothing any more.
+    pub(super) fn lose(&mut self) {
+        self.lost = true;
+    }
+
+    /// Whether anything is claimed; once it is not, it never is again.
+    pub fn holds(&self) -> bool {
+        !self.lost
     }
 
     fn restart(&mut self, sides: [f64; 2]) {

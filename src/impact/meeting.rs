@@ -121,7 +121,7 @@ impl<T: Analytic> Meeting<'_, T> {
         let d = -towards(&there.cos) * inverse * T::from_ratio(1, 24);
         let size = first.to_f64().abs();
         let bent = (b.to_f64() * first.to_f64()).abs().max(size);
-        if !(bent < 0.1) {
+        if bent.is_nan() || bent >= 0.1 {
             return (first, f64::INFINITY);
         }
         let bb = b.clone() * b.clone();

@@ -23,6 +23,17 @@ pub struct Start<T> {
     pub velocity: T,
 }
 
+impl<T> Start<T> {
+    /// The same start over another number.
+    pub fn convert<U>(&self, convert: impl Fn(&T) -> U) -> Start<U> {
+        Start {
+            side: self.side,
+            phase: convert(&self.phase),
+            velocity: convert(&self.velocity),
+        }
+    }
+}
+
 impl<T: Analytic> From<&Event<T>> for Start<T> {
     fn from(event: &Event<T>) -> Self {
         Self {
@@ -48,7 +59,8 @@ impl<T: Analytic> From<&Event<T>> for Start<T> {
 #[derive(Clone, Debug)]
 pub struct Simulation<T> {
     course: Course<T>,
-    growth: Option<Growth>,
+    growth: Growth,
+    is_tracked: bool,
     /// Whether a chatter that does not complete is being listed whole.
     exhaustive: bool,
 }
@@ -56,28 +68,40 @@ pub struct Simulation<T> {
 impl<T: Analytic> Simulation<T> {
     /// The motion from `start` on.
     pub fn new(motion: &Motion<T>, start: &Start<T>) -> Self {
+        let course = Course::new(motion, start);
         Self {
-            course: Course::new(motion, start),
-            growth: None,
+            growth: Growth::new(course.scaled()),
+            course,
+            is_tracked: false,
             exhaustive: false,
         }
     }
 
     /// The same, following how rounding errors grow; some tens of nanoseconds more per impact.
     pub fn with_growth(mut self) -> Self {
-        self.growth = Some(Growth::new(self.course.scaled()));
+        self.is_tracked = true;
         self
     }
 
     /// How rounding errors have grown up to the latest event; `None` where it is not followed.
     pub fn growth(&self) -> Option<&Growth> {
-        self.growth.as_ref()
+        self.is_tracked.then_some(&self.growth)
+    }
+
+    pub(super) fn tracked(&self) -> &Growth {
+        &self.growth
+    }
+
+    /// Goes on after `event`, whatever this motion came to by itself; of what follows nothing is claimed.
+    pub(super) fn resume(&mut self, event: &Event<T>) {
+        self.course.resume(event);
+        self.growth.lose();
     }
 
     fn advance(&mut self) -> Option<(Event<T>, Step<T>)> {
         let (event, step) = self.course.advance()?;
-        if let Some(growth) = &mut self.growth {
-            growth.follow(self.course.scaled(), &event, &step);
+        if self.is_tracked {
+            self.growth.follow(self.course.scaled(), &event, &step);
         }
         Some((event, step))
     }

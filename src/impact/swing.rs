@@ -85,7 +85,8 @@ mod tests {
 
     fn worst<T: Analytic>(x: f64, narrow: impl Fn(&T) -> Wide<100>) -> f64 {
         let Swing { sin, fall, lag, rest } = Swing::of(&T::from_f64(x), T::epsilon().to_f64());
-        let apart = [sin, fall, lag, rest].iter().zip(exact(x)).map(|(ours, exact)| {
+        let ours = [sin, fall, lag, rest];
+        let apart = ours.iter().zip(exact(x)).map(|(ours, exact)| {
             let apart = (narrow(ours) - exact.clone()) / exact;
             apart.to_f64().abs()
         });

@@ -6,6 +6,7 @@
 mod ahead;
 mod crossing;
 mod device;
+mod exact;
 mod flight;
 mod forcing;
 mod jacobian;
@@ -18,6 +19,7 @@ mod root;
 pub use ahead::{Ahead, Turnings};
 pub use crossing::{Crossing, LONGEST_FLIGHT, Watch};
 pub use device::{Device, DeviceError, Scales, gravity_component};
+pub use exact::{Exact, Parameters};
 pub use flight::{Flight, FlightError, State};
 pub use forcing::{Forced, Forcing, ForcingError};
 pub use jacobian::{JacobianError, Order, Passage};

@@ -77,6 +77,11 @@ impl Attractor {
         })
     }
 
+    /// Whether the ball rests in each cycle, or for ever.
+    pub fn rests(&self) -> bool {
+        self.word.contains('*')
+    }
+
     fn at_rest(side: Side) -> Self {
         let text = match side {
             Side::Bottom => "B*",

@@ -1,10 +1,11 @@
 //! Rows of the first means as the second one has them.
 
-use super::family::{Family, Parameters};
+use super::family::Family;
 use super::instant::Instant;
 use super::orbit::{Fix, reduced};
 use super::returning::{NoReturn, Returning, returning, returning_at};
 use super::rounded::Rounded;
+use crate::model::Parameters;
 use crate::number::{Decimal, Decimals, Interval, Telling, Told, Wide};
 
 /// The digits of the second means; it loses some to the condition of a motion.

@@ -2,7 +2,6 @@
 
 use super::cell::{Cell, joined};
 use super::cycle;
-use super::family::Parameters;
 use super::one_to_one::{Equations, FINEST, again, one_to_one};
 use super::orbit::{Fix, Orbit};
 use super::refine::refined;
@@ -11,6 +10,7 @@ use super::rounded::Rounded;
 use super::unsettled::{Question, Unsettled};
 use super::wanted::Wanted;
 use super::{Balance, Cycle, Word, narrowed};
+use crate::model::Parameters;
 use crate::model::{Motion, MotionError};
 use crate::number::{Analytic, DoubleDouble, Doubles, Endpoint, Interval, Told};
 

@@ -2,7 +2,7 @@
 
 use super::along::Along;
 use super::cycle::{Cycle, moves, search_from};
-use super::family::{Exact, Family};
+use super::family::Family;
 use super::find::{Found, Proved};
 use super::happening::moments;
 use super::moment::Moment;
@@ -10,6 +10,7 @@ use super::newton;
 use super::strand::{End, Strand};
 use super::wanted::Wanted;
 use super::word::Word;
+use crate::model::Exact;
 use crate::model::MotionError;
 use crate::number::{Doubles, Interval};
 use rayon::prelude::*;

@@ -1,11 +1,12 @@
 //! As what motions and bifurcations are wanted, and over which numbers they are computed for it.
 
 use super::bifurcation::Located;
-use super::family::{Exact, Family, Parameters};
+use super::family::Family;
 use super::find::Proved;
 use super::instant::Instant;
 use super::rounded::Rounded;
 use super::unsettled::{Question, Unsettled};
+use crate::model::{Exact, Parameters};
 use crate::model::{Motion, MotionError, Side};
 use crate::number::{AtPrecision, Decimal, Decimals, DoubleDouble, Doubles, Interval, Telling, Told, Wide};
 

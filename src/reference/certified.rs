@@ -48,8 +48,11 @@ impl Certified {
             .required("quantity")?
             .parse()
             .map_err(|error: super::NoQuantity| record.fault("quantity", error.to_string()))?;
-        if quantity.extreme.is_some() {
-            return Err(record.fault("quantity", "a certified value is that of one row, without .min or .max"));
+        if quantity.across.is_some() {
+            return Err(record.fault(
+                "quantity",
+                "a certified value is that of one row, without .min, .max, .spread or .trend",
+            ));
         }
         let value = record.field("value");
         if !value.is_empty() && Figures::read(value).is_none() {

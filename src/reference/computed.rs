@@ -1,7 +1,8 @@
 //! A command's table as golden values see it: every field as CSV prints it, and the row that is meant.
 
+use super::across::across;
 use super::figures::{Figures, power_of_ten, size};
-use super::quantity::{Extreme, FieldName, Quantity};
+use super::quantity::{FieldName, Quantity};
 use super::setting::{Selector, Setting, Wanted};
 use crate::number::{Field, Rational};
 use num_traits::Zero;
@@ -39,12 +40,15 @@ const TELLING: [&str; 9] = [
     "verdict",
 ];
 
+/// More digits than any row has.
+const MOST_DIGITS: f64 = 1e4;
+
 /// The most rows that an error lists.
 const MOST_LISTED: usize = 8;
 
 impl Computed {
-    /// The value of `quantity` in the row that `setting` names: of several, the stable admissible one; or the least
-    /// or greatest value of all rows that its selectors name.
+    /// The value of `quantity` in the row that `setting` names: of several, the stable admissible one; or what is asked
+    /// of all rows that its selectors name.
     ///
     /// # Errors
     /// A message for a person: no such column or index, no row or several (they are listed), an extreme of words.
@@ -53,8 +57,10 @@ impl Computed {
         for selector in &setting.selectors {
             rows = self.narrow(rows, selector)?;
         }
-        if let Some(extreme) = quantity.extreme {
-            return self.extreme(&rows, &quantity.field, extreme);
+        if let Some(asked) = quantity.across {
+            let values: Result<Vec<Value>, String> = rows.iter().map(|row| self.of_row(row, &quantity.field)).collect();
+            return across(asked, &values?)
+                .map_err(|message| format!("`{quantity}`: {message}; {}", self.listed(rows.iter().copied())));
         }
         if rows.len() > 1 {
             for column in ["stable", "admissible"] {
@@ -104,36 +110,6 @@ impl Computed {
         Ok(found.into_iter().map(|(row, _)| row).collect())
     }
 
-    fn extreme(&self, rows: &[&Vec<String>], field: &FieldName, extreme: Extreme) -> Result<Value, String> {
-        let mut best: Option<(Rational, Value)> = None;
-        // The bound of the extreme is the worst of all: another row might be the true one.
-        let mut bound = Some(Rational::zero());
-        for row in rows {
-            let value = self.of_row(row, field)?;
-            let number = Figures::read(&value.text)
-                .ok_or_else(|| {
-                    format!(
-                        "`{}` of `{field}` is no number, and .min and .max need numbers",
-                        value.text
-                    )
-                })?
-                .value;
-            bound = bound.zip(value.bound.clone()).map(|(left, right)| left.max(right));
-            let better = best.as_ref().is_none_or(|(known, _)| match extreme {
-                Extreme::Least => number < *known,
-                Extreme::Greatest => number > *known,
-            });
-            if better {
-                best = Some((number, value));
-            }
-        }
-        best.map(|(_, value)| Value {
-            text: value.text,
-            bound,
-        })
-        .ok_or_else(|| format!("no row is meant; {}", self.listed(self.rows.iter())))
-    }
-
     /// The field of a row as text; where `shorter` rows are allowed, an index beyond the list gives none.
     fn text(&self, row: &[String], field: &FieldName, shorter: bool) -> Result<String, String> {
         let column = self.column(&field.column).ok_or_else(|| {
@@ -161,8 +137,12 @@ impl Computed {
 
     fn of_row(&self, row: &[String], field: &FieldName) -> Result<Value, String> {
         let text = self.text(row, field, false)?;
-        let certified = self.column("error_bound").and_then(|index| row.get(index));
-        let bound = bound(&text, certified.map_or("", String::as_str));
+        let field = |name| {
+            self.column(name)
+                .and_then(|index| row.get(index))
+                .map_or("", String::as_str)
+        };
+        let bound = bound(&text, field("error_bound"), field("digits"));
         Ok(Value { text, bound })
     }
 
@@ -194,18 +174,25 @@ impl Computed {
     }
 }
 
-/// How far the true value may be from `text`: the certified bound of its row, and what printing it costs. Words are
-/// exact, and so are counts, which CSV prints without a point.
-fn bound(text: &str, certified: &str) -> Option<Rational> {
+/// How far the true value may be from `text`: the certified bound of its row or, where there is none, what the digits
+/// of the row leave open; and what printing it costs. Words are exact, and so are counts, which CSV prints without a
+/// point.
+fn bound(text: &str, certified: &str, digits: &str) -> Option<Rational> {
     let Some(figures) = Figures::read(text) else {
         return Some(Rational::zero());
     };
     if !text.contains(['.', 'e', 'E']) {
         return Some(Rational::zero());
     }
-    let certified = Figures::read(certified)
-        .filter(|bound| bound.value >= Rational::zero())?
-        .value;
+    let known = Figures::read(certified).filter(|bound| bound.value >= Rational::zero());
+    let certified = match known {
+        Some(bound) => bound.value,
+        // Where not even one digit holds, nothing is claimed.
+        None => {
+            let digits: f64 = digits.parse().ok().filter(|&digits: &f64| digits >= 1.0)?;
+            size(figures.value.clone()) * power_of_ten(-(digits.min(MOST_DIGITS) as i32))
+        }
+    };
     // Up to 17 figures it is an f64 in its shortest form, which is within half a unit in its last place of it.
     let of_text = if figures.count <= 17 {
         size(figures.value) * Rational::from_integer(2).to_power(-53)
@@ -287,7 +274,7 @@ mod tests {
         assert!(text("orbits.velocity", "").contains("there are word, periods"));
         assert!(text("orbits.velocities", "").contains("say which, from velocities[0] to velocities[1]"));
         assert!(text("orbits.velocities[2]", "").contains("there is no `velocities[2]`"));
-        assert!(text("orbits.word.max", "").contains("need numbers"));
+        assert!(text("orbits.word.max", "").contains("no number"));
         assert!(text("orbits.d", "row.speed=1").contains("no column `speed`"));
     }
 

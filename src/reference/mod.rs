@@ -4,6 +4,7 @@
 //! by one means and confirmed by another. Nothing here knows how a value is computed: whoever checks hands over a
 //! function that answers a [`Request`] with a table ([`Computed`]). Printed figures are compared in exact decimals.
 
+mod across;
 mod amplitude;
 mod bless;
 mod certified;
@@ -29,7 +30,7 @@ pub use fault::Fault;
 pub use figures::Figures;
 pub use outcome::{Outcome, check};
 pub use printed::Printed;
-pub use quantity::{Extreme, FieldName, NoQuantity, Quantity};
+pub use quantity::{Across, FieldName, NoQuantity, Quantity};
 pub use records::Record;
 pub use request::{Answer, Asked, Request};
 pub use setting::{Selector, Setting, Wanted};

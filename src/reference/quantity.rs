@@ -3,15 +3,15 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// `command.column`, `command.column[n]`, and either with `.min` or `.max`.
+/// `command.column`, `command.column[n]`, and either with `.min`, `.max`, `.spread` or `.trend`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quantity {
     /// The command whose table has the column.
     pub command: String,
     /// The column, and which number of its list.
     pub field: FieldName,
-    /// Of several rows: the least or the greatest value, instead of one row's.
-    pub extreme: Option<Extreme>,
+    /// What is asked of several rows, instead of one row's value.
+    pub across: Option<Across>,
 }
 
 /// A column, and in a list joined by `;` the number counted from 0.
@@ -23,20 +23,38 @@ pub struct FieldName {
     pub index: Option<usize>,
 }
 
-/// Which value of several rows.
+/// What is asked of several rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extreme {
-    /// The least.
+pub enum Across {
+    /// The least value.
     Least,
-    /// The greatest.
+    /// The greatest value.
     Greatest,
+    /// The greatest less the least.
+    Spread,
+    /// Which way the values go from row to row: `increases`, `decreases` or `neither`.
+    Trend,
+}
+
+impl Across {
+    const ALL: [Self; 4] = [Self::Least, Self::Greatest, Self::Spread, Self::Trend];
+
+    /// As it stands behind the column.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Least => "min",
+            Self::Greatest => "max",
+            Self::Spread => "spread",
+            Self::Trend => "trend",
+        }
+    }
 }
 
 /// Text that names no quantity.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "`{0}` is no quantity: `command.column` or `command.column[n]` is, such as \
-     orbits.velocities[0]; `.min` or `.max` may follow"
+     orbits.velocities[0]; `.min`, `.max`, `.spread` or `.trend` may follow"
 )]
 pub struct NoQuantity(pub String);
 
@@ -69,11 +87,11 @@ impl FromStr for Quantity {
     fn from_str(text: &str) -> Result<Self, NoQuantity> {
         let bad = || NoQuantity(text.to_owned());
         let (command, rest) = text.split_once('.').ok_or_else(bad)?;
-        let (field, extreme) = match rest.rsplit_once('.') {
-            Some((field, "min")) => (field, Some(Extreme::Least)),
-            Some((field, "max")) => (field, Some(Extreme::Greatest)),
-            _ => (rest, None),
+        let asked = |(field, name)| {
+            let across = Across::ALL.into_iter().find(|across| across.name() == name);
+            across.map(|across| (field, Some(across)))
         };
+        let (field, across) = rest.rsplit_once('.').and_then(asked).unwrap_or((rest, None));
         let named = !command.is_empty() && command.bytes().all(|byte| byte.is_ascii_lowercase());
         if !named {
             return Err(bad());
@@ -81,7 +99,7 @@ impl FromStr for Quantity {
         Ok(Self {
             command: command.to_owned(),
             field: field.parse().map_err(|()| bad())?,
-            extreme,
+            across,
         })
     }
 }
@@ -96,11 +114,7 @@ impl fmt::Display for FieldName {
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}.{}", self.command, self.field)?;
-        f.write_str(match self.extreme {
-            Some(Extreme::Least) => ".min",
-            Some(Extreme::Greatest) => ".max",
-            None => "",
-        })
+        self.across.map_or(Ok(()), |across| write!(f, ".{}", across.name()))
     }
 }
 
@@ -116,6 +130,8 @@ mod tests {
             "audit.verdict",
             "branch.velocities[12].max",
             "branch.error_bound.min",
+            "sweep.mean_voltage.spread",
+            "branch.velocities[0].trend",
         ] {
             assert_eq!(
                 text.parse::<Quantity>().map(|quantity| quantity.to_string()).as_deref(),

@@ -38,7 +38,7 @@ pub use error::{Origin, SceneError, SceneProblem};
 pub use key::MOST_DIGITS;
 pub use nearest::nearest;
 pub use need::Note;
-pub use points::{MeanOver, Point, Points};
+pub use points::{MeanOver, Point, Points, Reliance};
 pub use quantity::{Quantity, QuantityError};
 pub use scene::{Scene, Start};
 pub use setting::Setting;

@@ -2,9 +2,9 @@
 
 use super::sweep::{Begin, Diagram, Sweep};
 use super::{Quantity, Scene, SceneError, Setting, Want};
-use crate::impact::{Event, Kind, Simulation, Start};
+use crate::impact::{Event, Growth, Kind, Simulation, Start};
 use crate::model::{Membrane, Motion, Side};
-use crate::orbit::{Family, Parameters, Settled};
+use crate::orbit::{Family, Parameters, Settled, lyapunov};
 use rayon::prelude::*;
 use std::vec::IntoIter;
 
@@ -27,6 +27,18 @@ pub struct Point {
     pub voltages: Option<Vec<f64>>,
     /// The mean (7) of U_k over [`Point::counted`], V; none where no voltage is modelled, or there is no impact.
     pub mean_voltage: Option<f64>,
+    /// How far the last impact can be relied on; none where that is not asked for ([`Points::with_growth`]).
+    pub reliance: Option<Reliance>,
+}
+
+/// How far a motion can be relied on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reliance {
+    /// The digits that hold at the last event: absolute of the phase, relative of the velocity. 0 where none does, and
+    /// the impacts tell what such a motion does, not what this one does.
+    pub digits: u32,
+    /// The largest Lyapunov exponent of what the motion has come to, per unit of time, as [`lyapunov`] has it.
+    pub lyapunov: Option<f64>,
 }
 
 /// What a mean is taken over.
@@ -96,6 +108,7 @@ impl Scene {
                 velocity: start.velocity.value(),
             },
             membrane,
+            with_growth: false,
             scene: self.clone(),
             next: 0,
             block: Vec::new().into_iter(),
@@ -113,6 +126,7 @@ pub struct Points {
     setting: Setting,
     start: Start<f64>,
     membrane: Option<Membrane<f64>>,
+    with_growth: bool,
     next: u32,
     block: IntoIter<Result<Point, SceneError>>,
     /// Where the motion at the value before came to, where the next one follows it.
@@ -120,6 +134,14 @@ pub struct Points {
 }
 
 impl Points {
+    /// The same points, each with its [`Reliance`]; for some more time.
+    pub fn with_growth(self) -> Self {
+        Self {
+            with_growth: true,
+            ..self
+        }
+    }
+
     /// The sweep.
     pub fn sweep(&self) -> &Sweep {
         &self.sweep
@@ -131,14 +153,23 @@ impl Points {
         let motion = self.setting.fixed(&value).motion::<f64>();
         let motion = motion.map_err(|error| self.scene.error(None, error))?;
         let start = before.map_or_else(|| self.start.clone(), Start::from);
-        let events = Simulation::new(&motion, &start);
-        let settled = Settled::after(events, self.diagram.impacts, self.diagram.keep);
+        let mut simulation = Simulation::new(&motion, &start);
+        if self.with_growth {
+            simulation = simulation.with_growth();
+        }
+        let impacts = self.diagram.impacts;
+        let settled = Settled::after(simulation.by_ref(), impacts, self.diagram.keep);
+        let reliance = simulation.growth().map(|growth| Reliance {
+            digits: settled.end.as_ref().map_or(0, |end| digits(growth, end)),
+            lyapunov: lyapunov(&motion, &settled, impacts),
+        });
         let mut point = Point {
             value,
             motion,
             settled,
             voltages: None,
             mean_voltage: None,
+            reliance,
         };
         self.add_voltages(&mut point)?;
         Ok(point)
@@ -181,6 +212,20 @@ impl Points {
         self.next += block.len() as u32;
         self.block = block.into_iter();
     }
+}
+
+/// The digits of an event that hold, of those that f64 shows without a doubt.
+fn digits(growth: &Growth, event: &Event<f64>) -> u32 {
+    const DIGITS_OF_F64: u32 = 15;
+    let speed = event.velocity.abs();
+    let relative = if speed > 0.0 {
+        growth.velocity_error() / speed
+    } else {
+        0.0
+    };
+    // to an integer a float saturates: an error above 1 has no digits, one of 0 has all
+    let digits = -growth.phase_error().max(relative).log10();
+    (digits.floor() as u32).min(DIGITS_OF_F64)
 }
 
 /// The last event after which the motion is known.

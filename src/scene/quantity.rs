@@ -102,6 +102,20 @@ impl Quantity {
         if self.plain.is_zero() { turns } else { plain + turns }
     }
 
+    /// The value as an angle in [0, 2 pi), to a few roundings of `T` however many turns it has; 2 pi itself only by
+    /// rounding.
+    pub fn angle<T: Analytic>(&self) -> T {
+        let value = self.value::<Wide<COMPARED>>();
+        let circle = Wide::pi() + Wide::pi();
+        if value >= Wide::zero() && value < circle {
+            return self.value();
+        }
+        let (sin, cos) = value.sincos();
+        let angle = sin.atan2(&cos);
+        let angle = if angle < Wide::zero() { angle + circle } else { angle };
+        in_parts(&angle)
+    }
+
     /// The rational, where pi has no part in it.
     pub fn rational(&self) -> Option<&Rational> {
         self.turns.is_zero().then_some(&self.plain)
@@ -151,6 +165,17 @@ fn embed<T: Analytic>(value: &Rational) -> T {
         Some(lacking) => T::from_f64(nearest) + lacking,
         None => value.embed::<T>().unwrap_or_else(|| T::from_f64(nearest)),
     }
+}
+
+/// `value` over `T`, as a sum of ever smaller f64.
+fn in_parts<T: Analytic>(value: &Wide<COMPARED>) -> T {
+    let (mut sum, mut rest) = (T::zero(), value.clone());
+    for _ in 0..=COMPARED / 15 {
+        let part = rest.to_f64();
+        sum += T::from_f64(part);
+        rest -= Wide::from_f64(part);
+    }
+    sum
 }
 
 fn power_of_ten(exponent: usize) -> Rational {

@@ -130,6 +130,15 @@ impl Scene {
         self.count_or(&key::DIGITS, 12)
     }
 
+    /// The digits that the scene asks for, where it does.
+    ///
+    /// # Errors
+    /// What is no such number.
+    pub fn asked_digits(&self) -> Result<Option<u32>, SceneError> {
+        let asked = self.document.get(&key::DIGITS).is_some();
+        asked.then(|| self.digits()).transpose()
+    }
+
     /// The motion, without unit: g from `[device]` or `motion.g`, the rest from `[motion]`.
     ///
     /// # Errors

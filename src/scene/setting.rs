@@ -1,12 +1,13 @@
-//! The parameters of a scene's motion as typed, over any number: at one value, or along a sweep.
+//! The parameters and the start of a scene's motion as typed, over any number: at one value, or along a sweep.
 
 use super::error::SceneError;
 use super::key;
 use super::sweep::Over;
-use super::{Quantity, Scene};
-use crate::model::{Motion, MotionError, gravity_component};
+use super::{Quantity, Scene, Start};
+use crate::impact;
+use crate::model::{Exact, Motion, MotionError, Parameters, Side, gravity_component};
 use crate::number::Analytic;
-use crate::orbit::{Exact, Family, Parameters};
+use crate::orbit::Family;
 use std::cmp::Ordering;
 
 /// Gravity along the capsule, as typed; `None` where that key is swept.
@@ -118,6 +119,16 @@ impl Setting {
 impl Exact for Quantity {
     fn value<T: Analytic>(&self) -> T {
         Self::value(self)
+    }
+}
+
+impl impact::Origin for Start {
+    fn start<T: Analytic>(&self) -> impact::Start<T> {
+        impact::Start {
+            side: Side::Bottom,
+            phase: self.phase.angle(),
+            velocity: self.velocity.value(),
+        }
     }
 }
 

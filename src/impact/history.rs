@@ -1,0 +1,266 @@
+//! The events of a motion in numbers wide enough for the digits asked.
+
+use super::event::{Event, Kind};
+use super::growth::Growth;
+use super::simulation::{Simulation, Start};
+use super::widening::Widening;
+use crate::model::{MotionError, Parameters, Side};
+use crate::number::{Analytic, Decimal, Decimals, DoubleDouble, Interval, Telling, Wide};
+use std::collections::VecDeque;
+
+/// The digits that an f64 shows without a doubt.
+const DIGITS_OF_F64: u32 = 15;
+
+/// A start known exactly, over any number.
+pub trait Origin {
+    /// The start impact, its phase in [0, 2 pi).
+    fn start<T: Analytic>(&self) -> Start<T>;
+}
+
+/// The numbers of an f64 start, taken as exact.
+impl Origin for Start<f64> {
+    fn start<T: Analytic>(&self) -> Start<T> {
+        self.convert(|&value| T::from_f64(value))
+    }
+}
+
+/// How much of a motion is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent {
+    /// At most so many impacts, the start counted.
+    pub impacts: u64,
+    /// Up to this time; infinite where only the impacts count.
+    pub until: f64,
+    /// Only the last so many events.
+    pub last: usize,
+    /// The digits that each of these is to have.
+    pub digits: u32,
+}
+
+/// An event with what is known of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row<N> {
+    /// Its number, from 1.
+    pub event: u64,
+    /// The time since the start.
+    pub time: N,
+    /// The phase of the forcing, rad, in [0, 2 pi).
+    pub phase: N,
+    /// The wall.
+    pub side: Side,
+    /// Zdot just before.
+    pub velocity: N,
+    /// What happens.
+    pub kind: Kind,
+    /// The digits that hold: relative of time and velocity, absolute of the phase; 0 where none does.
+    pub digits: u32,
+}
+
+/// A motion, told.
+#[derive(Clone, Debug, PartialEq)]
+pub struct History<N> {
+    /// The events asked for.
+    pub rows: VecDeque<Row<N>>,
+    /// The decimal digits of the number that found them, about.
+    pub computed_with: u32,
+    /// The first event of all of which no digit holds, although the widest number was tried: from here on rows tell
+    /// what such a motion does, not what this one does.
+    pub lost_at: Option<u64>,
+    /// The Lyapunov exponent so far: the mean growth of the logarithm of a small error per unit of time; minus infinity
+    /// once a rest has wiped errors out, NaN before time has passed.
+    pub lyapunov: f64,
+    /// Whether nothing follows the last row: the ball rests for ever, or meets no wall any more.
+    pub has_ended: bool,
+}
+
+/// The motion in f64 where that holds the digits asked, else in double-double, 50 or 200 digits. What those lose too is
+/// followed on in f64 as statistics: its rows have no digits.
+///
+/// # Errors
+/// A parameter out of its range.
+pub fn history(motion: &impl Parameters, origin: &impl Origin, extent: &Extent) -> Result<History<f64>, MotionError> {
+    let asked = Asked { motion, origin, extent };
+    let figures = DIGITS_OF_F64;
+    for digits in [16, 31, 50] {
+        let told = Figures { digits, figures };
+        let attempt = match digits {
+            16 => asked.attempt(&told, f64::clone)?,
+            31 => asked.attempt(&told, <DoubleDouble as Analytic>::to_f64)?,
+            _ => asked.attempt(&told, <Wide<50> as Analytic>::to_f64)?,
+        };
+        if attempt.suffices(extent) {
+            return Ok(attempt.history);
+        }
+    }
+    let told = Figures { digits: 200, figures };
+    asked.at_last(asked.attempt(&told, <Wide<200> as Analytic>::to_f64)?, |value| value)
+}
+
+/// The same in decimals of so many figures, from 50 or 200 digits.
+///
+/// # Errors
+/// A parameter out of its range.
+pub fn history_in_decimals(
+    motion: &impl Parameters,
+    origin: &impl Origin,
+    extent: &Extent,
+    decimals: Decimals,
+) -> Result<History<Decimal>, MotionError> {
+    fn tell<const DIGITS: usize>(decimals: Decimals) -> impl Fn(&Wide<DIGITS>) -> Decimal {
+        move |value| decimals.tell(&Interval::new(value.clone(), value.clone()))
+    }
+    let asked = Asked { motion, origin, extent };
+    let figures = decimals.0 as u32;
+    let attempt = asked.attempt(&Figures { digits: 50, figures }, tell::<50>(decimals))?;
+    if attempt.suffices(extent) {
+        return Ok(attempt.history);
+    }
+    let attempt = asked.attempt(&Figures { digits: 200, figures }, tell::<200>(decimals))?;
+    let few = Decimals(DIGITS_OF_F64 as usize);
+    asked.at_last(attempt, |value| tell::<50>(few)(&Wide::from_f64(value)))
+}
+
+/// What an attempt in one number came to.
+struct Attempt<N> {
+    history: History<N>,
+    /// The latest event that holds, and how much errors had grown by then; `None` where all do.
+    before_loss: Option<(Event<f64>, f64)>,
+    /// The contact that rounding hides, where that is why.
+    undecided: Option<Event<f64>>,
+    impacts: u64,
+    events: u64,
+}
+
+impl<N> Attempt<N> {
+    /// Whether every row has the digits asked.
+    fn suffices(&self, extent: &Extent) -> bool {
+        self.before_loss.is_none() && self.history.rows.iter().all(|row| row.digits >= extent.digits)
+    }
+
+    fn push(&mut self, row: Row<N>, extent: &Extent) {
+        self.events = row.event;
+        self.impacts += u64::from(row.kind == Kind::Impact);
+        if self.history.rows.len() >= extent.last {
+            self.history.rows.pop_front();
+        }
+        self.history.rows.push_back(row);
+    }
+}
+
+/// How many digits a number has, and how many of them are told.
+struct Figures {
+    digits: u32,
+    figures: u32,
+}
+
+impl Figures {
+    /// The digits of an event that hold, by the bounds of its errors.
+    fn holding(&self, time: f64, velocity: f64, growth: &Growth) -> u32 {
+        let phase = growth.phase_error();
+        let relative = |error: f64, value: f64| if value == 0.0 { 0.0 } else { error / value.abs() };
+        let by_time = relative(phase * std::f64::consts::FRAC_1_PI, time);
+        let worst = phase.max(by_time).max(relative(growth.velocity_error(), velocity));
+        // a float to an integer saturates: an error above 1 has no digits
+        let digits = (-worst.log10()).floor() as u32;
+        if growth.holds() { digits.min(self.figures) } else { 0 }
+    }
+}
+
+/// A motion, and how much of it is asked for.
+struct Asked<'a, P, O> {
+    motion: &'a P,
+    origin: &'a O,
+    extent: &'a Extent,
+}
+
+impl<P: Parameters, O: Origin> Asked<'_, P, O> {
+    /// The motion over `T`, as far as that number holds it.
+    fn attempt<T: Analytic, N>(&self, told: &Figures, tell: impl Fn(&T) -> N) -> Result<Attempt<N>, MotionError> {
+        let extent = self.extent;
+        let start = self.origin.start::<T>();
+        let mut simulation = Simulation::new(&self.motion.motion::<T>()?, &start).with_growth();
+        let mut attempt = Attempt {
+            history: History {
+                rows: VecDeque::new(),
+                computed_with: told.digits,
+                lost_at: None,
+                lyapunov: f64::NAN,
+                has_ended: false,
+            },
+            before_loss: None,
+            undecided: None,
+            impacts: 0,
+            events: 0,
+        };
+        let mut before: Option<(Event<f64>, f64)> = None;
+        while attempt.impacts < extent.impacts {
+            let Some(event) = simulation.next() else {
+                attempt.history.has_ended = true;
+                break;
+            };
+            let time = event.time(&start.phase);
+            let elapsed = time.to_f64();
+            if elapsed > extent.until {
+                break;
+            }
+            let growth = simulation.tracked();
+            if !growth.holds() {
+                attempt.history.lost_at = Some(attempt.events + 1);
+                attempt.before_loss = before;
+                attempt.undecided = (event.kind == Kind::Undecided).then_some(event.convert(T::to_f64));
+                break;
+            }
+            let row = Row {
+                event: attempt.events + 1,
+                time: tell(&time),
+                phase: tell(&event.phase),
+                side: event.side,
+                velocity: tell(&event.velocity),
+                kind: event.kind,
+                digits: told.holding(elapsed, event.velocity.to_f64(), growth),
+            };
+            attempt.push(row, extent);
+            attempt.history.lyapunov = growth.stretch() / elapsed;
+            before = Some((event.convert(T::to_f64), growth.stretch()));
+        }
+        Ok(attempt)
+    }
+
+    /// The attempt in the widest number, followed on in f64 where that lost the motion.
+    fn at_last<N>(&self, attempt: Attempt<N>, tell: impl Fn(f64) -> N) -> Result<History<N>, MotionError> {
+        let mut attempt = attempt;
+        let Some((before, grown)) = attempt.before_loss.take() else {
+            return Ok(attempt.history);
+        };
+        let start = self.origin.start::<f64>();
+        let extent = self.extent;
+        let row = |event: &Event<f64>, number: u64| Row {
+            event: number,
+            time: tell(event.time(&start.phase)),
+            phase: tell(event.phase),
+            side: event.side,
+            velocity: tell(event.velocity),
+            kind: event.kind,
+            digits: 0,
+        };
+        if let Some(event) = attempt.undecided.take() {
+            attempt.push(row(&event, attempt.events + 1), extent);
+            attempt.history.has_ended = true;
+            return Ok(attempt.history);
+        }
+        let mut widening = Widening::after(&self.motion.motion::<f64>()?, &before);
+        while attempt.impacts < extent.impacts {
+            let Some(event) = widening.next() else {
+                attempt.history.has_ended = true;
+                break;
+            };
+            let elapsed = event.time(&start.phase);
+            if elapsed > extent.until {
+                break;
+            }
+            attempt.push(row(&event, attempt.events + 1), extent);
+            attempt.history.lyapunov = (grown + widening.growth().stretch()) / elapsed;
+        }
+        Ok(attempt.history)
+    }
+}

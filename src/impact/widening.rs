@@ -1,0 +1,69 @@
+//! A motion in f64 that asks wider numbers about what f64 cannot decide.
+
+use super::event::{Event, Kind};
+use super::growth::Growth;
+use super::simulation::{Simulation, Start};
+use crate::model::Motion;
+use crate::number::{Analytic, DoubleDouble, Wide};
+
+/// The events of a motion in f64. A contact that rounding hides is decided in double-double, else in 50 digits, from the
+/// event before as f64 has it, and the motion goes on from there; so it ends undecided only where those cannot tell.
+///
+/// For what is asked of many motions, or of very long ones: each event follows from the one before to the precision of
+/// f64, and [`Growth`] says how far that still tells the motion from the start.
+#[derive(Clone, Debug)]
+pub struct Widening {
+    motion: Motion<f64>,
+    simulation: Simulation<f64>,
+    before: Option<Event<f64>>,
+}
+
+impl Widening {
+    /// The motion from `start` on, the start impact first.
+    pub fn new(motion: &Motion<f64>, start: &Start<f64>) -> Self {
+        Self {
+            motion: motion.clone(),
+            simulation: Simulation::new(motion, start).with_growth(),
+            before: None,
+        }
+    }
+
+    /// What follows after `event`, from which no digits are claimed.
+    pub fn after(motion: &Motion<f64>, event: &Event<f64>) -> Self {
+        let mut next = Self::new(motion, &Start::from(event));
+        next.simulation.resume(event);
+        next.before = Some(event.clone());
+        next
+    }
+
+    /// How errors have grown up to the latest event.
+    pub fn growth(&self) -> &Growth {
+        self.simulation.tracked()
+    }
+
+    /// The contact after the event before, in a wider number, if that decides it.
+    fn decided<T: Analytic>(&self) -> Option<Event<f64>> {
+        let before = self.before.as_ref()?.convert(|value| T::from_f64(*value));
+        let motion = self.motion.convert(|value| T::from_f64(*value)).ok()?;
+        let mut simulation = Simulation::new(&motion, &Start::from(&before));
+        simulation.resume(&before);
+        let event = simulation.next()?;
+        (event.kind != Kind::Undecided).then(|| event.convert(T::to_f64))
+    }
+}
+
+impl Iterator for Widening {
+    type Item = Event<f64>;
+
+    fn next(&mut self) -> Option<Event<f64>> {
+        let mut event = self.simulation.next()?;
+        if event.kind == Kind::Undecided
+            && let Some(decided) = self.decided::<DoubleDouble>().or_else(|| self.decided::<Wide<50>>())
+        {
+            self.simulation.resume(&decided);
+            event = decided;
+        }
+        self.before = Some(event.clone());
+        Some(event)
+    }
+}
