@@ -9,8 +9,19 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
 /// The commands whose columns a golden row may name. `motion` is the scene's own: its parameters and units; `summary` is
-/// `sweep --summary`.
-const KNOWN: [&str; 7] = ["audit", "branch", "inferred", "motion", "orbits", "summary", "sweep"];
+/// `sweep --summary`; `voltage` are the certified orbits along the sweep with their voltages.
+const KNOWN: [&str; 10] = [
+    "audit",
+    "branch",
+    "inferred",
+    "motion",
+    "orbits",
+    "simulate",
+    "summary",
+    "sweep",
+    "trajectory",
+    "voltage",
+];
 
 /// The columns of `motion`: the parameters without unit, where the walls are, and the device's amplitude and units.
 const MOTION: [&str; 11] = [
@@ -60,6 +71,9 @@ pub fn answer(directory: &Directory, request: &Request, options: &Options) -> Re
         "branch" => branch::table(&scene(directory, request)?, options)?,
         "sweep" => sweep::table(&scene(directory, request)?, options)?,
         "summary" => sweep::summary(&scene(directory, request)?, options)?,
+        "simulate" => simulate::table(&scene(directory, request)?, options)?,
+        "trajectory" => trajectory::table(&scene(directory, request)?, options)?,
+        "voltage" => voltages(&scene(directory, request)?)?,
         command => return Err(no_answer(command)),
     };
     Ok(as_text(&table))

@@ -105,13 +105,13 @@ fn is_same(one: &Motion<f64>, other: &Motion<f64>) -> bool {
 
 /// The row's claim, where it is about the impacts of a motion at a known gap and prints a number.
 fn row(printed: &Printed) -> Result<Option<Row>, Failure> {
-    let Some(quantity) = printed.quantity.as_ref().filter(|quantity| quantity.extreme.is_none()) else {
+    let Some(quantity) = printed.quantity.as_ref().filter(|quantity| quantity.across.is_none()) else {
         return Ok(None);
     };
     let column = match quantity.field.column.as_str() {
         "velocities" | "velocity" => Column::Velocity,
         "phases" | "phase" => Column::Phase,
-        "voltage" | "voltages" => Column::Voltage,
+        "voltage" | "voltages" | "bottom_voltage" | "top_voltage" => Column::Voltage,
         "mean_voltage" => Column::Mean,
         _ => return Ok(None),
     };
@@ -144,10 +144,15 @@ fn row(printed: &Printed) -> Result<Option<Row>, Failure> {
             .find(|selector| selector.field.column == column);
         selector.map(|selector| &selector.wanted)
     };
-    let gap = match selected("d") {
-        Some(Wanted::Number(figures) | Wanted::Nearest(figures)) => Some(figures.value.0.to_f64().value()),
-        _ if quantity.command == "branch" => None,
-        _ => scene.motion::<f64>().ok().map(|motion| *motion.d()),
+    let gap = match (selected("d"), quantity.command.as_str()) {
+        (Some(Wanted::Number(figures) | Wanted::Nearest(figures)), _) => Some(figures.value.0.to_f64().value()),
+        (_, "orbits" | "simulate") => scene.motion::<f64>().ok().map(|motion| *motion.d()),
+        // of a sweep, where it has one value
+        _ => scene
+            .sweep()
+            .ok()
+            .filter(|sweep| sweep.points == 1)
+            .map(|sweep| sweep.from.value::<f64>()),
     };
     let motion = match scene.sweep() {
         Ok(sweep) if sweep.over == Over::D => scene.swept::<f64>(Over::D, &sweep.from).ok(),
