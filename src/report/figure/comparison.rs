@@ -1,7 +1,7 @@
 //! Mean voltages side by side.
 
 use super::claim::{self, Claim};
-use super::energy::{LABEL, in_thousands, parted};
+use super::energy::{ALONE, LABEL, alone, in_thousands, parted};
 use super::parameter::Parameter;
 use crate::report::plot::{Axis, Colour, Dash, Form, Marker, Panel, Point, Series, Shape, Stroke};
 
@@ -63,8 +63,9 @@ pub fn comparison(parameter: &Parameter, curves: &[Curve], claims: &[Claim]) -> 
         };
         let name = curve.name.clone();
         panel.series.push(Series { name, shape });
-        // a value between two jumps is no line
-        panel.series.push(Series::dots("", mean, Marker::dot(colour, width)));
+        panel
+            .series
+            .push(Series::dots("", alone(&mean), Marker::dot(colour, ALONE)));
     }
     let claims: Vec<Claim> = claims
         .iter()

@@ -47,6 +47,19 @@ pub(super) fn parted(points: &[Point]) -> Vec<Point> {
     parted
 }
 
+/// The values between two jumps, which are no line.
+pub(super) fn alone(points: &[Point]) -> Vec<Point> {
+    let parted = parted(points);
+    let lines = parted.split(|point| point.1.is_nan());
+    lines
+        .filter(|line| line.len() == 1)
+        .flat_map(|line| line.iter().copied())
+        .collect()
+}
+
+/// How large such a value is drawn.
+pub(super) const ALONE: f64 = 3.0;
+
 impl Energy {
     /// The panel, with what is printed of it, also in volts.
     pub fn panel(&self, claims: &[Claim]) -> Panel {
@@ -61,8 +74,7 @@ impl Energy {
             Series::dots("bottom impacts, U\u{2096}", in_thousands(&self.bottom), BOTTOM),
             Series::dots("top impacts, U\u{2096}", in_thousands(&self.top), TOP),
             Series::line("mean voltage", parted(&in_thousands(&self.mean)), mean),
-            // a value between two jumps is no line
-            Series::dots("", in_thousands(&self.mean), Marker::dot(mean.colour, mean.width)),
+            Series::dots("", alone(&in_thousands(&self.mean)), Marker::dot(mean.colour, ALONE)),
         ];
         let claims: Vec<Claim> = claims
             .iter()
@@ -94,5 +106,6 @@ mod tests {
         let parted = parted(&points);
         let breaks: Vec<usize> = (0..parted.len()).filter(|&index| parted[index].0.is_nan()).collect();
         assert_eq!((parted.len(), breaks), (7, vec![2]));
+        assert_eq!(alone(&points), [(0.3, 20.0)]);
     }
 }

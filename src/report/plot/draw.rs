@@ -13,9 +13,9 @@ use super::span::Span;
 use super::text::width;
 use super::ticks::Ticks;
 use plotters::chart::ChartBuilder;
-use plotters::element::Rectangle;
+use plotters::element::{PathElement, Rectangle};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{BLACK, Color, FontDesc, FontStyle, IntoFont, RGBColor};
+use plotters::style::{BLACK, Color, FontDesc, FontStyle, IntoFont, RGBColor, WHITE};
 use std::collections::HashSet;
 
 /// How much of its colour a band has.
@@ -42,6 +42,7 @@ const Y_ROOM: f64 = 36.0;
 const DOT: i32 = 30;
 const FRAME: u32 = 12;
 const GRID: u32 = 7;
+const LEADER: u32 = 8;
 const GRID_COLOUR: RGBColor = RGBColor(225, 225, 225);
 
 /// Where data go on the grid.

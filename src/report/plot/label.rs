@@ -1,5 +1,8 @@
 //! Where the labels of marks stand so that none hides another.
 
+/// Labels on one line are so far apart at least.
+const BETWEEN: i32 = 80;
+
 /// A box on the grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Rect {
@@ -18,6 +21,14 @@ impl Rect {
             width: side,
             height: side,
         }
+    }
+
+    /// The point of it nearest to another.
+    pub fn nearest(&self, (x, y): (i32, i32)) -> (i32, i32) {
+        (
+            x.clamp(self.left, self.left + self.width),
+            y.clamp(self.top, self.top + self.height),
+        )
     }
 
     /// The area that two have in common.
@@ -50,6 +61,12 @@ impl Room {
             taken: Vec::new(),
             apart: 0,
         }
+    }
+
+    /// Whether a label is so far from its mark that a line should lead there.
+    pub fn is_far(&self, label: &Rect, (x, y): (i32, i32)) -> bool {
+        let (near_x, near_y) = label.nearest((x, y));
+        (near_x - x).abs().max((near_y - y).abs()) > self.apart * 3 / 2
     }
 
     /// Labels stand at least so far from their marks.
@@ -100,7 +117,11 @@ impl Room {
                 best = candidate;
             }
         }
-        self.taken.push(best);
+        self.taken.push(Rect {
+            left: best.left - BETWEEN,
+            width: best.width + 2 * BETWEEN,
+            ..best
+        });
         best
     }
 }
