@@ -257,8 +257,11 @@ impl<F: Fn(Point) -> (i32, i32)> Frame<'_, '_, F> {
                 (place.left, place.top),
                 (place.left + place.width, place.top + place.height),
             ];
-            self.area
-                .draw(&Rectangle::new(corners, plotters::style::WHITE.mix(0.8).filled()))?;
+            self.area.draw(&Rectangle::new(corners, WHITE.mix(0.8).filled()))?;
+            if let Some(ends) = room.leader(&place, at) {
+                self.area
+                    .draw(&PathElement::new(ends.to_vec(), BLACK.stroke_width(LEADER)))?;
+            }
             self.area
                 .draw_text(&mark.label, &style, (place.left + 20, place.top + place.height / 2))?;
         }

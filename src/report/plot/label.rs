@@ -63,10 +63,14 @@ impl Room {
         }
     }
 
-    /// Whether a label is so far from its mark that a line should lead there.
-    pub fn is_far(&self, label: &Rect, (x, y): (i32, i32)) -> bool {
-        let (near_x, near_y) = label.nearest((x, y));
-        (near_x - x).abs().max((near_y - y).abs()) > self.apart * 3 / 2
+    /// The line that leads from a mark to a label that is far from it.
+    pub fn leader(&self, label: &Rect, (x, y): (i32, i32)) -> Option<[(i32, i32); 2]> {
+        let (to_x, to_y) = label.nearest((x, y));
+        let (right, down) = (f64::from(to_x - x), f64::from(to_y - y));
+        let part = f64::from(self.apart) / right.hypot(down);
+        // not over the mark itself
+        let start = || (x + (part * right) as i32, y + (part * down) as i32);
+        (part < 0.6).then(|| [start(), (to_x, to_y)])
     }
 
     /// Labels stand at least so far from their marks.
