@@ -59,8 +59,9 @@ impl FromStr for Duration {
     }
 }
 
-/// The columns that scripts rely on, then the same in SI, then energies over the mass of the ball, without unit.
-const COLUMNS: [&str; 13] = [
+/// The columns that scripts rely on, then the same in SI, then energies over the mass of the ball, without
+/// unit, and the digits of the event before.
+const COLUMNS: [&str; 14] = [
     "time",
     "phase",
     "z",
@@ -74,6 +75,7 @@ const COLUMNS: [&str; 13] = [
     "ball_m",
     "energy",
     "ball_energy",
+    "digits",
 ];
 
 /// Runs the command.
@@ -113,7 +115,10 @@ fn sampled(scene: &Scene, options: &Options, end: End, samples: u32) -> Result<T
             ));
             break;
         };
-        table.push(row(&snapshot, units, g))?;
+        let mut cells = row(&snapshot, units, g);
+        let before = history.rows.partition_point(|row| row.time < time).saturating_sub(1);
+        cells.push(Cell::from(history.rows.get(before).map(|row| i64::from(row.digits))));
+        table.push(cells)?;
     }
     Ok(table)
 }

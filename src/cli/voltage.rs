@@ -12,14 +12,15 @@ const DIGITS: usize = 60;
 
 type Number = Interval<Wide<DIGITS>>;
 
-/// The columns of an orbit at a value of the sweep, its voltages in word order, their mean (7), the means of the bottom
+/// The columns of an orbit at a value of the sweep, its velocities and voltages in word order, their mean (7), the means of the bottom
 /// and of the top impacts and how far they lie apart, V.
-const COLUMNS: [&str; 11] = [
+const COLUMNS: [&str; 12] = [
     "d",
     "word",
     "periods",
     "stable",
     "admissible",
+    "velocities",
     "voltages",
     "mean_voltage",
     "bottom_voltage",
@@ -119,6 +120,7 @@ impl Voltages<'_> {
             Cell::from(i64::from(orbit.periods)),
             Cell::from(orbit.stable),
             Cell::from(orbit.admissible),
+            Cell::from(orbit.velocities.clone()),
             Cell::from(list.iter().flatten().cloned().collect::<Vec<Decimal>>()),
         ];
         cells.extend(means.iter().cloned().map(Cell::from));

@@ -113,7 +113,12 @@ impl Growth {
         let first = [a * p + b * r, c * p + d * r];
         let second = [a * q + b * s, c * q + d * s];
         let length = first[0].hypot(first[1]);
-        let (cos, sin) = (first[0] / length, first[1] / length);
+        // a flight from a release depends on nothing before
+        let (cos, sin) = if length > 0.0 {
+            (first[0] / length, first[1] / length)
+        } else {
+            (1.0, 0.0)
+        };
         let along = (cos * second[0] + sin * second[1]).abs();
         let across = (cos * second[1] - sin * second[0]).abs();
         let [e, f] = flown.rounding;

@@ -24,9 +24,22 @@ impl<'a> Row<'a> {
 /// A trend is what is certain of it: `neither` where one value is certainly above the next and another one below it,
 /// whatever the rest do; `increases` or `decreases` where every step is certain; else it is not known.
 ///
+/// How many they are is certain where every value of `all` is: else another one might be meant too.
+///
 /// # Errors
-/// A message for a person: no row, a value that is no number, a trend of one row.
-pub fn across(asked: Across, values: &[Value]) -> Result<Value, String> {
+/// A message for a person: no row, but for a count, a value that is no number, a trend of one row.
+pub fn across(asked: Across, values: &[Value], all: &[Value]) -> Result<Value, String> {
+    if asked == Across::Count {
+        let is_certain = all.iter().all(|value| value.bound.is_some());
+        return Ok(Value {
+            text: if is_certain {
+                values.len().to_string()
+            } else {
+                String::new()
+            },
+            bound: is_certain.then(Rational::zero),
+        });
+    }
     let rows: Vec<Row> = values.iter().map(Row::read).collect::<Result<_, String>>()?;
     let least = rows.iter().min_by(|a, b| a.figures.value.cmp(&b.figures.value));
     let greatest = rows.iter().max_by(|a, b| a.figures.value.cmp(&b.figures.value));
@@ -49,8 +62,8 @@ pub fn across(asked: Across, values: &[Value]) -> Result<Value, String> {
             text: difference(greatest, least),
             bound: bound.map(|bound| bound.clone() + bound),
         },
-        Across::Trend if rows.len() < 2 => return Err("one row has no trend".to_owned()),
-        Across::Trend => Value {
+        Across::Trend | Across::Count if rows.len() < 2 => return Err("one row has no trend".to_owned()),
+        Across::Trend | Across::Count => Value {
             text: trend(&rows).unwrap_or_default().to_owned(),
             bound: Some(Rational::zero()),
         },
@@ -101,7 +114,8 @@ mod tests {
     }
 
     fn text(asked: Across, texts: &[&str], bound: &str) -> String {
-        across(asked, &values(texts, bound)).map_or_else(|message| message, |value| value.text)
+        let values = values(texts, bound);
+        across(asked, &values, &values).map_or_else(|message| message, |value| value.text)
     }
 
     #[test]
@@ -112,10 +126,10 @@ mod tests {
         assert_eq!(text(Across::Spread, &texts, "0"), "8.5");
         assert_eq!(text(Across::Spread, &["2.5", "0.5"], "0"), "2.0", "no count");
         let mut rows = values(&texts, "1e-9");
-        let spread = across(Across::Spread, &rows).unwrap();
+        let spread = across(Across::Spread, &rows, &rows).unwrap();
         assert_eq!(spread.bound, Figures::read("2e-9").map(|figures| figures.value));
         rows[1].bound = None;
-        assert_eq!(across(Across::Least, &rows).unwrap().bound, None);
+        assert_eq!(across(Across::Least, &rows, &rows).unwrap().bound, None);
     }
 
     #[test]
@@ -131,12 +145,22 @@ mod tests {
         let mut rows = values(&["1.0", "1.5", "2.0", "1.9"], "1e-3");
         rows[1].bound = None;
         assert_eq!(
-            across(Across::Trend, &rows).unwrap().text,
+            across(Across::Trend, &rows, &rows).unwrap().text,
             "neither",
             "whatever the second row is"
         );
         rows[3].text = "2.1".to_owned();
-        assert_eq!(across(Across::Trend, &rows).unwrap().text, "");
+        assert_eq!(across(Across::Trend, &rows, &rows).unwrap().text, "");
+    }
+
+    #[test]
+    fn rows_are_counted_where_none_is_in_doubt() {
+        let mut all = values(&["0.0", "-0.5", "0.0"], "1e-9");
+        let count = |rows: &[Value], all: &[Value]| across(Across::Count, rows, all).map(|value| value.text);
+        assert_eq!(count(&all[..1], &all).as_deref(), Ok("1"));
+        assert_eq!(count(&[], &all).as_deref(), Ok("0"));
+        all[1].bound = None;
+        assert_eq!(count(&all[..1], &all).as_deref(), Ok(""), "the second might be 0 too");
     }
 
     #[test]

@@ -51,7 +51,7 @@ impl Certified {
         if quantity.across.is_some() {
             return Err(record.fault(
                 "quantity",
-                "a certified value is that of one row, without .min, .max, .spread or .trend",
+                "a certified value is that of one row, without .min, .max, .spread, .trend or .count",
             ));
         }
         let value = record.field("value");

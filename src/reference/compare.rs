@@ -3,11 +3,12 @@
 use super::Verdict;
 use super::computed::Value;
 use super::figures::{Figures, agreeing, power_of_ten, rounded, size};
+use super::range::Range;
 use crate::number::{Field, Rational};
 use num_traits::Zero;
 
 /// Places of a computed value that a message shows beyond the printed ones.
-const PLACES_BEYOND: i32 = 4;
+pub(super) const PLACES_BEYOND: i32 = 4;
 
 /// What a comparison finds.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,7 +22,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    fn new(verdict: Verdict, digits: Option<f64>, reason: String) -> Self {
+    pub(super) fn new(verdict: Verdict, digits: Option<f64>, reason: String) -> Self {
         Self {
             verdict,
             digits,
@@ -35,7 +36,8 @@ impl Comparison {
 /// - A count, which CSV prints without a point, is `reproduced` where it is equal, else `wrong`.
 /// - Any other number is `reproduced` where it is within one unit of its last figure of the computed value, `rounded`
 ///   where it is within one unit of the figure before, if it has one, and `wrong` otherwise.
-/// - A range `(a, b)` is `reproduced` where the computed value lies strictly within, else `wrong`.
+/// - A range `(a, b)`, or one open to a side, `< b` or `> a`, is `reproduced` where the computed value lies strictly
+///   within, else `wrong`.
 /// - A word is `reproduced` where the computed one is the same, else `wrong`.
 ///
 /// Where the bound of the computed value leaves the verdict open, and where there is no bound, it is `undecided`.
@@ -52,17 +54,17 @@ pub fn compare(printed: &str, computed: &Value) -> Result<Comparison, String> {
     let is_number = number.is_some() || computed.text.parse::<f64>().is_ok();
     match (Printed::read(printed), number) {
         (Printed::Number(printed), Some(number)) => Ok(numbers(&printed, &number.value, computed)),
-        (Printed::Range(from, to), Some(number)) => Ok(within(&from, &to, &number.value, computed)),
-        (Printed::Number(_) | Printed::Range(..), None) if is_number => {
+        (Printed::Range(range), Some(number)) => Ok(range.compare(&number.value, computed)),
+        (Printed::Number(_) | Printed::Range(_), None) if is_number => {
             let reason = format!("printed {printed}, computed {}", computed.text);
             Ok(Comparison::new(Verdict::Wrong, Some(0.0), reason))
         }
-        (Printed::Number(_) | Printed::Range(..), None) => Err(format!(
+        (Printed::Number(_) | Printed::Range(_), None) => Err(format!(
             "`{printed}` is a number, and what is computed is a word: {}",
             computed.text
         )),
         (Printed::Word, _) if is_number => Err(format!(
-            "`{printed}` is not a number such as 0.677449 or 5.3e-3, nor a range (a, b), and what is computed is \
+            "`{printed}` is not a number such as 0.677449 or 5.3e-3, nor a range (a, b), < b or > a, and what is computed is \
              one: {}",
             computed.text
         )),
@@ -103,21 +105,16 @@ pub fn certified_against(certified: &str, computed: &Value) -> Result<Comparison
 
 enum Printed {
     Number(Figures),
-    Range(Figures, Figures),
+    Range(Range),
     Word,
 }
 
 impl Printed {
     fn read(text: &str) -> Self {
-        let range = || {
-            let (from, to) = text.strip_prefix('(')?.strip_suffix(')')?.split_once(',')?;
-            Figures::read(from.trim()).zip(Figures::read(to.trim()))
-        };
-        match (Figures::read(text), range()) {
-            (Some(figures), _) => Self::Number(figures),
-            (None, Some((from, to))) => Self::Range(from, to),
-            (None, None) => Self::Word,
+        if let Some(figures) = Figures::read(text) {
+            return Self::Number(figures);
         }
+        Range::read(text).map_or(Self::Word, Self::Range)
     }
 }
 
@@ -189,26 +186,7 @@ fn numbers(printed: &Figures, number: &Rational, computed: &Value) -> Comparison
     Comparison::new(verdict, Some(digits), reason)
 }
 
-fn within(from: &Figures, to: &Figures, number: &Rational, computed: &Value) -> Comparison {
-    let (from_text, to_text) = (plain(from), plain(to));
-    let shown = rounded(number, from.places.max(to.places).max(0) + PLACES_BEYOND);
-    let Some(bound) = &computed.bound else {
-        let reason = format!("no bound of the computed value is certified: nothing is decided; computed {shown}");
-        return Comparison::new(Verdict::Undecided, None, reason);
-    };
-    let (least, most) = (number.clone() - bound.clone(), number.clone() + bound.clone());
-    if from.value < least && most < to.value {
-        return Comparison::new(Verdict::Reproduced, None, String::new());
-    }
-    if most <= from.value || to.value <= least {
-        let reason = format!("computed {shown}, which is outside ({from_text}, {to_text})");
-        return Comparison::new(Verdict::Wrong, None, reason);
-    }
-    let reason = format!("computed {shown}, too near an end of ({from_text}, {to_text}) to tell");
-    Comparison::new(Verdict::Undecided, None, reason)
-}
-
-fn plain(figures: &Figures) -> String {
+pub(super) fn plain(figures: &Figures) -> String {
     rounded(&figures.value, figures.places.max(0))
 }
 

@@ -58,8 +58,10 @@ impl Computed {
             rows = self.narrow(rows, selector)?;
         }
         if let Some(asked) = quantity.across {
-            let values: Result<Vec<Value>, String> = rows.iter().map(|row| self.of_row(row, &quantity.field)).collect();
-            return across(asked, &values?)
+            let of = |row: &Vec<String>| self.of_row(row, &quantity.field);
+            let values: Vec<Value> = rows.iter().map(|row| of(row)).collect::<Result<_, String>>()?;
+            let all: Vec<Value> = self.rows.iter().filter_map(|row| of(row).ok()).collect();
+            return across(asked, &values, &all)
                 .map_err(|message| format!("`{quantity}`: {message}; {}", self.listed(rows.iter().copied())));
         }
         if rows.len() > 1 {

@@ -16,6 +16,7 @@ mod figures;
 mod outcome;
 mod printed;
 mod quantity;
+mod range;
 mod records;
 mod request;
 mod setting;

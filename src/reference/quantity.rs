@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// `command.column`, `command.column[n]`, and either with `.min`, `.max`, `.spread` or `.trend`.
+/// `command.column`, `command.column[n]`, and either with `.min`, `.max`, `.spread`, `.trend` or `.count`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quantity {
     /// The command whose table has the column.
@@ -34,10 +34,12 @@ pub enum Across {
     Spread,
     /// Which way the values go from row to row: `increases`, `decreases` or `neither`.
     Trend,
+    /// How many rows they are; none is an answer too.
+    Count,
 }
 
 impl Across {
-    const ALL: [Self; 4] = [Self::Least, Self::Greatest, Self::Spread, Self::Trend];
+    const ALL: [Self; 5] = [Self::Least, Self::Greatest, Self::Spread, Self::Trend, Self::Count];
 
     /// As it stands behind the column.
     pub const fn name(self) -> &'static str {
@@ -46,6 +48,7 @@ impl Across {
             Self::Greatest => "max",
             Self::Spread => "spread",
             Self::Trend => "trend",
+            Self::Count => "count",
         }
     }
 }
@@ -54,7 +57,7 @@ impl Across {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "`{0}` is no quantity: `command.column` or `command.column[n]` is, such as \
-     orbits.velocities[0]; `.min`, `.max`, `.spread` or `.trend` may follow"
+     orbits.velocities[0]; `.min`, `.max`, `.spread`, `.trend` or `.count` may follow"
 )]
 pub struct NoQuantity(pub String);
 
@@ -132,6 +135,7 @@ mod tests {
             "branch.error_bound.min",
             "sweep.mean_voltage.spread",
             "branch.velocities[0].trend",
+            "simulate.velocity.count",
         ] {
             assert_eq!(
                 text.parse::<Quantity>().map(|quantity| quantity.to_string()).as_deref(),
