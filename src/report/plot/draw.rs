@@ -40,6 +40,8 @@ const X_ROOM: f64 = 60.0;
 const Y_ROOM: f64 = 36.0;
 /// Tenths of a pixel.
 const DOT: i32 = 30;
+/// A label so near to a mark would be taken for its own.
+const NEAR: i32 = 100;
 const FRAME: u32 = 12;
 const GRID: u32 = 7;
 const LEADER: u32 = 8;
@@ -200,7 +202,8 @@ impl<F: Fn(Point) -> (i32, i32)> Frame<'_, '_, F> {
                     let side = marker.size * 1.2 * TENTHS;
                     room.keep_apart((side / 2.0) as i32 + 5);
                     let shown = marks.iter().filter(|mark| self.shows(&mark.at));
-                    shown.for_each(|mark| room.take(Rect::around((self.map)(mark.at), side as i32)));
+                    let around = side as i32 + 2 * NEAR;
+                    shown.for_each(|mark| room.take(Rect::around((self.map)(mark.at), around)));
                 }
                 Shape::Dots { points, .. } => {
                     let shown = points.iter().filter(|point| self.shows(point));

@@ -113,7 +113,9 @@ impl Room {
         ];
         let hidden = |candidate: &Rect| {
             let outside = candidate.area() - candidate.overlap(&self.frame);
-            outside * 4 + self.taken.iter().map(|taken| taken.overlap(candidate)).sum::<i64>()
+            // what stands around the mark itself is kept apart from
+            let others = self.taken.iter().filter(|taken| taken.nearest((x, y)) != (x, y));
+            outside * 4 + others.map(|taken| taken.overlap(candidate)).sum::<i64>()
         };
         let mut best = candidates[0];
         for candidate in candidates {
