@@ -1,6 +1,6 @@
 //! Data to an SVG: panels with axes, series and a legend, in one [`Figure`]. Knows of no scene and no ball.
 //!
-//! The layout is that of `plotters`; what is written is ours ([`paper`]): text that can be searched, coordinates to a
+//! The layout is that of `plotters`; what is written is ours: text that can be searched, coordinates to a
 //! tenth of a pixel, a cloud of points in one path. The same data give the same bytes.
 //!
 //! ```
