@@ -5,7 +5,7 @@ use super::event::{Event, Kind};
 use super::expansion::Expansion;
 use super::flight::{Arrival, Flight, Stop};
 use super::scaled::{Departure, Scaled};
-use super::simulation::Start;
+use super::simulation::{LISTED, Start};
 use crate::model::{Motion, Side};
 use crate::number::Analytic;
 use std::sync::Arc;
@@ -57,7 +57,8 @@ impl<T: Analytic> Course<T> {
     pub fn new(motion: &Motion<T>, start: &Start<T>) -> Self {
         let scaled = Scaled::new(motion);
         let speed = start.side.signed(start.velocity.clone()) * scaled.pi.clone();
-        let (phase, _) = reduced(&scaled, start.phase.clone());
+        // the turns of the start, so that times count from it as it is given
+        let (phase, turns) = reduced(&scaled, start.phase.clone());
         Self {
             place: Place::Beginning {
                 side: start.side,
@@ -65,7 +66,7 @@ impl<T: Analytic> Course<T> {
                 speed,
             },
             scaled: Arc::new(scaled),
-            turns: 0,
+            turns,
             recent: [[f64::NAN; 2]; 2],
         }
     }
@@ -156,7 +157,8 @@ impl<T: Analytic> Course<T> {
     fn leave(&mut self, from: &Departure<T>) -> Option<(Event<T>, Step<T>)> {
         let scaled = Arc::clone(&self.scaled);
         let flight = Flight::new(&scaled, from);
-        if flight.start.push.to_f64() > 0.0 {
+        let is_slow = (from.speed.clone() * scaled.inverse_pi.clone()).to_f64() < LISTED;
+        if is_slow && flight.start.push.to_f64() > 0.0 {
             let r = scaled.restitution(from.side);
             if let Some(angle) = chatter::accumulation(&flight.start, r, scaled.epsilon) {
                 return Some(self.rest(from, flight.start, angle));

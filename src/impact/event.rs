@@ -44,7 +44,7 @@ pub struct Event<T> {
     pub kind: Kind,
     /// At which wall.
     pub side: Side,
-    /// The turns of the forcing completed since the one in which the motion started.
+    /// The whole turns of the forcing, counted as those of the phase that the motion started with.
     pub turns: i64,
     /// The phase of the forcing, rad, in [0, 2 pi).
     pub phase: T,
@@ -64,7 +64,7 @@ impl<T: Analytic> Event<T> {
         }
     }
 
-    /// The time since an instant of phase `start` in the first turn; the period of the forcing is 2.
+    /// The time since the start, of phase `start` as it was given; the period of the forcing is 2.
     pub fn time(&self, start: &T) -> T {
         T::from_integer(2 * self.turns) + (self.phase.clone() - start.clone()) / T::pi()
     }

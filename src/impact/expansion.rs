@@ -73,3 +73,46 @@ impl<T: Analytic> Expansion<T> {
 pub(super) fn seen<T: Analytic>(side: Side, (sin, cos): (T, T)) -> (T, T) {
     (side.signed(sin), side.signed(cos))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Motion;
+
+    #[test]
+    fn a_short_step_and_the_closed_form_are_one_flight() {
+        for (side, g, phase, speed) in [
+            (Side::Bottom, 0.12, 0.4, 0.9),
+            (Side::Top, -0.7, 3.0, 0.0),
+            (Side::Top, 1.3, 5.0, 2.0),
+        ] {
+            let scaled = Scaled::new(&Motion::new(g, 0.4, 0.6, 0.3).expect("a motion"));
+            let (sin, cos) = f64::sin_cos(phase);
+            let start = Expansion::start(
+                &scaled,
+                &Departure {
+                    side,
+                    phase,
+                    sin,
+                    cos,
+                    speed,
+                    released: false,
+                },
+            );
+            let g = side.signed(g);
+            for x in [0.05, 0.3, 0.49, -0.2] {
+                let (sin, cos) = seen(side, (phase + x).sin_cos());
+                let (far, after) = (start.far(&g, &x, sin, cos), start.after(&x, f64::EPSILON));
+                for (a, b) in [
+                    (far.y, after.y),
+                    (far.w, after.w),
+                    (far.push, after.push),
+                    (far.sin, after.sin),
+                    (far.cos, after.cos),
+                ] {
+                    assert!((a - b).abs() < 1e-15, "{side} {x}: {a} {b}");
+                }
+            }
+        }
+    }
+}

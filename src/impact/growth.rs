@@ -75,7 +75,10 @@ impl Growth {
                 self.restart([own * event.phase.to_f64(), own * speed]);
             }
             Step::Release => {
-                self.restart([own * TAU, 0.0]);
+                // g, rounded, moves the phase where cos = -g the more the nearer g is to 1
+                let g = scaled.g.to_f64().abs();
+                let steep = scaled.turn.as_ref().map_or(0.0, |turn| g / turn.sin.to_f64());
+                self.restart([own * (TAU + steep), 0.0]);
                 self.stretch = f64::NEG_INFINITY;
             }
             Step::Undecided => self.lost = true,

@@ -96,7 +96,8 @@ pub fn history(motion: &impl Parameters, origin: &impl Origin, extent: &Extent) 
     asked.at_last(asked.attempt(&told, <Wide<200> as Analytic>::to_f64)?, |value| value)
 }
 
-/// The same in decimals of so many figures, from 50 or 200 digits.
+/// The same in decimals, from 50 or 200 digits: of two figures more than asked, so that their rounding takes none of
+/// those that hold.
 ///
 /// # Errors
 /// A parameter out of its range.
@@ -111,6 +112,7 @@ pub fn history_in_decimals(
     }
     let asked = Asked { motion, origin, extent };
     let figures = decimals.0 as u32;
+    let decimals = Decimals(decimals.0 + 2);
     let attempt = asked.attempt(&Figures { digits: 50, figures }, tell::<50>(decimals))?;
     if attempt.suffices(extent) {
         return Ok(attempt.history);

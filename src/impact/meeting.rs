@@ -30,6 +30,12 @@ struct Near<T> {
 }
 
 impl<T: Analytic> Near<T> {
+    /// Whether the flight is best seen from here at `angle`, which is `step` on: small angles from the departure only,
+    /// because relative accuracy is lost elsewhere.
+    fn serves(&self, angle: f64, step: f64) -> bool {
+        step.abs() < REACH && (self.base.is_zero() || angle >= REACH)
+    }
+
     fn at(&self, step: &T, epsilon: f64) -> Expansion<T> {
         if step.is_zero() {
             self.about.clone()
@@ -76,16 +82,21 @@ impl<T: Analytic> Meeting<'_, T> {
             let next = here + leap.to_f64();
             // the ends are known to f64 only
             let slack = 2.0 * f64::EPSILON * high;
-            let inside = low - slack <= next && next <= high + slack && leap.to_f64().abs() < REACH;
+            // where the ball is not approaching, Newton would lead back to the wall it has just left
+            let inside = low - slack <= next
+                && next <= high + slack
+                && leap.to_f64().abs() < REACH
+                && flight.approach(wall, &there).to_f64() > 0.0;
             if !inside && high - low <= slack {
                 break;
             }
-            if inside && left <= 0.25 * epsilon * next {
+            let is_near = near.serves(next, step.to_f64() + leap.to_f64());
+            if inside && is_near && left <= 0.25 * epsilon * next {
                 there = there.after(&leap, epsilon);
                 step += leap;
                 break;
             }
-            if inside && (step.to_f64() + leap.to_f64()).abs() < REACH {
+            if inside && is_near {
                 there = there.after(&leap, epsilon);
                 step += leap;
             } else {
@@ -170,7 +181,7 @@ impl<T: Analytic> Meeting<'_, T> {
             let leap = there.w.clone() / there.push.clone();
             let moved = leap.to_f64();
             let next = here + moved;
-            let inside = low <= next && next <= high && (step.to_f64() + moved).abs() < REACH;
+            let inside = low <= next && next <= high && near.serves(next, step.to_f64() + moved);
             if inside {
                 step += leap;
             } else {
