@@ -162,7 +162,7 @@ fn the_digits_claimed_hold_against_a_hundred_more() {
             .map(|(low, high): (f64, f64)| sequence.between(low, high));
         let (motion, start) = (
             motion(g, d, r_b, r_t),
-            start(TAU * sequence.unit(), 2.0 * sequence.unit()),
+            start(sequence.between(0.0, TAU), sequence.between(0.0, 2.0)),
         );
         let extent = Extent {
             impacts: 80,
