@@ -40,6 +40,7 @@ pub(super) enum Stop {
 }
 
 /// A flight: where it starts, and the walls as seen from there.
+#[derive(Debug)]
 pub(super) struct Flight<'a, T> {
     pub scaled: &'a Scaled<T>,
     pub from: &'a Departure<T>,
@@ -75,6 +76,17 @@ impl<'a, T: Analytic> Flight<'a, T> {
     /// The next contact. `recent` proposes the angle at which a flight between the two walls ends.
     #[inline]
     pub fn arrival(&self, recent: &[[f64; 2]; 2]) -> Result<Arrival<T>, Stop> {
+        let meeting = Meeting {
+            flight: self,
+            recent: recent[self.from.side as usize],
+        };
+        let (stretch, clearance) = self.contact(&meeting)?;
+        Ok(meeting.arrival(&stretch, clearance))
+    }
+
+    /// Between which angles the ball meets which wall, and the least distance of its dips before.
+    #[inline]
+    fn contact(&self, meeting: &Meeting<T>) -> Result<(Stretch, f64), Stop> {
         let mut low = End {
             angle: T::zero(),
             there: self.start.clone(),
@@ -89,18 +101,14 @@ impl<'a, T: Analytic> Flight<'a, T> {
             } else {
                 (near.opposite(), near)
             };
-            let meeting = Meeting {
-                flight: self,
-                recent: recent[near as usize],
-            };
-            let dip = self.dip(&meeting, other, [&low, &high])?;
+            let dip = self.dip(meeting, other, [&low, &high])?;
             if let Some(angle) = dip.until {
                 let stretch = Stretch {
                     wall: other,
                     low: low.angle.to_f64(),
                     high: angle,
                 };
-                return Ok(meeting.arrival(&stretch, clearance));
+                return Ok((stretch, clearance));
             }
             clearance = clearance.min(dip.clearance);
             if self.distance(pressing, &high.there).to_f64() <= 0.0 {
@@ -109,7 +117,7 @@ impl<'a, T: Analytic> Flight<'a, T> {
                     low: low.angle.to_f64(),
                     high: high.angle.to_f64(),
                 };
-                return Ok(meeting.arrival(&stretch, clearance));
+                return Ok((stretch, clearance));
             }
             let next = self.following(&zero);
             low = high;
