@@ -65,6 +65,7 @@ impl<T: Analytic> Course<T> {
                 speed,
             },
             turns,
+            latest: [[f64::NAN; 2]; 2],
             recent: [[f64::NAN; 2]; 2],
             completing: scaled.epsilon,
         };
@@ -101,6 +102,8 @@ struct Ball<T> {
     place: Place<T>,
     turns: i64,
     /// The angles of the latest flights, by the walls they left and met.
+    latest: [[f64; 2]; 2],
+    /// The same where they hardly changed from one such flight to the next, else NaN.
     recent: [[f64; 2]; 2],
     /// To which error of the phase a chatter is completed in closed form.
     completing: f64,
@@ -154,7 +157,7 @@ impl<T: Analytic> Ball<T> {
                         let (walls, angle) = ((from.side, arrival.side), arrival.angle.to_f64());
                         let (flight, arrival) = (&flight, &arrival);
                         witness(&event, Step::Flight { flight, arrival });
-                        self.recent[walls.0 as usize][walls.1 as usize] = angle;
+                        self.remember(walls, angle);
                         self.turns = event.turns;
                         self.place = Place::Leaving(next);
                         Some(event)
@@ -189,6 +192,15 @@ impl<T: Analytic> Ball<T> {
             }
             Place::Ended => None,
         }
+    }
+
+    /// A motion that has settled repeats its flights: the next angle is known then but for rounding.
+    #[inline]
+    fn remember(&mut self, (from, to): (Side, Side), angle: f64) {
+        let latest = &mut self.latest[from as usize][to as usize];
+        let is_settled = (angle - *latest).abs() < SETTLED;
+        *latest = angle;
+        self.recent[from as usize][to as usize] = if is_settled { angle } else { f64::NAN };
     }
 
     /// The angle after which the chatter that `flight` is part of is complete, where that is known.
@@ -267,6 +279,10 @@ impl<T: Analytic> Ball<T> {
         (event.later(turns), next)
     }
 }
+
+/// Flights between the same walls whose angles differ by less propose each other: closer than the cubic of a stretch
+/// comes to the contact.
+const SETTLED: f64 = 0.03;
 
 /// 1 / (2 pi).
 const TURN: f64 = 0.5 * std::f64::consts::FRAC_1_PI;
