@@ -100,7 +100,7 @@ mod tests {
 
     fn row(number: usize) -> Vec<Cell> {
         let side = if number.is_multiple_of(2) { "bottom" } else { "top" };
-        let odd = (number % 7 != 0).then(|| (number as f64).sqrt());
+        let odd = (!number.is_multiple_of(7)).then(|| (number as f64).sqrt());
         vec![Cell::from(number as f64 / 3.0), Cell::from(side), Cell::from(odd)]
     }
 
