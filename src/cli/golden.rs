@@ -47,9 +47,6 @@ const MOTION_BOUND: f64 = 1e-30;
 /// The figures in which references are made: more than the 30 that are kept.
 const MADE: Decimals = Decimals(40);
 
-/// The figures of voltages: all that f64 tells and a few more.
-const TOLD: usize = 20;
-
 /// What makes references, and what confirms them.
 const FIRST_MEANS: &str = "proved enclosure";
 const SECOND_MEANS: &str = "return map";
@@ -73,7 +70,7 @@ pub fn answer(directory: &Directory, request: &Request, options: &Options) -> Re
         "summary" => sweep::summary(&scene(directory, request)?, options)?,
         "simulate" => simulate::table(&scene(directory, request)?, options)?,
         "trajectory" => trajectory::table(&scene(directory, request)?, options)?,
-        "voltage" => voltages(&scene(directory, request)?)?,
+        "voltage" => voltages(&scene(directory, request)?, options)?,
         command => return Err(no_answer(command)),
     };
     Ok(as_text(&table))
@@ -178,10 +175,12 @@ fn verdicts(directory: &Directory, request: &Request) -> Result<Table, Failure> 
     }
 }
 
-/// The voltages of the certified orbits, to the digits of the scene where these are more than [`TOLD`].
-fn voltages(scene: &Scene) -> Result<Table, Failure> {
-    let figures = (scene.digits()? as usize).max(TOLD);
-    let [first, _] = voltage::twice(scene, Decimals(figures))?;
+/// The voltages of the certified orbits, in f64 or in as many digits as the scene asks for.
+fn voltages(scene: &Scene, options: &Options) -> Result<Table, Failure> {
+    let Some(decimals) = options.decimals_for(scene)? else {
+        return voltage::table(scene);
+    };
+    let [first, _] = voltage::twice(scene, decimals)?;
     Ok(first)
 }
 

@@ -2,10 +2,10 @@
 
 use super::Failure;
 use crate::model::{Membrane, Side};
-use crate::number::{Analytic, Decimal, Decimals, Field, Interval, Telling, Wide};
-use crate::orbit::{Family, Rounded, confirmed, find_as};
+use crate::number::{Analytic, Decimal, Decimals, Doubles, Field, Interval, Telling, Told, Wide};
+use crate::orbit::{Family, Fixed, Prepared, Rounded, Wanted, Word, confirmed, find_as};
 use crate::report::{Cell, Table};
-use crate::scene::Scene;
+use crate::scene::{Quantity, Scene, Setting};
 
 /// More digits than are told.
 const DIGITS: usize = 60;
@@ -29,54 +29,105 @@ const COLUMNS: [&str; 12] = [
     "error_bound",
 ];
 
-/// The table by two means, in decimals of at most 40 figures: from the proved enclosures, with the bound of its errors,
-/// and from the return map; an orbit that the second means does not reach has no row there. Words come in the order
-/// of the scene, each along the whole sweep, and orbits with fewer periods first.
+/// The table in f64, from the proved enclosures, with the bound of its errors. Words come in the order of the scene, each
+/// along the whole sweep, and orbits with fewer periods first.
 ///
 /// # Errors
 /// A scene that lacks `[sweep]`, `[membrane]`, or what its motions and units require.
+pub fn table(scene: &Scene) -> Result<Table, Failure> {
+    let mut table = Table::new(COLUMNS);
+    each(scene, &Doubles, |_, voltages, orbit| {
+        Ok(table.push(voltages.row(&orbit, |velocity| Wide::from_f64(*velocity)))?)
+    })?;
+    Ok(table)
+}
+
+/// The same by two means, in decimals of at most 40 figures: from the proved enclosures, and from the return map; an
+/// orbit that the second means does not reach has no row there.
+///
+/// # Errors
+/// As [`table`].
 pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
-    let membrane = scene.membrane::<Number>()?;
-    let sweep = scene.sweep()?;
-    let setting = scene.swept_setting()?;
     let mut tables = [Table::new(COLUMNS), Table::new(COLUMNS)];
-    for word in scene.words()? {
-        for value in sweep.values() {
-            let fixed = setting.fixed(&value);
-            let unit = scene.swept_scales::<Number>(sweep.over, &value)?.velocity;
-            let d = scene.swept::<Number>(sweep.over, &value)?.d().clone();
-            let voltages = Voltages {
-                decimals,
-                membrane: &membrane,
-                unit,
-                d: decimals.tell(&d),
-            };
-            for orbit in find_as(&decimals, &fixed, &word, scene.max_periods()?)?.orbits {
-                if let Ok(again) = confirmed(&fixed, &orbit, decimals) {
-                    tables[1].push(voltages.row(&again))?;
-                }
-                tables[0].push(voltages.row(&orbit))?;
-            }
+    let read = |text: &Decimal| Wide::parse(text.as_str()).unwrap_or(Wide::INVALID);
+    each(scene, &decimals, |fixed, voltages, orbit| {
+        if let Ok(again) = confirmed(fixed, &orbit, decimals) {
+            tables[1].push(voltages.row(&again, read))?;
         }
-    }
+        Ok(tables[0].push(voltages.row(&orbit, read))?)
+    })?;
     Ok(tables)
 }
 
+/// Hands each orbit over, with the motion it is one of and what makes its voltages.
+fn each<W: Wanted>(
+    scene: &Scene,
+    wanted: &W,
+    mut take: impl FnMut(&Fixed<'_, Setting, Quantity>, &Voltages<'_, W>, Rounded<W::Number>) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let membrane = scene.membrane::<Number>()?;
+    let sweep = scene.sweep()?;
+    let setting = scene.swept_setting()?;
+    let values: Vec<Quantity> = sweep.values().collect();
+    for word in scene.words()? {
+        let found = found(&setting, &values, &word, scene.max_periods()?, wanted)?;
+        for (value, orbits) in values.iter().zip(found) {
+            let voltages = Voltages {
+                wanted,
+                membrane: &membrane,
+                unit: scene.swept_scales::<Number>(sweep.over, value)?.velocity,
+                d: scene.swept::<Number>(sweep.over, value)?.d().clone(),
+            };
+            for orbit in orbits {
+                take(&setting.fixed(value), &voltages, orbit)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The orbits of a word at each value, those with fewer periods first.
+fn found<W: Wanted>(
+    setting: &Setting,
+    values: &[Quantity],
+    word: &Word,
+    max_periods: u32,
+    wanted: &W,
+) -> Result<Vec<Vec<Rounded<W::Number>>>, Failure> {
+    let ends = values.first().zip(values.last()).filter(|_| *word == Word::pair());
+    let Some((from, to)) = ends else {
+        let at = |value| Ok(find_as(wanted, &setting.fixed(value), word, max_periods)?.orbits);
+        return values.iter().map(at).collect();
+    };
+    // prepared once for the whole sweep, each value is next to nothing
+    let [from, to] = [from, to].map(|end| end.value::<Interval<f64>>());
+    let mut orbits = vec![Vec::new(); values.len()];
+    for periods in 1..=max_periods {
+        let prepared = Prepared::new(setting, periods, from.hull(&to))?;
+        for (orbits, found) in orbits.iter_mut().zip(prepared.points_as(wanted, values)?) {
+            orbits.extend(found.orbits);
+        }
+    }
+    Ok(orbits)
+}
+
 /// What makes voltages of the velocities at one value of a sweep.
-struct Voltages<'a> {
-    decimals: Decimals,
+struct Voltages<'a, W> {
+    wanted: &'a W,
     membrane: &'a Membrane<Number>,
     /// The velocity unit, m/s.
     unit: Number,
-    d: Decimal,
+    d: Number,
 }
 
-impl Voltages<'_> {
-    fn row(&self, orbit: &Rounded<Decimal>) -> Vec<Cell> {
-        let read = |text: &Decimal| Wide::parse(text.as_str()).unwrap_or(Wide::INVALID);
-        let bound = orbit.error_bound.as_ref().map(read);
+impl<N: Told, W: Wanted<Number = N> + Telling<Wide<DIGITS>, Number = N>> Voltages<'_, W>
+where
+    Cell: From<N> + From<Vec<N>>,
+{
+    fn row(&self, orbit: &Rounded<N>, read: impl Fn(&N) -> Wide<DIGITS>) -> Vec<Cell> {
+        let bound = orbit.error_bound.as_ref().map(&read);
         let room = bound.clone().unwrap_or_else(|| Wide::from_integer(0));
-        let voltage = |velocity: &Decimal| {
+        let voltage = |velocity: &N| {
             let velocity = read(velocity);
             let around = Number::new(velocity.clone() - room.clone(), velocity + room.clone());
             self.membrane.voltage(&(around * self.unit.clone()))
@@ -100,28 +151,28 @@ impl Voltages<'_> {
         let numbers: Vec<Option<&Number>> = numbers
             .chain([&all, &bottom, &top, &apart].map(Option::as_ref))
             .collect();
-        let told: Vec<Option<Decimal>> = numbers
+        let told: Vec<Option<N>> = numbers
             .iter()
-            .map(|number| number.map(|number| self.decimals.tell(number)))
+            .map(|number| number.map(|number| self.wanted.tell(number)))
             .collect();
         let errors = told.iter().zip(&numbers).filter_map(|(told, number)| {
             let (told, number) = (told.as_ref()?, (*number)?);
-            Some(self.decimals.error(told, number))
+            Some(self.wanted.error(told, number))
         });
         let worst = errors.fold(
             Wide::from_integer(0),
             |worst, error| if error <= worst { worst } else { error },
         );
-        let worst = bound.map(|_| Telling::<Wide<DIGITS>>::bound(&self.decimals, worst));
+        let worst = bound.map(|_| self.wanted.bound(worst));
         let (list, means) = told.split_at(voltages.len());
         let mut cells = vec![
-            Cell::from(self.d.clone()),
+            Cell::from(self.wanted.tell(&self.d)),
             Cell::from(orbit.word.to_string()),
             Cell::from(i64::from(orbit.periods)),
             Cell::from(orbit.stable),
             Cell::from(orbit.admissible),
             Cell::from(orbit.velocities.clone()),
-            Cell::from(list.iter().flatten().cloned().collect::<Vec<Decimal>>()),
+            Cell::from(list.iter().flatten().cloned().collect::<Vec<N>>()),
         ];
         cells.extend(means.iter().cloned().map(Cell::from));
         cells.push(Cell::from(worst));

@@ -11,6 +11,9 @@ use std::vec::IntoIter;
 /// The impacts that may be held at once, if a point for each thread does not take more.
 const HELD: usize = 100_000;
 
+/// The digits that an f64 shows without a doubt.
+const DIGITS_OF_F64: u32 = 15;
+
 /// The points that are computed together, at most.
 const BLOCK: usize = 1024;
 
@@ -152,7 +155,10 @@ impl Points {
         let impacts = self.diagram.impacts;
         let settled = Settled::after(events.by_ref(), impacts, self.diagram.keep);
         let reliance = self.with_reliance.then(|| Reliance {
-            digits: settled.end.as_ref().map_or(0, |end| digits(events.growth(), end)),
+            digits: settled
+                .end
+                .as_ref()
+                .map_or(0, |end| events.growth().digits(end.velocity).min(DIGITS_OF_F64)),
             lyapunov: lyapunov(&motion, &settled, impacts),
         });
         let mut point = Point {
@@ -204,20 +210,6 @@ impl Points {
         self.next += block.len() as u32;
         self.block = block.into_iter();
     }
-}
-
-/// The digits of an event that hold, of those that f64 shows without a doubt.
-fn digits(growth: &Growth, event: &Event<f64>) -> u32 {
-    const DIGITS_OF_F64: u32 = 15;
-    let speed = event.velocity.abs();
-    let relative = if speed > 0.0 {
-        growth.velocity_error() / speed
-    } else {
-        0.0
-    };
-    // to an integer a float saturates: an error above 1 has no digits, one of 0 has all
-    let digits = -growth.phase_error().max(relative).log10();
-    (digits.floor() as u32).min(DIGITS_OF_F64)
 }
 
 /// The last event after which the motion is known.
