@@ -549,7 +549,8 @@ fn the_explanation_follows_what_is_wanted() {
 fn every_want_has_its_file_and_a_scene_without_one_is_refused() {
     let scene = format!("want = [\"trajectory\", \"impacts\"]\n{BARE}start = {{ phase = 1, velocity = 0.5 }}\n");
     let out = std::env::temp_dir().join(format!("vibro-audit-scenes-{}", std::process::id()));
-    stdout(&["run", "-", "--out", out.to_str().unwrap()], &scene);
+    let output = command(&["run", "-", "--out", out.to_str().unwrap()], &scene);
+    assert_eq!(output.status.code(), Some(0));
     for file in ["trajectory.csv", "simulate.csv"] {
         assert!(out.join(file).exists(), "{file}");
     }
