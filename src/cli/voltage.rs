@@ -29,27 +29,35 @@ const COLUMNS: [&str; 12] = [
     "error_bound",
 ];
 
-/// The table in f64, from the proved enclosures, with the bound of its errors. Words come in the order of the scene, each
-/// along the whole sweep, and orbits with fewer periods first.
+/// The table, in f64 or in decimals of at most 40 figures, from the proved enclosures, with the bound of its errors. Words
+/// come in the order of the scene, each along the whole sweep, and orbits with fewer periods first.
 ///
 /// # Errors
 /// A scene that lacks `[sweep]`, `[membrane]`, or what its motions and units require.
-pub fn table(scene: &Scene) -> Result<Table, Failure> {
+pub fn table(scene: &Scene, decimals: Option<Decimals>) -> Result<Table, Failure> {
     let mut table = Table::new(COLUMNS);
-    each(scene, &Doubles, |_, voltages, orbit| {
-        Ok(table.push(voltages.row(&orbit, |velocity| Wide::from_f64(*velocity)))?)
-    })?;
+    match decimals {
+        None => each(scene, &Doubles, |_, voltages, orbit| {
+            Ok(table.push(voltages.row(&orbit, |velocity| Wide::from_f64(*velocity)))?)
+        })?,
+        Some(decimals) => each(scene, &decimals, |_, voltages, orbit| {
+            Ok(table.push(voltages.row(&orbit, read))?)
+        })?,
+    }
     Ok(table)
 }
 
-/// The same by two means, in decimals of at most 40 figures: from the proved enclosures, and from the return map; an
-/// orbit that the second means does not reach has no row there.
+fn read(text: &Decimal) -> Wide<DIGITS> {
+    Wide::parse(text.as_str()).unwrap_or(Wide::INVALID)
+}
+
+/// The same by two means, from the proved enclosures and from the return map; an orbit that the second means does not
+/// reach has no row there.
 ///
 /// # Errors
 /// As [`table`].
 pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
     let mut tables = [Table::new(COLUMNS), Table::new(COLUMNS)];
-    let read = |text: &Decimal| Wide::parse(text.as_str()).unwrap_or(Wide::INVALID);
     each(scene, &decimals, |fixed, voltages, orbit| {
         if let Ok(again) = confirmed(fixed, &orbit, decimals) {
             tables[1].push(voltages.row(&again, read))?;
