@@ -400,3 +400,27 @@ fn the_library_gives_the_points_that_the_command_prints() {
     assert_eq!(voltages.collect::<Vec<_>>(), swept.numbers("voltage"));
     assert_eq!(points[4].counted().1, MeanOver::Periods);
 }
+
+#[test]
+fn the_summary_says_how_far_it_can_be_relied_on() {
+    let summary = Sheet::summary("fig02", &["sweep.from=0.4", "sweep.points=1"]);
+    // a focus: both multipliers have the size of the root of the determinant, (r_b r_t)²
+    assert!((summary.numbers("lyapunov")[0] - 0.25_f64.ln() / 2.0).abs() < 1e-9);
+    assert!(summary.numbers("digits")[0] >= 12.0);
+    let summary = Sheet::summary("fig03", &["sweep.from=0.18", "sweep.points=1"]);
+    assert_eq!(summary.texts("lyapunov"), ["-inf"]);
+    let summary = Sheet::summary("fig04", &["sweep.points=41"]);
+    let rows = summary.texts("word").into_iter().zip(summary.numbers("lyapunov"));
+    let rows: Vec<(&str, f64, f64)> = rows
+        .zip(summary.numbers("digits"))
+        .map(|((word, rate), digits)| (word, rate, digits))
+        .collect();
+    let chaotic = rows
+        .iter()
+        .filter(|(word, rate, digits)| word.is_empty() && *rate > 0.05 && *digits == 0.0);
+    assert!(chaotic.count() >= 5, "{rows:?}");
+    assert!(
+        rows.iter().all(|(word, rate, _)| word.is_empty() || *rate < 0.0),
+        "{rows:?}"
+    );
+}

@@ -57,6 +57,15 @@ pub enum Failure {
     /// No built-in scene has this name, and no file either.
     #[error("there is no built-in scene {name}, nor a file of this name; {meant}there are: {known}")]
     UnknownScene { name: String, meant: String, known: String },
+    /// `plot all` was not told where to write.
+    #[error("`plot all` writes a file for each figure: name a directory by --out DIR")]
+    NoFigures,
+    /// There is nothing to draw.
+    #[error("nothing of what {0} wants can be drawn; want branch, sweep, voltage or trajectory")]
+    NothingDrawn(String),
+    /// A figure cannot be laid out.
+    #[error(transparent)]
+    Plot(#[from] crate::report::plot::PlotError),
     /// `run` was not told where to write.
     #[error("`run` writes a file for each command: name a directory by --out DIR, or ask with --explain")]
     NoDirectory,

@@ -9,6 +9,7 @@ mod failure;
 mod golden;
 mod options;
 mod orbits;
+mod plot;
 mod progress;
 mod run;
 mod scene;
@@ -53,6 +54,7 @@ enum Command {
     Simulate(simulate::Arguments),
     Sweep(sweep::Arguments),
     Trajectory(trajectory::Arguments),
+    Plot(plot::Arguments),
     Scenes(scenes::Arguments),
     Run(run::Arguments),
     Check(check::Arguments),
@@ -68,6 +70,7 @@ impl Command {
             Self::Simulate(arguments) => simulate::run(arguments, options),
             Self::Sweep(arguments) => sweep::run(arguments, options),
             Self::Trajectory(arguments) => trajectory::run(arguments, options),
+            Self::Plot(arguments) => plot::run(arguments, options),
             Self::Scenes(arguments) => scenes::run(arguments),
             Self::Run(arguments) => run::run(arguments, options),
             Self::Check(arguments) => check::run(arguments, options),
@@ -75,10 +78,11 @@ impl Command {
         }
     }
 
-    /// Where the answer goes: to `--out`, but for `run`, whose files go there.
+    /// Where the answer goes: to `--out`, but for `run` and `plot all`, whose files go there.
     fn output(&self, options: &Options) -> Output {
         match self {
             Self::Run(arguments) if !arguments.explain => Output::Stdout,
+            Self::Plot(arguments) if arguments.is_all() => Output::Stdout,
             _ => options.output(),
         }
     }

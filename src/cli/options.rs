@@ -17,7 +17,7 @@ pub struct Options {
     /// How to print tables
     #[arg(long, global = true, value_name = "FORMAT", default_value = Format::Text.name(), value_parser = format_parser())]
     pub format: Format,
-    /// Write to this file instead of stdout; it is there whole or not at all. For `run`, a directory
+    /// Write to this file instead of stdout; it is there whole or not at all. For `run` and `plot all`, a directory
     #[arg(long, global = true, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// How many significant digits to reach and, in text, to print [default: 12]

@@ -134,7 +134,7 @@ fn run_with(served: &[Served], scene: &Scene, wants: &[Want], options: &Options)
     })
 }
 
-fn create(directory: &Path) -> Result<(), OutputError> {
+pub(super) fn create(directory: &Path) -> Result<(), OutputError> {
     fs::create_dir_all(directory).map_err(|source| OutputError {
         place: directory.display().to_string(),
         problem: OutputProblem::System {

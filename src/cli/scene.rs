@@ -22,10 +22,21 @@ impl SceneArguments {
     /// The scene with its overrides; nothing of it is checked yet but its syntax and its keys.
     pub fn load(&self) -> Result<Scene, Failure> {
         let mut scene = self.read()?;
+        self.apply(&mut scene)?;
+        Ok(scene)
+    }
+
+    /// The scene as the user named it.
+    pub fn name(&self) -> String {
+        self.scene.name()
+    }
+
+    /// Makes the overrides in a scene.
+    pub fn apply(&self, scene: &mut Scene) -> Result<(), Failure> {
         for argument in &self.set {
             scene.set(argument)?;
         }
-        Ok(scene)
+        Ok(())
     }
 
     /// The scene, complete for `wants`. Under `--strict`, keys that neither these nor the scene's own wants require

@@ -61,7 +61,7 @@ pub fn impact_rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
 
 /// What the motion at each value has come to.
 pub fn summary_rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
-    rows(scene.points()?.with_growth(), options, &SUMMARY, |point| {
+    rows(scene.points()?.with_reliance(), options, &SUMMARY, |point| {
         vec![of_point(point)]
     })
 }

@@ -8,7 +8,7 @@ use super::scaled::Scaled;
 use super::swing::REACH;
 use crate::model::Side;
 use crate::number::Analytic;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_1_PI, TAU};
 
 /// A step whose error changes the velocity of arrival by more than this part of it is no longer straight.
 const STRAIGHT: f64 = 0.1;
@@ -56,8 +56,21 @@ impl Growth {
         if self.lost {
             f64::INFINITY
         } else {
-            self.error[1] * std::f64::consts::FRAC_1_PI
+            self.error[1] * FRAC_1_PI
         }
+    }
+
+    /// The digits that hold of the latest event, at a velocity: relative of the velocity, absolute of the phase; none where
+    /// nothing is claimed.
+    pub fn digits(&self, velocity: f64) -> u32 {
+        digits(self.phase_error().max(part(self.velocity_error(), velocity)))
+    }
+
+    /// The same of the time since the start as well.
+    pub(super) fn digits_at(&self, time: f64, velocity: f64) -> u32 {
+        // the start has an error of its own, which is not above that of the phase now where digits are claimed at all
+        let time_error = self.phase_error() * FRAC_1_PI;
+        self.digits(velocity).min(digits(part(time_error, time)))
     }
 
     /// The logarithm of the factor by which a small error has grown since the start, along the direction that grows
@@ -151,6 +164,20 @@ impl Growth {
         self.axes = [[1.0, 0.0], [0.0, 1.0]];
         self.sides = sides;
         self.error = sides;
+    }
+}
+
+/// An error as a part of a value; one of 0 has none.
+fn part(error: f64, value: f64) -> f64 {
+    if value == 0.0 { 0.0 } else { error / value.abs() }
+}
+
+/// The whole digits before an error. A float saturates as an integer: an error above 1 leaves none.
+fn digits(error: f64) -> u32 {
+    if error.is_nan() {
+        0
+    } else {
+        (-error.log10()).floor() as u32
     }
 }
 

@@ -1,7 +1,6 @@
 //! The events of a motion in numbers wide enough for the digits asked.
 
 use super::event::{Event, Kind};
-use super::growth::Growth;
 use super::simulation::{Simulation, Start};
 use super::widening::Widening;
 use crate::model::{MotionError, Parameters, Side};
@@ -155,19 +154,6 @@ struct Figures {
     figures: u32,
 }
 
-impl Figures {
-    /// The digits of an event that hold, by the bounds of its errors.
-    fn holding(&self, time: f64, velocity: f64, growth: &Growth) -> u32 {
-        let phase = growth.phase_error();
-        let relative = |error: f64, value: f64| if value == 0.0 { 0.0 } else { error / value.abs() };
-        let by_time = relative(phase * std::f64::consts::FRAC_1_PI, time);
-        let worst = phase.max(by_time).max(relative(growth.velocity_error(), velocity));
-        // a float to an integer saturates: an error above 1 has no digits
-        let digits = (-worst.log10()).floor() as u32;
-        if growth.holds() { digits.min(self.figures) } else { 0 }
-    }
-}
-
 /// A motion, and how much of it is asked for.
 struct Asked<'a, P, O> {
     motion: &'a P,
@@ -219,7 +205,7 @@ impl<P: Parameters, O: Origin> Asked<'_, P, O> {
                 side: event.side,
                 velocity: tell(&event.velocity),
                 kind: event.kind,
-                digits: told.holding(elapsed, event.velocity.to_f64(), growth),
+                digits: growth.digits_at(elapsed, event.velocity.to_f64()).min(told.figures),
             };
             attempt.push(row, extent);
             attempt.history.lyapunov = growth.stretch() / elapsed;

@@ -1,7 +1,7 @@
 //! How fast motions that start a little apart part, or come together.
 
 use super::{Attractor, Link, Settled};
-use crate::impact::{Event, Kind, Simulation, Start};
+use crate::impact::{Event, Kind, Start, Widening};
 use crate::model::Motion;
 use nalgebra::Matrix2;
 use std::f64::consts::PI;
@@ -59,15 +59,15 @@ fn measured(motion: &Motion<f64>, end: &Event<f64>, impacts: u32) -> Option<f64>
         return None;
     }
     let start = Start::from(end);
-    let mut simulation = Simulation::new(motion, &start).with_growth();
+    let mut events = Widening::new(motion, &start);
     let mut elapsed = 0.0;
     for _ in 0..impacts {
-        let Some(event) = simulation.next().filter(|event| event.kind != Kind::Undecided) else {
+        let Some(event) = events.next().filter(|event| event.kind != Kind::Undecided) else {
             break;
         };
         elapsed = event.time(&start.phase);
     }
-    let stretch = simulation.growth()?.stretch();
+    let stretch = events.growth().stretch();
     (elapsed > 0.0).then_some(stretch / elapsed)
 }
 
@@ -80,7 +80,7 @@ mod tests {
         let motion = Motion::new(g, d, r_b, r_t).expect("a motion");
         let (side, phase) = (Side::Bottom, 6.18);
         let start = Start { side, phase, velocity };
-        let settled = Settled::after(Simulation::new(&motion, &start), 500, 60);
+        let settled = Settled::after(Widening::new(&motion, &start), 500, 60);
         (motion, settled)
     }
 

@@ -16,12 +16,14 @@
 //! ```
 
 mod csv;
+pub mod figure;
 mod figures;
 mod format;
 mod json;
 mod junit;
 mod markdown;
 mod output;
+pub mod plot;
 mod stream;
 mod table;
 mod text;

@@ -2,14 +2,17 @@
 
 use super::sweep::{Begin, Diagram, Sweep};
 use super::{Quantity, Scene, SceneError, Setting, Want};
-use crate::impact::{Event, Growth, Kind, Simulation, Start};
-use crate::model::{Membrane, Motion, Side};
+use crate::impact::{Event, Growth, Kind, Origin, Start, Widening};
+use crate::model::{Membrane, Motion};
 use crate::orbit::{Family, Parameters, Settled, lyapunov};
 use rayon::prelude::*;
 use std::vec::IntoIter;
 
 /// The impacts that may be held at once, if a point for each thread does not take more.
 const HELD: usize = 100_000;
+
+/// The digits that an f64 shows without a doubt.
+const DIGITS_OF_F64: u32 = 15;
 
 /// The points that are computed together, at most.
 const BLOCK: usize = 1024;
@@ -27,7 +30,7 @@ pub struct Point {
     pub voltages: Option<Vec<f64>>,
     /// The mean (7) of U_k over [`Point::counted`], V; none where no voltage is modelled, or there is no impact.
     pub mean_voltage: Option<f64>,
-    /// How far the last impact can be relied on; none where that is not asked for ([`Points::with_growth`]).
+    /// How far the last impact can be relied on; none where that is not asked for ([`Points::with_reliance`]).
     pub reliance: Option<Reliance>,
 }
 
@@ -96,19 +99,14 @@ impl Scene {
     pub fn points(&self) -> Result<Points, SceneError> {
         let wants = self.wants_of_sweep()?;
         self.check(&wants)?;
-        let start = self.start()?;
         let membrane = wants.contains(&Want::Voltage).then(|| self.membrane()).transpose()?;
         Ok(Points {
             sweep: self.sweep()?,
             diagram: self.diagram()?,
             setting: self.swept_setting()?,
-            start: Start {
-                side: Side::Bottom,
-                phase: start.phase.value(),
-                velocity: start.velocity.value(),
-            },
+            start: self.start()?.start(),
             membrane,
-            with_growth: false,
+            with_reliance: false,
             scene: self.clone(),
             next: 0,
             block: Vec::new().into_iter(),
@@ -126,7 +124,7 @@ pub struct Points {
     setting: Setting,
     start: Start<f64>,
     membrane: Option<Membrane<f64>>,
-    with_growth: bool,
+    with_reliance: bool,
     next: u32,
     block: IntoIter<Result<Point, SceneError>>,
     /// Where the motion at the value before came to, where the next one follows it.
@@ -134,10 +132,10 @@ pub struct Points {
 }
 
 impl Points {
-    /// The same points, each with its [`Reliance`]; for some more time.
-    pub fn with_growth(self) -> Self {
+    /// The same points, each with its [`Reliance`]; for up to twice the time.
+    pub fn with_reliance(self) -> Self {
         Self {
-            with_growth: true,
+            with_reliance: true,
             ..self
         }
     }
@@ -153,14 +151,14 @@ impl Points {
         let motion = self.setting.fixed(&value).motion::<f64>();
         let motion = motion.map_err(|error| self.scene.error(None, error))?;
         let start = before.map_or_else(|| self.start.clone(), Start::from);
-        let mut simulation = Simulation::new(&motion, &start);
-        if self.with_growth {
-            simulation = simulation.with_growth();
-        }
+        let mut events = Widening::new(&motion, &start);
         let impacts = self.diagram.impacts;
-        let settled = Settled::after(simulation.by_ref(), impacts, self.diagram.keep);
-        let reliance = simulation.growth().map(|growth| Reliance {
-            digits: settled.end.as_ref().map_or(0, |end| digits(growth, end)),
+        let settled = Settled::after(events.by_ref(), impacts, self.diagram.keep);
+        let reliance = self.with_reliance.then(|| Reliance {
+            digits: settled
+                .end
+                .as_ref()
+                .map_or(0, |end| events.growth().digits(end.velocity).min(DIGITS_OF_F64)),
             lyapunov: lyapunov(&motion, &settled, impacts),
         });
         let mut point = Point {
@@ -212,20 +210,6 @@ impl Points {
         self.next += block.len() as u32;
         self.block = block.into_iter();
     }
-}
-
-/// The digits of an event that hold, of those that f64 shows without a doubt.
-fn digits(growth: &Growth, event: &Event<f64>) -> u32 {
-    const DIGITS_OF_F64: u32 = 15;
-    let speed = event.velocity.abs();
-    let relative = if speed > 0.0 {
-        growth.velocity_error() / speed
-    } else {
-        0.0
-    };
-    // to an integer a float saturates: an error above 1 has no digits, one of 0 has all
-    let digits = -growth.phase_error().max(relative).log10();
-    (digits.floor() as u32).min(DIGITS_OF_F64)
 }
 
 /// The last event after which the motion is known.

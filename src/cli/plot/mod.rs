@@ -1,0 +1,126 @@
+//! `vibro-audit plot SCENE` and `vibro-audit plot all --out DIR`.
+
+mod claims;
+mod motion;
+mod paper;
+mod swept;
+
+use super::{Answer, Content, Exit, Failure, Options, SceneArguments};
+use crate::report::plot::{Figure, Panel};
+use crate::report::{Cell, Output, Table};
+use crate::scene::{Scene, Want};
+use claims::Claims;
+use rayon::prelude::*;
+use std::path::Path;
+
+/// Draw what the scene wants as an SVG; `plot all --out DIR` draws every figure of the paper
+///
+/// `branch` and `sweep` give a bifurcation diagram, `voltage` an energy diagram beside it (without it the phase of the
+/// impacts), `trajectory` a phase portrait and the displacements. What the paper prints is marked on its own figures:
+/// a ring is reproduced, a cross is wrong.
+#[derive(Debug, clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+}
+
+/// The word that stands for every figure of the paper; a file of this name is `./all`.
+const ALL: &str = "all";
+
+/// The columns that scripts rely on.
+const COLUMNS: [&str; 3] = ["figure", "file", "bytes"];
+
+impl Arguments {
+    /// Whether every figure of the paper is meant.
+    pub fn is_all(&self) -> bool {
+        self.scene.name() == ALL
+    }
+}
+
+/// Runs the command.
+pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
+    let claims = Claims::read()?;
+    let content = if arguments.is_all() {
+        let directory = options.out.as_deref().ok_or(Failure::NoFigures)?;
+        Content::Table(all(arguments, directory, &claims)?)
+    } else {
+        let scene = arguments.scene.load()?;
+        arguments.scene.check(&scene, &scene.wanted()?)?;
+        let figure = if paper::is_comparison(&scene) {
+            paper::comparison(&scene, &paper::swept(&scenes(arguments)?)?, &claims)?
+        } else {
+            one(&scene, swept(&scene)?.as_ref(), &claims)?
+        };
+        Content::Text(figure.svg()?)
+    };
+    Ok(Answer {
+        content,
+        exit: Exit::AsExpected,
+    })
+}
+
+/// Every figure of the paper; files are written once all are drawn.
+fn all(arguments: &Arguments, directory: &Path, claims: &Claims) -> Result<Table, Failure> {
+    let scenes = scenes(arguments)?;
+    super::run::create(directory)?;
+    let swept = paper::swept(&scenes)?;
+    let drawn: Result<Vec<(String, String)>, Failure> = scenes
+        .par_iter()
+        .map(|scene| {
+            let figure = if paper::is_comparison(scene) {
+                paper::comparison(scene, &swept, claims)?
+            } else {
+                one(scene, paper::of(&swept, scene), claims)?
+            };
+            Ok((scene.name().to_owned(), figure.svg()?))
+        })
+        .collect();
+    let mut table = Table::new(COLUMNS);
+    for (name, svg) in drawn? {
+        let path = directory.join(format!("{name}.svg"));
+        Output::File(path.clone()).write(|to| to.write_all(svg.as_bytes()))?;
+        let bytes = i64::try_from(svg.len()).unwrap_or(i64::MAX);
+        table.push([
+            Cell::from(name),
+            Cell::from(path.display().to_string()),
+            Cell::from(bytes),
+        ])?;
+    }
+    Ok(table)
+}
+
+/// The scenes of the paper, with the overrides.
+fn scenes(arguments: &Arguments) -> Result<Vec<Scene>, Failure> {
+    paper::scenes(|scene| {
+        arguments.scene.apply(scene)?;
+        arguments.scene.check(scene, &scene.wanted()?)
+    })
+}
+
+/// What a sweep of the scene shows, where it wants one.
+fn swept(scene: &Scene) -> Result<Option<swept::Swept>, Failure> {
+    let wants = scene.want()?;
+    let is_swept = wants
+        .iter()
+        .any(|want| matches!(want, Want::Branch | Want::Sweep | Want::Voltage));
+    is_swept.then(|| swept::Swept::new(scene)).transpose()
+}
+
+/// The figure of one scene: all its panels.
+fn one(scene: &Scene, swept: Option<&swept::Swept>, claims: &Claims) -> Result<Figure, Failure> {
+    let mut panels: Vec<Panel> = Vec::new();
+    if let Some(swept) = swept {
+        panels.extend(swept.panels(scene, claims)?);
+    }
+    if scene.want()?.contains(&Want::Trajectory) {
+        panels.extend(motion::panels(scene, claims)?);
+    }
+    if panels.is_empty() {
+        return Err(Failure::NothingDrawn(scene.name().to_owned()));
+    }
+    let title = scene.title()?.unwrap_or(scene.name());
+    Ok(Figure {
+        columns: 2,
+        ..Figure::new(title, panels)
+    })
+}

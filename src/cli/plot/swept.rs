@@ -1,0 +1,165 @@
+//! What a sweep shows: simulated impacts, branches, voltages.
+
+use super::super::{Failure, note};
+use super::claims::{Claims, Column};
+use crate::model::Side;
+use crate::number::Interval;
+use crate::orbit::{Followed, Found, Prepared, Rounded, Word};
+use crate::report::figure::{Bifurcation, Course, Diagram, Energy, Impact, Parameter, Quantity, Step};
+use crate::report::plot::{Panel, Point};
+use crate::scene::{Quantity as Value, Scene, Want};
+
+/// The diagrams of a scene over its sweep.
+#[derive(Clone, Debug)]
+pub(super) struct Swept {
+    diagram: Diagram,
+    /// Where the scene wants voltage.
+    pub energy: Option<Energy>,
+}
+
+impl Swept {
+    /// Computes all that the scene wants along its sweep.
+    ///
+    /// # Errors
+    /// What the sweep requires and the scene lacks.
+    pub fn new(scene: &Scene) -> Result<Self, Failure> {
+        let wants = scene.want()?;
+        let sweep = scene.sweep()?;
+        let [from, to] = [&sweep.from, &sweep.to].map(|end| end.value::<f64>());
+        let mut diagram = Diagram {
+            parameter: Parameter::new(sweep.over.name(), (from.min(to), from.max(to))),
+            impacts: None,
+            steps: None,
+            bifurcations: Vec::new(),
+        };
+        if wants.contains(&Want::Branch) {
+            follow(scene, &mut diagram)?;
+        }
+        let mut energy = None;
+        if wants.contains(&Want::Sweep) || wants.contains(&Want::Voltage) {
+            energy = simulate(scene, &mut diagram)?;
+        }
+        Ok(Self { diagram, energy })
+    }
+
+    /// Velocity, and the voltage or the phase beside it, with what the paper prints of them.
+    ///
+    /// # Errors
+    /// What is not known of the scene.
+    pub fn panels(&self, scene: &Scene, claims: &Claims) -> Result<[Panel; 2], Failure> {
+        let velocity = claims.along(scene, Column::Velocity);
+        let second = match self
+            .energy
+            .as_ref()
+            .filter(|_| scene.want().is_ok_and(|wants| wants.contains(&Want::Voltage)))
+        {
+            Some(energy) => {
+                let mut printed = claims.along(scene, Column::Mean);
+                printed.extend(claims.along(scene, Column::Voltage));
+                energy.panel(&printed)
+            }
+            None => self.diagram.panel(Quantity::Phase, &claims.along(scene, Column::Phase)),
+        };
+        Ok([self.diagram.panel(Quantity::Velocity, &velocity), second])
+    }
+}
+
+/// The motions of the wanted words along the sweep.
+fn follow(scene: &Scene, diagram: &mut Diagram) -> Result<(), Failure> {
+    let (sweep, setting) = (scene.sweep()?, scene.swept_setting()?);
+    let values: Vec<Value> = sweep.values().collect();
+    let [from, to] = [&sweep.from, &sweep.to].map(|end| end.value::<Interval<f64>>());
+    let (low, high) = diagram.parameter.ends;
+    let mut steps = Vec::new();
+    for word in scene.words()? {
+        for periods in 1..=scene.max_periods()? {
+            let name = match periods {
+                1 => word.to_string(),
+                _ => format!("{word} {periods}T"),
+            };
+            let found: Vec<Found> = if word == Word::pair() {
+                let prepared = Prepared::new(&setting, periods, from.hull(&to))?;
+                let (events, open) = prepared.bifurcations();
+                open.iter().for_each(|open| note(&format!("{}: {open}", scene.name())));
+                let events = events.into_iter().map(|event| Bifurcation {
+                    step: Step {
+                        at: event.parameter,
+                        name: name.clone(),
+                        phases: event.phases.to_vec(),
+                        velocities: event.velocities.to_vec(),
+                        course: Course::of(false, event.admissible),
+                    },
+                    event: event.event,
+                });
+                diagram.bifurcations.extend(events);
+                prepared.points(&values)?
+            } else {
+                let followed = Followed::new(&setting, &word, periods, Interval::new(low, high))?;
+                let events = followed.moments().into_iter().map(|event| Bifurcation {
+                    step: Step {
+                        at: event.parameter,
+                        name: name.clone(),
+                        phases: event.phases.clone(),
+                        velocities: event.velocities.clone(),
+                        course: Course::of(false, event.admissible),
+                    },
+                    event: event.event,
+                });
+                diagram.bifurcations.extend(events);
+                followed.points(&values)?
+            };
+            let of_value = values.iter().zip(found).flat_map(|(value, found)| {
+                let at = value.value::<f64>();
+                found.orbits.into_iter().map(move |orbit| (at, orbit))
+            });
+            let mut own: Vec<Step> = of_value.map(|(at, orbit)| step(at, &name, orbit)).collect();
+            // strands go from left to right
+            own.sort_by(|one, other| one.at.total_cmp(&other.at));
+            steps.extend(own);
+        }
+    }
+    diagram.steps = Some(steps);
+    Ok(())
+}
+
+fn step(at: f64, name: &str, orbit: Rounded) -> Step {
+    Step {
+        at,
+        name: name.to_owned(),
+        course: Course::of(orbit.stable, orbit.admissible),
+        phases: orbit.phases,
+        velocities: orbit.velocities,
+    }
+}
+
+/// The impacts at each value, and their voltages where they are wanted.
+fn simulate(scene: &Scene, diagram: &mut Diagram) -> Result<Option<Energy>, Failure> {
+    let mut impacts = Vec::new();
+    let mut walls: [Vec<Point>; 2] = [Vec::new(), Vec::new()];
+    let mut mean: Vec<Point> = Vec::new();
+    for point in scene.points()? {
+        let point = point?;
+        let at = point.value.value::<f64>();
+        impacts.extend(point.settled.kept.iter().map(|event| Impact {
+            at,
+            phase: event.phase,
+            velocity: event.velocity,
+        }));
+        let Some(voltages) = &point.voltages else { continue };
+        for (event, voltage) in point.settled.kept.iter().zip(voltages) {
+            walls[usize::from(event.side == Side::Top)].push((at, *voltage));
+        }
+        mean.push((at, point.mean_voltage.unwrap_or(f64::NAN)));
+    }
+    diagram.impacts = Some(impacts);
+    mean.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let wanted = scene.want()?.contains(&Want::Voltage);
+    let [bottom, top] = walls;
+    let parameter = diagram.parameter.clone();
+    Ok(wanted.then_some(Energy {
+        parameter,
+        bottom,
+        top,
+        mean,
+    }))
+}

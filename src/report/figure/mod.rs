@@ -1,0 +1,24 @@
+//! The figures of a paper on vibro-impacts, as panels to be plotted, from numbers that any command may have computed.
+//!
+//! Colour tells what is meant, and so does a form: bottom impacts are circles and top impacts triangles; what is
+//! stable is a solid line, what is not a dashed one, and what would pass through a wall a dotted one; a printed value
+//! that is reproduced is a ring, one that is wrong a cross.
+
+mod branch;
+mod claim;
+mod comparison;
+mod diagram;
+mod displacement;
+mod energy;
+mod parameter;
+mod portrait;
+mod strand;
+
+pub use branch::{Bifurcation, Course, Step};
+pub use claim::Claim;
+pub use comparison::{Curve, comparison};
+pub use diagram::{Diagram, Impact, Quantity};
+pub use displacement::displacement;
+pub use energy::Energy;
+pub use parameter::Parameter;
+pub use portrait::{Path, Portrait};

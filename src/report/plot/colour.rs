@@ -1,0 +1,50 @@
+//! Colours that every eye tells apart.
+
+use plotters::style::RGBColor;
+
+/// The palette of Okabe and Ito, black, and a grey for what stays in the background.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Colour {
+    Black,
+    Grey,
+    Orange,
+    Sky,
+    Green,
+    Yellow,
+    Blue,
+    Vermillion,
+    Purple,
+}
+
+impl Colour {
+    /// Those that differ to every eye, darkest first: lines of one panel take them in this order.
+    pub const LINES: [Self; 7] = [
+        Self::Black,
+        Self::Blue,
+        Self::Vermillion,
+        Self::Green,
+        Self::Purple,
+        Self::Orange,
+        Self::Sky,
+    ];
+
+    /// Red, green and blue.
+    pub const fn rgb(self) -> (u8, u8, u8) {
+        match self {
+            Self::Black => (0, 0, 0),
+            Self::Grey => (150, 150, 150),
+            Self::Orange => (230, 159, 0),
+            Self::Sky => (86, 180, 233),
+            Self::Green => (0, 158, 115),
+            Self::Yellow => (240, 228, 66),
+            Self::Blue => (0, 114, 178),
+            Self::Vermillion => (213, 94, 0),
+            Self::Purple => (204, 121, 167),
+        }
+    }
+
+    pub(super) fn pen(self) -> RGBColor {
+        let (red, green, blue) = self.rgb();
+        RGBColor(red, green, blue)
+    }
+}

@@ -1,0 +1,286 @@
+//! One panel: its frame, its axes, and all that stands in it.
+
+use super::TENTHS;
+use super::clip;
+use super::figure::{Panel, PlotError};
+use super::label::{Rect, Room};
+use super::legend::line;
+use super::marker::Marker;
+use super::paper::{Area, Drawn};
+use super::scale::Scale;
+use super::series::{Mark, Point, Shape, Stroke};
+use super::span::Span;
+use super::text::width;
+use super::ticks::Ticks;
+use plotters::chart::ChartBuilder;
+use plotters::element::{PathElement, Rectangle};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{BLACK, Color, FontDesc, FontStyle, IntoFont, RGBColor, WHITE};
+use std::collections::HashSet;
+
+/// How much of its colour a band has.
+pub(super) const SHADE: f64 = 0.25;
+
+/// Fonts in pixels.
+const TICK_FONT: f64 = 12.5;
+const AXIS_FONT: f64 = 14.0;
+const LABEL_FONT: f64 = 12.0;
+const HEADING_FONT: f64 = 14.0;
+/// Lengths in pixels.
+const HEADING: f64 = 24.0;
+const BOTTOM: f64 = 50.0;
+const RIGHT: f64 = 16.0;
+const TICK: f64 = 5.0;
+/// From the tick labels' left to the panel's edge.
+const BESIDE: f64 = 34.0;
+/// Left of the axis' label.
+const LEFT: f64 = 6.0;
+/// Pixels for each tick.
+const X_ROOM: f64 = 60.0;
+const Y_ROOM: f64 = 36.0;
+/// Tenths of a pixel.
+const DOT: i32 = 30;
+/// A label so near to a mark would be taken for its own.
+const NEAR: i32 = 100;
+const FRAME: u32 = 12;
+const GRID: u32 = 7;
+const LEADER: u32 = 8;
+const GRID_COLOUR: RGBColor = RGBColor(225, 225, 225);
+
+/// Where data go on the grid.
+struct Frame<'a, 'b, F> {
+    area: &'a Area<'b>,
+    x: Span,
+    y: Span,
+    rect: Rect,
+    map: F,
+}
+
+/// Draws a panel of a size in pixels with its upper left corner at a point of the grid.
+pub(super) fn panel(
+    area: &Area,
+    panel: &Panel,
+    (left, top): (i32, i32),
+    (wide, high): (f64, f64),
+) -> Result<(), PlotError> {
+    let tenths = |pixels: f64| (pixels * TENTHS).round() as i32;
+    let x = span(panel, &panel.x.range, |point| point.0);
+    let y = span(panel, &panel.y.range, |point| point.1);
+    let y_ticks = Ticks::new(&y, ((high - HEADING - BOTTOM) / Y_ROOM) as usize);
+    let widest = y_ticks
+        .at
+        .iter()
+        .map(|at| width(&y_ticks.label(*at)))
+        .fold(0.0, f64::max);
+    let beside = BESIDE + widest * TICK_FONT;
+    let x_ticks = Ticks::new(&x, ((wide - LEFT - beside - RIGHT) / X_ROOM) as usize);
+
+    let heading: FontDesc = ("sans-serif", HEADING_FONT * TENTHS).into_font().style(FontStyle::Bold);
+    let at = (left + tenths(LEFT + beside), top + tenths(HEADING / 2.0));
+    let style = heading.color(&BLACK).pos(Pos::new(HPos::Left, VPos::Center));
+    area.draw_text(&panel.heading, &style, at)?;
+
+    let body = area
+        .clone()
+        .shrink((left, top + tenths(HEADING)), (tenths(wide), tenths(high - HEADING)));
+    let mut chart = ChartBuilder::on(&body)
+        .margin_left(tenths(LEFT))
+        .margin_right(tenths(RIGHT))
+        .x_label_area_size(tenths(BOTTOM))
+        .y_label_area_size(tenths(beside))
+        .build_cartesian_2d(
+            Scale {
+                span: x,
+                ticks: x_ticks,
+            },
+            Scale {
+                span: y,
+                ticks: y_ticks,
+            },
+        )?;
+    let font = |pixels: f64| ("sans-serif", pixels * TENTHS).into_font();
+    chart
+        .configure_mesh()
+        .bold_line_style(GRID_COLOUR.stroke_width(GRID))
+        .light_line_style(GRID_COLOUR.stroke_width(GRID))
+        .axis_style(BLACK.stroke_width(FRAME))
+        .set_all_tick_mark_size(tenths(TICK))
+        .label_style(font(TICK_FONT))
+        .axis_desc_style(font(AXIS_FONT))
+        .x_desc(panel.x.label.as_str())
+        .y_desc(panel.y.label.as_str())
+        .draw()?;
+    let (columns, rows) = chart.plotting_area().get_pixel_range();
+    let frame = Frame {
+        area,
+        x,
+        y,
+        rect: Rect {
+            left: columns.start,
+            top: rows.start,
+            width: columns.end - columns.start,
+            height: rows.end - rows.start,
+        },
+        map: |point: Point| chart.backend_coord(&point),
+    };
+    frame.fill(panel)
+}
+
+fn span(panel: &Panel, range: &Option<(f64, f64)>, part: impl Fn(Point) -> f64) -> Span {
+    match range {
+        Some((one, other)) => Span::new(*one, *other),
+        None => Span::around(panel.series.iter().flat_map(|series| series.points()).map(part)),
+    }
+}
+
+impl<F: Fn(Point) -> (i32, i32)> Frame<'_, '_, F> {
+    fn fill(&self, panel: &Panel) -> Result<(), PlotError> {
+        let Rect {
+            left,
+            top,
+            width,
+            height,
+        } = self.rect;
+        if panel.series.iter().all(|series| series.is_empty()) {
+            let font: FontDesc = ("sans-serif", AXIS_FONT * TENTHS).into_font();
+            let style = font.color(&BLACK).pos(Pos::new(HPos::Center, VPos::Center));
+            self.area
+                .draw_text("no points", &style, (left + width / 2, top + height / 2))?;
+        }
+        let mut room = self.room(panel);
+        for series in &panel.series {
+            match &series.shape {
+                Shape::Dots { points, marker } => self.dots(points, marker)?,
+                Shape::Line { points, stroke } => self.line(points, stroke)?,
+                Shape::Marked {
+                    points,
+                    stroke,
+                    marked,
+                    marker,
+                } => {
+                    self.line(points, stroke)?;
+                    self.dots(marked, marker)?;
+                }
+                Shape::Verticals { at, stroke } => {
+                    for x in at {
+                        self.line(&[(*x, self.y.low()), (*x, self.y.high())], stroke)?;
+                    }
+                }
+                Shape::Horizontals { at, stroke } => {
+                    for y in at {
+                        self.line(&[(self.x.low(), *y), (self.x.high(), *y)], stroke)?;
+                    }
+                }
+                Shape::Bands { spans, colour } => {
+                    for (from, to) in spans.iter().filter(|(from, to)| from.is_finite() && to.is_finite()) {
+                        let side = |x: f64| x.clamp(self.x.low(), self.x.high());
+                        let corners = [(side(*from), self.y.high()), (side(*to), self.y.low())].map(&self.map);
+                        let style = colour.pen().mix(SHADE).filled();
+                        self.area.draw(&Rectangle::new(corners, style))?;
+                    }
+                }
+                Shape::Marks { marks, marker } => self.marks(marks, marker, &mut room)?,
+            }
+        }
+        let corners = [(left, top), (left + width, top + height)];
+        self.area.draw(&Rectangle::new(corners, BLACK.stroke_width(FRAME)))?;
+        Ok(())
+    }
+
+    /// What labels should not hide: marks, points and lines. Guide lines may be crossed.
+    fn room(&self, panel: &Panel) -> Room {
+        let mut room = Room::new(self.rect);
+        let is_labelled = |mark: &Mark| !mark.label.is_empty();
+        let shapes = || panel.series.iter().map(|series| &series.shape);
+        let labelled = |shape: &Shape| matches!(shape, Shape::Marks { marks, .. } if marks.iter().any(is_labelled));
+        if !shapes().any(labelled) {
+            return room;
+        }
+        for shape in shapes() {
+            match shape {
+                Shape::Marks { marks, marker } => {
+                    let side = marker.size * 1.2 * TENTHS;
+                    room.keep_apart((side / 2.0) as i32 + 5);
+                    let shown = marks.iter().filter(|mark| self.shows(&mark.at));
+                    let around = side as i32 + 2 * NEAR;
+                    shown.for_each(|mark| room.take(Rect::around((self.map)(mark.at), around)));
+                }
+                Shape::Dots { points, .. } => {
+                    let shown = points.iter().filter(|point| self.shows(point));
+                    let known: HashSet<(i32, i32)> = shown.map(|point| (self.map)(*point)).collect();
+                    known.into_iter().for_each(|at| room.take(Rect::around(at, DOT)));
+                }
+                Shape::Line { points, .. } | Shape::Marked { points, .. } => {
+                    for piece in clip::pieces(points, &self.x, &self.y) {
+                        let grid: Vec<(i32, i32)> = piece.into_iter().map(&self.map).collect();
+                        for ends in grid.windows(2) {
+                            along(ends[0], ends[1]).for_each(|at| room.take(Rect::around(at, DOT)));
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        room
+    }
+
+    /// Each point of the grid once.
+    fn dots(&self, points: &[Point], marker: &Marker) -> Drawn {
+        let mut known = HashSet::new();
+        for point in points.iter().filter(|point| self.shows(point)) {
+            let at = (self.map)(*point);
+            if known.insert(at) {
+                marker.draw(self.area, at)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn line(&self, points: &[Point], stroke: &Stroke) -> Drawn {
+        for piece in clip::pieces(points, &self.x, &self.y) {
+            let mut grid: Vec<(i32, i32)> = piece.into_iter().map(&self.map).collect();
+            grid.dedup();
+            line(self.area, stroke, &grid)?;
+        }
+        Ok(())
+    }
+
+    fn marks(&self, marks: &[Mark], marker: &Marker, room: &mut Room) -> Drawn {
+        let font: FontDesc = ("sans-serif", LABEL_FONT * TENTHS).into_font();
+        let style = font.color(&BLACK).pos(Pos::new(HPos::Left, VPos::Center));
+        for mark in marks.iter().filter(|mark| self.shows(&mark.at)) {
+            let at = (self.map)(mark.at);
+            marker.draw(self.area, at)?;
+            if mark.label.is_empty() {
+                continue;
+            }
+            let size = [width(&mark.label) * LABEL_FONT + 4.0, LABEL_FONT * 1.2].map(|side| (side * TENTHS) as i32);
+            let place = room.place(at, (size[0], size[1]));
+            let corners = [
+                (place.left, place.top),
+                (place.left + place.width, place.top + place.height),
+            ];
+            self.area.draw(&Rectangle::new(corners, WHITE.mix(0.8).filled()))?;
+            if let Some(ends) = room.leader(&place, at) {
+                self.area
+                    .draw(&PathElement::new(ends.to_vec(), BLACK.stroke_width(LEADER)))?;
+            }
+            self.area
+                .draw_text(&mark.label, &style, (place.left + 20, place.top + place.height / 2))?;
+        }
+        Ok(())
+    }
+
+    fn shows(&self, (x, y): &Point) -> bool {
+        self.x.contains(*x) && self.y.contains(*y)
+    }
+}
+
+/// Points of the grid from one to another, close enough for none to be missed.
+fn along(from: (i32, i32), to: (i32, i32)) -> impl Iterator<Item = (i32, i32)> {
+    let steps = ((to.0 - from.0).abs().max((to.1 - from.1).abs()) / DOT).max(1);
+    (0..=steps).map(move |step| {
+        let at = |from: i32, to: i32| from + (to - from) * step / steps;
+        (at(from.0, to.0), at(from.1, to.1))
+    })
+}

@@ -1,0 +1,234 @@
+//! `plot` as a reader sees it: what stands in each figure, that it is XML, that it is the same each time.
+
+use roxmltree::{Document, Node};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+fn run(arguments: &[&str], threads: &str) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
+    command
+        .args(arguments)
+        .env("RAYON_NUM_THREADS", threads)
+        .stdin(Stdio::null());
+    command.output().unwrap()
+}
+
+/// What `plot` prints for these arguments.
+fn plotted(arguments: &[&str]) -> String {
+    let output = run(&[&["plot"], arguments].concat(), "2");
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {message}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn assert_refused(arguments: &[&str], words: &[&str]) {
+    let output = run(&[&["plot"], arguments].concat(), "2");
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+    assert!(output.stdout.is_empty() && message.starts_with("error: "), "{message}");
+    for word in words {
+        assert!(message.contains(word), "{arguments:?} does not say `{word}`: {message}");
+    }
+}
+
+/// An empty place of its own for each test, removed at its end.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str) -> Self {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("plot-{name}"));
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.0.join(name).to_str().unwrap().to_owned()
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// The text of a figure, which must be XML, in fonts of 11 pixels or more, with no number that is none.
+fn texts(name: &str, svg: &str) -> Vec<String> {
+    let document = Document::parse(svg).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let number = |node: Node, key: &str| node.attribute(key).and_then(|text| text.parse::<f64>().ok());
+    let root = document.root_element();
+    let view: Vec<f64> = root
+        .attribute("viewBox")
+        .unwrap()
+        .split(' ')
+        .map(|side| side.parse().unwrap())
+        .collect();
+    let pixel = view[2] / number(root, "width").unwrap();
+    let fonts: Vec<f64> = document
+        .descendants()
+        .filter_map(|node| number(node, "font-size"))
+        .collect();
+    assert!(fonts.iter().all(|size| size / pixel >= 11.0), "{name}: {fonts:?}");
+    for path in document.descendants().filter_map(|node| node.attribute("d")) {
+        assert!(!path.contains("NaN") && !path.contains("inf"), "{name}");
+    }
+    let nodes = document.descendants().filter(|node| node.has_tag_name("text"));
+    nodes.filter_map(|node| node.text()).map(str::to_owned).collect()
+}
+
+fn assert_says(name: &str, texts: &[String], wanted: &[&str]) {
+    for wanted in wanted {
+        assert!(
+            texts.iter().any(|text| text.contains(wanted)),
+            "{name} does not say `{wanted}`: {texts:#?}"
+        );
+    }
+}
+
+const ENERGY: [&str; 8] = [
+    "Impact velocity",
+    "Output voltage",
+    "gap d",
+    "velocity before impact",
+    "output voltage  [kV]",
+    "simulated, bottom",
+    "simulated, top",
+    "mean voltage",
+];
+
+#[test]
+fn every_figure_of_the_paper_is_drawn_with_all_its_labels_the_same_on_any_number_of_threads() {
+    let scratch = Scratch::new("all");
+    let [one, other] = ["one", "other"].map(|name| scratch.path(name));
+    for (directory, threads) in [(&one, "1"), (&other, "3")] {
+        let output = run(&["plot", "all", "--out", directory, "--format", "csv"], threads);
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{message}");
+        let rows = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(rows.lines().count(), 14, "{rows}");
+        assert!(rows.starts_with("figure,file,bytes\nfig02,"), "{rows}");
+    }
+    for number in 2..=14 {
+        let name = format!("fig{number:02}.svg");
+        let [svg, again] =
+            [&one, &other].map(|directory| fs::read_to_string(Path::new(directory).join(&name)).unwrap());
+        assert_eq!(svg, again, "{name}");
+        assert!(svg.len() < 300_000, "{name}: {}", svg.len());
+        let texts = texts(&name, &svg);
+        assert_says(&name, &texts, &[&format!("Fig. {number}")]);
+        let wanted: &[&str] = match number {
+            2..=10 => &ENERGY,
+            11 => &[
+                "Impact velocity",
+                "Phase of the impacts",
+                "\u{3c6}",
+                "1.21387",
+                "0.922985",
+                "printed: wrong",
+            ],
+            12 | 13 => &[
+                "Phase portrait",
+                "walls",
+                "Capsule and ball",
+                "ball",
+                "time  [\u{3c0}/\u{3c9}]",
+            ],
+            _ => &["mean output voltage  [kV]", "Fig. 2:", "Fig. 10:"],
+        };
+        assert_says(&name, &texts, wanted);
+    }
+    assert_eq!(fs::read_dir(&one).unwrap().count(), 13);
+}
+
+#[test]
+fn bifurcations_and_printed_points_are_marked_right_and_wrong_apart() {
+    let texts = texts("fig03", &plotted(&["fig03", "--set", "sweep.points=81"]));
+    let wanted = [
+        "BT stable",
+        "BT unstable",
+        "BT through a wall",
+        "grazing",
+        "period doubling",
+        "fold",
+        "printed: reproduced",
+        "printed: rounded",
+        "printed: wrong",
+        "printed as a bifurcation: wrong",
+        "0.701752",
+        "\u{2212}0.555468",
+    ];
+    assert_says("fig03", &texts, &wanted);
+}
+
+#[test]
+fn another_motion_than_the_paper_has_no_printed_points() {
+    let other = texts(
+        "other",
+        &plotted(&["fig03", "--set", "sweep.points=11", "--set", "motion.r_b=0.61"]),
+    );
+    assert!(other.iter().all(|text| !text.contains("printed")), "{other:?}");
+}
+
+#[test]
+fn only_what_is_wanted_is_drawn_and_the_file_is_what_stdout_has() {
+    let scratch = Scratch::new("wanted");
+    let arguments = ["fig02", "--set", "want=['branch']", "--set", "sweep.points=21"];
+    let svg = plotted(&arguments);
+    let texts = texts("branch alone", &svg);
+    assert_says("branch alone", &texts, &["BT stable", "Phase of the impacts"]);
+    assert!(
+        texts
+            .iter()
+            .all(|text| !text.contains("simulated") && !text.contains("voltage")),
+        "{texts:?}"
+    );
+    let file = scratch.path("figure.svg");
+    assert!(plotted(&[&arguments[..], &["--out", &file]].concat()).is_empty());
+    assert_eq!(fs::read_to_string(&file).unwrap(), svg);
+}
+
+#[test]
+fn any_parameter_may_be_swept_and_any_word_followed() {
+    let sets = [
+        "sweep.over=r_t",
+        "sweep.from=0.5",
+        "sweep.to=0.3",
+        "sweep.points=11",
+        "words=['BT', 'BTT']",
+        "motion.d=0.26",
+    ];
+    let arguments: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();
+    let svg = plotted(&[&["fig03"], &arguments[..]].concat());
+    assert_says(
+        "r_t",
+        &texts("r_t", &svg),
+        &["restitution of the top, r_T", "BT stable", "BTT stable"],
+    );
+}
+
+#[test]
+fn what_cannot_be_drawn_or_written_is_refused_by_name() {
+    let scratch = Scratch::new("refused");
+    let file = scratch.path("file");
+    fs::write(&file, "mine").unwrap();
+    assert_refused(&["all"], &["--out DIR"]);
+    assert_refused(&["all", "--out", &file], &[&file, "creating the directory"]);
+    assert_refused(
+        &["all", "--out", &scratch.path("new"), "--set", "motion.d=-1"],
+        &["motion.d"],
+    );
+    assert!(!Path::new(&scratch.path("new")).exists());
+    assert_refused(&["fig99"], &["fig99"]);
+    assert_refused(
+        &["fig02", "--set", "want=['orbits']"],
+        &["fig02", "branch, sweep, voltage or trajectory"],
+    );
+    assert_refused(
+        &["fig12", "--out", &scratch.path("none/figure.svg")],
+        &["there is no directory"],
+    );
+    assert_refused(&["fig11", "--set", "sweep.points=0"], &["sweep.points"]);
+    assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
+}
