@@ -327,7 +327,7 @@ fn reference_files_are_read_as_strictly() {
         ),
         (
             format!("{header}\na,scenes/own.toml,,motion.g.max,1,x,y\n"),
-            "without .min or .max",
+            "without .min, .max",
         ),
     ] {
         golden.write("reference/device.csv", text);

@@ -187,3 +187,60 @@ where
         cells
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::find;
+
+    fn scene(name: &str, sets: &[&str]) -> Scene {
+        let mut scene = Scene::read(find(name).unwrap(), name).unwrap();
+        for set in sets {
+            scene.set(set).unwrap();
+        }
+        scene
+    }
+
+    /// The numbers of the first row of a column.
+    fn numbers(table: &Table, column: &str) -> Vec<Wide<DIGITS>> {
+        let index = table.position(column).unwrap();
+        let text = table.rows()[0][index].plain().into_owned();
+        text.split(';').map(|number| Wide::parse(number).unwrap()).collect()
+    }
+
+    #[test]
+    fn both_means_and_f64_agree_within_the_bound() {
+        let at = ["sweep.from=0.4", "sweep.points=1", "words=['BT']"];
+        let [first, second] = twice(&scene("fig02", &at), Decimals(30)).unwrap();
+        let float = table(&scene("fig02", &at), None).unwrap();
+        for column in ["velocities", "voltages", "mean_voltage", "apart"] {
+            let exact = numbers(&first, column);
+            for (other, bound) in [(&second, 1e-24), (&float, 1e-10)] {
+                for (one, other) in exact.iter().zip(numbers(other, column)) {
+                    assert!((one.clone() - other).to_f64().abs() < bound, "{column}");
+                }
+            }
+        }
+        let [bound] = numbers(&float, "error_bound").try_into().unwrap();
+        let off = numbers(&first, "mean_voltage")[0].clone() - numbers(&float, "mean_voltage")[0].clone();
+        assert!(off.to_f64().abs() <= bound.to_f64() && bound.to_f64() < 1e-9);
+    }
+
+    #[test]
+    fn the_mean_is_that_of_all_impacts_and_apart_that_of_the_walls() {
+        let three = scene("fig03", &["sweep.from=0.25", "sweep.points=1", "words=['BTT']"]);
+        let table = table(&three, None).unwrap();
+        let of = |column: &str| {
+            numbers(&table, column)
+                .iter()
+                .map(Analytic::to_f64)
+                .collect::<Vec<f64>>()
+        };
+        let (voltages, mean) = (of("voltages"), of("mean_voltage")[0]);
+        let [bottom, top] = ["bottom_voltage", "top_voltage"].map(|column| of(column)[0]);
+        assert_eq!(voltages.len(), 3);
+        assert!((voltages.iter().sum::<f64>() / 3.0 - mean).abs() < 1e-9);
+        assert!((voltages[0] - bottom).abs() < 1e-9 && ((voltages[1] + voltages[2]) / 2.0 - top).abs() < 1e-9);
+        assert!((of("apart")[0] - (bottom - top).abs()).abs() < 1e-9);
+    }
+}
