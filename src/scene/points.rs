@@ -2,7 +2,7 @@
 
 use super::sweep::{Begin, Diagram, Sweep};
 use super::{Quantity, Scene, SceneError, Setting, Want};
-use crate::impact::{Event, Growth, Kind, Origin, Start, Widening};
+use crate::impact::{Event, Kind, Origin, Start, Widening};
 use crate::model::{Membrane, Motion};
 use crate::orbit::{Family, Parameters, Settled, lyapunov};
 use rayon::prelude::*;
