@@ -131,7 +131,7 @@ fn the_end_may_be_an_impact() {
 fn what_cannot_be_asked_is_refused() {
     for (arguments, words) in [
         (vec!["fig12", "--samples", "0"], "--samples"),
-        (vec!["fig12", "--until", "-1"], "--until"),
+        (vec!["fig12", "--until=-1"], "--until"),
         (vec!["fig12", "--until", "NaN"], "above 0"),
         (vec!["fig12", "--until", "3", "--impacts", "3"], "--impacts"),
         (vec!["fig12", "--set", "start.velocity=-1"], "start.velocity"),
