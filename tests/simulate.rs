@@ -135,23 +135,23 @@ fn told(motion: &Motion<f64>, start: &Start<f64>, impacts: u64, digits: u32) -> 
     history(motion, start, &extent).expect("a motion")
 }
 
-/// r .4/.5 from .5293 at a gap where it is chaotic.
+/// Errors grow by a digit in two impacts.
 fn chaotic() -> (Motion<f64>, Start<f64>) {
-    (motion(0.12201, 0.3, 0.4, 0.5), start(6.18, 0.5293))
+    (motion(0.12201, 1.7, 0.8, 0.8), start(3.1, 2.0))
 }
 
 #[test]
 fn chaos_is_held_by_wider_numbers_without_being_asked_and_told_as_statistics_beyond_them() {
     let (motion, start) = chaotic();
-    let held = told(&motion, &start, 200, 6);
+    let held = told(&motion, &start, 100, 6);
     assert!(held.rows.iter().all(|row| row.digits >= 6) && held.lost_at.is_none());
     assert!(held.computed_with > 16, "f64 cannot hold it");
-    let lost = told(&motion, &start, 5000, 6);
+    let lost = told(&motion, &start, 1000, 6);
     let from = lost.lost_at.expect("no number holds it for ever");
-    assert!(from > 500, "{from}");
+    assert!(from > 250, "{from}");
     assert!(lost.rows.iter().all(|row| (row.event < from) == (row.digits > 0)));
-    assert_eq!(lost.rows.iter().filter(|row| row.kind == Kind::Impact).count(), 5000);
-    assert!(lost.lyapunov > 0.05, "{}", lost.lyapunov);
+    assert_eq!(lost.rows.iter().filter(|row| row.kind == Kind::Impact).count(), 1000);
+    assert!(lost.lyapunov > 0.2, "{}", lost.lyapunov);
 }
 
 #[test]

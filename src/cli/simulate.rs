@@ -14,7 +14,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     impacts: Option<u64>,
     /// The events up to this time; the period of the forcing is 2
-    #[arg(long, value_name = "T", value_parser = time)]
+    #[arg(long, value_name = "T", value_parser = time, allow_negative_numbers = true)]
     until: Option<f64>,
     /// Only the last so many events
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]

@@ -35,8 +35,8 @@ pub(super) enum Step<T> {
         arrival: Arrival<T>,
         noise: f64,
     },
-    /// A chatter is complete, an angle after `start`.
-    Rest { start: Expansion<T>, angle: T },
+    /// A chatter is complete, an angle after `start`, known by the closed form to an error.
+    Rest { start: Expansion<T>, angle: T, error: f64 },
     /// The ball leaves at a phase that is known by itself.
     Release,
     /// It cannot be told.
@@ -51,6 +51,8 @@ pub(super) struct Course<T> {
     turns: i64,
     /// The angles of the latest flights, by the walls they left and met.
     recent: [[f64; 2]; 2],
+    /// To which error of the phase a chatter is completed in closed form.
+    completing: f64,
 }
 
 impl<T: Analytic> Course<T> {
@@ -65,10 +67,16 @@ impl<T: Analytic> Course<T> {
                 phase,
                 speed,
             },
+            completing: scaled.epsilon,
             scaled: Arc::new(scaled),
             turns,
             recent: [[f64::NAN; 2]; 2],
         }
+    }
+
+    /// Completes a chatter as soon as that leaves no more than this error of the phase, not only at rounding.
+    pub fn complete_to(&mut self, error: f64) {
+        self.completing = error.max(self.scaled.epsilon);
     }
 
     pub fn scaled(&self) -> &Scaled<T> {
@@ -160,7 +168,7 @@ impl<T: Analytic> Course<T> {
         let is_slow = (from.speed.clone() * scaled.inverse_pi.clone()).to_f64() < LISTED;
         if is_slow && flight.start.push.to_f64() > 0.0 {
             let r = scaled.restitution(from.side);
-            if let Some(angle) = chatter::accumulation(&flight.start, r, scaled.epsilon) {
+            if let Some(angle) = chatter::accumulation(&flight.start, r, self.completing) {
                 return Some(self.rest(from, flight.start, angle));
             }
         }
@@ -213,7 +221,11 @@ impl<T: Analytic> Course<T> {
         };
         (
             self.event(Kind::Rest, side, phase, T::zero()),
-            Step::Rest { start, angle },
+            Step::Rest {
+                start,
+                angle,
+                error: self.completing,
+            },
         )
     }
 }

@@ -95,13 +95,14 @@ impl Growth {
                 self.stretch = f64::NEG_INFINITY;
             }
             Step::Undecided => self.lost = true,
-            Step::Rest { start, angle } => {
+            Step::Rest { start, angle, error } => {
                 // the phase of rest alone; what follows does not depend on it
                 let (push, angle) = (start.push.to_f64(), angle.to_f64());
                 let r = scaled.restitution(event.side).to_f64();
                 let by_speed = 2.0 * r / (push * (1.0 - r)) * self.error[1];
                 let by_push = angle * (start.sin.to_f64().abs() / push).min(1e8) * self.error[0];
-                let rounding = own * (TAU + angle);
+                // the push itself has an absolute error
+                let rounding = error + own * (TAU + angle / push);
                 self.error = [self.error[0] + by_speed + by_push + rounding, 0.0];
             }
             Step::Flight {

@@ -166,7 +166,9 @@ impl<P: Parameters, O: Origin> Asked<'_, P, O> {
     fn attempt<T: Analytic, N>(&self, told: &Figures, tell: impl Fn(&T) -> N) -> Result<Attempt<N>, MotionError> {
         let extent = self.extent;
         let start = self.origin.start::<T>();
-        let mut simulation = Simulation::new(&self.motion.motion::<T>()?, &start).with_growth();
+        let completing = 10_f64.powi(-(told.figures.max(extent.digits) as i32) - 2);
+        let simulation = Simulation::new(&self.motion.motion::<T>()?, &start).with_growth();
+        let mut simulation = simulation.completing_to(completing);
         let mut attempt = Attempt {
             history: History {
                 rows: VecDeque::new(),

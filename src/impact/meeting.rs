@@ -36,6 +36,16 @@ impl<T: Analytic> Near<T> {
         step.abs() < REACH && (self.base.is_zero() || angle >= REACH)
     }
 
+    /// The flight a `leap` on from `there`, itself `step` on from here. On from the departure it is seen from there:
+    /// what is small keeps no relative accuracy on its way through what is large.
+    fn moved(&self, there: &Expansion<T>, step: &T, leap: &T, epsilon: f64) -> Expansion<T> {
+        if self.base.is_zero() {
+            self.at(&(step.clone() + leap.clone()), epsilon)
+        } else {
+            there.after(leap, epsilon)
+        }
+    }
+
     fn at(&self, step: &T, epsilon: f64) -> Expansion<T> {
         if step.is_zero() {
             self.about.clone()
@@ -97,7 +107,7 @@ impl<T: Analytic> Meeting<'_, T> {
                 break;
             }
             if inside && is_near {
-                there = there.after(&leap, epsilon);
+                there = near.moved(&there, &step, &leap, epsilon);
                 step += leap;
             } else {
                 let next = if inside { next } else { 0.5 * (low + high) };
