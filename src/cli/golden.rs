@@ -70,7 +70,10 @@ pub fn answer(directory: &Directory, request: &Request, options: &Options) -> Re
         "summary" => sweep::summary(&scene(directory, request)?, options)?,
         "simulate" => simulate::table(&scene(directory, request)?, options)?,
         "trajectory" => trajectory::table(&scene(directory, request)?, options)?,
-        "voltage" => voltages(&scene(directory, request)?, options)?,
+        "voltage" => {
+            let scene = scene(directory, request)?;
+            voltage::table(&scene, options.decimals_for(&scene)?)?
+        }
         command => return Err(no_answer(command)),
     };
     Ok(as_text(&table))
@@ -173,15 +176,6 @@ fn verdicts(directory: &Directory, request: &Request) -> Result<Table, Failure> 
         Content::Rows(rows) => rows.table(),
         Content::Text(_) => Ok(Table::default()),
     }
-}
-
-/// The voltages of the certified orbits, in f64 or in as many digits as the scene asks for.
-fn voltages(scene: &Scene, options: &Options) -> Result<Table, Failure> {
-    let Some(decimals) = options.decimals_for(scene)? else {
-        return voltage::table(scene);
-    };
-    let [first, _] = voltage::twice(scene, decimals)?;
-    Ok(first)
 }
 
 /// The scene's own numbers. What it does not give, such as units without a frequency, stays empty.

@@ -29,27 +29,35 @@ const COLUMNS: [&str; 12] = [
     "error_bound",
 ];
 
-/// The table in f64, from the proved enclosures, with the bound of its errors. Words come in the order of the scene, each
-/// along the whole sweep, and orbits with fewer periods first.
+/// The table, in f64 or in decimals of at most 40 figures, from the proved enclosures, with the bound of its errors. Words
+/// come in the order of the scene, each along the whole sweep, and orbits with fewer periods first.
 ///
 /// # Errors
 /// A scene that lacks `[sweep]`, `[membrane]`, or what its motions and units require.
-pub fn table(scene: &Scene) -> Result<Table, Failure> {
+pub fn table(scene: &Scene, decimals: Option<Decimals>) -> Result<Table, Failure> {
     let mut table = Table::new(COLUMNS);
-    each(scene, &Doubles, |_, voltages, orbit| {
-        Ok(table.push(voltages.row(&orbit, |velocity| Wide::from_f64(*velocity)))?)
-    })?;
+    match decimals {
+        None => each(scene, &Doubles, |_, voltages, orbit| {
+            Ok(table.push(voltages.row(&orbit, |velocity| Wide::from_f64(*velocity)))?)
+        })?,
+        Some(decimals) => each(scene, &decimals, |_, voltages, orbit| {
+            Ok(table.push(voltages.row(&orbit, read))?)
+        })?,
+    }
     Ok(table)
 }
 
-/// The same by two means, in decimals of at most 40 figures: from the proved enclosures, and from the return map; an
-/// orbit that the second means does not reach has no row there.
+fn read(text: &Decimal) -> Wide<DIGITS> {
+    Wide::parse(text.as_str()).unwrap_or(Wide::INVALID)
+}
+
+/// The same by two means, from the proved enclosures and from the return map; an orbit that the second means does not
+/// reach has no row there.
 ///
 /// # Errors
 /// As [`table`].
 pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
     let mut tables = [Table::new(COLUMNS), Table::new(COLUMNS)];
-    let read = |text: &Decimal| Wide::parse(text.as_str()).unwrap_or(Wide::INVALID);
     each(scene, &decimals, |fixed, voltages, orbit| {
         if let Ok(again) = confirmed(fixed, &orbit, decimals) {
             tables[1].push(voltages.row(&again, read))?;
@@ -177,5 +185,63 @@ where
         cells.extend(means.iter().cloned().map(Cell::from));
         cells.push(Cell::from(worst));
         cells
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::find;
+
+    fn scene(name: &str, sets: &[&str]) -> Scene {
+        let mut scene = Scene::read(find(name).unwrap(), name).unwrap();
+        for set in sets {
+            scene.set(set).unwrap();
+        }
+        scene
+    }
+
+    /// The numbers of the first row of a column.
+    fn numbers(table: &Table, column: &str) -> Vec<Wide<DIGITS>> {
+        let index = table.position(column).unwrap();
+        let text = table.rows()[0][index].plain().into_owned();
+        text.split(';').map(|number| Wide::parse(number).unwrap()).collect()
+    }
+
+    #[test]
+    fn both_means_and_f64_agree_within_the_bound() {
+        let at = ["sweep.from=0.4", "sweep.points=1", "words=['BT']"];
+        let [first, second] = twice(&scene("fig02", &at), Decimals(30)).unwrap();
+        let float = table(&scene("fig02", &at), None).unwrap();
+        for column in ["velocities", "voltages", "mean_voltage", "apart"] {
+            let exact = numbers(&first, column);
+            // 5e4 V to 30 figures, of which the enclosure of the velocities takes two
+            for (other, bound) in [(&second, 1e-23), (&float, 1e-10)] {
+                for (one, other) in exact.iter().zip(numbers(other, column)) {
+                    assert!((one.clone() - other).to_f64().abs() < bound, "{column}");
+                }
+            }
+        }
+        let [bound] = numbers(&float, "error_bound").try_into().unwrap();
+        let off = numbers(&first, "mean_voltage")[0].clone() - numbers(&float, "mean_voltage")[0].clone();
+        assert!(off.to_f64().abs() <= bound.to_f64() && bound.to_f64() < 1e-9);
+    }
+
+    #[test]
+    fn the_mean_is_that_of_all_impacts_and_apart_that_of_the_walls() {
+        let three = scene("fig03", &["sweep.from=0.25", "sweep.points=1", "words=['BTT']"]);
+        let table = table(&three, None).unwrap();
+        let of = |column: &str| {
+            numbers(&table, column)
+                .iter()
+                .map(Analytic::to_f64)
+                .collect::<Vec<f64>>()
+        };
+        let (voltages, mean) = (of("voltages"), of("mean_voltage")[0]);
+        let [bottom, top] = ["bottom_voltage", "top_voltage"].map(|column| of(column)[0]);
+        assert_eq!(voltages.len(), 3);
+        assert!((voltages.iter().sum::<f64>() / 3.0 - mean).abs() < 1e-9);
+        assert!((voltages[0] - bottom).abs() < 1e-9 && ((voltages[1] + voltages[2]) / 2.0 - top).abs() < 1e-9);
+        assert!((of("apart")[0] - (bottom - top).abs()).abs() < 1e-9);
     }
 }

@@ -22,6 +22,10 @@ const BUILT_IN: &[(&str, &str)] = &[
         "reference/orbits.csv",
         include_str!("../../golden/paper/reference/orbits.csv"),
     ),
+    (
+        "reference/sweeps.csv",
+        include_str!("../../golden/paper/reference/sweeps.csv"),
+    ),
     ("equations.toml", include_str!("../../golden/paper/equations.toml")),
 ];
 
