@@ -13,8 +13,8 @@ use std::sync::Arc;
 /// Where the ball is.
 #[derive(Clone, Debug)]
 enum Place<T> {
-    /// About to make the impact that the motion starts with, at this speed.
-    Beginning { side: Side, phase: T, speed: T },
+    /// About to make the impact that the motion starts with.
+    Beginning { side: Side, phase: T, velocity: T },
     /// Leaving a wall.
     Leaving(Departure<T>),
     /// At rest on a wall since this phase.
@@ -55,14 +55,13 @@ pub(super) struct Course<T> {
 impl<T: Analytic> Course<T> {
     pub fn new(motion: &Motion<T>, start: &Start<T>) -> Self {
         let scaled = Scaled::new(motion);
-        let speed = start.side.signed(start.velocity.clone()) * scaled.pi.clone();
         // the turns of the start, so that times count from it as it is given
         let (phase, turns) = reduced(&scaled, start.phase.clone());
         let ball = Ball {
             place: Place::Beginning {
                 side: start.side,
                 phase,
-                speed,
+                velocity: start.velocity.clone(),
             },
             turns,
             latest: [[f64::NAN; 2]; 2],
@@ -166,16 +165,20 @@ impl<T: Analytic> Ball<T> {
                         self.place = Place::Ended;
                         None
                     }
-                    Err(Stop::Undecided(side)) => {
-                        let event = self.event(Kind::Undecided, side, from.phase.clone(), T::zero());
+                    Err(Stop::Undecided { wall, angle }) => {
+                        let (phase, turns) = reduced(scaled, from.phase.clone() + T::from_f64(angle));
+                        let event = self.event(Kind::Undecided, wall, phase, T::zero()).later(turns);
                         witness(&event, Step::Undecided);
                         self.place = Place::Ended;
                         Some(event)
                     }
                 }
             }
-            Place::Beginning { side, phase, speed } => {
-                let (event, next) = self.impact(scaled, *side, phase.clone(), speed.clone());
+            Place::Beginning { side, phase, velocity } => {
+                let speed = side.signed(velocity.clone()) * scaled.pi.clone();
+                let (mut event, next) = self.impact(scaled, *side, phase.clone(), speed);
+                // as it was given, not there and back through pi
+                event.velocity = velocity.clone();
                 witness(&event, Step::Start);
                 self.place = Place::Leaving(next);
                 Some(event)
@@ -207,10 +210,13 @@ impl<T: Analytic> Ball<T> {
     #[inline]
     fn completion(&self, flight: &Flight<T>) -> Option<T> {
         let speed = flight.start.w.to_f64() * std::f64::consts::FRAC_1_PI;
-        if speed >= LISTED || flight.start.push.to_f64() <= 0.0 {
+        if speed >= LISTED {
             return None;
         }
         let r = flight.scaled.restitution(flight.from.side);
+        if flight.starts_at_rest() {
+            return Some(T::zero());
+        }
         chatter::accumulation(&flight.start, r, self.completing)
     }
 

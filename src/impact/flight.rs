@@ -31,10 +31,10 @@ pub(super) struct Arrival<T> {
 }
 
 /// Why a flight has no end.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Stop {
-    /// Rounding hides whether the ball touches this wall.
-    Undecided(Side),
+    /// Rounding hides whether the ball touches this wall, about so far after the departure.
+    Undecided { wall: Side, angle: f64 },
     /// The ball meets no wall any more.
     Unending,
 }
@@ -124,6 +124,14 @@ impl<'a, T: Analytic> Flight<'a, T> {
             }
         }
         Err(Stop::Unending)
+    }
+
+    /// Whether a ball without velocity stays: f + g presses it to the wall, or, 0 as far as rounding can tell, is about to.
+    pub fn starts_at_rest(&self) -> bool {
+        let start = &self.start;
+        let push = start.push.to_f64();
+        let turns_to_press = push.abs() <= 4.0 * self.scaled.epsilon && start.sin.to_f64() < 0.0;
+        start.w.is_zero() && !self.from.released && (push > 0.0 || turns_to_press)
     }
 
     /// The distance from a wall, seen from the one that was left.
@@ -264,7 +272,7 @@ impl<'a, T: Analytic> Flight<'a, T> {
             return Ok(Dip::Clear(bottom));
         }
         if bottom >= -noise {
-            return Err(Stop::Undecided(wall));
+            return Err(Stop::Undecided { wall, angle });
         }
         Ok(Dip::Meets(Stretch {
             wall,

@@ -143,7 +143,8 @@ impl<T: Analytic> Iterator for Simulation<T> {
             return Some(event);
         }
         // the start impact is a row, however slow
-        if self.exhaustive || is_start {
+        let never_completes = self.course.scaled().restitution(event.side).is_one();
+        if self.exhaustive || is_start || never_completes {
             return Some(event);
         }
         match self.completion(&event) {
@@ -329,6 +330,34 @@ mod tests {
         let list = events(&motion(g, 0.5, 0.6, 0.6), &start(2.5, 0.0), 2);
         assert_eq!(list[1].kind, Kind::Impact);
         assert!(list[1].time(&2.5) > 0.1);
+    }
+
+    #[test]
+    fn at_the_very_zero_of_f_plus_g_a_ball_at_rest_stays_where_pressing_begins() {
+        // cos = -g, and f + g rises through 0 there
+        let phase = 4.0 * PI / 3.0;
+        for r in [0.5, 0.99, 1.0] {
+            let list = events(&motion(0.5, 0.3, r, r), &start(phase, 0.0), 3);
+            let kinds: Vec<Kind> = list.iter().map(|event| event.kind).collect();
+            assert_eq!(kinds, [Kind::Impact, Kind::Rest, Kind::Release], "{r}");
+            assert_eq!(list[1].phase, phase);
+        }
+    }
+
+    #[test]
+    fn without_loss_the_slowest_impacts_are_listed_as_they_come() {
+        let list = events(&motion(0.5, 0.3, 1.0, 1.0), &start(0.5, 1e-9), 5);
+        assert!(list.len() == 5 && list.iter().all(|event| event.kind == Kind::Impact));
+    }
+
+    #[test]
+    fn the_start_is_listed_as_it_was_given() {
+        for velocity in [1e-10, 1e-7, 0.1, 67.0] {
+            assert_eq!(
+                events(&motion(0.1, 0.3, 0.5, 0.5), &start(6.18, velocity), 1)[0].velocity,
+                velocity
+            );
+        }
     }
 
     #[test]

@@ -15,6 +15,10 @@ pub const LONGEST_WORD: usize = 60;
 /// so that they are taken for one only where the parameter is within some 1e-18 of the bifurcation.
 pub const SETTLED: f64 = 1e-9;
 
+/// Cycles that differ by less are one that is still settling, not two that a period doubling has parted: the parts lie
+/// as far from each other as the square root of the distance from the bifurcation, so this one is some 1e-12 wide.
+const UNPARTED: f64 = 1e-6;
+
 /// A motion that repeats itself, or rests for ever.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Attractor {
@@ -96,22 +100,31 @@ impl Attractor {
 }
 
 /// The shortest cycle that the letters end with, and its turns.
+///
+/// A motion that comes in turning over at each cycle, with a multiplier near -1, agrees over two cycles before it does
+/// over one: so a part of a cycle that repeats to [`UNPARTED`] is the cycle.
 fn repeated(letters: &[Letter]) -> Option<(&[Letter], i64)> {
     let longest = LONGEST_WORD.min(letters.len() / 2);
-    (1..=longest).find_map(|length| {
-        let cycle = &letters[letters.len() - length..];
-        let scale = cycle.iter().map(|letter| letter.speed).fold(0.0, f64::max);
-        let repeats = if cycle.iter().any(|letter| letter.rests) { 1 } else { 2 };
-        let needed = (repeats + 1) * length;
-        let compared = &letters[letters.len().checked_sub(needed)?..];
-        let mut turns = compared[length..]
-            .iter()
-            .zip(compared)
-            .rev()
-            .map(|(letter, before)| letter.turns_since(before, scale));
-        let first = turns.next()??;
-        (first > 0 && turns.all(|other| other == Some(first))).then_some((cycle, first))
-    })
+    let (length, found) = (1..=longest).find_map(|length| Some((length, repeated_by(letters, length, SETTLED)?)))?;
+    let parts = (1..length).filter(|part| length % part == 0);
+    let part = parts.filter_map(|part| repeated_by(letters, part, UNPARTED)).next();
+    Some(part.unwrap_or(found))
+}
+
+/// The last so many letters and their turns, where those before are the same to a tolerance.
+fn repeated_by(letters: &[Letter], length: usize, tolerance: f64) -> Option<(&[Letter], i64)> {
+    let cycle = &letters[letters.len() - length..];
+    let scale = cycle.iter().map(|letter| letter.speed).fold(0.0, f64::max);
+    let repeats = if cycle.iter().any(|letter| letter.rests) { 1 } else { 2 };
+    let needed = (repeats + 1) * length;
+    let compared = &letters[letters.len().checked_sub(needed)?..];
+    let mut turns = compared[length..]
+        .iter()
+        .zip(compared)
+        .rev()
+        .map(|(letter, before)| letter.turns_since(before, scale, tolerance));
+    let first = turns.next()??;
+    (first > 0 && turns.all(|other| other == Some(first))).then_some((cycle, first))
 }
 
 /// Where the word of a cycle starts. Of starts that are equally fast, the one whose word comes first in the alphabet.
@@ -175,6 +188,25 @@ mod tests {
 
     fn word(text: &str, periods: i64, impacts: usize) -> Option<(String, Option<i64>, usize)> {
         Some((text.to_owned(), Some(periods), impacts))
+    }
+
+    #[test]
+    fn a_motion_that_turns_over_as_it_settles_has_not_doubled() {
+        let turning = |index: usize, size: f64| if index % 2 == 0 { size } else { -size };
+        let motion = |sizes: &dyn Fn(usize) -> f64| -> Vec<Event<f64>> {
+            (0..60)
+                .flat_map(|index| {
+                    let apart = turning(index, sizes(index));
+                    [('B', index as f64 + 0.2, 0.7 + apart), ('T', index as f64 + 0.7, 0.5)]
+                })
+                .map(impact)
+                .collect()
+        };
+        assert_eq!(
+            found(&motion(&|index| 1e-8 * 0.97_f64.powi(index as i32))),
+            word("BT", 1, 2)
+        );
+        assert_eq!(found(&motion(&|_| 1e-5)), word("BTBT", 2, 4));
     }
 
     #[test]

@@ -1,6 +1,5 @@
 //! What a simulated motion is spelled with: impacts, and chatters that come to rest.
 
-use super::attractor::SETTLED;
 use crate::impact::{Event, Kind};
 use crate::model::Side;
 use std::f64::consts::TAU;
@@ -32,14 +31,15 @@ impl Letter {
         }
     }
 
-    /// The whole turns from `before` to here, where this is the same event again to [`SETTLED`].
-    pub fn turns_since(&self, before: &Self, scale: f64) -> Option<i64> {
+    /// The whole turns from `before` to here, where this is the same event again to a tolerance: of the phase, rad, and
+    /// of the speed as a part of `scale`.
+    pub fn turns_since(&self, before: &Self, scale: f64, tolerance: f64) -> Option<i64> {
         let apart = self.phase - before.phase;
         let wrapped = (apart / TAU).round();
         let same = self.side == before.side
             && self.rests == before.rests
-            && (apart - wrapped * TAU).abs() <= SETTLED
-            && (self.speed - before.speed).abs() <= SETTLED * scale;
+            && (apart - wrapped * TAU).abs() <= tolerance
+            && (self.speed - before.speed).abs() <= tolerance * scale;
         // the phases are in [0, 2 pi): wrapped is -1, 0 or 1
         same.then_some(self.turns - before.turns + wrapped as i64)
     }
