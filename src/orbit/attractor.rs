@@ -192,7 +192,7 @@ mod tests {
 
     #[test]
     fn a_motion_that_turns_over_as_it_settles_has_not_doubled() {
-        let turning = |index: usize, size: f64| if index % 2 == 0 { size } else { -size };
+        let turning = |index: usize, size: f64| if index.is_multiple_of(2) { size } else { -size };
         let motion = |sizes: &dyn Fn(usize) -> f64| -> Vec<Event<f64>> {
             (0..60)
                 .flat_map(|index| {
