@@ -24,19 +24,21 @@ enum Place<T> {
 }
 
 /// A step, with what the growth of errors needs.
-#[derive(Clone, Debug)]
-pub(super) enum Step<T> {
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Step<'a, T> {
     /// The impact that the motion starts with.
     Start,
     /// A flight, and the impact that ends it.
     Flight {
-        from: Side,
-        start: Expansion<T>,
-        arrival: Arrival<T>,
-        noise: f64,
+        flight: &'a Flight<'a, T>,
+        arrival: &'a Arrival<T>,
     },
     /// A chatter is complete, an angle after `start`, known by the closed form to an error.
-    Rest { start: Expansion<T>, angle: T, error: f64 },
+    Rest {
+        start: &'a Expansion<T>,
+        angle: &'a T,
+        error: f64,
+    },
     /// The ball leaves at a phase that is known by itself.
     Release,
     /// It cannot be told.
@@ -47,12 +49,7 @@ pub(super) enum Step<T> {
 #[derive(Clone, Debug)]
 pub(super) struct Course<T> {
     scaled: Arc<Scaled<T>>,
-    place: Place<T>,
-    turns: i64,
-    /// The angles of the latest flights, by the walls they left and met.
-    recent: [[f64; 2]; 2],
-    /// To which error of the phase a chatter is completed in closed form.
-    completing: f64,
+    ball: Ball<T>,
 }
 
 impl<T: Analytic> Course<T> {
@@ -61,22 +58,26 @@ impl<T: Analytic> Course<T> {
         let speed = start.side.signed(start.velocity.clone()) * scaled.pi.clone();
         // the turns of the start, so that times count from it as it is given
         let (phase, turns) = reduced(&scaled, start.phase.clone());
-        Self {
+        let ball = Ball {
             place: Place::Beginning {
                 side: start.side,
                 phase,
                 speed,
             },
-            completing: scaled.epsilon,
-            scaled: Arc::new(scaled),
             turns,
+            latest: [[f64::NAN; 2]; 2],
             recent: [[f64::NAN; 2]; 2],
+            completing: scaled.epsilon,
+        };
+        Self {
+            scaled: Arc::new(scaled),
+            ball,
         }
     }
 
     /// Completes a chatter as soon as that leaves no more than this error of the phase, not only at rounding.
     pub fn complete_to(&mut self, error: f64) {
-        self.completing = error.max(self.scaled.epsilon);
+        self.ball.completing = error.max(self.scaled.epsilon);
     }
 
     pub fn scaled(&self) -> &Scaled<T> {
@@ -85,12 +86,38 @@ impl<T: Analytic> Course<T> {
 
     /// Goes on after `event`.
     pub fn resume(&mut self, event: &Event<T>) {
+        self.ball.resume(&self.scaled, event);
+    }
+
+    /// What happens next, shown to a witness with the step that led there; `None` where nothing does any more.
+    #[inline]
+    pub fn advance(&mut self, witness: impl FnOnce(&Event<T>, Step<T>)) -> Option<Event<T>> {
+        self.ball.advance(&self.scaled, witness)
+    }
+}
+
+/// The ball on its way.
+#[derive(Clone, Debug)]
+struct Ball<T> {
+    place: Place<T>,
+    turns: i64,
+    /// The angles of the latest flights, by the walls they left and met.
+    latest: [[f64; 2]; 2],
+    /// The same where they hardly changed from one such flight to the next, else NaN.
+    recent: [[f64; 2]; 2],
+    /// To which error of the phase a chatter is completed in closed form.
+    completing: f64,
+}
+
+impl<T: Analytic> Ball<T> {
+    fn resume(&mut self, scaled: &Scaled<T>, event: &Event<T>) {
         let (side, phase) = (event.side, event.phase.clone());
         self.turns = event.turns;
         match event.kind {
             Kind::Impact => {
-                let speed = side.signed(event.velocity.clone()) * self.scaled.pi.clone();
-                self.impact(side, phase, speed);
+                let speed = side.signed(event.velocity.clone()) * scaled.pi.clone();
+                let (_, next) = self.impact(scaled, side, phase, speed);
+                self.place = Place::Leaving(next);
             }
             Kind::Rest => self.place = Place::Resting { side, since: phase },
             Kind::Release => self.release(side, phase),
@@ -111,43 +138,118 @@ impl<T: Analytic> Course<T> {
         });
     }
 
-    /// What happens next; `None` where nothing does any more.
-    pub fn advance(&mut self) -> Option<(Event<T>, Step<T>)> {
-        match std::mem::replace(&mut self.place, Place::Ended) {
-            Place::Beginning { side, phase, speed } => Some((self.impact(side, phase, speed), Step::Start)),
-            Place::Leaving(from) => self.leave(&from),
+    #[inline]
+    fn advance(&mut self, scaled: &Scaled<T>, witness: impl FnOnce(&Event<T>, Step<T>)) -> Option<Event<T>> {
+        match &self.place {
+            Place::Leaving(from) => {
+                let flight = Flight::new(scaled, from);
+                if let Some(angle) = self.completion(&flight) {
+                    let (phase, turns) = reduced(scaled, from.phase.clone() + angle.clone());
+                    let event = self.event(Kind::Rest, from.side, phase, T::zero()).later(turns);
+                    let (start, error) = (&flight.start, self.completing);
+                    let angle = &angle;
+                    witness(&event, Step::Rest { start, angle, error });
+                    return Some(self.rest(event));
+                }
+                match flight.arrival(&self.recent) {
+                    Ok(arrival) => {
+                        let (event, next) = self.arrive(&flight, &arrival);
+                        let (walls, angle) = ((from.side, arrival.side), arrival.angle.to_f64());
+                        let (flight, arrival) = (&flight, &arrival);
+                        witness(&event, Step::Flight { flight, arrival });
+                        self.remember(walls, angle);
+                        self.turns = event.turns;
+                        self.place = Place::Leaving(next);
+                        Some(event)
+                    }
+                    Err(Stop::Unending) => {
+                        self.place = Place::Ended;
+                        None
+                    }
+                    Err(Stop::Undecided(side)) => {
+                        let event = self.event(Kind::Undecided, side, from.phase.clone(), T::zero());
+                        witness(&event, Step::Undecided);
+                        self.place = Place::Ended;
+                        Some(event)
+                    }
+                }
+            }
+            Place::Beginning { side, phase, speed } => {
+                let (event, next) = self.impact(scaled, *side, phase.clone(), speed.clone());
+                witness(&event, Step::Start);
+                self.place = Place::Leaving(next);
+                Some(event)
+            }
             Place::Resting { side, since } => {
-                let phase = self.scaled.release(side)?;
-                if (phase.clone() - since).to_f64() < 0.0 {
+                let (side, phase) = (*side, scaled.release(*side)?);
+                if (phase.clone() - since.clone()).to_f64() < 0.0 {
                     self.turns += 1;
                 }
-                self.release(side, phase.clone());
-                Some((self.event(Kind::Release, side, phase, T::zero()), Step::Release))
+                let event = self.event(Kind::Release, side, phase, T::zero());
+                witness(&event, Step::Release);
+                self.release(side, event.phase.clone());
+                Some(event)
             }
             Place::Ended => None,
         }
     }
 
+    /// A motion that has settled repeats its flights: the next angle is known then but for rounding.
+    #[inline]
+    fn remember(&mut self, (from, to): (Side, Side), angle: f64) {
+        let latest = &mut self.latest[from as usize][to as usize];
+        let is_settled = (angle - *latest).abs() < SETTLED;
+        *latest = angle;
+        self.recent[from as usize][to as usize] = if is_settled { angle } else { f64::NAN };
+    }
+
+    /// The angle after which the chatter that `flight` is part of is complete, where that is known.
+    #[inline]
+    fn completion(&self, flight: &Flight<T>) -> Option<T> {
+        let speed = flight.start.w.to_f64() * std::f64::consts::FRAC_1_PI;
+        if speed >= LISTED || flight.start.push.to_f64() <= 0.0 {
+            return None;
+        }
+        let r = flight.scaled.restitution(flight.from.side);
+        chatter::accumulation(&flight.start, r, self.completing)
+    }
+
+    fn rest(&mut self, event: Event<T>) -> Event<T> {
+        self.turns = event.turns;
+        self.place = Place::Resting {
+            side: event.side,
+            since: event.phase.clone(),
+        };
+        event
+    }
+
     /// An impact at a phase with a speed towards the wall, and the departure after it.
-    fn impact(&mut self, side: Side, phase: T, speed: T) -> Event<T> {
+    fn impact(&self, scaled: &Scaled<T>, side: Side, phase: T, speed: T) -> (Event<T>, Departure<T>) {
         let (sin, cos) = phase.sincos();
-        self.rebound(side, phase, sin, cos, speed)
+        self.rebound(scaled, side, phase, [sin, cos], speed)
     }
 
     #[inline]
-    fn rebound(&mut self, side: Side, phase: T, sin: T, cos: T, speed: T) -> Event<T> {
-        let velocity = side.signed(speed.clone() * self.scaled.inverse_pi.clone());
+    fn rebound(
+        &self,
+        scaled: &Scaled<T>,
+        side: Side,
+        phase: T,
+        [sin, cos]: [T; 2],
+        speed: T,
+    ) -> (Event<T>, Departure<T>) {
+        let velocity = side.signed(speed.clone() * scaled.inverse_pi.clone());
         let event = self.event(Kind::Impact, side, phase.clone(), velocity);
-        let speed = self.scaled.restitution(side).clone() * speed;
-        self.place = Place::Leaving(Departure {
+        let speed = scaled.restitution(side).clone() * speed;
+        let next = Departure {
             side,
             phase,
             sin,
             cos,
             speed,
             released: false,
-        });
-        event
+        };
+        (event, next)
     }
 
     fn event(&self, kind: Kind, side: Side, phase: T, velocity: T) -> Event<T> {
@@ -160,80 +262,35 @@ impl<T: Analytic> Course<T> {
         }
     }
 
-    /// The flight from a wall, or the rest that a complete chatter on it ends with.
     #[inline]
-    fn leave(&mut self, from: &Departure<T>) -> Option<(Event<T>, Step<T>)> {
-        let scaled = Arc::clone(&self.scaled);
-        let flight = Flight::new(&scaled, from);
-        let is_slow = (from.speed.clone() * scaled.inverse_pi.clone()).to_f64() < LISTED;
-        if is_slow && flight.start.push.to_f64() > 0.0 {
-            let r = scaled.restitution(from.side);
-            if let Some(angle) = chatter::accumulation(&flight.start, r, self.completing) {
-                return Some(self.rest(from, flight.start, angle));
-            }
-        }
-        match flight.arrival(&self.recent) {
-            Ok(arrival) => Some(self.arrive(&flight, arrival)),
-            Err(Stop::Unending) => None,
-            Err(Stop::Undecided(side)) => {
-                let event = self.event(Kind::Undecided, side, from.phase.clone(), T::zero());
-                Some((event, Step::Undecided))
-            }
-        }
-    }
-
-    #[inline]
-    fn arrive(&mut self, flight: &Flight<T>, arrival: Arrival<T>) -> (Event<T>, Step<T>) {
+    fn arrive(&self, flight: &Flight<T>, arrival: &Arrival<T>) -> (Event<T>, Departure<T>) {
         let scaled = flight.scaled;
         let from = flight.from.side;
         let side = arrival.side;
-        let angle = arrival.angle.to_f64();
-        self.recent[from as usize][side as usize] = angle;
         let (phase, turns) = reduced(scaled, flight.from.phase.clone() + arrival.angle.clone());
-        self.turns += turns;
         let speed = flight.approach(side, &arrival.there);
-        let event = if angle < super::swing::REACH {
+        let (event, next) = if arrival.angle.to_f64() < super::swing::REACH {
             // expanded about the departure: rounding errors of sine and cosine would add up
-            self.impact(side, phase, speed)
+            self.impact(scaled, side, phase, speed)
         } else {
             let [sin, cos] = [&arrival.there.sin, &arrival.there.cos].map(|value| from.signed(value.clone()));
-            self.rebound(side, phase, sin, cos, speed)
+            self.rebound(scaled, side, phase, [sin, cos], speed)
         };
-        let noise = flight.noise(angle);
-        (
-            event,
-            Step::Flight {
-                from,
-                start: flight.start.clone(),
-                arrival,
-                noise,
-            },
-        )
-    }
-
-    fn rest(&mut self, from: &Departure<T>, start: Expansion<T>, angle: T) -> (Event<T>, Step<T>) {
-        let side = from.side;
-        let (phase, turns) = reduced(&self.scaled, from.phase.clone() + angle.clone());
-        self.turns += turns;
-        self.place = Place::Resting {
-            side,
-            since: phase.clone(),
-        };
-        (
-            self.event(Kind::Rest, side, phase, T::zero()),
-            Step::Rest {
-                start,
-                angle,
-                error: self.completing,
-            },
-        )
+        (event.later(turns), next)
     }
 }
+
+/// Flights between the same walls whose angles differ by less propose each other: closer than the cubic of a stretch
+/// comes to the contact.
+const SETTLED: f64 = 0.03;
+
+/// 1 / (2 pi).
+const TURN: f64 = 0.5 * std::f64::consts::FRAC_1_PI;
 
 /// A phase in [0, 2 pi), and the turns taken off it.
 #[inline]
 fn reduced<T: Analytic>(scaled: &Scaled<T>, phase: T) -> (T, i64) {
-    let mut turns = (phase.to_f64() / std::f64::consts::TAU).floor() as i64;
+    let mut turns = (phase.to_f64() * TURN).floor() as i64;
     let mut phase = if turns == 0 {
         phase
     } else {

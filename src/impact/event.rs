@@ -52,7 +52,13 @@ pub struct Event<T> {
     pub velocity: T,
 }
 
-impl<T: Analytic> Event<T> {
+impl<T> Event<T> {
+    /// The same, so many turns later.
+    pub(super) fn later(mut self, turns: i64) -> Self {
+        self.turns += turns;
+        self
+    }
+
     /// The same event over another number.
     pub fn convert<U>(&self, convert: impl Fn(&T) -> U) -> Event<U> {
         Event {
@@ -63,7 +69,9 @@ impl<T: Analytic> Event<T> {
             velocity: convert(&self.velocity),
         }
     }
+}
 
+impl<T: Analytic> Event<T> {
     /// The time since the start, of phase `start` as it was given; the period of the forcing is 2.
     pub fn time(&self, start: &T) -> T {
         T::from_integer(2 * self.turns) + (self.phase.clone() - start.clone()) / T::pi()

@@ -40,6 +40,7 @@ pub(super) enum Stop {
 }
 
 /// A flight: where it starts, and the walls as seen from there.
+#[derive(Debug)]
 pub(super) struct Flight<'a, T> {
     pub scaled: &'a Scaled<T>,
     pub from: &'a Departure<T>,
@@ -75,6 +76,17 @@ impl<'a, T: Analytic> Flight<'a, T> {
     /// The next contact. `recent` proposes the angle at which a flight between the two walls ends.
     #[inline]
     pub fn arrival(&self, recent: &[[f64; 2]; 2]) -> Result<Arrival<T>, Stop> {
+        let meeting = Meeting {
+            flight: self,
+            recent: recent[self.from.side as usize],
+        };
+        let (stretch, clearance) = self.contact(&meeting)?;
+        Ok(meeting.arrival(&stretch, clearance))
+    }
+
+    /// Between which angles the ball meets which wall, and the least distance of its dips before.
+    #[inline]
+    fn contact(&self, meeting: &Meeting<T>) -> Result<(Stretch, f64), Stop> {
         let mut low = End {
             angle: T::zero(),
             there: self.start.clone(),
@@ -89,27 +101,12 @@ impl<'a, T: Analytic> Flight<'a, T> {
             } else {
                 (near.opposite(), near)
             };
-            let meeting = Meeting {
-                flight: self,
-                recent: recent[near as usize],
-            };
-            let dip = self.dip(&meeting, other, [&low, &high])?;
-            if let Some(angle) = dip.until {
-                let stretch = Stretch {
-                    wall: other,
-                    low: low.angle.to_f64(),
-                    high: angle,
-                };
-                return Ok(meeting.arrival(&stretch, clearance));
+            match self.dip(meeting, other, [&low, &high])? {
+                Dip::Meets(stretch) => return Ok((stretch, clearance)),
+                Dip::Clear(by) => clearance = clearance.min(by),
             }
-            clearance = clearance.min(dip.clearance);
             if self.distance(pressing, &high.there).to_f64() <= 0.0 {
-                let stretch = Stretch {
-                    wall: pressing,
-                    low: low.angle.to_f64(),
-                    high: high.angle.to_f64(),
-                };
-                return Ok(meeting.arrival(&stretch, clearance));
+                return Ok((self.stretch(pressing, [&low, &high]), clearance));
             }
             let next = self.following(&zero);
             low = high;
@@ -241,51 +238,53 @@ impl<'a, T: Analytic> Flight<'a, T> {
 
     /// Whether the ball dips into `wall` between two ends, away from which f + g pulls it there.
     #[inline]
-    fn dip(&self, meeting: &Meeting<T>, wall: Side, [low, high]: [&End<T>; 2]) -> Result<Dip, Stop> {
-        let [before, after] = [low, high].map(|end| self.approach(wall, &end.there).to_f64());
-        if before <= 0.0 {
-            return Ok(Dip {
-                until: None,
-                clearance: f64::INFINITY,
-            });
+    fn dip(&self, meeting: &Meeting<T>, wall: Side, ends: [&End<T>; 2]) -> Result<Dip, Stop> {
+        let Stretch {
+            low,
+            high,
+            distances: [near, far],
+            approaches: [before, after],
+            ..
+        } = self.stretch(wall, ends);
+        let is_towards = before > 0.0;
+        if is_towards && far <= 0.0 {
+            return Ok(Dip::Meets(self.stretch(wall, ends)));
         }
-        let [near, far] = [low, high].map(|end| self.distance(wall, &end.there).to_f64());
-        if far <= 0.0 {
-            return Ok(Dip {
-                until: Some(high.angle.to_f64()),
-                clearance: 0.0,
-            });
-        }
-        if after >= 0.0 {
-            return Ok(Dip {
-                until: None,
-                clearance: f64::INFINITY,
-            });
+        if !is_towards || after >= 0.0 {
+            return Ok(Dip::Clear(f64::INFINITY));
         }
         // the tangents at both ends meet below the bottom of the dip
-        let length = (high.angle.clone() - low.angle.clone()).to_f64();
-        let bound = near - before * (near - far - after * length) / (before - after);
-        let noise = self.noise(high.angle.to_f64());
-        if bound > noise {
-            return Ok(Dip {
-                until: None,
-                clearance: bound,
-            });
+        let bound = near - before * (near - far - after * (high - low)) / (before - after);
+        if bound > self.noise(high) {
+            return Ok(Dip::Clear(bound));
         }
-        let (angle, bottom) = meeting.bottom(wall, low.angle.to_f64(), high.angle.to_f64());
+        let (angle, bottom) = meeting.bottom(wall, low, high);
         let noise = self.noise(angle);
         if bottom > noise {
-            Ok(Dip {
-                until: None,
-                clearance: bottom,
-            })
-        } else if bottom < -noise {
-            Ok(Dip {
-                until: Some(angle),
-                clearance: -bottom,
-            })
-        } else {
-            Err(Stop::Undecided(wall))
+            return Ok(Dip::Clear(bottom));
+        }
+        if bottom >= -noise {
+            return Err(Stop::Undecided(wall));
+        }
+        Ok(Dip::Meets(Stretch {
+            wall,
+            low,
+            high: angle,
+            distances: [near, bottom],
+            approaches: [before, 0.0],
+        }))
+    }
+
+    /// From one end of a piece to the other, with respect to a wall.
+    #[inline]
+    fn stretch(&self, wall: Side, ends: [&End<T>; 2]) -> Stretch {
+        let [low, high] = ends.map(|end| end.angle.to_f64());
+        Stretch {
+            wall,
+            low,
+            high,
+            distances: ends.map(|end| self.distance(wall, &end.there).to_f64()),
+            approaches: ends.map(|end| self.approach(wall, &end.there).to_f64()),
         }
     }
 
@@ -315,10 +314,12 @@ impl<'a, T: Analytic> Flight<'a, T> {
     }
 }
 
-struct Dip {
-    /// The ball meets the wall before this angle.
-    until: Option<f64>,
-    clearance: f64,
+/// What a ball does at a wall that it does not stay at.
+enum Dip {
+    /// It keeps away by at least so much, times pi².
+    Clear(f64),
+    /// It touches.
+    Meets(Stretch),
 }
 
 /// The length of a piece that ends at a zero of this kind.

@@ -2,8 +2,7 @@
 
 use super::course::Step;
 use super::event::Event;
-use super::expansion::Expansion;
-use super::flight::Arrival;
+use super::flight::{Arrival, Flight};
 use super::scaled::Scaled;
 use super::swing::REACH;
 use crate::model::Side;
@@ -31,6 +30,10 @@ pub struct Growth {
     /// The logarithm of the stretch so far.
     stretch: f64,
     epsilon: f64,
+    /// How much g, rounded, moves the phase of a release, where cos = -g: the more the nearer g is to 1.
+    steep: f64,
+    /// Of bottom and top.
+    restitution: [f64; 2],
     lost: bool,
 }
 
@@ -42,6 +45,11 @@ impl Growth {
             error: [0.0; 2],
             stretch: 0.0,
             epsilon: scaled.epsilon,
+            steep: scaled
+                .turn
+                .as_ref()
+                .map_or(0.0, |turn| scaled.g.to_f64().abs() / turn.sin.to_f64()),
+            restitution: [Side::Bottom, Side::Top].map(|side| scaled.restitution(side).to_f64()),
             lost: false,
         }
     }
@@ -79,7 +87,7 @@ impl Growth {
         self.stretch
     }
 
-    pub(super) fn follow<T: Analytic>(&mut self, scaled: &Scaled<T>, event: &Event<T>, step: &Step<T>) {
+    pub(super) fn follow<T: Analytic>(&mut self, event: &Event<T>, step: Step<T>) {
         let own = 4.0 * self.epsilon;
         match step {
             Step::Start => {
@@ -88,31 +96,22 @@ impl Growth {
                 self.restart([own * event.phase.to_f64(), own * speed]);
             }
             Step::Release => {
-                // g, rounded, moves the phase where cos = -g the more the nearer g is to 1
-                let g = scaled.g.to_f64().abs();
-                let steep = scaled.turn.as_ref().map_or(0.0, |turn| g / turn.sin.to_f64());
-                self.restart([own * (TAU + steep), 0.0]);
+                self.restart([own * (TAU + self.steep), 0.0]);
                 self.stretch = f64::NEG_INFINITY;
             }
             Step::Undecided => self.lost = true,
             Step::Rest { start, angle, error } => {
                 // the phase of rest alone; what follows does not depend on it
                 let (push, angle) = (start.push.to_f64(), angle.to_f64());
-                let r = scaled.restitution(event.side).to_f64();
+                let r = self.restitution[event.side as usize];
                 let by_speed = 2.0 * r / (push * (1.0 - r)) * self.error[1];
                 let by_push = angle * (start.sin.to_f64().abs() / push).min(1e8) * self.error[0];
                 // the push itself has an absolute error
                 let rounding = error + own * (TAU + angle / push);
                 self.error = [self.error[0] + by_speed + by_push + rounding, 0.0];
             }
-            Step::Flight {
-                start,
-                arrival,
-                noise,
-                from,
-            } => {
-                let flown = Flown::new(scaled, *from, start, arrival, *noise);
-                self.fly(&flown, arrival.clearance);
+            Step::Flight { flight, arrival } => {
+                self.fly(&Flown::new(flight, arrival), arrival.clearance);
             }
         }
     }
@@ -196,13 +195,9 @@ struct Flown {
 }
 
 impl Flown {
-    fn new<T: Analytic>(
-        scaled: &Scaled<T>,
-        from: Side,
-        start: &Expansion<T>,
-        arrival: &Arrival<T>,
-        noise: f64,
-    ) -> Self {
+    fn new<T: Analytic>(flight: &Flight<T>, arrival: &Arrival<T>) -> Self {
+        let (scaled, start, from) = (flight.scaled, &flight.start, flight.from.side);
+        let noise = flight.noise(arrival.angle.to_f64());
         let there = &arrival.there;
         let [x, w, push, sin, cos] =
             [&arrival.angle, &there.w, &there.push, &there.sin, &there.cos].map(Analytic::to_f64);

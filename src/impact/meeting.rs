@@ -15,11 +15,38 @@ pub(super) struct Meeting<'a, T> {
     pub recent: [f64; 2],
 }
 
-/// Angles between which the ball meets a wall, once: before it, the ball is on this side at `low` and beyond at `high`.
+/// Angles between which the ball meets a wall, once: it is on this side at `low` and beyond at `high`.
 pub(super) struct Stretch {
     pub wall: Side,
     pub low: f64,
     pub high: f64,
+    /// The distances from the wall at both ends, and the rates of approach.
+    pub distances: [f64; 2],
+    pub approaches: [f64; 2],
+}
+
+impl Stretch {
+    /// About where the ball meets the wall: by the cubic through both ends, Newton's method from the end from which it
+    /// does not overshoot.
+    fn cubic(&self) -> f64 {
+        let length = self.high - self.low;
+        let [before, after] = self.distances;
+        let [m, n] = self.approaches.map(|rate| -rate * length);
+        let change = after - before;
+        let (square, cube) = (3.0 * change - 2.0 * m - n, m + n - 2.0 * change);
+        // from the end at which the ball is faster: it bends towards the other
+        let mut part: f64 = if -m > -n { 0.0 } else { 1.0 };
+        for _ in 0..3 {
+            let value = before + part * (m + part * (square + part * cube));
+            let slope = m + part * (2.0 * square + 3.0 * part * cube);
+            part -= value / slope;
+        }
+        if part > 0.0 && part < 1.0 {
+            self.low + part * length
+        } else {
+            self.low + 0.5 * length
+        }
+    }
 }
 
 /// A flight near one of its angles.
@@ -169,7 +196,7 @@ impl<T: Analytic> Meeting<'_, T> {
         if stretch.low < recent && recent < stretch.high {
             return recent;
         }
-        0.5 * (stretch.low + stretch.high)
+        stretch.cubic()
     }
 
     /// The angle between two at which the ball is nearest to a wall that it does not stay at, and how near it is

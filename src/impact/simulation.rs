@@ -1,6 +1,6 @@
 //! The events of a motion, one after the other, as they are listed.
 
-use super::course::{Course, Step};
+use super::course::Course;
 use super::event::{Event, Kind};
 use super::growth::Growth;
 use crate::model::{Motion, Side};
@@ -61,6 +61,7 @@ pub struct Simulation<T> {
     course: Course<T>,
     growth: Growth,
     is_tracked: bool,
+    has_started: bool,
     /// Whether a chatter that does not complete is being listed whole.
     exhaustive: bool,
 }
@@ -73,6 +74,7 @@ impl<T: Analytic> Simulation<T> {
             growth: Growth::new(course.scaled()),
             course,
             is_tracked: false,
+            has_started: false,
             exhaustive: false,
         }
     }
@@ -102,22 +104,24 @@ impl<T: Analytic> Simulation<T> {
     /// Goes on after `event`, whatever this motion came to by itself; of what follows nothing is claimed.
     pub(super) fn resume(&mut self, event: &Event<T>) {
         self.course.resume(event);
+        self.has_started = true;
         self.growth.lose();
     }
 
-    fn advance(&mut self) -> Option<(Event<T>, Step<T>)> {
-        let (event, step) = self.course.advance()?;
-        if self.is_tracked {
-            self.growth.follow(self.course.scaled(), &event, &step);
+    #[inline]
+    fn advance(&mut self) -> Option<Event<T>> {
+        if !self.is_tracked {
+            return self.course.advance(|_, _| {});
         }
-        Some((event, step))
+        let growth = &mut self.growth;
+        self.course.advance(|event, step| growth.follow(event, step))
     }
 
     /// The rest that the chatter which goes on with `event` ends with, if it does.
     fn completion(&self, event: &Event<T>) -> Option<(Self, Event<T>)> {
         let mut ahead = self.clone();
         for _ in 0..MOST_HIDDEN {
-            let (next, _) = ahead.advance()?;
+            let next = ahead.advance()?;
             match next.kind {
                 Kind::Rest => return Some((ahead, next)),
                 Kind::Impact if next.side == event.side && next.velocity.to_f64().abs() < LISTED => {}
@@ -132,13 +136,14 @@ impl<T: Analytic> Iterator for Simulation<T> {
     type Item = Event<T>;
 
     fn next(&mut self) -> Option<Event<T>> {
-        let (event, step) = self.advance()?;
+        let event = self.advance()?;
+        let is_start = !std::mem::replace(&mut self.has_started, true);
         if event.kind != Kind::Impact || event.velocity.to_f64().abs() >= LISTED {
             self.exhaustive = false;
             return Some(event);
         }
         // the start impact is a row, however slow
-        if self.exhaustive || matches!(step, Step::Start) {
+        if self.exhaustive || is_start {
             return Some(event);
         }
         match self.completion(&event) {

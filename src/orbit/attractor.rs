@@ -1,8 +1,8 @@
 //! What a motion comes to: the word and the forcing periods of its last impacts.
 
+use super::letter::{Letter, letters};
 use crate::impact::{Event, Kind};
 use crate::model::Side;
-use std::f64::consts::TAU;
 
 /// The most letters of a word that is looked for.
 pub const LONGEST_WORD: usize = 60;
@@ -95,74 +95,6 @@ impl Attractor {
     }
 }
 
-/// One impact, or a chatter that comes to rest.
-#[derive(Clone, Debug)]
-struct Letter {
-    side: Side,
-    rests: bool,
-    turns: i64,
-    phase: f64,
-    /// In size, of the first impact.
-    speed: f64,
-    /// Where its events begin in the list, and where they end.
-    from: usize,
-    to: usize,
-}
-
-impl Letter {
-    fn text(&self) -> &'static str {
-        match (self.side, self.rests) {
-            (Side::Bottom, false) => "B",
-            (Side::Top, false) => "T",
-            (Side::Bottom, true) => "B*",
-            (Side::Top, true) => "T*",
-        }
-    }
-
-    /// The whole turns from `before` to here, where this is the same event again to [`SETTLED`].
-    fn turns_since(&self, before: &Self, scale: f64) -> Option<i64> {
-        let apart = self.phase - before.phase;
-        let wrapped = (apart / TAU).round();
-        let same = self.side == before.side
-            && self.rests == before.rests
-            && (apart - wrapped * TAU).abs() <= SETTLED
-            && (self.speed - before.speed).abs() <= SETTLED * scale;
-        // the phases are in [0, 2 pi): wrapped is -1, 0 or 1
-        same.then_some(self.turns - before.turns + wrapped as i64)
-    }
-}
-
-/// The letters of a list of events: all impacts on one wall that lead to a rest without another event between are one.
-fn letters(events: &[Event<f64>]) -> Vec<Letter> {
-    let mut letters: Vec<Letter> = Vec::with_capacity(events.len());
-    for (index, event) in events.iter().enumerate() {
-        let mut letter = Letter {
-            side: event.side,
-            rests: event.kind == Kind::Rest,
-            turns: event.turns,
-            phase: event.phase,
-            speed: event.velocity.abs(),
-            from: index,
-            to: index + 1,
-        };
-        match event.kind {
-            Kind::Impact => letters.push(letter),
-            Kind::Rest => {
-                while let Some(first) = letters.pop_if(|last| !last.rests && last.side == event.side) {
-                    letter = Letter {
-                        rests: true,
-                        to: index + 1,
-                        ..first
-                    };
-                }
-                letters.push(letter);
-            }
-            Kind::Release | Kind::Undecided => {}
-        }
-    }
-    letters
-}
-
 /// The shortest cycle that the letters end with, and its turns.
 fn repeated(letters: &[Letter]) -> Option<(&[Letter], i64)> {
     let longest = LONGEST_WORD.min(letters.len() / 2);
@@ -205,6 +137,7 @@ fn start(cycle: &[Letter]) -> usize {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use std::f64::consts::TAU;
 
     /// An impact: wall, time in forcing periods, speed.
     type Told = (char, f64, f64);

@@ -27,6 +27,7 @@ mod happening;
 mod instant;
 mod isolate;
 mod leap;
+mod letter;
 mod lyapunov;
 mod mark;
 mod moment;

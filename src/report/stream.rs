@@ -3,8 +3,8 @@
 use super::{Cell, Column, Format, Table, csv, json, markdown, text};
 use std::io::{self, Write};
 
-/// The rows that a layout is decided by: in text the widths of the columns, in text and Markdown which of them hold
-/// numbers.
+/// The rows that are written at once. The first of these decide the layout: in text the widths of the columns, in text
+/// and Markdown which of them hold numbers.
 const HEAD: usize = 1000;
 
 /// A format that prints row by row.
@@ -37,7 +37,8 @@ pub(super) fn begin(head: &Table, format: Format, digits: usize, to: &mut dyn Wr
 /// What comes out is what [`Table::write`] prints of the same rows, but that the first thousand of them decide the
 /// layout: a later cell that is wider than its column in text pushes the rest of its row aside.
 pub struct Stream<'a> {
-    head: Table,
+    /// The rows that are not written yet.
+    held: Table,
     format: Format,
     digits: usize,
     to: &'a mut dyn Write,
@@ -48,7 +49,7 @@ impl<'a> Stream<'a> {
     /// A stream of rows of these columns; `digits` as in [`Table::write`].
     pub fn new(columns: Vec<Column>, format: Format, digits: usize, to: &'a mut dyn Write) -> Self {
         Self {
-            head: Table::new(columns),
+            held: Table::new(columns),
             format,
             digits,
             to,
@@ -61,33 +62,30 @@ impl<'a> Stream<'a> {
     /// # Errors
     /// Another number of cells, JUnit, and what the writer says.
     pub fn push(&mut self, row: Vec<Cell>) -> io::Result<()> {
-        let row = self.head.fitting(row).map_err(io::Error::other)?;
-        if let Some(printer) = &mut self.printer {
-            return printer.rows(&[row], self.to);
-        }
-        self.head.push(row).map_err(io::Error::other)?;
-        if self.head.rows().len() == HEAD {
-            self.begin()?;
+        self.held.push(row).map_err(io::Error::other)?;
+        if self.held.rows().len() == HEAD {
+            self.print()?;
         }
         Ok(())
     }
 
-    /// Writes what follows the last row.
+    /// Writes what is left, and what follows the last row.
     ///
     /// # Errors
     /// What the writer says, and JUnit.
     pub fn end(mut self) -> io::Result<()> {
-        if self.printer.is_none() {
-            self.begin()?;
-        }
+        self.print()?;
         self.printer.map_or(Ok(()), |mut printer| printer.end(self.to))
     }
 
-    fn begin(&mut self) -> io::Result<()> {
-        let mut printer = begin(&self.head, self.format, self.digits, self.to)?;
-        printer.rows(self.head.rows(), self.to)?;
-        self.head.clear();
-        self.printer = Some(printer);
+    fn print(&mut self) -> io::Result<()> {
+        if self.printer.is_none() {
+            self.printer = Some(begin(&self.held, self.format, self.digits, self.to)?);
+        }
+        if let Some(printer) = &mut self.printer {
+            printer.rows(self.held.rows(), self.to)?;
+        }
+        self.held.clear();
         Ok(())
     }
 }
@@ -100,7 +98,7 @@ mod tests {
 
     fn row(number: usize) -> Vec<Cell> {
         let side = if number.is_multiple_of(2) { "bottom" } else { "top" };
-        let odd = (number % 7 != 0).then(|| (number as f64).sqrt());
+        let odd = (!number.is_multiple_of(7)).then(|| (number as f64).sqrt());
         vec![Cell::from(number as f64 / 3.0), Cell::from(side), Cell::from(odd)]
     }
 

@@ -132,13 +132,7 @@ impl Table {
 
     /// Adds a row, which must have as many cells as the table has columns.
     pub fn push(&mut self, row: impl Into<Vec<Cell>>) -> Result<(), RowError> {
-        let row = self.fitting(row.into())?;
-        self.rows.push(row);
-        Ok(())
-    }
-
-    /// The row, if it has as many cells as the table has columns.
-    pub(super) fn fitting(&self, row: Vec<Cell>) -> Result<Vec<Cell>, RowError> {
+        let row = row.into();
         if row.len() != self.columns.len() {
             let names: Vec<&str> = self.columns.iter().map(|column| column.name.as_str()).collect();
             return Err(RowError {
@@ -147,7 +141,8 @@ impl Table {
                 columns: names.join(","),
             });
         }
-        Ok(row)
+        self.rows.push(row);
+        Ok(())
     }
 
     /// Leaves the columns and no rows.
