@@ -1,7 +1,7 @@
 //! `vibro-audit simulate SCENE [--impacts N] [--until T] [--last N]`.
 
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
-use crate::impact::{Extent, History, history, history_in_decimals};
+use crate::impact::{Extent, History, Kind, history, history_in_decimals};
 use crate::report::{Cell, Table};
 use crate::scene::{Scene, Want};
 
@@ -92,7 +92,13 @@ where
             Cell::Integer(i64::from(row.digits)),
         ])?;
     }
-    if let Some(event) = history.lost_at {
+    let is_undecided = history.rows.back().is_some_and(|row| row.kind == Kind::Undecided);
+    if is_undecided {
+        note(&format!(
+            "rounding hides whether the ball touches at the last event, with {} digits computed",
+            history.computed_with
+        ));
+    } else if let Some(event) = history.lost_at {
         note(&format!(
             "from event {event} on no digit holds, with {} digits computed: what follows tells how such a motion goes \
              on, not how this one does; Lyapunov exponent {:.3} per unit of time",

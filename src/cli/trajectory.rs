@@ -101,6 +101,11 @@ fn sampled(scene: &Scene, options: &Options, end: End, samples: u32) -> Result<T
         End::Time(time) => time,
         End::Impact(_) => last,
     };
+    if options.digits.is_some_and(|digits| digits > MOST) {
+        note(&format!(
+            "samples are f64, of {MOST} digits at most; `simulate` tells the events in more"
+        ));
+    }
     let first = history.rows.front().map_or(0.0, |row| row.phase);
     let motion = scene.motion::<f64>()?;
     let g = *motion.g();

@@ -143,7 +143,11 @@ impl<T: Analytic> Ball<T> {
             Place::Leaving(from) => {
                 let flight = Flight::new(scaled, from);
                 if let Some(angle) = self.completion(&flight) {
-                    let (phase, turns) = reduced(scaled, from.phase.clone() + angle.clone());
+                    let (phase, turns) = if angle.is_zero() {
+                        (from.phase.clone(), 0)
+                    } else {
+                        reduced(scaled, from.phase.clone() + angle.clone())
+                    };
                     let event = self.event(Kind::Rest, from.side, phase, T::zero()).later(turns);
                     let (start, error) = (&flight.start, self.completing);
                     let angle = &angle;
