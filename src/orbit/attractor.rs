@@ -1,8 +1,11 @@
 //! What a motion comes to: the word and the forcing periods of its last impacts.
 
 use super::letter::{Letter, letters};
+use super::repeat::{repeated, start};
 use crate::impact::{Event, Kind};
 use crate::model::Side;
+use std::collections::VecDeque;
+use std::f64::consts::TAU;
 
 /// The most letters of a word that is looked for.
 pub const LONGEST_WORD: usize = 60;
@@ -15,9 +18,11 @@ pub const LONGEST_WORD: usize = 60;
 /// so that they are taken for one only where the parameter is within some 1e-18 of the bifurcation.
 pub const SETTLED: f64 = 1e-9;
 
-/// Cycles that differ by less are one that is still settling, not two that a period doubling has parted: the parts lie
-/// as far from each other as the square root of the distance from the bifurcation, so this one is some 1e-12 wide.
-const UNPARTED: f64 = 1e-6;
+/// Impacts a cycle apart that differ by no more, in phase and in velocity, repeat but for rounding.
+const REPEATED: f64 = 1e-14;
+
+/// The most impacts for which a cycle is followed on.
+const LATEST: usize = 20_000;
 
 /// A motion that repeats itself, or rests for ever.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,6 +86,36 @@ impl Attractor {
         })
     }
 
+    /// The same cycle, followed on along the `events` after it until it repeats to rounding, or for [`LATEST`] impacts: a
+    /// motion that comes in slowly is told by [`SETTLED`] long before it is there.
+    pub fn settled_further(mut self, events: impl Iterator<Item = Event<f64>>) -> Self {
+        let length = self.impacts.len();
+        if self.rests() || length == 0 {
+            return self;
+        }
+        let mut last: VecDeque<Event<f64>> = VecDeque::with_capacity(2 * length);
+        for event in events.take(LATEST) {
+            if event.kind != Kind::Impact {
+                return self;
+            }
+            if last.len() == 2 * length {
+                last.pop_front();
+            }
+            last.push_back(event);
+            let mut pairs = last.iter().zip(last.iter().skip(length));
+            if last.len() == 2 * length && pairs.all(|(before, after)| is_same(before, after)) {
+                break;
+            }
+        }
+        // the window that starts where the word does
+        let apart = |event: &Event<f64>| (event.velocity - self.impacts[0].velocity).abs();
+        let starts = 0..(last.len() + 1).saturating_sub(length).min(length);
+        if let Some(first) = starts.min_by(|one, other| apart(&last[*one]).total_cmp(&apart(&last[*other]))) {
+            self.impacts = last.range(first..first + length).cloned().collect();
+        }
+        self
+    }
+
     /// Whether the ball rests in each cycle, or for ever.
     pub fn rests(&self) -> bool {
         self.word.contains('*')
@@ -99,58 +134,16 @@ impl Attractor {
     }
 }
 
-/// The shortest cycle that the letters end with, and its turns.
-///
-/// A motion that comes in turning over at each cycle, with a multiplier near -1, agrees over two cycles before it does
-/// over one: so a part of a cycle that repeats to [`UNPARTED`] is the cycle.
-fn repeated(letters: &[Letter]) -> Option<(&[Letter], i64)> {
-    let longest = LONGEST_WORD.min(letters.len() / 2);
-    let (length, found) = (1..=longest).find_map(|length| Some((length, repeated_by(letters, length, SETTLED)?)))?;
-    let parts = (1..length).filter(|part| length % part == 0);
-    let part = parts.filter_map(|part| repeated_by(letters, part, UNPARTED)).next();
-    Some(part.unwrap_or(found))
-}
-
-/// The last so many letters and their turns, where those before are the same to a tolerance.
-fn repeated_by(letters: &[Letter], length: usize, tolerance: f64) -> Option<(&[Letter], i64)> {
-    let cycle = &letters[letters.len() - length..];
-    let scale = cycle.iter().map(|letter| letter.speed).fold(0.0, f64::max);
-    let repeats = if cycle.iter().any(|letter| letter.rests) { 1 } else { 2 };
-    let needed = (repeats + 1) * length;
-    let compared = &letters[letters.len().checked_sub(needed)?..];
-    let mut turns = compared[length..]
-        .iter()
-        .zip(compared)
-        .rev()
-        .map(|(letter, before)| letter.turns_since(before, scale, tolerance));
-    let first = turns.next()??;
-    (first > 0 && turns.all(|other| other == Some(first))).then_some((cycle, first))
-}
-
-/// Where the word of a cycle starts. Of starts that are equally fast, the one whose word comes first in the alphabet.
-fn start(cycle: &[Letter]) -> usize {
-    let length = cycle.len();
-    let before = |index: usize| &cycle[(index + length - 1) % length];
-    let one_wall = cycle.iter().all(|letter| letter.side == cycle[0].side);
-    let may_start =
-        |index: &usize| one_wall || (cycle[*index].side == Side::Bottom && before(*index).side == Side::Top);
-    let fastest = (0..length)
-        .filter(may_start)
-        .map(|index| cycle[index].speed)
-        .fold(0.0, f64::max);
-    let word = |first: usize| (0..length).map(move |index| cycle[(first + index) % length].text());
-    (0..length)
-        .filter(may_start)
-        .filter(|index| cycle[*index].speed >= fastest * (1.0 - 2.0 * SETTLED))
-        .min_by(|one, other| word(*one).cmp(word(*other)))
-        .unwrap_or(0)
+/// Whether two impacts a cycle apart are the same to a few dozen roundings.
+fn is_same(before: &Event<f64>, after: &Event<f64>) -> bool {
+    let apart = (after.phase - before.phase).abs();
+    apart.min((TAU - apart).abs()) <= REPEATED && (after.velocity - before.velocity).abs() <= REPEATED
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use proptest::prelude::*;
-    use std::f64::consts::TAU;
 
     /// An impact: wall, time in forcing periods, speed.
     type Told = (char, f64, f64);
@@ -188,6 +181,28 @@ mod tests {
 
     fn word(text: &str, periods: i64, impacts: usize) -> Option<(String, Option<i64>, usize)> {
         Some((text.to_owned(), Some(periods), impacts))
+    }
+
+    #[test]
+    fn a_cycle_is_followed_on_to_rounding() {
+        let coming = |index: usize| 1e-9 * 0.99_f64.powi(index as i32);
+        let motion = |from: usize| {
+            (from..).flat_map(move |index| {
+                [
+                    ('B', index as f64 + 0.2, 0.7 + coming(index)),
+                    ('T', index as f64 + 0.7, 0.5),
+                ]
+                .map(impact)
+            })
+        };
+        let events: Vec<Event<f64>> = motion(0).take(60).collect();
+        let found = Attractor::of(&events).expect("a cycle").settled_further(motion(30));
+        assert!(
+            (found.impacts[0].velocity - 0.7).abs() < 2e-12,
+            "{}",
+            found.impacts[0].velocity
+        );
+        assert_eq!((found.impacts.len(), found.impacts[1].side), (2, Side::Top));
     }
 
     #[test]

@@ -38,6 +38,7 @@ mod one_to_one;
 #[allow(clippy::module_inception)]
 mod orbit;
 mod refine;
+mod repeat;
 mod returning;
 mod root;
 mod rounded;

@@ -153,12 +153,14 @@ impl Points {
         let start = before.map_or_else(|| self.start.clone(), Start::from);
         let mut events = Widening::new(&motion, &start);
         let impacts = self.diagram.impacts;
-        let settled = Settled::after(events.by_ref(), impacts, self.diagram.keep);
+        let mut settled = Settled::after(events.by_ref(), impacts, self.diagram.keep);
+        let digits = settled
+            .end
+            .as_ref()
+            .map_or(0, |end| events.growth().digits(end.velocity));
+        settled.attractor = settled.attractor.map(|found| found.settled_further(events));
         let reliance = self.with_reliance.then(|| Reliance {
-            digits: settled
-                .end
-                .as_ref()
-                .map_or(0, |end| events.growth().digits(end.velocity).min(DIGITS_OF_F64)),
+            digits: digits.min(DIGITS_OF_F64),
             lyapunov: lyapunov(&motion, &settled, impacts),
         });
         let mut point = Point {
