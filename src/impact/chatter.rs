@@ -35,7 +35,8 @@ pub(super) fn accumulation<T: Analytic>(start: &Expansion<T>, r: &T, epsilon: f6
 #[cfg(test)]
 mod tests {
     use super::super::scaled::{Departure, Scaled};
-    use super::super::simulation::{Simulation, Start};
+    use super::super::simulation::Simulation;
+    use super::super::start::Start;
     use super::*;
     use crate::impact::Kind;
     use crate::model::{Motion, Side};

@@ -1,7 +1,8 @@
 //! The events of a motion in numbers wide enough for the digits asked.
 
 use super::event::{Event, Kind};
-use super::simulation::{Simulation, Start};
+use super::simulation::Simulation;
+use super::start::Origin;
 use super::widening::Widening;
 use crate::model::{MotionError, Parameters, Side};
 use crate::number::{Analytic, Decimal, Decimals, DoubleDouble, Interval, Telling, Wide};
@@ -9,19 +10,6 @@ use std::collections::VecDeque;
 
 /// The digits that an f64 shows without a doubt.
 const DIGITS_OF_F64: u32 = 15;
-
-/// A start known exactly, over any number.
-pub trait Origin {
-    /// The start impact, its phase in [0, 2 pi).
-    fn start<T: Analytic>(&self) -> Start<T>;
-}
-
-/// The numbers of an f64 start, taken as exact.
-impl Origin for Start<f64> {
-    fn start<T: Analytic>(&self) -> Start<T> {
-        self.convert(|&value| T::from_f64(value))
-    }
-}
 
 /// How much of a motion is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -12,13 +12,15 @@ mod history;
 mod meeting;
 mod scaled;
 mod simulation;
+mod start;
 mod swing;
 mod trajectory;
 mod widening;
 
 pub use event::{Event, Kind};
 pub use growth::Growth;
-pub use history::{Extent, History, Origin, Row, history, history_in_decimals};
-pub use simulation::{LISTED, Simulation, Start};
+pub use history::{Extent, History, Row, history, history_in_decimals};
+pub use simulation::{LISTED, Simulation};
+pub use start::{Origin, Start};
 pub use trajectory::{Snapshot, Trajectory};
 pub use widening::Widening;

@@ -3,7 +3,8 @@
 use super::course::Course;
 use super::event::{Event, Kind};
 use super::growth::Growth;
-use crate::model::{Motion, Side};
+use super::start::Start;
+use crate::model::Motion;
 use crate::number::Analytic;
 
 /// Impacts of a chatter that completes are listed down to this velocity.
@@ -11,38 +12,6 @@ pub const LISTED: f64 = 1e-6;
 
 /// A chatter of more impacts below [`LISTED`] than this is not completed but listed, as one that never ends.
 const MOST_HIDDEN: usize = 100_000_000;
-
-/// The impact that a motion starts with.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Start<T> {
-    /// The wall.
-    pub side: Side,
-    /// The phase of the forcing, rad; any.
-    pub phase: T,
-    /// Zdot just before: at least 0 at the bottom, at most 0 at the top.
-    pub velocity: T,
-}
-
-impl<T> Start<T> {
-    /// The same start over another number.
-    pub fn convert<U>(&self, convert: impl Fn(&T) -> U) -> Start<U> {
-        Start {
-            side: self.side,
-            phase: convert(&self.phase),
-            velocity: convert(&self.velocity),
-        }
-    }
-}
-
-impl<T: Analytic> From<&Event<T>> for Start<T> {
-    fn from(event: &Event<T>) -> Self {
-        Self {
-            side: event.side,
-            phase: event.phase.clone(),
-            velocity: event.velocity.clone(),
-        }
-    }
-}
 
 /// A motion from a start on; an iterator over its events, the start impact first.
 ///
@@ -163,7 +132,7 @@ impl<T: Analytic> Iterator for Simulation<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Forcing, Impact, next_impact};
+    use crate::model::{Forcing, Impact, Side, next_impact};
     use crate::number::{DoubleDouble, Field, Wide};
     use proptest::prelude::*;
     use std::f64::consts::{PI, TAU};

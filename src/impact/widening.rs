@@ -2,7 +2,8 @@
 
 use super::event::{Event, Kind};
 use super::growth::Growth;
-use super::simulation::{Simulation, Start};
+use super::simulation::Simulation;
+use super::start::Start;
 use crate::model::Motion;
 use crate::number::{Analytic, DoubleDouble, Wide};
 
