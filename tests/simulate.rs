@@ -149,7 +149,9 @@ fn chaos_is_held_by_wider_numbers_without_being_asked_and_told_as_statistics_bey
     let lost = told(&motion, &start, 1000, 6);
     let from = lost.lost_at.expect("no number holds it for ever");
     assert!(from > 250, "{from}");
-    assert!(lost.rows.iter().all(|row| (row.event < from) == (row.digits > 0)));
+    // the last digit goes shortly before the bound of the error does
+    assert!(lost.rows.iter().all(|row| row.event < from || row.digits == 0));
+    assert!(lost.rows.iter().all(|row| row.event > from - 20 || row.digits > 0));
     assert_eq!(lost.rows.iter().filter(|row| row.kind == Kind::Impact).count(), 1000);
     assert!(lost.lyapunov > 0.2, "{}", lost.lyapunov);
 }

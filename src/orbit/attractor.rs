@@ -86,7 +86,7 @@ impl Attractor {
         })
     }
 
-    /// The same cycle, followed on along the `events` after it until it repeats to rounding, or for [`LATEST`] impacts: a
+    /// The same cycle, followed on along the `events` after it until it repeats to rounding, or for 20,000 impacts: a
     /// motion that comes in slowly is told by [`SETTLED`] long before it is there.
     pub fn settled_further(mut self, events: impl Iterator<Item = Event<f64>>) -> Self {
         let length = self.impacts.len();
