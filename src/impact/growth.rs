@@ -27,8 +27,9 @@ pub struct Growth {
     sides: [f64; 2],
     /// Errors of phase and pi velocity at the latest event.
     error: [f64; 2],
-    /// The logarithm of the stretch so far.
+    /// The logarithm of the stretch so far, and since the last release.
     stretch: f64,
+    since_release: f64,
     epsilon: f64,
     /// How much g, rounded, moves the phase of a release, where cos = -g: the more the nearer g is to 1.
     steep: f64,
@@ -44,6 +45,7 @@ impl Growth {
             sides: [0.0; 2],
             error: [0.0; 2],
             stretch: 0.0,
+            since_release: 0.0,
             epsilon: scaled.epsilon,
             steep: scaled
                 .turn
@@ -87,6 +89,11 @@ impl Growth {
         self.stretch
     }
 
+    /// The same since the last release, or since the start where there was none.
+    pub fn stretch_since_release(&self) -> f64 {
+        self.since_release
+    }
+
     pub(super) fn follow<T: Analytic>(&mut self, event: &Event<T>, step: Step<T>) {
         let own = 4.0 * self.epsilon;
         match step {
@@ -97,6 +104,10 @@ impl Growth {
             }
             Step::Release => {
                 self.restart([own * (TAU + self.steep), 0.0]);
+                // the flight forgets the phase of its release: what may grow is the velocity
+                self.axes = [[0.0, 1.0], [1.0, 0.0]];
+                self.sides.swap(0, 1);
+                self.since_release = 0.0;
                 self.stretch = f64::NEG_INFINITY;
             }
             Step::Undecided => self.lost = true,
@@ -148,6 +159,7 @@ impl Growth {
             sin.abs() * self.sides[0] + cos.abs() * self.sides[1],
         ];
         self.stretch += length.ln();
+        self.since_release += length.ln();
     }
 
     /// Claims nothing any more.

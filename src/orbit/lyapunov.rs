@@ -11,7 +11,8 @@ use std::f64::consts::PI;
 ///
 /// Of a cycle it is that of its multipliers, ln |lambda| / (2 periods), as accurate as the cycle; through a rest it is
 /// minus infinity, since a rest wipes every distance out. Where the motion does not repeat, it is measured over as many
-/// impacts again as were computed before, and is a statistic: over a few hundred impacts, some parts in ten. `None`
+/// impacts again as were computed before, since the last release if that is in the first half of them, and is a statistic:
+/// over a few hundred impacts, some parts in ten. `None`
 /// where the motion has ended without a rest, or grazes exactly.
 pub fn lyapunov(motion: &Motion<f64>, settled: &Settled, impacts: u32) -> Option<f64> {
     match &settled.attractor {
@@ -60,14 +61,23 @@ fn measured(motion: &Motion<f64>, end: &Event<f64>, impacts: u32) -> Option<f64>
     }
     let start = Start::from(end);
     let mut events = Widening::new(motion, &start);
-    let mut elapsed = 0.0;
-    for _ in 0..impacts {
+    let (mut elapsed, mut released, mut alone) = (0.0, 0.0, 0);
+    for index in 0..impacts {
         let Some(event) = events.next().filter(|event| event.kind != Kind::Undecided) else {
             break;
         };
         elapsed = event.time(&start.phase);
+        if event.kind == Kind::Release {
+            (released, alone) = (elapsed, index);
+        }
     }
-    let stretch = events.growth().stretch();
+    let growth = events.growth();
+    // one rest that does not come again wipes out only what was before
+    let (stretch, elapsed) = if growth.stretch().is_finite() || 2 * alone > impacts {
+        (growth.stretch(), elapsed)
+    } else {
+        (growth.stretch_since_release(), elapsed - released)
+    };
     (elapsed > 0.0).then_some(stretch / elapsed)
 }
 
