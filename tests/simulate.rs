@@ -202,6 +202,33 @@ fn the_digits_claimed_hold_against_a_hundred_more() {
 }
 
 #[test]
+fn wide_numbers_find_the_contacts_that_f64_finds() {
+    for d in [0.16, 0.22, 0.31] {
+        let (motion, start) = (motion(0.12201, d, 0.3, 0.6), start(6.18, 0.5293));
+        let extent = Extent {
+            impacts: 80,
+            until: f64::INFINITY,
+            last: usize::MAX,
+            digits: 20,
+        };
+        let wide = history_in_decimals(&motion, &start, &extent, Decimals(20)).expect("a motion");
+        let narrow = told(&motion, &start, 80, 6);
+        assert_eq!(wide.rows.len(), narrow.rows.len(), "{d}");
+        for (wide, narrow) in wide.rows.iter().zip(&narrow.rows) {
+            assert_eq!((wide.kind, wide.side), (narrow.kind, narrow.side), "{d}: {narrow:?}");
+        }
+    }
+}
+
+#[test]
+fn a_motion_without_an_impact_to_list_ends() {
+    for (g, d, phase, velocity) in [(0.99999, 0.26, 1.0, 0.2), (0.0, 1e-10, 1.0, 0.2), (0.0, 5.0, PI, 1e-20)] {
+        let rows = told(&motion(g, d, 0.6, 0.3), &start(phase, velocity), 50, 6);
+        assert!(rows.has_ended, "{g} {d}");
+    }
+}
+
+#[test]
 fn where_it_attracts_a_certified_orbit_is_what_the_motion_comes_to() {
     let mut met = 0;
     for (g, d, r_b, r_t) in [

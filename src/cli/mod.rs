@@ -81,7 +81,7 @@ impl Command {
     /// Where the answer goes: to `--out`, but for `run` and `plot all`, whose files go there.
     fn output(&self, options: &Options) -> Output {
         match self {
-            Self::Run(arguments) if !arguments.explain => Output::Stdout,
+            Self::Run(_) => Output::Stdout,
             Self::Plot(arguments) if arguments.is_all() => Output::Stdout,
             _ => options.output(),
         }

@@ -106,7 +106,7 @@ where
         ));
     }
     if history.has_ended {
-        note("nothing follows the last event");
+        note("nothing follows the last event, or no impact of 1e-6 and above");
     }
     Ok(table)
 }

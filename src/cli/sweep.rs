@@ -37,6 +37,9 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     if !wants.contains(&Want::Voltage) {
         note("no voltage: the scene does not want it, or has no [membrane]");
     }
+    if options.digits.is_some_and(|digits| digits > 15) {
+        note("a sweep runs in f64: 15 digits at most; `--summary` says how many hold");
+    }
     let rows = if arguments.summary { summary_rows } else { impact_rows };
     Ok(Answer {
         content: rows(&scene, options).map(Content::Rows)?,

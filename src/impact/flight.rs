@@ -11,8 +11,11 @@ use crate::model::Side;
 use crate::number::Analytic;
 use std::f64::consts::TAU;
 
-/// Beyond this angle a ball that has met no wall is taken to meet none any more.
+/// Beyond this angle a flight is not followed.
 const LONGEST: f64 = 1e15;
+
+/// A flight of more pieces than this, which touches a wall again and again as far as can be told, is not followed.
+const MOST_PIECES: u32 = 20_000;
 
 /// Dips that stay this far from a wall are not looked at more closely when whole turns are skipped.
 const WELL_CLEAR: f64 = 1e-3;
@@ -93,7 +96,7 @@ impl<'a, T: Analytic> Flight<'a, T> {
         };
         let mut zero = self.first_zero();
         let mut clearance = f64::INFINITY;
-        for piece in 1_u32.. {
+        for piece in 1..=MOST_PIECES {
             let (high, pressed) = self.end(&zero);
             let near = self.from.side;
             let (pressing, other) = if pressed {
@@ -123,7 +126,13 @@ impl<'a, T: Analytic> Flight<'a, T> {
                 }
             }
         }
-        Err(Stop::Unending)
+        Err(self.untold(low.angle.to_f64()))
+    }
+
+    /// The flight cannot be followed beyond an angle.
+    fn untold(&self, angle: f64) -> Stop {
+        let wall = self.from.side;
+        Stop::Undecided { wall, angle }
     }
 
     /// Whether a ball without velocity stays: f + g presses it to the wall, or, 0 as far as rounding can tell, is about to.
@@ -315,8 +324,11 @@ impl<'a, T: Analytic> Flight<'a, T> {
         if !(now > room && now < gap - room) {
             return Ok(0);
         }
-        if end.is_nan() || end >= LONGEST {
+        if end.is_infinite() {
             return Err(Stop::Unending);
+        }
+        if end.is_nan() || end >= LONGEST {
+            return Err(self.untold(angle));
         }
         Ok((((end - angle) / TAU).floor() - 1.0).max(0.0) as i64)
     }

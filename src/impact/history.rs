@@ -56,7 +56,8 @@ pub struct History<N> {
     /// The Lyapunov exponent so far: the mean growth of the logarithm of a small error per unit of time; minus infinity
     /// once a rest has wiped errors out, NaN before time has passed.
     pub lyapunov: f64,
-    /// Whether nothing follows the last row: the ball rests for ever, or meets no wall any more.
+    /// Whether nothing follows the last row: the ball rests for ever, meets no wall any more, or is rested and released for
+    /// ever without an impact that is listed.
     pub has_ended: bool,
 }
 
@@ -199,6 +200,10 @@ impl<P: Parameters, O: Origin> Asked<'_, P, O> {
             };
             attempt.push(row, extent);
             attempt.history.lyapunov = growth.stretch() / elapsed;
+            if simulation.is_idle() && extent.until.is_infinite() {
+                attempt.history.has_ended = true;
+                break;
+            }
             before = Some((event.convert(T::to_f64), growth.stretch()));
         }
         Ok(attempt)
@@ -238,6 +243,10 @@ impl<P: Parameters, O: Origin> Asked<'_, P, O> {
             }
             attempt.push(row(&event, attempt.events + 1), extent);
             attempt.history.lyapunov = (grown + widening.growth().stretch()) / elapsed;
+            if widening.is_idle() && extent.until.is_infinite() {
+                attempt.history.has_ended = true;
+                break;
+            }
         }
         Ok(attempt.history)
     }

@@ -37,6 +37,11 @@ impl Widening {
         next
     }
 
+    /// Whether the ball is rested and released for ever, without an impact that is listed.
+    pub fn is_idle(&self) -> bool {
+        self.simulation.is_idle()
+    }
+
     /// How errors have grown up to the latest event.
     pub fn growth(&self) -> &Growth {
         self.simulation.tracked()

@@ -108,7 +108,8 @@ impl Attractor {
             }
         }
         // the window that starts where the word does
-        let apart = |event: &Event<f64>| (event.velocity - self.impacts[0].velocity).abs();
+        let first = &self.impacts[0];
+        let apart = |event: &Event<f64>| (event.velocity - first.velocity).abs() + (event.phase - first.phase).abs();
         let starts = 0..(last.len() + 1).saturating_sub(length).min(length);
         if let Some(first) = starts.min_by(|one, other| apart(&last[*one]).total_cmp(&apart(&last[*other]))) {
             self.impacts = last.range(first..first + length).cloned().collect();

@@ -8,6 +8,9 @@ use std::collections::VecDeque;
 /// has a long chatter.
 const WINDOW: usize = 512;
 
+/// A release forgets what was before: after so many rests and releases without an impact there is none any more.
+const IDLE: u32 = 4;
+
 /// The last impacts of a motion, and what it has come to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settled {
@@ -27,9 +30,12 @@ impl Settled {
     pub fn after(events: impl IntoIterator<Item = Event<f64>>, impacts: u32, keep: u32) -> Self {
         let keep = keep as usize;
         let mut last: Window = Window::new(keep.max(WINDOW).min(impacts as usize));
+        let mut idle = 0;
         for event in events {
+            idle = if event.kind == Kind::Impact { 0 } else { idle + 1 };
             last.push(event);
-            if last.impacts == u64::from(impacts) {
+            // rested and released for ever, without an impact that is listed
+            if last.impacts == u64::from(impacts) || idle > IDLE {
                 break;
             }
         }

@@ -68,7 +68,8 @@ impl Point {
     /// Of a chatter that comes to rest, those that are listed.
     pub fn counted(&self) -> (&[Event<f64>], MeanOver) {
         match &self.settled.attractor {
-            Some(attractor) if !attractor.impacts.is_empty() => (&attractor.impacts, MeanOver::Periods),
+            // at rest for ever: none
+            Some(attractor) => (&attractor.impacts, MeanOver::Periods),
             _ => (&self.settled.kept, MeanOver::Impacts),
         }
     }
@@ -150,8 +151,11 @@ impl Points {
         let value = self.sweep.value(index);
         let motion = self.setting.fixed(&value).motion::<f64>();
         let motion = motion.map_err(|error| self.scene.error(None, error))?;
-        let start = before.map_or_else(|| self.start.clone(), Start::from);
-        let mut events = Widening::new(&motion, &start);
+        let mut events = match before {
+            None => Widening::new(&motion, &self.start),
+            Some(impact) if impact.kind == Kind::Impact => Widening::new(&motion, &Start::from(impact)),
+            Some(event) => Widening::after(&motion, event),
+        };
         let impacts = self.diagram.impacts;
         let mut settled = Settled::after(events.by_ref(), impacts, self.diagram.keep);
         let digits = settled

@@ -2,8 +2,8 @@
 
 use super::super::Failure;
 use super::claims::Claims;
-use crate::impact::{Event, Kind, Simulation, Snapshot, Start, Trajectory};
-use crate::model::{Motion, Side};
+use crate::impact::{Event, Kind, Origin, Snapshot, Trajectory, Widening};
+use crate::model::Motion;
 use crate::report::figure::{Path, Portrait, displacement};
 use crate::report::plot::{Panel, Point};
 use crate::scene::Scene;
@@ -38,14 +38,9 @@ pub(super) fn panels(scene: &Scene, claims: &Claims) -> Result<[Panel; 2], Failu
 /// The motion, and its events up to the first one after the last time.
 fn followed(scene: &Scene) -> Result<(Motion<f64>, Vec<Event<f64>>), Failure> {
     let motion = scene.motion::<f64>()?;
-    let start = scene.start()?;
-    let start = Start {
-        side: Side::Bottom,
-        phase: start.phase.value(),
-        velocity: start.velocity.value(),
-    };
+    let start = scene.start()?.start();
     let mut events: Vec<Event<f64>> = Vec::new();
-    for event in Simulation::new(&motion, &start).take(MOST_EVENTS) {
+    for event in Widening::new(&motion, &start).take(MOST_EVENTS) {
         let time = events.first().map_or(0.0, |first| event.time(&first.phase));
         events.push(event);
         if time > UNTIL {
