@@ -1,15 +1,12 @@
 //! The options that every command knows.
 
 use super::Failure;
-use crate::number::Decimals;
+use crate::number::{Decimals, FIGURES_OF_F64};
 use crate::orbit::most_figures;
 use crate::report::{DEFAULT_DIGITS, Format, Output};
 use crate::scene::{MOST_DIGITS, Scene, SceneError};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
-
-/// The decimal figures that every f64 has.
-const FIGURES_OF_F64: usize = 15;
 
 /// The options that every command knows.
 #[derive(Clone, Debug, clap::Args)]
@@ -49,7 +46,7 @@ impl Options {
         if figures > most {
             return Err(Failure::Digits { figures, most });
         }
-        Ok((figures > FIGURES_OF_F64).then_some(Decimals(figures)))
+        Ok((figures > FIGURES_OF_F64 as usize).then_some(Decimals(figures)))
     }
 
     /// The significant figures of a number in text.

@@ -28,7 +28,7 @@ const COLUMNS: [&str; 7] = ["event", "time", "phase", "side", "velocity", "kind"
 const IMPACTS: u64 = 100;
 
 /// The digits that every event has where none are asked for.
-const DIGITS: u32 = 6;
+pub const DIGITS: u32 = 6;
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {

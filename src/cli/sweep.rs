@@ -3,6 +3,7 @@
 use super::answer::Rows;
 use super::progress::Progress;
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
+use crate::number::FIGURES_OF_F64;
 use crate::report::{Cell, Column, Table};
 use crate::scene::{Over, Point, Points, Scene, Want};
 
@@ -37,8 +38,10 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     if !wants.contains(&Want::Voltage) {
         note("no voltage: the scene does not want it, or has no [membrane]");
     }
-    if options.digits.is_some_and(|digits| digits > 15) {
-        note("a sweep runs in f64: 15 digits at most; `--summary` says how many hold");
+    if options.digits.is_some_and(|digits| digits > FIGURES_OF_F64) {
+        note(&format!(
+            "a sweep runs in f64: {FIGURES_OF_F64} digits at most; `--summary` says how many hold"
+        ));
     }
     let rows = if arguments.summary { summary_rows } else { impact_rows };
     Ok(Answer {

@@ -1,8 +1,10 @@
 //! `vibro-audit trajectory SCENE [--samples N] [--until T | --impacts N]`.
 
+use super::simulate::DIGITS;
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
 use crate::impact::{Event, Extent, History, Row, Snapshot, Trajectory, history};
 use crate::model::Scales;
+use crate::number::FIGURES_OF_F64;
 use crate::report::{Cell, Table};
 use crate::scene::{Scene, Want};
 use std::f64::consts::PI;
@@ -11,7 +13,7 @@ use std::str::FromStr;
 /// The samples where none are named.
 const SAMPLES: u32 = 1001;
 /// The paper's t_final: "the codes are run again with t_final = 10".
-const UNTIL: f64 = 10.0;
+pub const UNTIL: f64 = 10.0;
 
 /// The motion between the impacts, at evenly spaced times, without unit and in SI
 ///
@@ -33,10 +35,6 @@ pub struct Arguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     impacts: Option<u32>,
 }
-
-/// The digits that every event has where none are asked for, and the most that f64 shows.
-const DIGITS: u32 = 6;
-const MOST: u32 = 15;
 
 /// Where the samples end.
 #[derive(Clone, Copy, Debug)]
@@ -101,9 +99,9 @@ fn sampled(scene: &Scene, options: &Options, end: End, samples: u32) -> Result<T
         End::Time(time) => time,
         End::Impact(_) => last,
     };
-    if options.digits.is_some_and(|digits| digits > MOST) {
+    if options.digits.is_some_and(|digits| digits > FIGURES_OF_F64) {
         note(&format!(
-            "samples are f64, of {MOST} digits at most; `simulate` tells the events in more"
+            "samples are f64, of {FIGURES_OF_F64} digits at most; `simulate` tells the events in more"
         ));
     }
     let first = history.rows.front().map_or(0.0, |row| row.phase);
@@ -141,7 +139,7 @@ fn events(scene: &Scene, options: &Options, end: End) -> Result<History<f64>, Fa
         digits: options
             .digits
             .or(scene.asked_digits()?)
-            .map_or(DIGITS, |digits| digits.min(MOST)),
+            .map_or(DIGITS, |digits| digits.min(FIGURES_OF_F64)),
     };
     let history = history(&scene.setting()?, &scene.start()?, &extent)?;
     if let Some(event) = history.lost_at {

@@ -5,11 +5,8 @@ use super::simulation::Simulation;
 use super::start::Origin;
 use super::widening::Widening;
 use crate::model::{MotionError, Parameters, Side};
-use crate::number::{Analytic, Decimal, Decimals, DoubleDouble, Interval, Telling, Wide};
+use crate::number::{Analytic, Decimal, Decimals, DoubleDouble, FIGURES_OF_F64, Interval, Telling, Wide};
 use std::collections::VecDeque;
-
-/// The digits that an f64 shows without a doubt.
-const DIGITS_OF_F64: u32 = 15;
 
 /// How much of a motion is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +65,7 @@ pub struct History<N> {
 /// A parameter out of its range.
 pub fn history(motion: &impl Parameters, origin: &impl Origin, extent: &Extent) -> Result<History<f64>, MotionError> {
     let asked = Asked { motion, origin, extent };
-    let figures = DIGITS_OF_F64;
+    let figures = FIGURES_OF_F64;
     for digits in [16, 31, 50] {
         let told = Figures { digits, figures };
         let attempt = match digits {
@@ -106,7 +103,7 @@ pub fn history_in_decimals(
         return Ok(attempt.history);
     }
     let attempt = asked.attempt(&Figures { digits: 200, figures }, tell::<200>(decimals))?;
-    let few = Decimals(DIGITS_OF_F64 as usize);
+    let few = Decimals(FIGURES_OF_F64 as usize);
     asked.at_last(attempt, |value| tell::<50>(few)(&Wide::from_f64(value)))
 }
 

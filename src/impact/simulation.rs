@@ -108,19 +108,8 @@ impl<T: Analytic> Simulation<T> {
         }
         None
     }
-}
 
-impl<T: Analytic> Iterator for Simulation<T> {
-    type Item = Event<T>;
-
-    fn next(&mut self) -> Option<Event<T>> {
-        let event = self.listed()?;
-        self.idle = if event.kind == Kind::Impact { 0 } else { self.idle + 1 };
-        Some(event)
-    }
-}
-
-impl<T: Analytic> Simulation<T> {
+    /// The next event that is listed.
     #[inline]
     fn listed(&mut self) -> Option<Event<T>> {
         let event = self.advance()?;
@@ -136,9 +125,7 @@ impl<T: Analytic> Simulation<T> {
         }
         match self.completion(&event) {
             Some((ahead, rest)) => {
-                let idle = self.idle;
                 *self = ahead;
-                self.idle = idle;
                 Some(rest)
             }
             None => {
@@ -146,6 +133,16 @@ impl<T: Analytic> Simulation<T> {
                 Some(event)
             }
         }
+    }
+}
+
+impl<T: Analytic> Iterator for Simulation<T> {
+    type Item = Event<T>;
+
+    fn next(&mut self) -> Option<Event<T>> {
+        let event = self.listed()?;
+        self.idle = if event.kind == Kind::Impact { 0 } else { self.idle + 1 };
+        Some(event)
     }
 }
 

@@ -111,5 +111,5 @@ pub use interval::Interval;
 pub use precision::{AtPrecision, LADDER, with_digits};
 pub use rational::Rational;
 pub use sequence::{Sequence, mix};
-pub use telling::{Decimal, Decimals, Doubles, Telling, Told};
+pub use telling::{Decimal, Decimals, Doubles, FIGURES_OF_F64, Telling, Told};
 pub use wide::Wide;

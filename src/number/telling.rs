@@ -3,6 +3,9 @@
 use super::{Analytic, Endpoint, Field, Interval, Wide};
 use std::fmt;
 
+/// The decimal figures that every f64 has.
+pub const FIGURES_OF_F64: u32 = 15;
+
 /// A decimal number: as many significant figures as were asked for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Decimal(String);

@@ -4,15 +4,13 @@ use super::sweep::{Begin, Diagram, Sweep};
 use super::{Quantity, Scene, SceneError, Setting, Want};
 use crate::impact::{Event, Kind, Origin, Start, Widening};
 use crate::model::{Membrane, Motion};
+use crate::number::FIGURES_OF_F64;
 use crate::orbit::{Family, Parameters, Settled, lyapunov};
 use rayon::prelude::*;
 use std::vec::IntoIter;
 
 /// The impacts that may be held at once, if a point for each thread does not take more.
 const HELD: usize = 100_000;
-
-/// The digits that an f64 shows without a doubt.
-const DIGITS_OF_F64: u32 = 15;
 
 /// The points that are computed together, at most.
 const BLOCK: usize = 1024;
@@ -164,7 +162,7 @@ impl Points {
             .map_or(0, |end| events.growth().digits(end.velocity));
         settled.attractor = settled.attractor.map(|found| found.settled_further(events));
         let reliance = self.with_reliance.then(|| Reliance {
-            digits: digits.min(DIGITS_OF_F64),
+            digits: digits.min(FIGURES_OF_F64),
             lyapunov: lyapunov(&motion, &settled, impacts),
         });
         let mut point = Point {

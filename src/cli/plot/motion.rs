@@ -1,15 +1,13 @@
 //! What one motion shows: its phase portrait, capsule and ball.
 
 use super::super::Failure;
+use super::super::trajectory::UNTIL;
 use super::claims::Claims;
 use crate::impact::{Event, Kind, Origin, Snapshot, Trajectory, Widening};
 use crate::model::Motion;
 use crate::report::figure::{Path, Portrait, displacement};
 use crate::report::plot::{Panel, Point};
 use crate::scene::Scene;
-
-/// The paper's t_final: "the codes are run again with t_final = 10".
-const UNTIL: f64 = 10.0;
 
 /// Times between two events: enough for a smooth line.
 const BETWEEN: u32 = 60;

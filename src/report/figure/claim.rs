@@ -16,6 +16,16 @@ pub struct Claim {
     pub bifurcation: Option<String>,
 }
 
+/// Claims of voltages, where the axis has kilovolts.
+pub(super) fn in_kilovolts(claims: &[Claim]) -> Vec<Claim> {
+    let in_thousands = |claim: &Claim| Claim {
+        at: (claim.at.0, claim.at.1 / 1000.0),
+        printed: format!("{} V", claim.printed),
+        ..claim.clone()
+    };
+    claims.iter().map(in_thousands).collect()
+}
+
 /// The claims, those of one verdict in one look. Where several stand at one place, it has one label.
 pub(super) fn series(claims: &[Claim]) -> Vec<Series> {
     let mut labelled: Vec<Point> = Vec::new();

@@ -67,14 +67,6 @@ pub fn comparison(parameter: &Parameter, curves: &[Curve], claims: &[Claim]) -> 
             .series
             .push(Series::dots("", alone(&mean), Marker::dot(colour, ALONE)));
     }
-    let claims: Vec<Claim> = claims
-        .iter()
-        .map(|claim| Claim {
-            at: (claim.at.0, claim.at.1 / 1000.0),
-            printed: format!("{} V", claim.printed),
-            ..claim.clone()
-        })
-        .collect();
-    panel.series.extend(claim::series(&claims));
+    panel.series.extend(claim::series(&claim::in_kilovolts(claims)));
     panel
 }

@@ -76,15 +76,7 @@ impl Energy {
             Series::line("mean voltage", parted(&in_thousands(&self.mean)), mean),
             Series::dots("", alone(&in_thousands(&self.mean)), Marker::dot(mean.colour, ALONE)),
         ];
-        let claims: Vec<Claim> = claims
-            .iter()
-            .map(|claim| Claim {
-                at: (claim.at.0, claim.at.1 / 1000.0),
-                printed: format!("{} V", claim.printed),
-                ..claim.clone()
-            })
-            .collect();
-        panel.series.extend(claim::series(&claims));
+        panel.series.extend(claim::series(&claim::in_kilovolts(claims)));
         panel
     }
 }
