@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::process::{Command, Output};
 use vibro_audit::impact::{Event, Extent, History, Kind, Simulation, Start, history, history_in_decimals};
 use vibro_audit::model::{Motion, Side};
-use vibro_audit::number::{Analytic, Decimals, Sequence, Wide};
+use vibro_audit::number::{Analytic, Decimals, Rung, Sequence, Wide};
 use vibro_audit::orbit::{Word, find};
 
 fn run(arguments: &[&str]) -> Output {
@@ -132,7 +132,7 @@ fn told(motion: &Motion<f64>, start: &Start<f64>, impacts: u64, digits: u32) -> 
         last: usize::MAX,
         digits,
     };
-    history(motion, start, &extent).expect("a motion")
+    history(motion, start, &extent, Rung::Double).expect("a motion")
 }
 
 /// Errors grow by a digit in two impacts.
@@ -145,7 +145,7 @@ fn chaos_is_held_by_wider_numbers_without_being_asked_and_told_as_statistics_bey
     let (motion, start) = chaotic();
     let held = told(&motion, &start, 100, 6);
     assert!(held.rows.iter().all(|row| row.digits >= 6) && held.lost_at.is_none());
-    assert!(held.computed_with > 16, "f64 cannot hold it");
+    assert!(held.computed_in > Rung::Double, "f64 cannot hold it");
     let lost = told(&motion, &start, 1000, 6);
     let from = lost.lost_at.expect("no number holds it for ever");
     assert!(from > 250, "{from}");
@@ -172,7 +172,7 @@ fn the_digits_claimed_hold_against_a_hundred_more() {
             last: usize::MAX,
             digits: 100,
         };
-        let exact = history_in_decimals(&motion, &start, &extent, Decimals(100)).expect("a motion");
+        let exact = history_in_decimals(&motion, &start, &extent, Decimals(100), Rung::DoubleDouble).expect("a motion");
         let rows = told(&motion, &start, 80, 3).rows;
         for (row, exact) in rows.iter().zip(&exact.rows) {
             if row.digits == 0 || exact.digits < 30 {
@@ -211,7 +211,7 @@ fn wide_numbers_find_the_contacts_that_f64_finds() {
             last: usize::MAX,
             digits: 20,
         };
-        let wide = history_in_decimals(&motion, &start, &extent, Decimals(20)).expect("a motion");
+        let wide = history_in_decimals(&motion, &start, &extent, Decimals(20), Rung::DoubleDouble).expect("a motion");
         let narrow = told(&motion, &start, 80, 6);
         assert_eq!(wide.rows.len(), narrow.rows.len(), "{d}");
         for (wide, narrow) in wide.rows.iter().zip(&narrow.rows) {

@@ -1,9 +1,9 @@
 //! Speed against accuracy, measured: what each means costs and how many digits it leaves.
 
-mod clock;
-mod dp;
-mod points;
+mod choice;
+mod costs;
 mod trade;
 
-pub use dp::trade_dp;
-pub use trade::{TradeError, TradeOptions, TradeRow};
+pub use choice::{COSTS, ChoiceError, Cost, Purpose, cheapest, costs};
+pub use costs::{WEIGHTS, measured_costs};
+pub use trade::{Task, Timing, TradeError, TradeOptions, TradeRow, latency, machine, trade};

@@ -1,12 +1,30 @@
 //! Cost against true error of each means, and which of them are worth having.
 
+mod clock;
+mod contest;
+mod dp;
+mod impact;
+mod machine;
+mod multipliers;
+mod orbit;
+mod points;
+mod voltage;
+
+pub use clock::{Timing, latency};
+pub(super) use impact::starts;
+pub use machine::machine;
+pub(super) use orbit::motions;
+
+use crate::number::Rung;
+use std::fmt;
+
 /// One means in one number at one task.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TradeRow {
     /// What is computed and where, as `dp/random/trace`.
     pub task: String,
-    /// `f32`, `f64`.
-    pub number: &'static str,
+    /// The number it was computed in.
+    pub number: Rung,
     /// The means.
     pub method: &'static str,
     /// Operations of one evaluation, from the inputs to the answer, rounded mean over the points: + - x ÷ and
@@ -27,11 +45,15 @@ pub struct TradeRow {
     pub divisions: u64,
     /// Pairs of sine and cosine among the operations.
     pub sincos: u64,
+    /// Of the time: half of the distance between its quartiles, over the median.
+    pub spread: f64,
+    /// The time over that of one f64 sine and cosine that waits for its argument, measured in the same run.
+    pub latencies: f64,
 }
 
 impl TradeRow {
     /// The names of the columns, in the order of the fields.
-    pub const COLUMNS: [&str; 11] = [
+    pub const COLUMNS: [&str; 13] = [
         "task",
         "number",
         "method",
@@ -43,11 +65,50 @@ impl TradeRow {
         "median_digits",
         "divisions",
         "sincos",
+        "spread",
+        "latencies",
     ];
 }
 
+/// What the means are compared on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Task {
+    /// The Jacobian of a 1-1 motion's map, DP = DP_2 DP_1: its entries, trace and determinant.
+    Dp,
+    /// The multipliers of a trace and a determinant, (19).
+    Multipliers,
+    /// The voltage of an impact, (5) and (6).
+    Voltage,
+    /// The next impact.
+    Impact,
+    /// A 1-1 orbit, from a guess that is 5% off.
+    Orbit,
+}
+
+impl Task {
+    /// All of them, the quickest first.
+    pub const ALL: [Self; 5] = [Self::Dp, Self::Multipliers, Self::Voltage, Self::Impact, Self::Orbit];
+
+    /// As the command line has it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Dp => "dp",
+            Self::Multipliers => "multipliers",
+            Self::Voltage => "voltage",
+            Self::Impact => "impact",
+            Self::Orbit => "orbit",
+        }
+    }
+}
+
+impl fmt::Display for Task {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
 /// How much to measure.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct TradeOptions {
     /// Points for each region.
     pub points: usize,
@@ -55,6 +116,17 @@ pub struct TradeOptions {
     pub seconds_per_row: f64,
     /// Of the points: the same seed gives the same points on every machine.
     pub seed: u64,
+    /// Only this means.
+    pub method: Option<String>,
+    /// Only this number.
+    pub number: Option<Rung>,
+}
+
+impl TradeOptions {
+    fn wants(&self, method: &str, number: Rung) -> bool {
+        let other = self.method.as_ref().is_some_and(|wanted| wanted != method);
+        !other && self.number.is_none_or(|wanted| wanted == number)
+    }
 }
 
 impl Default for TradeOptions {
@@ -64,6 +136,8 @@ impl Default for TradeOptions {
             points: 400,
             seconds_per_row: 0.05,
             seed: 1,
+            method: None,
+            number: None,
         }
     }
 }
@@ -72,17 +146,13 @@ impl Default for TradeOptions {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TradeError {
     /// No points.
-    #[error("{task} has {found} points of the {wanted} wanted")]
+    #[error("{task} has no problems")]
     Points {
         /// The task.
         task: String,
-        /// How many were asked for.
-        wanted: usize,
-        /// How many there are.
-        found: usize,
     },
     /// Two ways to the exact value disagree, so neither may judge.
-    #[error("the references of {task} agree to {digits:.1} digits only at point {point}")]
+    #[error("the two references of {task} agree to {digits:.1} digits at problem {point}, not to {wanted}")]
     Reference {
         /// The task.
         task: String,
@@ -90,15 +160,61 @@ pub enum TradeError {
         point: usize,
         /// How far they agree.
         digits: f64,
+        /// How far they have to, before they judge the widest number.
+        wanted: f64,
+    },
+    /// No means of a task has the name.
+    #[error("no means {method} in {number}; `trade {task} --format csv` lists those there are")]
+    Means {
+        /// The task.
+        task: Task,
+        /// What was asked for.
+        method: String,
+        /// And in which number.
+        number: String,
     },
 }
 
-/// Times closer than this ratio are taken as equal: a repeated run differs by as much. Operations decide there.
-const SAME_TIME: f64 = 1.1;
+/// The trade of a task: a row for each of its parts, means and number.
+///
+/// Every means solves the same problems, which are the same in every run and on every machine; all but the time is
+/// repeatable. The exact answers are computed in 100 digits by two ways that share no formula, and agree to 15 digits
+/// beyond the widest number they judge.
+///
+/// # Errors
+/// `Reference` where they do not, `Points` where there are no problems, `Means` where `options` leave nothing.
+pub fn trade(task: Task, options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> {
+    let mut rows = match task {
+        Task::Dp => dp::rows(options),
+        Task::Multipliers => multipliers::rows(options),
+        Task::Voltage => voltage::rows(options),
+        Task::Impact => impact::rows(options),
+        Task::Orbit => orbit::rows(options),
+    }?;
+    if rows.is_empty() {
+        return Err(TradeError::Means {
+            task,
+            method: options.method.clone().unwrap_or_else(|| "at all".to_owned()),
+            number: options
+                .number
+                .map_or_else(|| "any number".to_owned(), |number| number.to_string()),
+        });
+    }
+    let one = latency().median;
+    for row in &mut rows {
+        row.latencies = row.seconds / one;
+    }
+    mark_front(&mut rows);
+    Ok(rows)
+}
+
+/// Times closer than this part and their own spreads are taken as equal: a repeated run differs by as much. Operations
+/// decide there.
+const SAME_TIME: f64 = 0.1;
 
 /// Marks the rows that no other row of the same task beats: one that is cheaper and at least as accurate, or more
 /// accurate and no dearer. A means that leaves no digit is on no front.
-pub(super) fn mark_front(rows: &mut [TradeRow]) {
+fn mark_front(rows: &mut [TradeRow]) {
     let marks: Vec<bool> = rows
         .iter()
         .map(|row| row.digits > 0.0 && !rows.iter().any(|other| other.task == row.task && beats(other, row)))
@@ -114,7 +230,8 @@ fn beats(a: &TradeRow, b: &TradeRow) -> bool {
 }
 
 fn costs_less(a: &TradeRow, b: &TradeRow) -> bool {
-    let same = a.seconds <= b.seconds * SAME_TIME && b.seconds <= a.seconds * SAME_TIME;
+    let same = 1.0 + SAME_TIME + 2.0 * (a.spread + b.spread);
+    let same = a.seconds <= b.seconds * same && b.seconds <= a.seconds * same;
     if same {
         a.operations < b.operations
     } else {
@@ -145,7 +262,7 @@ mod tests {
     fn row(method: &'static str, seconds: f64, operations: u64, digits: f64) -> TradeRow {
         TradeRow {
             task: "t".into(),
-            number: "f64",
+            number: Rung::Double,
             method,
             operations,
             seconds,
@@ -155,6 +272,8 @@ mod tests {
             median_digits: 0.0,
             divisions: 0,
             sincos: 0,
+            spread: 0.0,
+            latencies: 0.0,
         }
     }
 

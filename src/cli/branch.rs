@@ -1,8 +1,8 @@
 //! `vibro-audit branch SCENE`.
 
-use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
-use crate::number::{Decimals, Doubles, Interval, Told};
-use crate::orbit::{Family, Followed, Found, Instant, Moment, Prepared, Rounded, Wanted, Word, confirmed_at};
+use super::{Answer, Asked, Content, Exit, Failure, Options, SceneArguments, note};
+use crate::number::{Decimals, Interval, Rung, Told};
+use crate::orbit::{Family, Followed, Found, Goal, Instant, Moment, Prepared, Rounded, Wanted, Word, confirmed_at};
 use crate::report::{Cell, Table};
 use crate::scene::{Over, Quantity, Scene, Setting, Sweep, Want};
 
@@ -42,9 +42,9 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
 
 /// The table of a scene: word by word, periods by periods, in the direction of the sweep.
 pub fn table(scene: &Scene, options: &Options) -> Result<Table, Failure> {
-    match options.decimals_for(scene)? {
-        None => table_as(scene, &Doubles),
-        Some(decimals) => table_as(scene, &decimals),
+    match options.goal_for(scene)? {
+        Asked::Doubles(goal) => table_as(scene, &goal),
+        Asked::Decimals(goal) => table_as(scene, &goal),
     }
 }
 
@@ -181,7 +181,8 @@ pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
     let columns = columns(&sweep);
     let mut tables = [Table::new(columns.clone()), Table::new(columns)];
     for periods in 1..=scene.max_periods()? {
-        let (events, _) = Prepared::new(&setting, periods, from.hull(&to))?.bifurcations_as(&decimals);
+        let (events, _) = Prepared::new(&setting, periods, from.hull(&to))?
+            .bifurcations_as(&Goal::decimals(decimals, Rung::Wide(50)));
         for event in events {
             if let Ok(again) = confirmed_at(&setting, &event, decimals) {
                 tables[1].push(instant(sweep.over, again))?;

@@ -45,6 +45,9 @@ pub enum Failure {
     /// A measurement failed.
     #[error(transparent)]
     Trade(#[from] crate::accuracy::TradeError),
+    /// The model by which numbers are chosen cannot be read.
+    #[error("{0}: this is a fault of vibro-audit, please report it")]
+    Choice(#[from] crate::accuracy::ChoiceError),
     /// More digits than there are.
     #[error("{figures} digits of a motion are more than can be computed; ask for at most {most}")]
     Digits { figures: usize, most: usize },

@@ -72,7 +72,7 @@ pub fn answer(directory: &Directory, request: &Request, options: &Options) -> Re
         "trajectory" => trajectory::table(&scene(directory, request)?, options)?,
         "voltage" => {
             let scene = scene(directory, request)?;
-            voltage::table(&scene, options.decimals_for(&scene)?)?
+            voltage::table(&scene, &options.goal_for(&scene)?)?
         }
         command => return Err(no_answer(command)),
     };

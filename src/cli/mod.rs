@@ -24,7 +24,7 @@ mod voltage;
 pub use answer::{Answer, Content, Rows};
 pub use exit::Exit;
 pub use failure::Failure;
-pub use options::Options;
+pub use options::{Asked, Options};
 pub use scene::SceneArguments;
 pub use source::{Source, SourceError, SourceProblem};
 

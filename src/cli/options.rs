@@ -1,12 +1,22 @@
 //! The options that every command knows.
 
 use super::Failure;
-use crate::number::{Decimals, FIGURES_OF_F64};
-use crate::orbit::most_figures;
+use crate::accuracy::{Purpose, cheapest};
+use crate::number::{Decimals, Doubles, FIGURES_OF_F64};
+use crate::orbit::{Goal, most_figures};
 use crate::report::{DEFAULT_DIGITS, Format, Output};
-use crate::scene::{MOST_DIGITS, Scene, SceneError};
+use crate::scene::{MOST_DIGITS, Scene};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
+
+/// How motions are wanted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Asked {
+    /// In f64.
+    Doubles(Goal<Doubles>),
+    /// In decimals.
+    Decimals(Goal<Decimals>),
+}
 
 /// The options that every command knows.
 #[derive(Clone, Debug, clap::Args)]
@@ -17,7 +27,8 @@ pub struct Options {
     /// Write to this file instead of stdout; it is there whole or not at all. For `run` and `plot all`, a directory
     #[arg(long, global = true, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// How many significant digits to reach and, in text, to print [default: 12]
+    /// How many significant digits to reach and, in text, to print [default: all that f64 shows, six after a simulation's
+    /// growth of errors; 12 are printed]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DIGITS)))]
     pub digits: Option<u32>,
 }
@@ -28,25 +39,38 @@ impl Options {
         self.out.clone().map_or(Output::Stdout, Output::File)
     }
 
-    /// The significant digits to reach: `--digits`, or those of the scene.
-    ///
-    /// # Errors
-    /// Digits of the scene that are none.
-    pub fn digits_for(&self, scene: &Scene) -> Result<u32, SceneError> {
-        self.digits.map_or_else(|| scene.digits(), Ok)
-    }
-
-    /// The decimals in which motions are wanted: where more digits are asked for than f64 has to the last one.
+    /// The digits asked for: `--digits`, or those of the scene; `None` where neither asks.
     ///
     /// # Errors
     /// Digits of the scene that are none, or more than motions are computed with.
-    pub fn decimals_for(&self, scene: &Scene) -> Result<Option<Decimals>, Failure> {
-        let figures = self.digits_for(scene)? as usize;
+    pub fn asked_of(&self, scene: &Scene) -> Result<Option<u32>, Failure> {
+        let asked = match self.digits {
+            Some(digits) => Some(digits),
+            None => scene.asked_digits()?,
+        };
         let most = most_figures();
-        if figures > most {
-            return Err(Failure::Digits { figures, most });
+        match asked.map(|digits| digits as usize) {
+            Some(figures) if figures > most => Err(Failure::Digits { figures, most }),
+            _ => Ok(asked),
         }
-        Ok((figures > FIGURES_OF_F64 as usize).then_some(Decimals(figures)))
+    }
+
+    /// How motions are wanted: in f64, where that shows the digits asked, else in decimals; and the number to begin with.
+    ///
+    /// # Errors
+    /// As [`Options::asked_of`].
+    pub fn goal_for(&self, scene: &Scene) -> Result<Asked, Failure> {
+        Ok(match self.asked_of(scene)? {
+            None => Asked::Doubles(Goal::DOUBLES),
+            Some(digits) => {
+                let first = cheapest(Purpose::Orbit, digits)?;
+                if digits <= FIGURES_OF_F64 {
+                    Asked::Doubles(Goal::doubles(digits, first))
+                } else {
+                    Asked::Decimals(Goal::decimals(Decimals(digits as usize), first))
+                }
+            }
+        })
     }
 
     /// The significant figures of a number in text.

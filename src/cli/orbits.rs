@@ -1,8 +1,8 @@
 //! `vibro-audit orbits SCENE [--explain]`.
 
-use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
-use crate::number::{Decimals, Doubles, Interval};
-use crate::orbit::{Found, Isolation, Parameters, Rounded, Search, Wanted, Word, confirmed, find_as, one_to_one};
+use super::{Answer, Asked, Content, Exit, Failure, Options, SceneArguments, note};
+use crate::number::{Decimals, Interval, Rung};
+use crate::orbit::{Found, Goal, Isolation, Parameters, Rounded, Search, Wanted, Word, confirmed, find_as, one_to_one};
 use crate::report::{Cell, Table};
 use crate::scene::{Scene, Want};
 
@@ -17,7 +17,7 @@ pub struct Arguments {
 }
 
 /// The columns that scripts rely on.
-const COLUMNS: [&str; 16] = [
+const COLUMNS: [&str; 17] = [
     "word",
     "periods",
     "d",
@@ -34,6 +34,7 @@ const COLUMNS: [&str; 16] = [
     "clearance",
     "admissible",
     "error_bound",
+    "number",
 ];
 
 /// Runs the command.
@@ -52,9 +53,9 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
 
 /// The table of a scene.
 pub fn table(scene: &Scene, options: &Options) -> Result<Table, Failure> {
-    match options.decimals_for(scene)? {
-        None => table_as(scene, &Doubles),
-        Some(decimals) => table_as(scene, &decimals),
+    match options.goal_for(scene)? {
+        Asked::Doubles(goal) => table_as(scene, &goal),
+        Asked::Decimals(goal) => table_as(scene, &goal),
     }
 }
 
@@ -79,10 +80,11 @@ where
 /// not reach has no row there.
 pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
     let setting = scene.setting()?;
-    let parameters = decimals.parameters(&setting)?;
+    let goal = Goal::decimals(decimals, Rung::Wide(50));
+    let parameters = goal.parameters(&setting)?;
     let mut tables = [Table::new(COLUMNS), Table::new(COLUMNS)];
     for word in scene.words()? {
-        let found = find_as(&decimals, &setting, &word, scene.max_periods()?)?;
+        let found = find_as(&goal, &setting, &word, scene.max_periods()?)?;
         for orbit in found.orbits {
             if let Ok(again) = confirmed(&setting, &orbit, decimals) {
                 tables[1].push(row(parameters.clone(), again))?;
@@ -133,6 +135,7 @@ where
         Cell::from(orbit.clearance),
         Cell::from(orbit.admissible),
         orbit.error_bound.map_or(Cell::Empty, Cell::from),
+        Cell::from(orbit.computed_in.to_string()),
     ]
 }
 

@@ -1,7 +1,9 @@
 //! `vibro-audit simulate SCENE [--impacts N] [--until T] [--last N]`.
 
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
+use crate::accuracy::{Purpose, cheapest};
 use crate::impact::{Extent, History, Kind, history, history_in_decimals};
+use crate::number::{Decimals, FIGURES_OF_F64, Rung};
 use crate::report::{Cell, Table};
 use crate::scene::{Scene, Want};
 
@@ -22,7 +24,7 @@ pub struct Arguments {
 }
 
 /// The columns that scripts rely on.
-const COLUMNS: [&str; 7] = ["event", "time", "phase", "side", "velocity", "kind", "digits"];
+const COLUMNS: [&str; 8] = ["event", "time", "phase", "side", "velocity", "kind", "digits", "number"];
 
 /// The impacts that are told where nothing limits them.
 const IMPACTS: u64 = 100;
@@ -64,15 +66,15 @@ pub fn table(scene: &Scene, options: &Options) -> Result<Table, Failure> {
 }
 
 fn told(scene: &Scene, options: &Options, extent: &Extent) -> Result<Table, Failure> {
-    let asked = options.digits.or(scene.asked_digits()?);
-    let extent = Extent {
-        digits: asked.unwrap_or(DIGITS),
-        ..*extent
-    };
+    let digits = options.asked_of(scene)?.unwrap_or(DIGITS);
+    let extent = Extent { digits, ..*extent };
     let (setting, start) = (scene.setting()?, scene.start()?);
-    match options.decimals_for(scene)? {
-        None => listed(&history(&setting, &start, &extent)?),
-        Some(decimals) => listed(&history_in_decimals(&setting, &start, &extent, decimals)?),
+    let first = cheapest(Purpose::Impact, digits)?;
+    if digits <= FIGURES_OF_F64 {
+        listed(&history(&setting, &start, &extent, first)?)
+    } else {
+        let decimals = Decimals(digits as usize);
+        listed(&history_in_decimals(&setting, &start, &extent, decimals, first)?)
     }
 }
 
@@ -90,19 +92,28 @@ where
             Cell::from(row.velocity.clone()),
             Cell::Text(row.kind.to_string()),
             Cell::Integer(i64::from(row.digits)),
+            // what no digit of holds was followed on in f64
+            Cell::Text(
+                if row.digits == 0 {
+                    Rung::Double
+                } else {
+                    history.computed_in
+                }
+                .to_string(),
+            ),
         ])?;
     }
     let is_undecided = history.rows.back().is_some_and(|row| row.kind == Kind::Undecided);
     if is_undecided {
         note(&format!(
-            "rounding hides whether the ball touches at the last event, with {} digits computed",
-            history.computed_with
+            "rounding hides whether the ball touches at the last event, computed in {}",
+            history.computed_in
         ));
     } else if let Some(event) = history.lost_at {
         note(&format!(
-            "from event {event} on no digit holds, with {} digits computed: what follows tells how such a motion goes \
+            "from event {event} on no digit holds, computed in {}: what follows tells how such a motion goes \
              on, not how this one does; Lyapunov exponent {:.3} per unit of time",
-            history.computed_with, history.lyapunov
+            history.computed_in, history.lyapunov
         ));
     }
     if history.has_ended {

@@ -1,22 +1,39 @@
-//! `vibro-audit trade [TASK]`.
+//! `vibro-audit trade [TASK] [--plot FILE]`.
 
-use super::{Answer, Content, Exit, Failure, Options};
-use crate::accuracy::{TradeOptions, TradeRow, trade_dp};
-use crate::report::{Cell, Format, Table};
+use super::{Answer, Content, Exit, Failure, Options, note};
+use crate::accuracy::{Task, TradeOptions, TradeRow, machine, trade};
+use crate::number::Rung;
+use crate::report::figure::trades;
+use crate::report::{Cell, Format, Output, Table};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use std::path::PathBuf;
 
 /// Measure cost against true error of each means to one end, and mark the Pareto front
 #[derive(Debug, clap::Args)]
 pub struct Arguments {
-    /// What to compute
-    #[arg(value_name = "TASK", value_enum, default_value_t = Task::Dp)]
-    task: Task,
+    /// What to compute [default: all of them, within a minute]
+    #[arg(value_name = "TASK", value_parser = task_parser())]
+    task: Option<Task>,
+    /// Only this means, by the name that the table gives it
+    #[arg(long, value_name = "NAME")]
+    method: Option<String>,
+    /// Only this number
+    #[arg(long, value_name = "NAME", value_parser = rung_parser())]
+    number: Option<Rung>,
+    /// Draw time against digits as an SVG, the front as a line
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
 }
 
-/// What the means are compared on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Task {
-    /// The Jacobian of a 1-1 motion's map, DP = DP_2 DP_1
-    Dp,
+fn task_parser() -> impl TypedValueParser<Value = Task> {
+    let named = |name: String| Task::ALL.into_iter().find(|task| task.name() == name);
+    PossibleValuesParser::new(Task::ALL.map(Task::name)).try_map(move |name| named(name).ok_or("no task"))
+}
+
+/// The widest numbers are not compared: a user who needs them has no choice.
+fn rung_parser() -> impl TypedValueParser<Value = Rung> {
+    let names = ["f32", "f64", "double-double", "50-digits"];
+    PossibleValuesParser::new(names).try_map(|name| Rung::named(&name).ok_or("no number"))
 }
 
 /// The columns that text has: the named ones.
@@ -29,10 +46,33 @@ fn measured(value: f64) -> f64 {
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
-    let rows = match arguments.task {
-        Task::Dp => trade_dp(&TradeOptions::default())?,
+    let drawing = arguments.plot.clone().map(Output::File);
+    if let Some(output) = &drawing {
+        output.check()?;
+    }
+    let tasks: Vec<Task> = arguments.task.map_or_else(|| Task::ALL.to_vec(), |task| vec![task]);
+    let asked = TradeOptions {
+        method: arguments.method.clone(),
+        number: arguments.number,
+        ..TradeOptions::default()
     };
-    // A person reads one table of the width of a terminal; scripts get every column.
+    note(&format!("times are of {}", machine()));
+    let mut rows = Vec::new();
+    for task in tasks {
+        rows.extend(trade(task, &asked)?);
+    }
+    if let Some(output) = drawing {
+        let svg = trades(&rows, &machine()).svg()?;
+        output.write(|out| out.write_all(svg.as_bytes()))?;
+    }
+    Ok(Answer {
+        content: Content::Table(table(&rows, options)?),
+        exit: Exit::AsExpected,
+    })
+}
+
+/// A person reads one table of the width of a terminal; scripts get every column.
+fn table(rows: &[TradeRow], options: &Options) -> Result<Table, Failure> {
     let columns = if options.format == Format::Text {
         SHOWN
     } else {
@@ -40,19 +80,16 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     };
     let mut table = Table::new(TradeRow::COLUMNS.into_iter().take(columns));
     for row in rows {
-        table.push(cells(&row).into_iter().take(columns).collect::<Vec<_>>())?;
+        table.push(cells(row).into_iter().take(columns).collect::<Vec<_>>())?;
     }
-    Ok(Answer {
-        content: Content::Table(table),
-        exit: Exit::AsExpected,
-    })
+    Ok(table)
 }
 
 fn cells(row: &TradeRow) -> Vec<Cell> {
     let count = |n: u64| Cell::from(i64::try_from(n).unwrap_or(i64::MAX));
     vec![
         Cell::from(row.task.clone()),
-        Cell::from(row.number),
+        Cell::from(row.number.to_string()),
         Cell::from(row.method),
         count(row.operations),
         Cell::from(measured(row.seconds)),
@@ -62,5 +99,7 @@ fn cells(row: &TradeRow) -> Vec<Cell> {
         Cell::from(measured(row.median_digits)),
         count(row.divisions),
         count(row.sincos),
+        Cell::from(measured(row.spread)),
+        Cell::from(measured(row.latencies)),
     ]
 }

@@ -2,6 +2,7 @@
 
 use super::simulate::DIGITS;
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
+use crate::accuracy::{Purpose, cheapest};
 use crate::impact::{Event, Extent, History, Row, Snapshot, Trajectory, history};
 use crate::model::Scales;
 use crate::number::FIGURES_OF_F64;
@@ -137,11 +138,11 @@ fn events(scene: &Scene, options: &Options, end: End) -> Result<History<f64>, Fa
         until,
         last: usize::MAX,
         digits: options
-            .digits
-            .or(scene.asked_digits()?)
+            .asked_of(scene)?
             .map_or(DIGITS, |digits| digits.min(FIGURES_OF_F64)),
     };
-    let history = history(&scene.setting()?, &scene.start()?, &extent)?;
+    let first = cheapest(Purpose::Impact, extent.digits)?;
+    let history = history(&scene.setting()?, &scene.start()?, &extent, first)?;
     if let Some(event) = history.lost_at {
         note(&format!(
             "from event {event} on no digit holds: what follows tells how such a motion goes on, not how this one does"

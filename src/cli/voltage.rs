@@ -1,9 +1,9 @@
 //! The voltages of the certified orbits along a sweep, for golden values.
 
-use super::Failure;
+use super::{Asked, Failure};
 use crate::model::{Membrane, Side};
-use crate::number::{Analytic, Decimal, Decimals, Doubles, Field, Interval, Telling, Told, Wide};
-use crate::orbit::{Family, Fixed, Prepared, Rounded, Wanted, Word, confirmed, find_as};
+use crate::number::{Analytic, Decimal, Decimals, Field, Interval, Rung, Telling, Told, Wide};
+use crate::orbit::{Family, Fixed, Goal, Prepared, Rounded, Wanted, Word, confirmed, find_as};
 use crate::report::{Cell, Table};
 use crate::scene::{Quantity, Scene, Setting};
 
@@ -34,13 +34,13 @@ const COLUMNS: [&str; 12] = [
 ///
 /// # Errors
 /// A scene that lacks `[sweep]`, `[membrane]`, or what its motions and units require.
-pub fn table(scene: &Scene, decimals: Option<Decimals>) -> Result<Table, Failure> {
+pub fn table(scene: &Scene, asked: &Asked) -> Result<Table, Failure> {
     let mut table = Table::new(COLUMNS);
-    match decimals {
-        None => each(scene, &Doubles, |_, voltages, orbit| {
+    match asked {
+        Asked::Doubles(goal) => each(scene, goal, |_, voltages, orbit| {
             Ok(table.push(voltages.row(&orbit, |velocity| Wide::from_f64(*velocity)))?)
         })?,
-        Some(decimals) => each(scene, &decimals, |_, voltages, orbit| {
+        Asked::Decimals(goal) => each(scene, goal, |_, voltages, orbit| {
             Ok(table.push(voltages.row(&orbit, read))?)
         })?,
     }
@@ -58,7 +58,8 @@ fn read(text: &Decimal) -> Wide<DIGITS> {
 /// As [`table`].
 pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
     let mut tables = [Table::new(COLUMNS), Table::new(COLUMNS)];
-    each(scene, &decimals, |fixed, voltages, orbit| {
+    let goal = Goal::decimals(decimals, Rung::Wide(50));
+    each(scene, &goal, |fixed, voltages, orbit| {
         if let Ok(again) = confirmed(fixed, &orbit, decimals) {
             tables[1].push(voltages.row(&again, read))?;
         }
@@ -212,7 +213,7 @@ mod tests {
     fn both_means_and_f64_agree_within_the_bound() {
         let at = ["sweep.from=0.4", "sweep.points=1", "words=['BT']"];
         let [first, second] = twice(&scene("fig02", &at), Decimals(30)).unwrap();
-        let float = table(&scene("fig02", &at), None).unwrap();
+        let float = table(&scene("fig02", &at), &Asked::Doubles(Goal::DOUBLES)).unwrap();
         let bound = |table: &Table| numbers(table, "error_bound")[0].to_f64();
         assert!(bound(&first) < 1e-21 && bound(&float) < 1e-9);
         for column in ["velocities", "voltages", "mean_voltage", "apart"] {
@@ -230,7 +231,7 @@ mod tests {
     #[test]
     fn the_mean_is_that_of_all_impacts_and_apart_that_of_the_walls() {
         let three = scene("fig03", &["sweep.from=0.25", "sweep.points=1", "words=['BTT']"]);
-        let table = table(&three, None).unwrap();
+        let table = table(&three, &Asked::Doubles(Goal::DOUBLES)).unwrap();
         let of = |column: &str| {
             numbers(&table, column)
                 .iter()

@@ -5,7 +5,9 @@ use super::simulation::Simulation;
 use super::start::Origin;
 use super::widening::Widening;
 use crate::model::{MotionError, Parameters, Side};
-use crate::number::{Analytic, Decimal, Decimals, DoubleDouble, FIGURES_OF_F64, Interval, Telling, Wide};
+use crate::number::{
+    Analytic, Decimal, Decimals, Digits, DoubleDouble, Endpoint, FIGURES_OF_F64, Interval, Rung, Telling, at_digits,
+};
 use std::collections::VecDeque;
 
 /// How much of a motion is asked for.
@@ -45,8 +47,8 @@ pub struct Row<N> {
 pub struct History<N> {
     /// The events asked for.
     pub rows: VecDeque<Row<N>>,
-    /// The decimal digits of the number that found them, about.
-    pub computed_with: u32,
+    /// The number that found them.
+    pub computed_in: Rung,
     /// The first event of all of which no digit holds, although the widest number was tried: from here on rows tell
     /// what such a motion does, not what this one does.
     pub lost_at: Option<u64>,
@@ -58,31 +60,31 @@ pub struct History<N> {
     pub has_ended: bool,
 }
 
-/// The motion in f64 where that holds the digits asked, else in double-double, 50 or 200 digits. What those lose too is
-/// followed on in f64 as statistics: its rows have no digits.
+/// The motion over `first` where that holds the digits asked, else over wider numbers up to 200 digits. What those lose
+/// too is followed on in f64 as statistics: its rows have no digits.
+///
+/// `first` is the narrowest number that may do, f64 or wider: a wrong choice costs time and no digit.
 ///
 /// # Errors
 /// A parameter out of its range.
-pub fn history(motion: &impl Parameters, origin: &impl Origin, extent: &Extent) -> Result<History<f64>, MotionError> {
+pub fn history(
+    motion: &impl Parameters,
+    origin: &impl Origin,
+    extent: &Extent,
+    first: Rung,
+) -> Result<History<f64>, MotionError> {
     let asked = Asked { motion, origin, extent };
     let figures = FIGURES_OF_F64;
-    for digits in [16, 31, 50] {
-        let told = Figures { digits, figures };
-        let attempt = match digits {
-            16 => asked.attempt(&told, f64::clone)?,
-            31 => asked.attempt(&told, <DoubleDouble as Analytic>::to_f64)?,
-            _ => asked.attempt(&told, <Wide<50> as Analytic>::to_f64)?,
-        };
-        if attempt.suffices(extent) {
-            return Ok(attempt.history);
-        }
-    }
-    let told = Figures { digits: 200, figures };
-    asked.at_last(asked.attempt(&told, <Wide<200> as Analytic>::to_f64)?, |value| value)
+    let attempt = |rung| match rung {
+        Rung::Single | Rung::Double => asked.attempt(figures, f64::clone),
+        Rung::DoubleDouble => asked.attempt(figures, <DoubleDouble as Analytic>::to_f64),
+        Rung::Wide(digits) => at_digits(digits, || asked.attempt(figures, <Digits as Analytic>::to_f64)),
+    };
+    asked.climb(first.max(Rung::Double), attempt, |value| value)
 }
 
-/// The same in decimals, from 50 or 200 digits: of two figures more than asked, so that their rounding takes none of
-/// those that hold.
+/// The same in decimals, over double-double or wider: of two figures more than asked, so that their rounding takes none
+/// of those that hold.
 ///
 /// # Errors
 /// A parameter out of its range.
@@ -91,20 +93,24 @@ pub fn history_in_decimals(
     origin: &impl Origin,
     extent: &Extent,
     decimals: Decimals,
+    first: Rung,
 ) -> Result<History<Decimal>, MotionError> {
-    fn tell<const DIGITS: usize>(decimals: Decimals) -> impl Fn(&Wide<DIGITS>) -> Decimal {
-        move |value| decimals.tell(&Interval::new(value.clone(), value.clone()))
+    fn tell<E: Endpoint>(decimals: Decimals) -> impl Fn(&E) -> Decimal
+    where
+        Decimals: Telling<E, Number = Decimal>,
+    {
+        move |value| decimals.tell(&Interval::point(value.clone()))
     }
     let asked = Asked { motion, origin, extent };
-    let figures = decimals.0 as u32;
-    let decimals = Decimals(decimals.0 + 2);
-    let attempt = asked.attempt(&Figures { digits: 50, figures }, tell::<50>(decimals))?;
-    if attempt.suffices(extent) {
-        return Ok(attempt.history);
-    }
-    let attempt = asked.attempt(&Figures { digits: 200, figures }, tell::<200>(decimals))?;
+    let figures = u32::try_from(decimals.0).unwrap_or(u32::MAX);
+    let more = Decimals(decimals.0 + 2);
+    let attempt = |rung| match rung {
+        Rung::Wide(digits) => at_digits(digits, || asked.attempt(figures, tell::<Digits>(more))),
+        _ => asked.attempt(figures, tell::<DoubleDouble>(more)),
+    };
     let few = Decimals(FIGURES_OF_F64 as usize);
-    asked.at_last(attempt, |value| tell::<50>(few)(&Wide::from_f64(value)))
+    let tell_f64 = |value| at_digits(50, || tell::<Digits>(few)(&Analytic::from_f64(value)));
+    asked.climb(first.max(Rung::DoubleDouble), attempt, tell_f64)
 }
 
 /// What an attempt in one number came to.
@@ -116,6 +122,8 @@ struct Attempt<N> {
     undecided: Option<Event<f64>>,
     impacts: u64,
     events: u64,
+    /// The time of the last event told.
+    elapsed: f64,
 }
 
 impl<N> Attempt<N> {
@@ -134,12 +142,6 @@ impl<N> Attempt<N> {
     }
 }
 
-/// How many digits a number has, and how many of them are told.
-struct Figures {
-    digits: u32,
-    figures: u32,
-}
-
 /// A motion, and how much of it is asked for.
 struct Asked<'a, P, O> {
     motion: &'a P,
@@ -148,17 +150,54 @@ struct Asked<'a, P, O> {
 }
 
 impl<P: Parameters, O: Origin> Asked<'_, P, O> {
-    /// The motion over `T`, as far as that number holds it.
-    fn attempt<T: Analytic, N>(&self, told: &Figures, tell: impl Fn(&T) -> N) -> Result<Attempt<N>, MotionError> {
+    /// The first attempt that suffices, from `first` on; else what the widest number has, followed on in f64.
+    fn climb<N>(
+        &self,
+        first: Rung,
+        attempt: impl Fn(Rung) -> Result<Attempt<N>, MotionError>,
+        tell: impl Fn(f64) -> N,
+    ) -> Result<History<N>, MotionError> {
+        let mut rung = first;
+        loop {
+            let attempt = attempt(rung)?;
+            if attempt.suffices(self.extent) {
+                return Ok(attempt.history);
+            }
+            let Some(wider) = self.wider(rung, &attempt) else {
+                return self.at_last(attempt, tell);
+            };
+            rung = wider;
+        }
+    }
+
+    /// The next number to try: of the wider ones the narrowest that has the digits which `attempt` lacked, if errors go on
+    /// growing as they did.
+    fn wider<N>(&self, rung: Rung, attempt: &Attempt<N>) -> Option<Rung> {
+        let extent = self.extent;
+        let had = f64::from(rung.digits());
+        let least = attempt.history.rows.iter().map(|row| row.digits).min();
+        let needed = if attempt.before_loss.is_some() {
+            let whole = (extent.impacts as f64).min(extent.until / attempt.elapsed * attempt.impacts as f64);
+            had * whole / attempt.impacts.max(1) as f64
+        } else {
+            had + f64::from(extent.digits.saturating_sub(least.unwrap_or(0)))
+        };
+        let mut wider = rung.and_wider().skip(1);
+        let widest = rung.and_wider().skip(1).last();
+        wider.find(|rung| f64::from(rung.digits()) >= needed).or(widest)
+    }
+
+    /// The motion over `T`, as far as that number holds it; at most `figures` digits are told.
+    fn attempt<T: Endpoint, N>(&self, figures: u32, tell: impl Fn(&T) -> N) -> Result<Attempt<N>, MotionError> {
         let extent = self.extent;
         let start = self.origin.start::<T>();
-        let completing = 10_f64.powi(-(told.figures.max(extent.digits) as i32) - 2);
+        let completing = 10_f64.powi(-(figures.max(extent.digits) as i32) - 2);
         let simulation = Simulation::new(&self.motion.motion::<T>()?, &start).with_growth();
         let mut simulation = simulation.completing_to(completing);
         let mut attempt = Attempt {
             history: History {
                 rows: VecDeque::new(),
-                computed_with: told.digits,
+                computed_in: T::rung(),
                 lost_at: None,
                 lyapunov: f64::NAN,
                 has_ended: false,
@@ -167,6 +206,7 @@ impl<P: Parameters, O: Origin> Asked<'_, P, O> {
             undecided: None,
             impacts: 0,
             events: 0,
+            elapsed: 0.0,
         };
         let mut before: Option<(Event<f64>, f64)> = None;
         while attempt.impacts < extent.impacts {
@@ -193,8 +233,9 @@ impl<P: Parameters, O: Origin> Asked<'_, P, O> {
                 side: event.side,
                 velocity: tell(&event.velocity),
                 kind: event.kind,
-                digits: growth.digits_at(elapsed, event.velocity.to_f64()).min(told.figures),
+                digits: growth.digits_at(elapsed, event.velocity.to_f64()).min(figures),
             };
+            attempt.elapsed = elapsed;
             attempt.push(row, extent);
             attempt.history.lyapunov = growth.stretch() / elapsed;
             if simulation.is_idle() && extent.until.is_infinite() {

@@ -5,7 +5,7 @@ use super::growth::Growth;
 use super::simulation::Simulation;
 use super::start::Start;
 use crate::model::Motion;
-use crate::number::{Analytic, DoubleDouble, Wide};
+use crate::number::{Analytic, Digits, DoubleDouble, at_digits};
 
 /// The events of a motion in f64. A contact that rounding hides is decided in double-double, else in 50 digits, from the
 /// event before as f64 has it, and the motion goes on from there; so it ends undecided only where those cannot tell.
@@ -64,7 +64,9 @@ impl Iterator for Widening {
     fn next(&mut self) -> Option<Event<f64>> {
         let mut event = self.simulation.next()?;
         if event.kind == Kind::Undecided
-            && let Some(decided) = self.decided::<DoubleDouble>().or_else(|| self.decided::<Wide<50>>())
+            && let Some(decided) = self
+                .decided::<DoubleDouble>()
+                .or_else(|| at_digits(50, || self.decided::<Digits>()))
         {
             self.simulation.resume(&decided);
             event = decided;

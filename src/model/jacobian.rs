@@ -29,6 +29,29 @@ pub enum Order {
     Two,
     /// Four values; error as its fourth power.
     Four,
+    /// Six values; error as its sixth power.
+    Six,
+}
+
+impl Order {
+    /// The weights of the differences over one, two and three steps to either side, and what their sum is divided by,
+    /// times the step (Fornberg, *Math. Comp.* 51, 1988, table 1).
+    fn weights(self) -> (&'static [i64], f64) {
+        match self {
+            Self::Two => (&[1], 2.0),
+            Self::Four => (&[8, -1], 12.0),
+            Self::Six => (&[45, -9, 1], 60.0),
+        }
+    }
+
+    /// The step that balances rounding, epsilon / h, against truncation, as a power of epsilon.
+    fn balance(self) -> f64 {
+        match self {
+            Self::Two => 1.0 / 3.0,
+            Self::Four => 1.0 / 5.0,
+            Self::Six => 1.0 / 7.0,
+        }
+    }
 }
 
 /// Why a derivative has no value.
@@ -153,15 +176,15 @@ impl<T: Analytic> Passage<T> {
 
     /// The entries by central differences, each neighbour's flight solved anew for the same wall.
     ///
-    /// The step balances rounding (epsilon / h) against truncation (h² or h⁴): h = epsilon^(1/3) or epsilon^(1/5)
-    /// times the distance over which the map changes by its own size, see `scales`. So about 2/3 and 4/5 of
-    /// the digits are left at best, and fewer the closer the flight grazes.
+    /// The step balances rounding (epsilon / h) against truncation (h², h⁴ or h⁶): h = epsilon^(1/3), epsilon^(1/5) or
+    /// epsilon^(1/7) times the distance over which the map changes by its own size, see `scales`. So about 2/3, 4/5 and
+    /// 6/7 of the digits are left at best, and fewer the closer the flight grazes.
     ///
     /// # Errors
     /// `Neighbour` where the wall is not reached a step away, as close to grazing.
     pub fn by_differences(&self, order: Order) -> Result<Matrix2<T>, JacobianError> {
         let epsilon = T::epsilon().to_f64();
-        let part = epsilon.powf(if order == Order::Two { 1.0 / 3.0 } else { 0.2 });
+        let part = epsilon.powf(order.balance());
         // A power of 2 not below the spacing of numbers there, so that it is added and divided by without rounding.
         let step = |scale: f64, at: &T| {
             let spacing = 64.0 * epsilon * at.to_f64().abs().max(scale.min(1.0));
@@ -210,15 +233,15 @@ impl<T: Analytic> Passage<T> {
             let (above, below) = (at(offset)?, at(-offset)?);
             Ok::<_, JacobianError>((above.0 - below.0, above.1 - below.1))
         };
-        let near = rise(step)?;
-        if order == Order::Two {
-            let width = T::from_f64(2.0 * step);
-            return Ok((near.0 / width.clone(), near.1 / width));
+        let (weights, below) = order.weights();
+        let mut sum = (T::zero(), T::zero());
+        for (steps, weight) in (1..).zip(weights) {
+            let (duration, velocity) = rise(f64::from(steps) * step)?;
+            let weight = T::from_integer(*weight);
+            sum = (sum.0 + weight.clone() * duration, sum.1 + weight * velocity);
         }
-        let far = rise(2.0 * step)?;
-        let width = T::from_f64(12.0 * step);
-        let combine = |near: T, far: T| (T::from_integer(8) * near - far) / width.clone();
-        Ok((combine(near.0, far.0), combine(near.1, far.1)))
+        let width = T::from_f64(below * step);
+        Ok((sum.0 / width.clone(), sum.1 / width))
     }
 
     fn flight(&self, time: f64, velocity: f64) -> Result<Flight<T>, FlightError> {
@@ -293,6 +316,7 @@ mod tests {
             assert!(apart(passage.by_duals()) < 1e-14);
             assert!(apart(passage.by_differences(Order::Two)) < 1e-8);
             assert!(apart(passage.by_differences(Order::Four)) < 1e-10);
+            assert!(apart(passage.by_differences(Order::Six)) < 1e-11);
         }
     }
 

@@ -27,3 +27,4 @@ pub use map::{Impact, Leg, Map, MapError, next_impact};
 pub use membrane::{Membrane, MembraneError};
 pub use motion::{Motion, MotionError, Side};
 pub use pair::Pair;
+pub use root::{Bracket, Sample, root};

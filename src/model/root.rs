@@ -3,9 +3,12 @@
 use crate::number::Analytic;
 
 /// A function's value, its slope, and the size of the terms that the value is summed from.
-pub(super) struct Sample<T> {
+pub struct Sample<T> {
+    /// Of the function.
     pub value: T,
+    /// Its derivative.
     pub slope: T,
+    /// Of the terms that the value is summed from.
     pub size: f64,
 }
 
@@ -16,9 +19,12 @@ const MOST_EVALUATIONS: usize = 1000;
 const NOISE_ROUNDINGS: f64 = 2.0;
 
 /// Two times between which a function changes sign, once, and its values there.
-pub(super) struct Bracket<'a, T> {
+pub struct Bracket<'a, T> {
+    /// The earlier.
     pub low: &'a T,
+    /// The later.
     pub high: &'a T,
+    /// Of the function there.
     pub values: [f64; 2],
 }
 
@@ -26,7 +32,7 @@ pub(super) struct Bracket<'a, T> {
 /// bisection, in the precision of `T`.
 ///
 /// Accurate to the noise of the function divided by its slope, or to the spacing of `T`. Always ends.
-pub(super) fn root<T: Analytic>(bracket: &Bracket<T>, function: impl Fn(&T) -> Sample<T>) -> T {
+pub fn root<T: Analytic>(bracket: &Bracket<T>, function: impl Fn(&T) -> Sample<T>) -> T {
     let epsilon = T::epsilon().to_f64();
     let (mut low, mut high) = (bracket.low.clone(), bracket.high.clone());
     let [below, above] = bracket.values;

@@ -1,7 +1,7 @@
 //! A number that counts what is done with it: the cost of a method, whatever the machine.
 
 use super::derivable::Elementary;
-use super::{Analytic, Field};
+use super::{Analytic, DoubleDouble, Endpoint, Field, Rung, Wide};
 use num_dual::DualNum;
 use std::cell::Cell;
 use std::fmt;
@@ -44,15 +44,20 @@ impl Counts {
         let outer = DONE.replace(Self::NONE);
         let result = work();
         let counts = DONE.get();
-        DONE.set(Self {
-            additions: outer.additions + counts.additions,
-            multiplications: outer.multiplications + counts.multiplications,
-            divisions: outer.divisions + counts.divisions,
-            roots: outer.roots + counts.roots,
-            sincos: outer.sincos + counts.sincos,
-            others: outer.others + counts.others,
-        });
+        DONE.set(outer.and(&counts));
         (result, counts)
+    }
+
+    /// Both together.
+    pub fn and(&self, other: &Self) -> Self {
+        Self {
+            additions: self.additions + other.additions,
+            multiplications: self.multiplications + other.multiplications,
+            divisions: self.divisions + other.divisions,
+            roots: self.roots + other.roots,
+            sincos: self.sincos + other.sincos,
+            others: self.others + other.others,
+        }
     }
 }
 
@@ -66,14 +71,45 @@ fn count(one_more: impl FnOnce(&mut Counts)) {
     DONE.set(counts);
 }
 
-/// A machine number whose operations are counted; its values are those of `T`, bit for bit.
+/// A number whose operations are counted; its values are those of `T`, bit for bit.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Counted<T>(pub T);
 
-/// The machine numbers that can be counted.
-pub trait Machine: Analytic + DualNum + Copy {}
-impl Machine for f32 {}
-impl Machine for f64 {}
+/// The numbers that means are compared in: each can be counted, can end an interval, and can be judged.
+pub trait Machine: Endpoint + DualNum {
+    /// The value in more digits: exactly, where `DIGITS` are as many as the type has.
+    fn to_wide<const DIGITS: usize>(&self) -> Wide<DIGITS>;
+}
+
+impl Machine for f32 {
+    fn to_wide<const DIGITS: usize>(&self) -> Wide<DIGITS> {
+        Analytic::from_f64(f64::from(*self))
+    }
+}
+
+impl Machine for f64 {
+    fn to_wide<const DIGITS: usize>(&self) -> Wide<DIGITS> {
+        Analytic::from_f64(*self)
+    }
+}
+
+impl Machine for DoubleDouble {
+    fn to_wide<const DIGITS: usize>(&self) -> Wide<DIGITS> {
+        DoubleDouble::to_wide(self)
+    }
+}
+
+impl<const OWN: usize> Machine for Wide<OWN> {
+    fn to_wide<const DIGITS: usize>(&self) -> Wide<DIGITS> {
+        self.convert()
+    }
+}
+
+impl<T: Machine> Machine for Counted<T> {
+    fn to_wide<const DIGITS: usize>(&self) -> Wide<DIGITS> {
+        self.0.to_wide()
+    }
+}
 
 impl<T: fmt::Display> fmt::Display for Counted<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -191,6 +227,55 @@ impl<T: Machine> Analytic for Counted<T> {
     }
     fn epsilon() -> Self {
         Self(<T as Analytic>::epsilon())
+    }
+}
+
+/// A step to a neighbour is none that is counted, as a change of sign is not.
+impl<T: Machine> Endpoint for Counted<T> {
+    const INFINITE: bool = T::INFINITE;
+
+    fn below(&self) -> Self {
+        Self(self.0.below())
+    }
+    fn above(&self) -> Self {
+        Self(self.0.above())
+    }
+    fn lowest() -> Self {
+        Self(T::lowest())
+    }
+    fn highest() -> Self {
+        Self(T::highest())
+    }
+    fn is_finite(&self) -> bool {
+        self.0.is_finite()
+    }
+    fn rung() -> Rung {
+        T::rung()
+    }
+    fn bounded_sincos(&self) -> (Self, Self) {
+        count(|counts| counts.sincos += 1);
+        let (sin, cos) = self.0.bounded_sincos();
+        (Self(sin), Self(cos))
+    }
+    fn bounded_acos(&self) -> Self {
+        count(|counts| counts.others += 1);
+        Self(self.0.bounded_acos())
+    }
+    fn bounded_atan2(&self, x: &Self) -> Self {
+        count(|counts| counts.others += 1);
+        Self(self.0.bounded_atan2(&x.0))
+    }
+    fn bounded_powf(&self, exponent: &Self) -> Self {
+        count(|counts| counts.others += 1);
+        Self(self.0.bounded_powf(&exponent.0))
+    }
+    fn bounded_exp(&self) -> Self {
+        count(|counts| counts.others += 1);
+        Self(self.0.bounded_exp())
+    }
+    fn bounded_ln(&self) -> Self {
+        count(|counts| counts.others += 1);
+        Self(self.0.bounded_ln())
     }
 }
 

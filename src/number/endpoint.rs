@@ -1,6 +1,6 @@
 //! Numbers that an interval can end at: each knows how far a result of its own may be from the exact one.
 
-use super::Analytic;
+use super::{Analytic, Rung};
 
 /// A number whose rounding has a bound, so that it can be the end of an [`Interval`](super::Interval).
 ///
@@ -22,6 +22,8 @@ pub trait Endpoint: Analytic + PartialOrd {
     fn highest() -> Self;
     /// Whether this is a number, and a finite one.
     fn is_finite(&self) -> bool;
+    /// Which number type this is.
+    fn rung() -> Rung;
 
     /// Sine and cosine; the sign of each is right where [`below`](Self::below) and [`above`](Self::above) agree.
     fn bounded_sincos(&self) -> (Self, Self) {
@@ -93,6 +95,10 @@ impl Endpoint for f64 {
         f64::is_finite(*self)
     }
 
+    fn rung() -> Rung {
+        Rung::Double
+    }
+
     #[inline]
     fn bounded_sincos(&self) -> (Self, Self) {
         pxfm::f_sincos(*self)
@@ -125,12 +131,70 @@ impl Endpoint for f64 {
     }
 }
 
+/// One step to the neighbour; the functions are those of f64, rounded once more, which is well within a step.
+impl Endpoint for f32 {
+    const INFINITE: bool = true;
+
+    fn below(&self) -> Self {
+        if self.is_nan() {
+            f32::NEG_INFINITY
+        } else {
+            self.next_down()
+        }
+    }
+    fn above(&self) -> Self {
+        if self.is_nan() { f32::INFINITY } else { self.next_up() }
+    }
+    fn lowest() -> Self {
+        f32::NEG_INFINITY
+    }
+    fn highest() -> Self {
+        f32::INFINITY
+    }
+    fn is_finite(&self) -> bool {
+        f32::is_finite(*self)
+    }
+    fn rung() -> Rung {
+        Rung::Single
+    }
+    fn bounded_sincos(&self) -> (Self, Self) {
+        let (sin, cos) = f64::from(*self).bounded_sincos();
+        (sin as f32, cos as f32)
+    }
+    fn bounded_acos(&self) -> Self {
+        f64::from(*self).bounded_acos() as f32
+    }
+    fn bounded_atan2(&self, x: &Self) -> Self {
+        f64::from(*self).bounded_atan2(&f64::from(*x)) as f32
+    }
+    fn bounded_powf(&self, exponent: &Self) -> Self {
+        f64::from(*self).bounded_powf(&f64::from(*exponent)) as f32
+    }
+    fn bounded_exp(&self) -> Self {
+        f64::from(*self).bounded_exp() as f32
+    }
+    fn bounded_ln(&self) -> Self {
+        f64::from(*self).bounded_ln() as f32
+    }
+}
+
 /// The least positive f64.
 const TINY: f64 = f64::from_bits(1);
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn in_f32_the_functions_of_f64_lie_within_a_step() {
+        for value in [0.1_f32, 1.0, 3.0, -2.5, 6.2] {
+            let (sin, cos) = value.bounded_sincos();
+            let (fine_sin, fine_cos) = f64::from(value).sin_cos();
+            assert!(f64::from(sin.below()) < fine_sin && fine_sin < f64::from(sin.above()));
+            assert!(f64::from(cos.below()) < fine_cos && fine_cos < f64::from(cos.above()));
+        }
+        assert_eq!((f32::NAN.below(), f32::NAN.above()), (f32::NEG_INFINITY, f32::INFINITY));
+    }
 
     #[test]
     fn a_step_is_that_of_the_standard_library() {

@@ -87,6 +87,7 @@ pub trait Analytic: Field {
 
 #[macro_use]
 mod derivable;
+mod any;
 mod counted;
 mod decimal;
 mod double_double;
@@ -95,21 +96,22 @@ mod endpoint;
 mod error_free;
 mod gradient;
 mod interval;
-mod precision;
 mod rational;
 mod real;
+mod rung;
 mod sequence;
 mod telling;
 mod wide;
 
+pub use any::{Any, of_type};
 pub use counted::{Counted, Counts, Machine};
 pub use double_double::DoubleDouble;
 pub use dual::{Dual, seeded};
 pub use endpoint::Endpoint;
 pub use gradient::Gradient;
 pub use interval::Interval;
-pub use precision::{AtPrecision, LADDER, with_digits};
 pub use rational::Rational;
+pub use rung::{AtRung, Rung};
 pub use sequence::{Sequence, mix};
 pub use telling::{Decimal, Decimals, Doubles, FIGURES_OF_F64, Telling, Told};
-pub use wide::Wide;
+pub use wide::{Digits, Wide, at_digits};

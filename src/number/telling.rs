@@ -1,6 +1,6 @@
 //! What is said of an enclosure: a number of a table, and how far it may be wrong.
 
-use super::{Analytic, Endpoint, Field, Interval, Wide};
+use super::{Analytic, DoubleDouble, Endpoint, Field, Interval, Wide};
 use std::fmt;
 
 /// The decimal figures that every f64 has.
@@ -151,6 +151,36 @@ impl<const DIGITS: usize> Telling<Wide<DIGITS>> for Decimals {
     }
 }
 
+/// The decimal digits in which a double-double is read: more than it has.
+const READ: usize = 50;
+
+fn widened(value: &Interval<DoubleDouble>) -> Interval<Wide<READ>> {
+    let [low, high] = [value.low(), value.high()].map(|end| end.to_wide::<READ>());
+    // exact, but where the parts are far from each other
+    Interval::new(low.below(), high.above())
+}
+
+/// As over [`Wide`].
+impl Telling<DoubleDouble> for Decimals {
+    type Number = Decimal;
+
+    fn tell(&self, value: &Interval<DoubleDouble>) -> Decimal {
+        self.tell(&widened(value))
+    }
+
+    fn error(&self, told: &Decimal, value: &Interval<DoubleDouble>) -> DoubleDouble {
+        DoubleDouble::from_wide(&Telling::<Wide<READ>>::error(self, told, &widened(value))).above()
+    }
+
+    fn bound(&self, error: DoubleDouble) -> Decimal {
+        Telling::<Wide<READ>>::bound(self, error.to_wide())
+    }
+
+    fn holds(&self, value: &Interval<DoubleDouble>) -> bool {
+        self.holds(&widened(value))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -174,6 +204,17 @@ mod tests {
             }
             assert!(telling.holds(&value));
         }
+    }
+
+    #[test]
+    fn a_decimal_of_a_double_double_is_within_its_bound() {
+        let third = Interval::<DoubleDouble>::from_ratio(1, 3);
+        let told = Decimals(25).tell(&third);
+        let bound = Telling::<DoubleDouble>::bound(&Decimals(25), Decimals(25).error(&told, &third));
+        let [told, bound] = [&told, &bound].map(|text| Wide::<100>::parse(text.as_str()).expect("a number"));
+        let apart = told - Wide::from_ratio(1, 3);
+        assert!(apart <= bound && -bound.clone() <= apart && bound.to_f64() < 1e-25);
+        assert!(Decimals(28).holds(&third) && !Decimals(33).holds(&third));
     }
 
     #[test]

@@ -10,11 +10,11 @@ use super::instant::Instant;
 use super::isolate::{Limits, isolate};
 use super::one_to_one::{Equations, FINEST, Search};
 use super::unsettled::Unsettled;
-use super::wanted::Wanted;
+use super::wanted::{Goal, Wanted};
 use super::{Balance, Word};
 use crate::model::Exact;
 use crate::model::MotionError;
-use crate::number::{Analytic, Doubles, Interval};
+use crate::number::{Analytic, Interval};
 use rayon::prelude::*;
 
 /// The cells spent at one value before it is left undecided.
@@ -98,7 +98,7 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
     /// # Errors
     /// A parameter out of its range.
     pub fn orbits(&self, value: &impl Exact) -> Result<Found, MotionError> {
-        self.orbits_as(&Doubles, value)
+        self.orbits_as(&Goal::DOUBLES, value)
     }
 
     /// The same, told as they are wanted.
@@ -121,7 +121,7 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
     /// # Errors
     /// A parameter out of its range.
     pub fn points<V: Exact + Sync>(&self, values: &[V]) -> Result<Vec<Found>, MotionError> {
-        self.points_as(&Doubles, values)
+        self.points_as(&Goal::DOUBLES, values)
     }
 
     /// The same, told as they are wanted.
@@ -138,7 +138,7 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
 
     /// Every bifurcation over the range, in order of the parameter, and what is open.
     pub fn bifurcations(&self) -> (Vec<Instant>, Vec<OpenEvent>) {
-        self.bifurcations_as(&Doubles)
+        self.bifurcations_as(&Goal::DOUBLES)
     }
 
     /// The same, told as they are wanted.

@@ -8,11 +8,11 @@ use super::refine::refined;
 use super::root::Root;
 use super::rounded::Rounded;
 use super::unsettled::{Question, Unsettled};
-use super::wanted::Wanted;
+use super::wanted::{Goal, Wanted};
 use super::{Balance, Cycle, Word, narrowed};
 use crate::model::Parameters;
 use crate::model::{Motion, MotionError};
-use crate::number::{Analytic, DoubleDouble, Doubles, Endpoint, Interval, Told};
+use crate::number::{Analytic, DoubleDouble, Endpoint, Interval, Told};
 
 /// Motions found, and the boxes in which more may be.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,7 +67,7 @@ impl std::fmt::Display for Open {
 /// # Errors
 /// A parameter out of its range.
 pub fn find(parameters: &impl Parameters, word: &Word, max_periods: u32) -> Result<Found, MotionError> {
-    find_as(&Doubles, parameters, word, max_periods)
+    find_as(&Goal::DOUBLES, parameters, word, max_periods)
 }
 
 /// All motions of `word` over 1 to `max_periods` periods, told as they are wanted: [`Doubles`](crate::number::Doubles)

@@ -8,11 +8,11 @@ use super::happening::moments;
 use super::moment::Moment;
 use super::newton;
 use super::strand::{End, Strand};
-use super::wanted::Wanted;
+use super::wanted::{Goal, Wanted};
 use super::word::Word;
 use crate::model::Exact;
 use crate::model::MotionError;
-use crate::number::{Doubles, Interval};
+use crate::number::Interval;
 use rayon::prelude::*;
 
 /// Values at which motions are searched for, both ends of the range among them.
@@ -77,7 +77,7 @@ impl<'a, F: Family + Sync> Followed<'a, F> {
     /// # Errors
     /// A parameter out of its range.
     pub fn points<V: Exact + Sync>(&self, values: &[V]) -> Result<Vec<Found>, MotionError> {
-        self.points_as(&Doubles, values)
+        self.points_as(&Goal::DOUBLES, values)
     }
 
     /// The same, told as they are wanted.
@@ -97,7 +97,7 @@ impl<'a, F: Family + Sync> Followed<'a, F> {
     /// # Errors
     /// A parameter out of its range.
     pub fn orbits(&self, value: &impl Exact) -> Result<Found, MotionError> {
-        self.orbits_as(&Doubles, value)
+        self.orbits_as(&Goal::DOUBLES, value)
     }
 
     /// The same, told as they are wanted.

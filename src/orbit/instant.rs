@@ -12,7 +12,7 @@ use super::rounded::larger;
 use super::system::System;
 use super::unsettled::{Question, Unsettled};
 use crate::model::{Motion, Side};
-use crate::number::{Analytic, Endpoint, Field, Interval, Telling, Told};
+use crate::number::{Analytic, Endpoint, Field, Interval, Rung, Telling, Told};
 use num_dual::DualNum;
 use num_traits::One;
 
@@ -54,6 +54,8 @@ pub struct Instant<N = f64> {
     /// No parameter, gap, phase, velocity or time above is farther than this from the exact one. `None` where an
     /// enclosure is too wide for the figures of a decimal.
     pub error_bound: Option<N>,
+    /// The number type whose enclosures these are of.
+    pub computed_in: Rung,
 }
 
 impl<N: Told> Instant<N> {
@@ -72,6 +74,7 @@ impl<N: Told> Instant<N> {
             clearance: self.clearance.to_f64(),
             admissible: self.admissible,
             error_bound: self.error_bound.as_ref().map(Told::to_f64),
+            computed_in: self.computed_in,
         }
     }
 }
@@ -117,6 +120,7 @@ impl<E: Endpoint> Enclosed<E> {
             clearance: or_infinite(&self.clearance),
             admissible: self.admissible,
             error_bound: known.then(|| telling.bound(error)),
+            computed_in: E::rung(),
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::orbit::Orbit;
 use super::stability::{Kind, Multiplier};
 use super::word::Word;
-use crate::number::{Analytic, Doubles, Endpoint, Field, Interval, Telling, Told};
+use crate::number::{Analytic, Doubles, Endpoint, Field, Interval, Rung, Telling, Told};
 
 /// An orbit as numbers: a row of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +35,8 @@ pub struct Rounded<N = f64> {
     /// No phase, velocity or time above is farther than this from the exact one (a phase: around the circle).
     /// `None` without a proof, and where an enclosure is too wide for the figures of a decimal.
     pub error_bound: Option<N>,
+    /// The number type whose enclosures these are of.
+    pub computed_in: Rung,
 }
 
 impl<N: Told> Rounded<N> {
@@ -58,6 +60,7 @@ impl<N: Told> Rounded<N> {
             clearance: self.clearance.to_f64(),
             admissible: self.admissible,
             error_bound: self.error_bound.as_ref().map(Told::to_f64),
+            computed_in: self.computed_in,
         }
     }
 }
@@ -80,11 +83,11 @@ impl<E: Endpoint> Orbit<E> {
         self.told(&Doubles)
     }
 
-    /// Whether every enclosure is narrow enough for `telling`.
-    pub fn holds<T: Telling<E>>(&self, telling: &T) -> bool {
+    /// Whether `narrow` says so of every enclosure: phases, velocities, times, trace, determinant and clearance.
+    pub fn all_are(&self, narrow: impl Fn(&Interval<E>) -> bool) -> bool {
         let lists = [&self.phases, &self.velocities, &self.times].into_iter().flatten();
         let mut all = lists.chain([&self.trace, &self.determinant]).chain(&self.clearance);
-        all.all(|value| telling.holds(value))
+        all.all(narrow)
     }
 
     /// The orbit as `telling` has it, with the bound of its errors; without one where an enclosure is too wide for it.
@@ -110,7 +113,7 @@ impl<E: Endpoint> Orbit<E> {
         let error = pairs
             .map(|(value, told)| telling.error(told, value))
             .fold(E::zero(), larger);
-        let known = self.certified && self.holds(telling);
+        let known = self.certified && self.all_are(|value| telling.holds(value));
         Rounded {
             word: self.word.clone(),
             periods: self.periods,
@@ -131,6 +134,7 @@ impl<E: Endpoint> Orbit<E> {
             velocities,
             times,
             error_bound: known.then(|| telling.bound(error)),
+            computed_in: E::rung(),
         }
     }
 }

@@ -8,7 +8,10 @@ use super::rounded::Rounded;
 use super::unsettled::{Question, Unsettled};
 use crate::model::{Exact, Parameters};
 use crate::model::{Motion, MotionError, Side};
-use crate::number::{AtPrecision, Decimal, Decimals, DoubleDouble, Doubles, Interval, Telling, Told, Wide};
+use crate::number::{
+    Decimal, Decimals, Digits, DoubleDouble, Doubles, Endpoint, FIGURES_OF_F64, Interval, Rung, Telling, Told,
+    at_digits,
+};
 
 /// What becomes of what was proved: rows of numbers, each computed over the narrowest number that will do.
 pub trait Wanted: Sync {
@@ -47,10 +50,6 @@ pub trait Wanted: Sync {
     fn value(&self, exact: &impl Exact) -> Self::Number;
 }
 
-fn is_open<T>(settled: &Result<T, Unsettled>) -> bool {
-    matches!(settled, Err(Unsettled::Undecided { .. }))
-}
-
 fn listed<T>(motion: Motion<T>) -> [T; 4]
 where
     T: crate::number::Analytic,
@@ -59,8 +58,104 @@ where
     [motion.g().clone(), motion.d().clone(), r_b, r_t]
 }
 
-/// f64, from double-double where that decides all there is to a motion, else from 50 or 200 digits.
-impl Wanted for Doubles {
+/// How values are told, to how many digits they are to hold, and the number type to begin with: where its enclosures
+/// decide too little or are too wide, the next wider one is taken.
+///
+/// `T` is [`Doubles`] or [`Decimals`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Goal<T> {
+    telling: T,
+    digits: u32,
+    first: Rung,
+}
+
+impl Goal<Doubles> {
+    /// As many digits as f64 shows.
+    pub const DOUBLES: Self = Self {
+        telling: Doubles,
+        digits: FIGURES_OF_F64,
+        first: Rung::DoubleDouble,
+    };
+
+    /// f64 of which `digits` hold, at most [`FIGURES_OF_F64`]. `first` is the narrowest number that may do: a wrong
+    /// choice costs time and no digit.
+    pub fn doubles(digits: u32, first: Rung) -> Self {
+        Self {
+            telling: Doubles,
+            digits: digits.min(FIGURES_OF_F64),
+            first: first.max(Rung::Double),
+        }
+    }
+}
+
+impl Goal<Decimals> {
+    /// Decimals of so many figures, at most [`most_figures`].
+    pub fn decimals(figures: Decimals, first: Rung) -> Self {
+        Self {
+            telling: figures,
+            digits: u32::try_from(figures.0).unwrap_or(u32::MAX),
+            first: first.max(Rung::DoubleDouble),
+        }
+    }
+}
+
+/// Digits that a number has beyond the most figures told of it: a motion may lose as many.
+const BEYOND: u32 = 5;
+
+/// The figures of a motion without a proof.
+const GUESSED: usize = 15;
+
+/// The most figures that decimals may have: more than the widest number has are not computed.
+pub fn most_figures() -> usize {
+    let widest = Rung::ALL.into_iter().map(Rung::digits).max();
+    widest.map_or(0, |digits| (digits - BEYOND) as usize)
+}
+
+impl<T> Goal<T> {
+    /// The first answer that holds over wider and wider numbers; else the last one, as it is.
+    fn climb<R>(&self, attempt: impl Fn(Rung) -> Result<(R, bool), Unsettled>) -> Result<R, Unsettled> {
+        let mut last = Err(Unsettled::Undecided {
+            what: Question::Existence,
+        });
+        for rung in self.first.and_wider() {
+            match attempt(rung) {
+                Ok((found, true)) => return Ok(found),
+                Ok((found, false)) => last = Ok(found),
+                Err(open @ Unsettled::Undecided { .. }) => last = last.or(Err(open)),
+                Err(why) => return Err(why),
+            }
+        }
+        last
+    }
+}
+
+/// A motion over `E` as `telling` has it, and whether that will do; one without a proof as `guess` has it, of which no
+/// wider number knows more.
+fn orbit_over<E: Endpoint, T: Telling<E>>(
+    (parameters, proved): (&impl Parameters, &Proved),
+    [telling, guess]: [&T; 2],
+    holds: impl Fn(&Interval<E>) -> bool,
+) -> Result<(Rounded<T::Number>, bool), Unsettled> {
+    let orbit = proved.orbit::<E>(parameters)?;
+    if orbit.certified {
+        let enough = orbit.all_are(holds);
+        Ok((orbit.told(telling), enough))
+    } else {
+        Ok((orbit.told(guess), true))
+    }
+}
+
+/// Whether an enclosure has so many digits; what may be 0, that many behind the point.
+fn has_digits<E: Endpoint>(value: &Interval<E>, digits: u32) -> bool {
+    let part = 10_f64.powi(-i32::try_from(digits).unwrap_or(i32::MAX));
+    if value.contains_zero() {
+        value.magnitude().to_f64() <= part
+    } else {
+        value.radius().to_f64() <= part * value.mignitude().to_f64()
+    }
+}
+
+impl Wanted for Goal<Doubles> {
     type Number = f64;
 
     fn is_double(&self) -> bool {
@@ -68,27 +163,31 @@ impl Wanted for Doubles {
     }
 
     fn orbit(&self, parameters: &impl Parameters, proved: &Proved) -> Result<Rounded, Unsettled> {
-        let narrow = proved.orbit::<DoubleDouble>(parameters);
-        if !is_open(&narrow) {
-            return narrow.map(|orbit| orbit.rounded());
-        }
-        let wide = proved.orbit::<Wide<50>>(parameters);
-        if !is_open(&wide) {
-            return wide.map(|orbit| orbit.rounded());
-        }
-        proved.orbit::<Wide<200>>(parameters).map(|orbit| orbit.rounded())
+        let (what, digits, telling) = ((parameters, proved), self.digits, [&Doubles; 2]);
+        self.climb(|rung| match rung {
+            Rung::Single | Rung::Double => orbit_over::<f64, _>(what, telling, |value| has_digits(value, digits)),
+            Rung::DoubleDouble => orbit_over::<DoubleDouble, _>(what, telling, |value| has_digits(value, digits)),
+            Rung::Wide(set) => at_digits(set, || {
+                orbit_over::<Digits, _>(what, telling, |value| has_digits(value, digits))
+            }),
+        })
     }
 
     fn instant(&self, family: &impl Family, periods: u32, located: &Located) -> Result<Instant, Unsettled> {
-        let narrow = located.settle::<DoubleDouble>(family, periods);
-        if let Ok(enclosed) = narrow {
-            return Ok(enclosed.told(self));
-        }
-        let wide = located.settle::<Wide<50>>(family, periods);
-        if let Ok(enclosed) = wide {
-            return Ok(enclosed.told(self));
-        }
-        Ok(located.settle::<Wide<200>>(family, periods)?.told(self))
+        let from_narrow = Self {
+            first: self.first.max(Rung::DoubleDouble),
+            ..*self
+        };
+        from_narrow.climb(|rung| match rung {
+            Rung::Wide(digits) => at_digits(digits, || {
+                located
+                    .settle::<Digits>(family, periods)
+                    .map(|enclosed| (enclosed.told(&Doubles), true))
+            }),
+            _ => located
+                .settle::<DoubleDouble>(family, periods)
+                .map(|enclosed| (enclosed.told(&Doubles), true)),
+        })
     }
 
     fn parameters(&self, parameters: &impl Parameters) -> Result<[f64; 4], MotionError> {
@@ -100,165 +199,66 @@ impl Wanted for Doubles {
     }
 }
 
-/// The sizes of [`Wide`] that motions are computed in: each costs a copy of all that proves, to compile and to load.
-const SIZES: [usize; 2] = [50, 200];
-
-/// The computation in the least of [`SIZES`] that has at least `digits`.
-fn at<C: AtPrecision>(digits: usize, computation: C) -> Option<C::Output> {
-    match SIZES.into_iter().find(|size| *size >= digits)? {
-        50 => Some(computation.run::<50>()),
-        200 => Some(computation.run::<200>()),
-        _ => None,
-    }
-}
-
-/// Digits computed beyond those told: a motion may lose as many.
-const BEYOND: usize = 5;
-
-/// The figures of a motion without a proof.
-const GUESSED: usize = 15;
-
-/// The most figures that decimals may have: more than the largest [`Wide`] has are not computed.
-pub fn most_figures() -> usize {
-    SIZES.last().map_or(0, |largest| largest - BEYOND)
-}
-
-impl Decimals {
-    /// The first answer that holds over wider and wider numbers; else the last one, as it is.
-    fn first<C, T>(self, computation: C) -> Result<T, Unsettled>
-    where
-        C: Clone + AtPrecision<Output = Result<(T, bool), Unsettled>>,
-    {
-        let sizes = SIZES.into_iter().filter(|size| *size >= self.0 + BEYOND);
-        let mut last = Err(Unsettled::Undecided {
-            what: Question::Existence,
-        });
-        for size in sizes {
-            match at(size, computation.clone()) {
-                Some(Ok((found, true))) => return Ok(found),
-                Some(Ok((found, false))) => last = Ok(found),
-                Some(settled) if is_open(&settled) => last = last.or_else(|_| settled.map(|(found, _)| found)),
-                Some(Err(why)) => return Err(why),
-                None => {}
-            }
-        }
-        last
-    }
-}
-
-/// A motion over many digits.
-struct Widened<'a, P> {
-    parameters: &'a P,
-    proved: &'a Proved<'a>,
-    telling: Decimals,
-}
-
-/// A bifurcation over many digits.
-struct Reached<'a, F> {
-    family: &'a F,
-    periods: u32,
-    located: &'a Located,
-    telling: Decimals,
-}
-
-/// Exact values over many digits.
-struct Listed<'a, P> {
-    parameters: &'a P,
-    telling: Decimals,
-}
-
-/// One exact value over many digits.
-struct Single<'a, X> {
-    exact: &'a X,
-    telling: Decimals,
-}
-
-impl<P> Clone for Widened<'_, P> {
-    fn clone(&self) -> Self {
-        Self { ..*self }
-    }
-}
-
-impl<F> Clone for Reached<'_, F> {
-    fn clone(&self) -> Self {
-        Self { ..*self }
-    }
-}
-
-impl<P: Parameters> AtPrecision for Widened<'_, P> {
-    type Output = Result<(Rounded<Decimal>, bool), Unsettled>;
-
-    fn run<const DIGITS: usize>(self) -> Self::Output {
-        let orbit = self.proved.orbit::<Wide<DIGITS>>(self.parameters)?;
-        if !orbit.certified {
-            // the guess is one in f64, and no number of digits helps
-            let figures = self.telling.0.min(GUESSED);
-            return Ok((orbit.told(&Decimals(figures)), true));
-        }
-        Ok((orbit.told(&self.telling), orbit.holds(&self.telling)))
-    }
-}
-
-impl<F: Family> AtPrecision for Reached<'_, F> {
-    type Output = Result<(Instant<Decimal>, bool), Unsettled>;
-
-    fn run<const DIGITS: usize>(self) -> Self::Output {
-        let enclosed = self.located.settle::<Wide<DIGITS>>(self.family, self.periods)?;
-        let told = enclosed.told(&self.telling);
-        let holds = told.error_bound.is_some();
-        Ok((told, holds))
-    }
-}
-
-impl<P: Parameters> AtPrecision for Listed<'_, P> {
-    type Output = Result<[Decimal; 4], MotionError>;
-
-    fn run<const DIGITS: usize>(self) -> Self::Output {
-        let motion = self.parameters.motion::<Interval<Wide<DIGITS>>>()?;
-        Ok(listed(motion).map(|value| self.telling.tell(&value)))
-    }
-}
-
-impl<X: Exact> AtPrecision for Single<'_, X> {
-    type Output = Decimal;
-
-    fn run<const DIGITS: usize>(self) -> Decimal {
-        self.telling.tell(&self.exact.value::<Interval<Wide<DIGITS>>>())
-    }
-}
-
-/// Decimals of at most [`most_figures`] figures, from the next size of [`Wide`] with five digits more, and wider ones
-/// where these do not suffice.
-impl Wanted for Decimals {
+/// Decimals of at most [`most_figures`] figures; a motion without a proof has fewer.
+impl Wanted for Goal<Decimals> {
     type Number = Decimal;
 
     fn orbit(&self, parameters: &impl Parameters, proved: &Proved) -> Result<Rounded<Decimal>, Unsettled> {
-        let telling = *self;
-        self.first(Widened {
-            parameters,
-            proved,
-            telling,
+        let guess = Decimals(self.telling.0.min(GUESSED));
+        let (what, telling) = ((parameters, proved), [&self.telling, &guess]);
+        self.climb(|rung| match rung {
+            Rung::Wide(digits) => at_digits(digits, || {
+                orbit_over::<Digits, _>(what, telling, |value| self.telling.holds(value))
+            }),
+            _ => orbit_over::<DoubleDouble, _>(what, telling, |value| self.telling.holds(value)),
         })
     }
 
     fn instant(&self, family: &impl Family, periods: u32, located: &Located) -> Result<Instant<Decimal>, Unsettled> {
-        let telling = *self;
-        self.first(Reached {
-            family,
-            periods,
-            located,
-            telling,
+        self.climb(|rung| match rung {
+            Rung::Wide(digits) => at_digits(digits, || {
+                let told = located.settle::<Digits>(family, periods)?.told(&self.telling);
+                let holds = told.error_bound.is_some();
+                Ok((told, holds))
+            }),
+            _ => {
+                let told = located.settle::<DoubleDouble>(family, periods)?.told(&self.telling);
+                let holds = told.error_bound.is_some();
+                Ok((told, holds))
+            }
         })
     }
 
     fn parameters(&self, parameters: &impl Parameters) -> Result<[Decimal; 4], MotionError> {
-        let telling = *self;
-        let told = at(self.0 + BEYOND, Listed { parameters, telling });
-        told.unwrap_or_else(|| Ok(std::array::from_fn(|_| Decimal::unknown())))
+        at_digits(self.digits + BEYOND, || {
+            let motion = parameters.motion::<Interval<Digits>>()?;
+            Ok(listed(motion).map(|value| self.telling.tell(&value)))
+        })
     }
 
     fn value(&self, exact: &impl Exact) -> Decimal {
-        let telling = *self;
-        at(self.0 + BEYOND, Single { exact, telling }).unwrap_or_else(Decimal::unknown)
+        at_digits(self.digits + BEYOND, || {
+            self.telling.tell(&exact.value::<Interval<Digits>>())
+        })
+    }
+}
+
+impl<E: Endpoint, T: Telling<E>> Telling<E> for Goal<T> {
+    type Number = T::Number;
+
+    fn tell(&self, value: &Interval<E>) -> T::Number {
+        self.telling.tell(value)
+    }
+
+    fn error(&self, told: &T::Number, value: &Interval<E>) -> E {
+        self.telling.error(told, value)
+    }
+
+    fn bound(&self, error: E) -> T::Number {
+        self.telling.bound(error)
+    }
+
+    fn holds(&self, value: &Interval<E>) -> bool {
+        self.telling.holds(value)
     }
 }

@@ -5,7 +5,7 @@ mod functions;
 
 use super::derivable::Elementary;
 use super::error_free::quick_two_sum;
-use super::{Analytic, Endpoint, Field, Wide};
+use super::{Analytic, Endpoint, Field, Rung, Wide};
 use std::fmt;
 
 /// A number of 106 bits, 31 decimal digits: the unevaluated sum of two f64, the second at most half an ulp of the
@@ -194,6 +194,10 @@ impl Endpoint for DoubleDouble {
     #[inline]
     fn is_finite(&self) -> bool {
         self.high.is_finite()
+    }
+
+    fn rung() -> Rung {
+        Rung::DoubleDouble
     }
 
     fn bounded_exp(&self) -> Self {

@@ -1,8 +1,8 @@
 //! How far a result in many digits may be from the exact one.
 
 use super::Wide;
-use crate::number::Endpoint;
 use crate::number::derivable::Elementary;
+use crate::number::{Endpoint, Rung};
 use dashu_float::Repr;
 
 /// What is less than any product that is not 0 may be before it becomes 0.
@@ -31,6 +31,10 @@ impl<const DIGITS: usize> Endpoint for Wide<DIGITS> {
 
     fn is_finite(&self) -> bool {
         self.is_valid()
+    }
+
+    fn rung() -> Rung {
+        Rung::Wide(u32::try_from(Self::digits()).unwrap_or(u32::MAX))
     }
 
     fn bounded_exp(&self) -> Self {

@@ -1,13 +1,15 @@
 //! Many digits, over dashu-float: the reference that f64 is measured against.
 
+mod angle;
 mod endpoint;
+mod sincos;
 mod text;
 
 use super::derivable::Elementary;
 use super::{Analytic, Field};
 use dashu_float::round::mode::HalfEven;
 use dashu_float::{ConstCache, Context, FBig, Repr};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Rem, Sub};
@@ -18,6 +20,32 @@ type Outcome = dashu_float::FpResult<Big>;
 thread_local! {
     /// pi and the logarithms, computed once for each thread and length.
     static CONSTANTS: RefCell<ConstCache> = const { RefCell::new(ConstCache::new()) };
+}
+
+thread_local! {
+    /// The digits of [`Digits`] on this thread.
+    static SET: Cell<usize> = const { Cell::new(50) };
+}
+
+/// A [`Wide`] of as many digits as [`at_digits`] sets: one copy of a computation serves every precision.
+pub type Digits = Wide<SET_AT_RUN_TIME>;
+
+/// The `DIGITS` that stand for those set at run time.
+const SET_AT_RUN_TIME: usize = 0;
+
+/// The computation with [`Digits`] of at least so many decimal digits, on this thread. May be nested.
+///
+/// Values may leave it, and keep their digits until they are computed with again.
+pub fn at_digits<R>(digits: u32, computation: impl FnOnce() -> R) -> R {
+    /// Puts back what was set before, after a panic as well.
+    struct Before(usize);
+    impl Drop for Before {
+        fn drop(&mut self) {
+            SET.set(self.0);
+        }
+    }
+    let _before = Before(SET.replace(digits.max(1) as usize));
+    computation()
 }
 
 /// Bits carried beyond the digits asked for, so that a formula of some thousand roundings keeps them.
@@ -55,9 +83,14 @@ impl<const DIGITS: usize> Wide<DIGITS> {
         }
     }
 
+    /// The decimal digits that are kept at least.
+    pub fn digits() -> usize {
+        if DIGITS == SET_AT_RUN_TIME { SET.get() } else { DIGITS }
+    }
+
     fn context() -> Context<HalfEven> {
         // 3322/1000 is just above log2(10)
-        Context::new(DIGITS.max(1) * 3322 / 1000 + 1 + GUARD_BITS)
+        Context::new(Self::digits() * 3322 / 1000 + 1 + GUARD_BITS)
     }
 
     /// The value of a result of dashu, invalid where it has none or is infinite.
@@ -135,7 +168,7 @@ impl<const DIGITS: usize> fmt::Display for Wide<DIGITS> {
         let Some(big) = &self.0 else {
             return f.write_str("NaN");
         };
-        let decimal = big.clone().with_base_and_precision::<10>(DIGITS.max(1)).value();
+        let decimal = big.clone().with_base_and_precision::<10>(Self::digits()).value();
         decimal.fmt(f)
     }
 }
@@ -227,15 +260,23 @@ impl<const DIGITS: usize> Analytic for Wide<DIGITS> {
         let Some(big) = self.0.as_ref().filter(|_| !self.is_beyond(LARGEST_ANGLE_BITS)) else {
             return (Self::INVALID, Self::INVALID);
         };
-        let (sin, cos) = CONSTANTS.with_borrow_mut(|cache| Self::context().sin_cos(big.repr(), Some(cache)));
-        (Self::from_outcome(sin), Self::from_outcome(cos))
+        let (sin, cos) = sincos::sincos(big, Self::context().precision());
+        (Self(Some(sin)), Self(Some(cos)))
     }
 
     fn acos(&self) -> Self {
+        let quick = |x: &Big| angle::acos(x, Self::context().precision());
+        if let Some(angle) = self.0.as_ref().and_then(quick) {
+            return Self(Some(angle));
+        }
         self.unary(|context, x, cache| context.acos(x, Some(cache)))
     }
 
     fn atan2(&self, x: &Self) -> Self {
+        let quick = |(y, x): (&Big, &Big)| angle::atan2(y, x, Self::context().precision());
+        if let Some(angle) = self.0.as_ref().zip(x.0.as_ref()).and_then(quick) {
+            return Self(Some(angle));
+        }
         self.binary(x, |context, y, x| {
             CONSTANTS.with_borrow_mut(|cache| context.atan2(y, x, Some(cache)))
         })
@@ -248,6 +289,14 @@ impl<const DIGITS: usize> Analytic for Wide<DIGITS> {
         self.binary(exponent, |context, base, exponent| {
             CONSTANTS.with_borrow_mut(|cache| context.powf(base, exponent, Some(cache)))
         })
+    }
+
+    /// As by Kahan, but the sign told here: beyond 300 digits f64 has it no more.
+    fn epsilon() -> Self {
+        let third = Self::from_ratio(4, 3) - <Self as Field>::from_integer(1);
+        let missed = <Self as Field>::from_integer(3) * third - <Self as Field>::from_integer(1);
+        let zero = <Self as num_traits::Zero>::zero();
+        if missed < zero { -missed } else { missed }
     }
 
     fn from_f64(value: f64) -> Self {
@@ -282,6 +331,20 @@ mod tests {
     fn epsilon_lies_below_the_digits_promised() {
         let epsilon = <Number as Analytic>::epsilon().to_f64();
         assert!(epsilon > 0.0 && epsilon < 1e-40, "{epsilon}");
+        // where f64 would tell it from 0 no more
+        let epsilon = <Wide<1000> as Analytic>::epsilon();
+        assert!(epsilon > Wide::from_f64(0.0) && epsilon.to_f64() == 0.0);
+    }
+
+    #[test]
+    fn digits_set_at_run_time_are_those_of_the_type_that_has_as_many() {
+        let third = |digits| at_digits(digits, || Digits::from_ratio(1, 3).convert::<200>());
+        assert_eq!(third(40), Wide::<40>::from_ratio(1, 3).convert());
+        assert_eq!(third(100), Wide::<100>::from_ratio(1, 3).convert());
+        at_digits(30, || {
+            at_digits(70, || assert_eq!(Digits::digits(), 70));
+            assert_eq!(Digits::digits(), 30);
+        });
     }
 
     #[test]

@@ -13,6 +13,7 @@ mod energy;
 mod parameter;
 mod portrait;
 mod strand;
+mod trade;
 
 pub use branch::{Bifurcation, Course, Step};
 pub use claim::Claim;
@@ -22,3 +23,4 @@ pub use displacement::displacement;
 pub use energy::Energy;
 pub use parameter::Parameter;
 pub use portrait::{Path, Portrait};
+pub use trade::trades;

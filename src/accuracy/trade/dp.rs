@@ -1,18 +1,12 @@
 //! The task `dp`: entries, trace and determinant of DP by closed form, dual numbers and differences.
 
-use super::clock::median_seconds;
+use super::contest::{self, EVERY, Exact, Means, Task};
 use super::points::{Point, Region, points};
-use super::trade::{TradeError, TradeOptions, TradeRow, digits_of, mark_front, quantile};
+use super::{TradeError, TradeOptions, TradeRow};
 use crate::model::{Forcing, JacobianError, Motion, Order, Pair, Passage};
-use crate::number::{Analytic, Counted, Counts, Machine, Wide};
+use crate::number::{Analytic, Machine, Rung};
 use nalgebra::Matrix2;
 use num_dual::DualNum;
-
-/// The number that judges: 24 digits beyond f64, of which grazing may eat some.
-type Exact = Wide<40>;
-
-/// Two ways to the exact value have to agree this far before it judges f64.
-const REFERENCE_DIGITS: f64 = 25.0;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Quantity {
@@ -30,6 +24,10 @@ impl Quantity {
             Self::Trace => "trace",
             Self::Determinant => "determinant",
         }
+    }
+
+    fn means(self, method: Method) -> Way {
+        Way { quantity: self, method }
     }
 
     /// The quantity of a matrix; a scalar in the first of four places.
@@ -65,6 +63,7 @@ impl Method {
             Self::Dual,
             Self::Difference(Order::Two),
             Self::Difference(Order::Four),
+            Self::Difference(Order::Six),
         ];
         // of the entries the product of (20) and (21) is the closed form
         all.into_iter()
@@ -79,6 +78,7 @@ impl Method {
             Self::Dual => "dual",
             Self::Difference(Order::Two) => "difference-2",
             Self::Difference(Order::Four) => "difference-4",
+            Self::Difference(Order::Six) => "difference-6",
         }
     }
 }
@@ -129,100 +129,51 @@ impl<T: Analytic> Input<T> {
     }
 }
 
-/// The largest difference over the largest exact value, 0 for 0/0.
-fn relative_error(found: &[Exact; 4], exact: &[Exact; 4]) -> f64 {
-    // unlike f64::max this lets NaN through
-    let largest = |values: [f64; 4]| {
-        values
-            .into_iter()
-            .fold(0.0, |a: f64, b| if b.abs() <= a { a } else { b.abs() })
-    };
-    let apart = [0, 1, 2, 3].map(|at| (found[at].clone() - exact[at].clone()).to_f64());
-    let size = largest(exact.each_ref().map(Analytic::to_f64));
-    let apart = largest(apart);
-    if apart == 0.0 { 0.0 } else { apart / size }
-}
-
-/// What the points of a task are judged by.
-struct Reference<'a> {
-    task: String,
+struct Part<'a> {
+    region: Region,
     quantity: Quantity,
     points: &'a [Point],
-    exact: Vec<[Exact; 4]>,
 }
 
-impl<'a> Reference<'a> {
-    fn new(task: String, quantity: Quantity, points: &'a [Point]) -> Result<Self, TradeError> {
-        let mut exact = Vec::with_capacity(points.len());
-        for (index, point) in points.iter().enumerate() {
-            let by = |method| Input::<Exact>::new(point).and_then(|input| input.evaluate(quantity, method).ok());
-            let both = by(Method::Formula).zip(by(Method::Dual));
-            let digits = both
-                .as_ref()
-                .map_or(0.0, |(formula, dual)| digits_of(relative_error(dual, formula), 1e-40));
-            match both {
-                Some((formula, _)) if digits >= REFERENCE_DIGITS => exact.push(formula),
-                _ => {
-                    return Err(TradeError::Reference {
-                        task,
-                        point: index,
-                        digits,
-                    });
-                }
-            }
-        }
-        Ok(Self {
-            task,
-            quantity,
-            points,
-            exact,
-        })
+impl Task for Part<'_> {
+    type Point = Point;
+
+    fn name(&self) -> String {
+        format!("dp/{}/{}", self.region.name(), self.quantity.name())
     }
 
-    /// One row: `method` in `T`, its operations counted in `Counted<T>`.
-    fn row<T: Machine>(&self, number: &'static str, method: Method, budget: f64) -> TradeRow {
-        let epsilon = <T as Analytic>::epsilon().to_f64();
-        let inputs: Vec<Input<T>> = self.points.iter().filter_map(Input::new).collect();
-        let digits: Vec<f64> = inputs
-            .iter()
-            .zip(&self.exact)
-            .map(|(input, exact)| {
-                let found = input.evaluate(self.quantity, method);
-                let found = found.map(|found| found.map(|part| <Exact as Analytic>::from_f64(part.to_f64())));
-                digits_of(found.map_or(f64::NAN, |found| relative_error(&found, exact)), epsilon)
-            })
-            .collect();
-        let counts = self.count::<T>(method);
-        let seconds = median_seconds(budget, || {
-            for input in &inputs {
-                let _ = std::hint::black_box(std::hint::black_box(input).evaluate(self.quantity, method));
-            }
-        });
-        let mean = |total: u64| (total as f64 / self.points.len() as f64).round() as u64;
-        TradeRow {
-            task: self.task.clone(),
-            number,
-            method: method.name(),
-            operations: mean(counts.total()),
-            seconds: seconds / self.points.len() as f64,
-            digits: quantile(&digits, 0.05),
-            on_front: false,
-            worst_digits: quantile(&digits, 0.0),
-            median_digits: quantile(&digits, 0.5),
-            divisions: mean(counts.divisions),
-            sincos: mean(counts.sincos),
+    fn points(&self) -> &[Point] {
+        self.points
+    }
+
+    fn exact(&self, point: &Point) -> Option<[Vec<Exact>; 2]> {
+        let by = |method| self.quantity.means(method).answer(point);
+        Some([by(Method::Formula)?, by(Method::Dual)?])
+    }
+}
+
+/// A means to one of the quantities.
+struct Way {
+    quantity: Quantity,
+    method: Method,
+}
+
+impl Means<Point> for Way {
+    fn name(&self) -> &'static str {
+        self.method.name()
+    }
+
+    fn rungs(&self) -> &'static [Rung] {
+        match self.method {
+            // more digits buy two thirds of them at a thousand times the cost
+            Method::Difference(_) => &EVERY[..3],
+            _ => EVERY,
         }
     }
 
-    fn count<T: Machine>(&self, method: Method) -> Counts {
-        let inputs: Vec<Input<Counted<T>>> = self.points.iter().filter_map(Input::new).collect();
-        Counts::of(|| {
-            for input in &inputs {
-                // a point without an answer costs what was done until that was known
-                let _ = input.evaluate(self.quantity, method);
-            }
-        })
-        .1
+    fn answer<T: Machine>(&self, point: &Point) -> Option<Vec<T>> {
+        let answer = Input::new(point)?.evaluate(self.quantity, self.method).ok()?;
+        Some(answer.to_vec())
     }
 }
 
@@ -230,37 +181,35 @@ impl<'a> Reference<'a> {
 ///
 /// Every means starts from (g, r_B, r_T, t_k, Zdot_k, T_1, T_2), numbers that f32 holds exactly, with
 /// T_1 + T_2 = 2, so that (22) and (23) hold; the flights need not be solved. The exact value is that of these very
-/// inputs in 40 digits, taken from the closed form and confirmed through dual numbers to 25 digits. An error is
-/// relative to the largest of the exact values.
-///
-/// # Errors
-/// `Points` without points, `Reference` where the two exact values disagree.
-pub fn trade_dp(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> {
+/// inputs, taken from the closed form and confirmed through dual numbers. An error is relative to the largest of the
+/// exact values.
+pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> {
     let mut rows = Vec::new();
     for region in [Region::Random, Region::Grazing] {
         let points = points(region, options.points, options.seed);
         for quantity in Quantity::ALL {
-            let task = format!("dp/{}/{}", region.name(), quantity.name());
-            if points.is_empty() || points.len() < options.points {
-                return Err(TradeError::Points {
-                    task,
-                    wanted: options.points,
-                    found: points.len(),
-                });
-            }
-            let reference = Reference::new(task, quantity, &points)?;
-            for method in Method::all_for(quantity) {
-                rows.push(reference.row::<f32>("f32", method, options.seconds_per_row));
-                rows.push(reference.row::<f64>("f64", method, options.seconds_per_row));
-            }
+            let points = &points[..];
+            let means: Vec<Way> = Method::all_for(quantity)
+                .into_iter()
+                .map(|method| quantity.means(method))
+                .collect();
+            rows.extend(contest::rows(
+                &Part {
+                    region,
+                    quantity,
+                    points,
+                },
+                &means,
+                options,
+            )?);
         }
     }
-    mark_front(&mut rows);
     Ok(rows)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::trade;
     use super::*;
 
     fn few() -> Vec<TradeRow> {
@@ -268,11 +217,12 @@ mod tests {
             points: 60,
             seconds_per_row: 0.0,
             seed: 7,
+            ..TradeOptions::default()
         };
-        trade_dp(&options).unwrap_or_default()
+        trade(super::super::Task::Dp, &options).expect("a trade")
     }
 
-    fn row<'a>(rows: &'a [TradeRow], task: &str, number: &str, method: &str) -> &'a TradeRow {
+    fn row<'a>(rows: &'a [TradeRow], task: &str, number: Rung, method: &str) -> &'a TradeRow {
         let wanted = |row: &&TradeRow| row.task == task && row.number == number && row.method == method;
         rows.iter()
             .find(wanted)
@@ -280,9 +230,10 @@ mod tests {
     }
 
     #[test]
-    fn every_task_has_every_means_in_both_numbers_and_a_front() {
+    fn every_task_has_every_means_in_every_number_and_a_front() {
         let rows = few();
-        assert_eq!(rows.len(), 2 * 2 * (4 + 5 + 5));
+        // three differences in three numbers, the others in four
+        assert_eq!(rows.len(), 2 * (3 * 9 + 4 * (2 + 3 + 3)));
         for task in ["dp/random/entries", "dp/grazing/trace", "dp/grazing/determinant"] {
             assert!(rows.iter().any(|row| row.task == task && row.on_front));
         }
@@ -292,16 +243,35 @@ mod tests {
     fn formula_and_duals_keep_nearly_all_digits_at_random_points_and_differences_do_not() {
         let rows = few();
         let digits = |number, method| row(&rows, "dp/random/entries", number, method).digits;
-        assert!(digits("f64", "formula") > 13.0 && digits("f64", "dual") > 13.0);
-        assert!(digits("f32", "formula") > 4.5 && digits("f32", "dual") > 4.5);
-        assert!(digits("f64", "difference-2") < digits("f64", "formula") - 3.0);
+        for (number, least) in [
+            (Rung::Single, 4.5),
+            (Rung::Double, 13.0),
+            (Rung::DoubleDouble, 28.0),
+            (Rung::Wide(50), 55.0),
+        ] {
+            assert!(
+                digits(number, "formula") > least && digits(number, "dual") > least,
+                "{number}"
+            );
+        }
+        assert!(digits(Rung::Double, "difference-2") < digits(Rung::Double, "formula") - 3.0);
+    }
+
+    #[test]
+    fn a_difference_of_higher_order_keeps_more_digits() {
+        let rows = few();
+        let digits = |number, method| row(&rows, "dp/random/entries", number, method).median_digits;
+        for number in [Rung::Double, Rung::DoubleDouble] {
+            assert!(digits(number, "difference-4") > digits(number, "difference-2"));
+            assert!(digits(number, "difference-6") > digits(number, "difference-4"));
+        }
     }
 
     #[test]
     fn close_to_grazing_every_means_loses_digits() {
         let rows = few();
-        for method in ["formula", "dual", "difference-2", "difference-4"] {
-            let digits = |region: &str| row(&rows, &format!("dp/{region}/entries"), "f64", method).median_digits;
+        for method in ["formula", "dual", "difference-2", "difference-4", "difference-6"] {
+            let digits = |region: &str| row(&rows, &format!("dp/{region}/entries"), Rung::Double, method).median_digits;
             assert!(digits("grazing") < digits("random"), "{method}");
         }
     }
@@ -322,6 +292,7 @@ mod tests {
             points: 0,
             ..TradeOptions::default()
         };
-        assert!(matches!(trade_dp(&options), Err(TradeError::Points { wanted: 0, .. })));
+        let none = trade(super::super::Task::Dp, &options);
+        assert!(matches!(none, Err(TradeError::Points { .. })));
     }
 }

@@ -1,0 +1,179 @@
+//! Several means to the same end, on the same problems, in every number that makes sense.
+
+use super::clock::{Timing, timing};
+use super::{TradeError, TradeOptions, TradeRow, digits_of, quantile};
+use crate::number::{Analytic, Any, AtRung, Counted, Counts, Machine, Rung, Wide, of_type};
+
+/// The number that judges: some forty digits beyond the widest that is judged.
+pub type Exact = Wide<100>;
+
+/// The digits that a reference has beyond the number it judges.
+const BEYOND: f64 = 15.0;
+
+/// What is to be computed: problems, and their answers.
+pub(super) trait Task {
+    /// A problem.
+    type Point;
+    /// Such as `dp/random/trace`.
+    fn name(&self) -> String;
+    /// The problems, the same on every machine.
+    fn points(&self) -> &[Self::Point];
+    /// The answer by two means that share no formula, `None` where there is none.
+    fn exact(&self, point: &Self::Point) -> Option<[Vec<Exact>; 2]>;
+    /// How far an answer is from the exact one: the largest difference over the largest exact value.
+    fn error(&self, found: &[Exact], exact: &[Exact]) -> f64 {
+        relative_error(found, exact)
+    }
+}
+
+/// A way to the answers.
+pub(super) trait Means<P> {
+    /// As the table has it.
+    fn name(&self) -> &'static str;
+    /// The numbers it makes sense in.
+    fn rungs(&self) -> &'static [Rung];
+    /// The answer over `T`, from the problem on; `None` where it finds none.
+    fn answer<T: Machine>(&self, point: &P) -> Option<Vec<T>>;
+}
+
+/// The rungs of most means.
+pub(super) const EVERY: &[Rung] = &[Rung::Single, Rung::Double, Rung::DoubleDouble, Rung::Wide(50)];
+
+/// The rungs of means that come from a crate for the numbers of the machine, or that gain nothing from more digits.
+pub(super) const OF_THE_MACHINE: &[Rung] = &[Rung::Single, Rung::Double];
+
+/// The largest difference over the largest exact value, 0 for 0/0.
+pub(super) fn relative_error(found: &[Exact], exact: &[Exact]) -> f64 {
+    // unlike f64::max this lets NaN through
+    let largest = |values: Vec<f64>| {
+        values
+            .into_iter()
+            .fold(0.0, |a: f64, b| if b.abs() <= a { a } else { b.abs() })
+    };
+    let apart = found.iter().zip(exact).map(|(a, b)| (a.clone() - b.clone()).to_f64());
+    let apart = largest(apart.collect());
+    let size = largest(exact.iter().map(Analytic::to_f64).collect());
+    if apart == 0.0 { 0.0 } else { apart / size }
+}
+
+/// The largest of the relative errors.
+pub(super) fn worst_relative_error(found: &[Exact], exact: &[Exact]) -> f64 {
+    let one = |(a, b): (&Exact, &Exact)| relative_error(std::slice::from_ref(a), std::slice::from_ref(b));
+    let errors = found.iter().zip(exact).map(one);
+    // unlike f64::max this lets NaN through
+    errors.fold(0.0, |worst, error| if error <= worst { worst } else { error })
+}
+
+/// A row for each means in each number that `options` want.
+///
+/// # Errors
+/// `Points` without problems, `Reference` where the two exact answers to one of them agree to fewer digits than it
+/// takes to judge the widest number.
+pub(super) fn rows<T: Task, M: Means<T::Point>>(
+    task: &T,
+    means: &[M],
+    options: &TradeOptions,
+) -> Result<Vec<TradeRow>, TradeError> {
+    let wanted = |means: &M, rung: Rung| options.wants(means.name(), rung);
+    let pairs = means
+        .iter()
+        .flat_map(|means| means.rungs().iter().map(move |rung| (means, *rung)));
+    let pairs: Vec<(&M, Rung)> = pairs.filter(|(means, rung)| wanted(means, *rung)).collect();
+    let Some(widest) = pairs.iter().map(|(_, rung)| *rung).max() else {
+        return Ok(Vec::new());
+    };
+    let exact = exact(task, widest)?;
+    let row = |(means, rung): (&M, Rung)| {
+        let contest = Contest {
+            task,
+            means,
+            exact: &exact,
+            budget: options.seconds_per_row,
+            rung,
+        };
+        rung.at(contest)
+    };
+    Ok(pairs.into_iter().map(row).collect())
+}
+
+/// The exact answers, each confirmed.
+fn exact<T: Task>(task: &T, widest: Rung) -> Result<Vec<Vec<Exact>>, TradeError> {
+    let points = task.points();
+    if points.is_empty() {
+        return Err(TradeError::Points { task: task.name() });
+    }
+    let wanted = f64::from(widest.digits()) + BEYOND;
+    let confirmed = points.iter().enumerate().map(|(point, at)| {
+        let both = task.exact(at);
+        let digits = both
+            .as_ref()
+            .map_or(0.0, |[one, other]| digits_of(task.error(other, one), 1e-99));
+        match both {
+            Some([exact, _]) if digits >= wanted => Ok(exact),
+            _ => Err(TradeError::Reference {
+                task: task.name(),
+                point,
+                digits,
+                wanted,
+            }),
+        }
+    });
+    confirmed.collect()
+}
+
+/// One means in one number.
+struct Contest<'a, T, M> {
+    task: &'a T,
+    means: &'a M,
+    exact: &'a [Vec<Exact>],
+    budget: f64,
+    rung: Rung,
+}
+
+impl<T: Task, M: Means<T::Point>> AtRung for Contest<'_, T, M> {
+    type Output = TradeRow;
+
+    fn run<N: Machine>(self) -> TradeRow {
+        let points = self.task.points();
+        let epsilon = <N as Analytic>::epsilon().to_f64();
+        let digits: Vec<f64> = points
+            .iter()
+            .zip(self.exact)
+            .map(|(point, exact)| {
+                let found = self.means.answer::<N>(point);
+                let found = found.map(|found| found.iter().map(Machine::to_wide).collect::<Vec<Exact>>());
+                let error = found.map_or(f64::NAN, |found| self.task.error(&found, exact));
+                digits_of(error, epsilon)
+            })
+            .collect();
+        let (_, counts) = Counts::of(|| {
+            of_type(self.rung, || {
+                for point in points {
+                    // a problem without an answer costs what was done until that was known
+                    let _ = self.means.answer::<Counted<Any>>(point);
+                }
+            });
+        });
+        let Timing { median, spread } = timing(self.budget, || {
+            for point in points {
+                let _ = std::hint::black_box(self.means.answer::<N>(std::hint::black_box(point)));
+            }
+        });
+        let mean = |total: u64| (total as f64 / points.len() as f64).round() as u64;
+        TradeRow {
+            task: self.task.name(),
+            number: self.rung,
+            method: self.means.name(),
+            operations: mean(counts.total()),
+            seconds: median / points.len() as f64,
+            digits: quantile(&digits, 0.05),
+            on_front: false,
+            worst_digits: quantile(&digits, 0.0),
+            median_digits: quantile(&digits, 0.5),
+            divisions: mean(counts.divisions),
+            sincos: mean(counts.sincos),
+            spread,
+            latencies: f64::NAN,
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! The task `multipliers`: the eigenvalues (19) of a trace and a determinant, as printed and without cancellation.
+
+use super::contest::{self, EVERY, Exact, Means, Task};
+use super::{TradeError, TradeOptions, TradeRow};
+use crate::number::{Analytic, Machine, Rung, Sequence};
+use crate::orbit::{Kind, multipliers};
+
+/// Bits of a drawn number: few enough for f32.
+const BITS: u32 = 20;
+
+/// A real pair of multipliers, by numbers that f32 holds exactly.
+struct Point {
+    trace: f64,
+    determinant: f64,
+}
+
+/// Where the points lie.
+#[derive(Clone, Copy)]
+enum Region {
+    /// Nodes and saddles with multipliers of like size.
+    Random,
+    /// Saddles with a trace of 1e2 to 1e6, as beside a grazing.
+    Saddle,
+}
+
+struct Part {
+    name: &'static str,
+    points: Vec<Point>,
+}
+
+impl Part {
+    fn new(region: Region, options: &TradeOptions) -> Self {
+        let mut sequence = Sequence::new(options.seed);
+        let mut draw = || {
+            let narrow = |value: f64| f64::from(value as f32);
+            let loss = sequence.on_grid(BITS, 0.05, 0.9);
+            let determinant = narrow(loss * loss);
+            let (low, high) = match region {
+                Region::Random => ((2.1 * loss).log10(), 1.0),
+                Region::Saddle => (2.0, 6.0),
+            };
+            let size = 10_f64.powf(sequence.on_grid(BITS, low, high));
+            let sign = if sequence.on_grid(BITS, 0.0, 1.0) < 0.5 {
+                -1.0
+            } else {
+                1.0
+            };
+            let trace = narrow(sign * size);
+            Point { trace, determinant }
+        };
+        let name = match region {
+            Region::Random => "multipliers/random",
+            Region::Saddle => "multipliers/saddle",
+        };
+        let points = (0..options.points).map(|_| draw()).collect();
+        Self { name, points }
+    }
+}
+
+impl Task for Part {
+    type Point = Point;
+
+    fn name(&self) -> String {
+        self.name.to_owned()
+    }
+
+    fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    fn exact(&self, point: &Point) -> Option<[Vec<Exact>; 2]> {
+        Some([Way::Stable.answer(point)?, Way::Printed.answer(point)?])
+    }
+
+    /// The larger relative error of the two.
+    fn error(&self, found: &[Exact], exact: &[Exact]) -> f64 {
+        contest::worst_relative_error(found, exact)
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Way {
+    /// (19): (Tr ± sqrt(Tr² - 4 Det)) / 2.
+    Printed,
+    /// The larger in size so, the other from the determinant.
+    Stable,
+}
+
+impl Means<Point> for Way {
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Printed => "printed",
+            Self::Stable => "stable",
+        }
+    }
+
+    fn rungs(&self) -> &'static [Rung] {
+        EVERY
+    }
+
+    fn answer<T: Machine>(&self, point: &Point) -> Option<Vec<T>> {
+        let [trace, determinant] = [point.trace, point.determinant].map(<T as Analytic>::from_f64);
+        let [larger, smaller] = match self {
+            Self::Stable => multipliers(Kind::Saddle, &trace, &determinant).map(|multiplier| multiplier.re),
+            Self::Printed => {
+                let delta = trace.clone() * trace.clone() - T::from_integer(4) * determinant;
+                let root = Analytic::sqrt(&delta);
+                let half = T::from_ratio(1, 2);
+                let [plus, minus] = [trace.clone() + root.clone(), trace - root].map(|sum| sum * half.clone());
+                if point.trace < 0.0 {
+                    [minus, plus]
+                } else {
+                    [plus, minus]
+                }
+            }
+        };
+        Some(vec![larger, smaller])
+    }
+}
+
+/// The trade of task `multipliers`: random nodes and saddles, and saddles beside a grazing.
+pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> {
+    let mut rows = Vec::new();
+    for region in [Region::Random, Region::Saddle] {
+        rows.extend(contest::rows(
+            &Part::new(region, options),
+            &[Way::Printed, Way::Stable],
+            options,
+        )?);
+    }
+    Ok(rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_printed_form_loses_digits_where_a_multiplier_is_large_and_ours_does_not() {
+        let options = TradeOptions {
+            points: 80,
+            seconds_per_row: 0.0,
+            ..TradeOptions::default()
+        };
+        let rows = rows(&options).expect("a trade");
+        assert_eq!(rows.len(), 2 * 2 * 4);
+        let worst = |task: &str, method: &str, number: Rung| {
+            let row = rows
+                .iter()
+                .find(|row| row.task == task && row.method == method && row.number == number);
+            row.expect("a row").worst_digits
+        };
+        for (number, digits) in [(Rung::Double, 15.0), (Rung::DoubleDouble, 30.0), (Rung::Wide(50), 58.0)] {
+            assert!(worst("multipliers/saddle", "stable", number) > digits);
+            assert!(worst("multipliers/saddle", "printed", number) < digits - 4.0);
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! The task `voltage`: the output of an impact, (5) and (6), as printed and without cancellation.
+
+use super::contest::{self, EVERY, Exact, Means, Task};
+use super::{TradeError, TradeOptions, TradeRow};
+use crate::model::Membrane;
+use crate::number::{Analytic, Machine, Rung, Sequence};
+
+/// Bits of a drawn number: few enough for f32.
+const BITS: u32 = 20;
+
+/// The membrane of Table 1, each number rounded to f32, so that every number is asked about the same one: ball mass,
+/// stiffness, exponent, radii of ball and membrane, input voltage.
+const MEMBRANE: [f32; 6] = [0.0035, 4.0847e5, 2.6, 0.005, 0.0063, 2000.0];
+
+/// How fast the impacts are, as powers of ten of m/s.
+const REGIONS: [(&str, [f64; 2]); 2] = [("voltage/ordinary", [-1.0, 1.3]), ("voltage/slight", [-9.0, -3.0])];
+
+struct Part {
+    name: &'static str,
+    speeds: Vec<f64>,
+}
+
+impl Task for Part {
+    /// A speed, m/s.
+    type Point = f64;
+
+    fn name(&self) -> String {
+        self.name.to_owned()
+    }
+
+    fn points(&self) -> &[f64] {
+        &self.speeds
+    }
+
+    fn exact(&self, speed: &f64) -> Option<[Vec<Exact>; 2]> {
+        Some([Way::Stable.answer(speed)?, Way::Printed.answer(speed)?])
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Way {
+    /// (5) and (6) as they stand.
+    Printed,
+    /// Without the difference.
+    Stable,
+}
+
+impl Means<f64> for Way {
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Printed => "printed",
+            Self::Stable => "stable",
+        }
+    }
+
+    fn rungs(&self) -> &'static [Rung] {
+        EVERY
+    }
+
+    fn answer<T: Machine>(&self, speed: &f64) -> Option<Vec<T>> {
+        let [mass, stiffness, exponent, ball, rim, input] =
+            MEMBRANE.map(|value| <T as Analytic>::from_f64(f64::from(value)));
+        let membrane = Membrane::new(mass, stiffness, exponent, ball, rim, input).ok()?;
+        let speed = <T as Analytic>::from_f64(*speed);
+        Some(vec![match self {
+            Self::Printed => membrane.voltage_as_printed(&speed),
+            Self::Stable => membrane.voltage(&speed),
+        }])
+    }
+}
+
+/// The trade of task `voltage`: impacts of 0.1 to 20 m/s, and slight ones.
+pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> {
+    let mut rows = Vec::new();
+    for (name, [low, high]) in REGIONS {
+        let mut sequence = Sequence::new(options.seed);
+        let mut speed = || f64::from(10_f64.powf(sequence.on_grid(BITS, low, high)) as f32);
+        let speeds = (0..options.points).map(|_| speed()).collect();
+        let part = Part { name, speeds };
+        rows.extend(contest::rows(&part, &[Way::Printed, Way::Stable], options)?);
+    }
+    Ok(rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_printed_form_loses_digits_of_slight_impacts_and_ours_does_not() {
+        let options = TradeOptions {
+            points: 40,
+            seconds_per_row: 0.0,
+            ..TradeOptions::default()
+        };
+        let rows = rows(&options).expect("a trade");
+        let worst = |task: &str, method: &str| {
+            let row = rows
+                .iter()
+                .find(|row| row.task == task && row.method == method && row.number == Rung::Double);
+            row.expect("a row").worst_digits
+        };
+        assert!(worst("voltage/slight", "stable") > 14.0 && worst("voltage/ordinary", "stable") > 14.0);
+        assert!(worst("voltage/slight", "printed") < 11.0);
+    }
+}

@@ -1,0 +1,112 @@
+//! The number types that means are compared and chosen in, from the narrowest to the widest.
+
+use super::{Digits, DoubleDouble, Machine, at_digits};
+use std::fmt;
+
+/// A number type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Rung {
+    /// f32.
+    Single,
+    /// f64.
+    Double,
+    /// [`DoubleDouble`](super::DoubleDouble).
+    DoubleDouble,
+    /// [`Wide`](super::Wide) with so many decimal digits.
+    Wide(u32),
+}
+
+impl Rung {
+    /// Those that are compared and chosen from.
+    pub const ALL: [Self; 6] = [
+        Self::Single,
+        Self::Double,
+        Self::DoubleDouble,
+        Self::Wide(50),
+        Self::Wide(100),
+        Self::Wide(200),
+    ];
+
+    /// The rung of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|rung| rung.to_string() == name)
+    }
+
+    /// The decimal digits that the type keeps at least.
+    pub fn digits(self) -> u32 {
+        match self {
+            Self::Single => 7,
+            Self::Double => 16,
+            Self::DoubleDouble => 31,
+            Self::Wide(digits) => digits,
+        }
+    }
+
+    /// This one and those wider, in order.
+    pub fn and_wider(self) -> impl Iterator<Item = Self> {
+        Self::ALL.into_iter().filter(move |rung| *rung >= self)
+    }
+}
+
+impl fmt::Display for Rung {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Single => f.pad("f32"),
+            Self::Double => f.pad("f64"),
+            Self::DoubleDouble => f.pad("double-double"),
+            Self::Wide(digits) => f.pad(&format!("{digits}-digits")),
+        }
+    }
+}
+
+/// A computation that can be done in any of the number types.
+pub trait AtRung {
+    /// What is computed: nothing that has the number in its type.
+    type Output;
+    /// The computation in `T`.
+    fn run<T: Machine>(self) -> Self::Output;
+}
+
+impl Rung {
+    /// The computation in this number.
+    pub fn at<C: AtRung>(self, computation: C) -> C::Output {
+        match self {
+            Self::Single => computation.run::<f32>(),
+            Self::Double => computation.run::<f64>(),
+            Self::DoubleDouble => computation.run::<DoubleDouble>(),
+            Self::Wide(digits) => at_digits(digits, || computation.run::<Digits>()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Analytic;
+    use super::*;
+
+    struct Rounding;
+    impl AtRung for Rounding {
+        type Output = f64;
+        fn run<T: Machine>(self) -> f64 {
+            <T as Analytic>::epsilon().to_f64()
+        }
+    }
+
+    #[test]
+    fn every_rung_rounds_as_its_digits_say() {
+        for rung in Rung::ALL {
+            let digits = -(0.5 * rung.at(Rounding)).log10();
+            assert!(digits > f64::from(rung.digits()) - 0.1, "{rung} {digits}");
+        }
+    }
+
+    #[test]
+    fn rungs_are_in_order_and_have_names_and_the_digits_of_their_types() {
+        for rung in Rung::ALL {
+            assert_eq!(Rung::named(&rung.to_string()), Some(rung));
+            let digits: Vec<u32> = rung.and_wider().map(Rung::digits).collect();
+            assert!(digits.is_sorted() && digits[0] == rung.digits());
+        }
+        assert_eq!(Rung::named("f16"), None);
+    }
+}

@@ -1,0 +1,151 @@
+//! `--digits N`: delivered, at close to the least cost, on motions that nothing was tuned on.
+
+use std::collections::HashMap;
+use vibro_audit::accuracy::{COSTS, Purpose, cheapest, costs};
+use vibro_audit::impact::{Extent, Start, history, history_in_decimals};
+use vibro_audit::model::{Motion, Side};
+use vibro_audit::number::{Analytic, Decimals, FIGURES_OF_F64, Rung, Sequence, Told, Wide};
+use vibro_audit::orbit::{Goal, Rounded, Word, find_as};
+
+type Exact = Wide<200>;
+
+/// Motions of the scenes: none is among those that the model was measured on.
+fn motions(count: usize) -> Vec<Motion<f64>> {
+    let mut sequence = Sequence::new(2026);
+    let mut draw = || {
+        let mut between = |low, high| sequence.between(low, high);
+        Motion::new(between(-0.6, 0.9), between(0.05, 1.2), between(0.1, 1.0), between(0.1, 1.0)).expect("a motion")
+    };
+    std::iter::repeat_with(&mut draw).take(count).collect()
+}
+
+/// Digits from 3 to 50 in an order that meets all of them.
+fn digits(index: usize) -> u32 {
+    3 + (index as u32 * 29) % 48
+}
+
+fn model() -> HashMap<(String, Rung), u64> {
+    let rows = costs(COSTS).expect("a model");
+    let row = |row: &vibro_audit::accuracy::Cost| {
+        let rung = Rung::named(&row.number).expect("a number");
+        ((row.task.clone(), rung), row.cost)
+    };
+    rows.iter().map(row).collect()
+}
+
+/// What it cost to reach `landed` from `first`, over what the cheapest number that does it costs.
+fn excess(purpose: Purpose, [first, landed, best]: [Rung; 3]) -> f64 {
+    let model = model();
+    let cost = |rung: Rung| model[&(purpose.name().to_owned(), rung)] as f64;
+    let tried: f64 = first.and_wider().filter(|rung| *rung <= landed).map(cost).sum();
+    tried / cost(best)
+}
+
+fn lists<N: Told>(orbit: &Rounded<N>, read: impl Fn(&N) -> Exact) -> Vec<Exact> {
+    let lists = [&orbit.phases, &orbit.velocities, &orbit.times];
+    let scalars = [&orbit.trace, &orbit.determinant].into_iter();
+    lists.into_iter().flatten().chain(scalars).map(read).collect()
+}
+
+/// The least digits of any value, by 190 of its own.
+fn delivered(found: &[Exact], exact: &[Exact]) -> f64 {
+    let one = |(found, exact): (&Exact, &Exact)| {
+        let apart = (found.clone() - exact.clone()).to_f64().abs();
+        -(apart / exact.to_f64().abs()).log10()
+    };
+    found.iter().zip(exact).map(one).fold(f64::INFINITY, f64::min)
+}
+
+fn parse(text: &str) -> Exact {
+    Wide::parse(text).expect("a number")
+}
+
+/// The orbits of a motion with `digits`, in many digits, with the number each came from.
+fn asked(motion: &Motion<f64>, digits: u32, first: Rung) -> Vec<(Vec<Exact>, Rung)> {
+    let word = Word::pair();
+    if digits <= FIGURES_OF_F64 {
+        let found = find_as(&Goal::doubles(digits, first), motion, &word, 1).expect("a search");
+        let told = |orbit: &Rounded| (lists(orbit, |value| Analytic::from_f64(*value)), orbit.computed_in);
+        found.orbits.iter().map(told).collect()
+    } else {
+        let goal = Goal::decimals(Decimals(digits as usize), first);
+        let found = find_as(&goal, motion, &word, 1).expect("a search");
+        let told = |orbit: &Rounded<_>| {
+            let orbit: &Rounded<vibro_audit::number::Decimal> = orbit;
+            assert!(orbit.error_bound.is_some(), "certified to {digits} digits");
+            (lists(orbit, |value| parse(value.as_str())), orbit.computed_in)
+        };
+        found.orbits.iter().map(told).collect()
+    }
+}
+
+#[test]
+fn orbits_have_the_digits_asked_at_close_to_the_least_cost() {
+    let mut checked = 0;
+    for (index, motion) in motions(200).iter().enumerate() {
+        let digits = digits(index);
+        let first = cheapest(Purpose::Orbit, digits).expect("a choice");
+        let found = asked(motion, digits, first);
+        let narrowest = asked(motion, digits, Rung::Double);
+        let exact = Goal::decimals(Decimals(190), Rung::Wide(200));
+        let exact = find_as(&exact, motion, &Word::pair(), 1).expect("a search").orbits;
+        assert_eq!(found.len(), exact.len());
+        for (((values, landed), (_, best)), exact) in found.iter().zip(&narrowest).zip(&exact) {
+            let exact = lists(exact, |value| parse(value.as_str()));
+            let has = delivered(values, &exact);
+            // a decimal of so many figures, and an f64, are off by up to half a unit of the last one
+            assert!(has >= f64::from(digits) - 0.31, "{motion:?}: {has} of {digits}");
+            let start = if digits <= FIGURES_OF_F64 { first } else { first.max(Rung::DoubleDouble) };
+            let excess = excess(Purpose::Orbit, [start, *landed, *best]);
+            assert!(excess <= 1.5, "{motion:?}: {digits} digits cost {excess} times what they need");
+            checked += 1;
+        }
+    }
+    assert!(checked > 200, "{checked} orbits");
+}
+
+#[test]
+fn runs_have_the_digits_asked_at_close_to_the_least_cost() {
+    for (index, motion) in motions(200).iter().enumerate() {
+        let digits = digits(index);
+        let start = Start {
+            side: Side::Bottom,
+            phase: 0.5 + 0.02 * index as f64,
+            velocity: 0.6,
+        };
+        let extent = Extent {
+            impacts: 12,
+            until: f64::INFINITY,
+            last: usize::MAX,
+            digits,
+        };
+        let first = cheapest(Purpose::Impact, digits).expect("a choice");
+        let run = |first: Rung| -> (Vec<[Exact; 2]>, Vec<u32>, Rung) {
+            if digits <= FIGURES_OF_F64 {
+                let history = history(motion, &start, &extent, first).expect("a motion");
+                let told = history.rows.iter().map(|row| [row.time, row.velocity].map(Analytic::from_f64));
+                (told.collect(), history.rows.iter().map(|row| row.digits).collect(), history.computed_in)
+            } else {
+                let decimals = Decimals(digits as usize);
+                let history = history_in_decimals(motion, &start, &extent, decimals, first).expect("a motion");
+                let told = history.rows.iter().map(|row| [&row.time, &row.velocity].map(|value| parse(value.as_str())));
+                (told.collect(), history.rows.iter().map(|row| row.digits).collect(), history.computed_in)
+            }
+        };
+        let (found, claimed, landed) = run(first);
+        let (_, _, best) = run(Rung::Double);
+        let exact = history_in_decimals(motion, &start, &extent, Decimals(190), Rung::Wide(200)).expect("a motion");
+        assert_eq!(found.len(), exact.rows.len());
+        for ((found, claimed), exact) in found.iter().zip(&claimed).zip(&exact.rows) {
+            assert!(*claimed >= digits, "{motion:?}: {claimed} claimed of {digits}");
+            let exact = [&exact.time, &exact.velocity].map(|value| parse(value.as_str()));
+            for (found, exact) in found.iter().zip(&exact).filter(|(_, exact)| exact.to_f64() != 0.0) {
+                let has = delivered(std::slice::from_ref(found), std::slice::from_ref(exact));
+                assert!(has >= f64::from(digits) - 0.31, "{motion:?}: {has} of {digits}");
+            }
+        }
+        let start = if digits <= FIGURES_OF_F64 { first } else { first.max(Rung::DoubleDouble) };
+        let excess = excess(Purpose::Impact, [start, landed, best]);
+        assert!(excess <= 1.5, "{motion:?}: {digits} digits cost {excess} times what they need");
+    }
+}
