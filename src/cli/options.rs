@@ -67,7 +67,8 @@ impl Options {
                 if digits <= FIGURES_OF_F64 {
                     Asked::Doubles(Goal::doubles(digits, first))
                 } else {
-                    Asked::Decimals(Goal::decimals(Decimals(digits as usize), first))
+                    // of as many figures the last one may be off by more than so many digits allow
+                    Asked::Decimals(Goal::decimals(Decimals(digits as usize + 1), first))
                 }
             }
         })
