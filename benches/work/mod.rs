@@ -7,7 +7,9 @@ use vibro_audit::claim::{self, Decision, Sheet};
 use vibro_audit::impact::{Event, Kind, Simulation, Start};
 use vibro_audit::model::{Motion, MotionError, Side};
 use vibro_audit::number::{Analytic, Interval, Wide};
-use vibro_audit::orbit::{Balance, Condition, Conditioned, Orbit, Parameters, Proved, Root, nearest, nearest_event, one_to_one};
+use vibro_audit::orbit::{
+    Balance, Condition, Conditioned, Orbit, Parameters, Proved, Root, nearest, nearest_event, one_to_one,
+};
 
 /// The paper's device at pi/6, where g = 0.1245·9.8/(2·5), with these walls.
 pub fn motion(d: f64, r_b: f64, r_t: f64) -> Motion<f64> {
@@ -66,7 +68,9 @@ pub fn run(events: impl Iterator<Item = Event<f64>>) -> f64 {
 pub fn sweep() -> impl FnMut() -> f64 {
     let gaps = gaps();
     move || {
-        let sums = gaps.iter().map(|motion| run(Simulation::new(motion, black_box(&start()))));
+        let sums = gaps
+            .iter()
+            .map(|motion| run(Simulation::new(motion, black_box(&start()))));
         sums.sum()
     }
 }

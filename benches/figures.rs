@@ -1,0 +1,23 @@
+//! The five figures that matter, and L before and after them: `benches/compare` holds them against a saved baseline.
+
+mod work;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use std::time::Duration;
+
+fn figures(criterion: &mut Criterion) {
+    criterion.bench_function("L", |b| b.iter(work::latency()));
+    criterion.bench_function("one-impact", |b| b.iter(work::impact(0.5, 0.5, 0.4)));
+    criterion.bench_function("sweep-401x500", |b| b.iter(work::sweep()));
+    criterion.bench_function("all-orbits-cold", |b| b.iter(work::all_orbits()));
+    criterion.bench_function("orbit-50-digits", |b| b.iter(work::many_digits()));
+    criterion.bench_function("proof-22", |b| b.iter(work::proof()));
+    criterion.bench_function("L-again", |b| b.iter(work::latency()));
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default().warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(3));
+    targets = figures
+}
+criterion_main!(benches);
