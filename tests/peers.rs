@@ -66,12 +66,43 @@ fn scipy_finds_what_is_certified() {
     let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
     let at = |name: &str| columns.iter().position(|column| *column == name).expect("a column");
     // solve_ivp at rtol 1e-12, fsolve at xtol 1e-12, brentq at xtol 1e-11
-    for (task, least) in [("impact-focus", 10.0), ("impact-three", 10.0), ("orbit", 12.0), ("doubling", 10.0)] {
+    for (task, least) in [
+        ("impact-focus", 10.0),
+        ("impact-three", 10.0),
+        ("orbit", 12.0),
+        ("doubling", 10.0),
+    ] {
         let row = rows.iter().find(|row| row[at("task")] == task).expect(task);
         let digits: f64 = row[at("digits")].parse().expect("digits");
         assert!(digits >= least, "{row:?}");
-        assert!(row[at("seconds")].parse().is_ok_and(|seconds: f64| seconds > 0.0), "{row:?}");
+        assert!(
+            row[at("seconds")].parse().is_ok_and(|seconds: f64| seconds > 0.0),
+            "{row:?}"
+        );
     }
+}
+
+#[test]
+fn answers_are_judged_by_their_digits() {
+    let judged = "import importlib.machinery as m, importlib.util as u; loader = m.SourceFileLoader('run', 'run'); \
+                  run = u.module_from_spec(u.spec_from_loader('run', loader)); loader.exec_module(run); \
+                  print(run.judge('orbit', ['1.0001', '-2'], ['1.000000', '-2.000000'])); \
+                  print(run.judge('orbit', ['1', 'nan'], ['1.000000', '-2.000000'])); \
+                  print(run.judge('orbit', ['1'], ['1.000000', '-2.000000'])); \
+                  print(run.judge('proof-22', ['refuted'], 'proved')); \
+                  print(run.judge('sweep', ['1', 'nan', '3'], [(1.0, True), (2.0, True), None]))";
+    let Some(output) = run("import sys; assert sys.version_info >= (3, 10)", &["-B", "-c", judged]) else {
+        return;
+    };
+    let expected = [
+        "('4.0', '', False)",
+        "('0.0', 'no answer', False)",
+        "('0.0', 'no answer', False)",
+        "('', 'WRONG: refuted', False)",
+        "('', 'right at 1 of 2 gaps, 1 of 2 with rests', False)",
+    ];
+    let found = text(&output.stdout);
+    assert_eq!(found.lines().collect::<Vec<_>>(), expected, "{}", text(&output.stderr));
 }
 
 #[test]

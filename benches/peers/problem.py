@@ -36,23 +36,24 @@ def above_doubling(phase, t1, d, r=0.5):
 
 
 def seconds(job, batches=5, least=0.02):
-    """The least mean time of one job over some batches: what others do on the machine only adds. First a warm run."""
+    """The least mean time of one job, of this thread, over some batches: what else the machine does only adds. First
+    a warm run."""
     job()
     repeats = 1
     while True:
-        start = time.perf_counter()
+        start = time.thread_time()
         for _ in range(repeats):
             job()
-        spent = time.perf_counter() - start
+        spent = time.thread_time() - start
         if spent >= least:
             break
         repeats *= 2
     times = [spent / repeats]
     for _ in range(batches - 1):
-        start = time.perf_counter()
+        start = time.thread_time()
         for _ in range(repeats):
             job()
-        times.append((time.perf_counter() - start) / repeats)
+        times.append((time.thread_time() - start) / repeats)
     return min(times)
 
 

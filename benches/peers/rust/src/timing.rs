@@ -1,12 +1,14 @@
 //! The seconds one job takes, and the line that says so.
 
+use cpu_time::ThreadTime;
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-/// The least mean time of one job, s, over nine batches of at least 20 ms: what others do on the machine only adds.
+/// The least mean time of one job, s of this thread, over nine batches of at least 20 ms: what else the machine does
+/// only adds.
 pub fn seconds<R>(mut job: impl FnMut() -> R) -> f64 {
     let mut batch = |repeats: u32| {
-        let start = Instant::now();
+        let start = ThreadTime::now();
         for _ in 0..repeats {
             black_box(job());
         }

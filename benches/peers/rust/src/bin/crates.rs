@@ -14,7 +14,10 @@ use timing::{say, seconds};
 const G: f64 = 0.12201;
 
 fn closeness() -> SimpleConvergency<f64> {
-    SimpleConvergency { eps: 1e-14, max_iter: 100 }
+    SimpleConvergency {
+        eps: 1e-14,
+        max_iter: 100,
+    }
 }
 
 /// An impact: the phase of the forcing, the side (1 bottom, -1 top), the velocity just before.
@@ -81,7 +84,10 @@ fn above_doubling([phase, t_1]: [f64; 2], d: f64) -> f64 {
         [[by_t, by_v], [end * by_t - start, end * by_v - 0.5]]
     };
     let (first, second) = (one(a, b, v, w, t_1), one(b, a, w, v, 2.0 - t_1));
-    let trace: f64 = (0..2).flat_map(|i| (0..2).map(move |j| (i, j))).map(|(i, j)| second[i][j] * first[j][i]).sum();
+    let trace: f64 = (0..2)
+        .flat_map(|i| (0..2).map(move |j| (i, j)))
+        .map(|(i, j)| second[i][j] * first[j][i])
+        .sum();
     trace + 1.0 + 0.0625
 }
 
@@ -90,7 +96,9 @@ fn main() {
     for (task, r, d) in [("impact-focus", [0.5, 0.5], 0.4), ("impact-three", [0.6, 0.3], 0.26)] {
         let start = (6.18, 1.0, 0.5293);
         let run = || (0..100).try_fold(black_box(start), |impact, _| next(impact, r, d));
-        let answers = run().map(|(phase, _, velocity)| text(&[phase, velocity])).unwrap_or_default();
+        let answers = run()
+            .map(|(phase, _, velocity)| text(&[phase, velocity]))
+            .unwrap_or_default();
         say(task, "roots (Rust), scan", seconds(run) / 100.0, &answers);
     }
     let guess = [0.95 * 0.4893951147, 1.05 * 1.1165006593];
@@ -99,11 +107,25 @@ fn main() {
         let [.., v, w] = balance(phase, t_1, 0.4);
         Some([t_1, v, w])
     };
-    say("orbit", "num-dual (Rust)", seconds(whole), &whole().map(|found| text(&found)).unwrap_or_default());
+    say(
+        "orbit",
+        "num-dual (Rust)",
+        seconds(whole),
+        &whole().map(|found| text(&found)).unwrap_or_default(),
+    );
     let doubling = || {
         let near = orbit([0.14811268, 1.31700614], 0.26)?;
         let above = |d: f64| orbit(near, d).map_or(f64::NAN, |found| above_doubling(found, d));
-        find_root_brent(black_box(0.245), 0.26, above, &mut SimpleConvergency { eps: 1e-12, max_iter: 100 }).ok()
+        find_root_brent(
+            black_box(0.245),
+            0.26,
+            above,
+            &mut SimpleConvergency {
+                eps: 1e-12,
+                max_iter: 100,
+            },
+        )
+        .ok()
     };
     let found = doubling().map(|d| text(&[d])).unwrap_or_default();
     say("doubling", "roots + num-dual (Rust)", seconds(doubling), &found);

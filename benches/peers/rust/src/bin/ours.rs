@@ -21,7 +21,9 @@ fn midpoint(interval: &Interval<Wide<50>>) -> String {
 fn impacts() {
     for (task, r_b, r_t, d) in [("impact-focus", 0.5, 0.5, 0.4), ("impact-three", 0.6, 0.3, 0.26)] {
         let last = Simulation::new(&work::motion(d, r_b, r_t), &work::start()).nth(100);
-        let answers = last.map(|event| decimals(&[event.phase, event.velocity])).unwrap_or_default();
+        let answers = last
+            .map(|event| decimals(&[event.phase, event.velocity]))
+            .unwrap_or_default();
         say(task, "vibro-audit", seconds(work::impact(r_b, r_t, d)), &answers);
     }
 }
@@ -37,7 +39,10 @@ fn main() {
     let before = seconds(work::latency());
     impacts();
     let start = work::start();
-    let ends: Vec<f64> = work::gaps().iter().map(|motion| fastest(Simulation::new(motion, &start))).collect();
+    let ends: Vec<f64> = work::gaps()
+        .iter()
+        .map(|motion| fastest(Simulation::new(motion, &start)))
+        .collect();
     say("sweep", "vibro-audit", seconds(work::sweep()), &decimals(&ends));
     let mut orbit = work::orbit();
     let found = orbit().map(|[t_1, _, v, w]| decimals(&[t_1, v, w])).unwrap_or_default();
