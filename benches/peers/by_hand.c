@@ -27,7 +27,7 @@ static int meet(const Impact *at, double u, double wall, double s, double sn, do
       if (rise * v <= 0) return 0;
       double dx = way / rise;
       x -= dx;
-      if (fabs(dx) < (step ? 1e-8 : 3e-2)) break;
+      if (fabs(dx) < (step ? 1e-11 : 3e-2)) break;
     }
     if (s + x <= 0) return 0;
     if (fabs(x) < 5e-3) { /* what the polynomial leaves out is below rounding; so are these series */
