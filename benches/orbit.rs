@@ -7,14 +7,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use vibro_audit::number::Interval;
 use vibro_audit::orbit::{Condition, Conditioned, Prepared, nearest_event, prove};
-use vibro_audit::scene::{self, Scene, Setting};
-
-fn setting(set: &str) -> Setting {
-    let text = scene::find("fig02").expect("a built-in scene");
-    let mut scene = Scene::read(text, "fig02").expect("a scene");
-    scene.set(set).expect("a key");
-    scene.setting().expect("a motion")
-}
+use vibro_audit::scene::{self, Scene};
 
 fn orbits(criterion: &mut Criterion) {
     criterion.bench_function("sin_cos, latency (L)", |b| b.iter(work::latency()));
