@@ -1,52 +1,21 @@
-//! Orbits and bifurcations, beside one f64 sin_cos: the figures DESIGN asks for are multiples of its latency.
+//! Orbits and bifurcations, beside one f64 sin_cos: the figures DESIGN asks for are multiples of its latency. All
+//! orbits of a d, cold, and the 50-digit orbit are in figures.rs.
+
+mod work;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
-use vibro_audit::model::Motion;
-use vibro_audit::number::{Interval, Wide};
-use vibro_audit::orbit::{
-    Balance, Condition, Conditioned, Orbit, Parameters, Prepared, Proved, nearest, nearest_event, one_to_one, prove,
-};
-use vibro_audit::scene::{self, Scene, Setting};
-
-fn setting(set: &str) -> Setting {
-    let text = scene::find("fig02").expect("a built-in scene");
-    let mut scene = Scene::read(text, "fig02").expect("a scene");
-    scene.set(set).expect("a key");
-    scene.setting().expect("a motion")
-}
-
-/// The latency of one pair: each argument waits for the last result.
-fn latency(criterion: &mut Criterion) {
-    criterion.bench_function("sin_cos, latency (L)", |b| {
-        let mut x = 1.0_f64;
-        b.iter(|| {
-            let (sin, cos) = x.sin_cos();
-            x = sin + cos + 0.5;
-            x
-        });
-    });
-}
+use vibro_audit::number::Interval;
+use vibro_audit::orbit::{Condition, Conditioned, Prepared, nearest_event, prove};
+use vibro_audit::scene::{self, Scene};
 
 fn orbits(criterion: &mut Criterion) {
-    let exact = setting("motion.d=0.4").motion::<f64>().expect("a motion");
-    let balance = Balance::new(&exact, 1);
-    let orbit = nearest(&balance, [1.1, 2.2]).expect("the orbit");
-    let guess = [orbit[0] * 1.05, orbit[1] * 0.95];
-    criterion.bench_function("1-1 orbit from a 5% wrong guess", |b| {
-        b.iter(|| nearest(&balance, black_box(guess)));
+    criterion.bench_function("sin_cos, latency (L)", |b| b.iter(work::latency()));
+    criterion.bench_function("1-1 orbit from a 5% wrong guess, with its velocities", |b| {
+        b.iter(work::orbit())
     });
-    let enclosed: Motion<Interval<f64>> = Parameters::motion(&exact).expect("a motion");
-    criterion.bench_function("all orbits of a d, cold", |b| {
-        b.iter(|| one_to_one(black_box(&enclosed), 1))
-    });
-    let search = one_to_one(&enclosed, 1);
-    let proved = Proved::Pair {
-        root: &search.motions[0],
-        periods: 1,
-    };
-    criterion.bench_function("50-digit orbit, bounded", |b| {
-        b.iter(|| -> Result<Orbit<Wide<50>>, _> { black_box(&proved).orbit(&exact) });
+    criterion.bench_function("period doubling from a guess, parameters as f64", |b| {
+        b.iter(work::doubling())
     });
 }
 
@@ -70,13 +39,13 @@ fn sweeps(criterion: &mut Criterion) {
         apart: Vec::new(),
     };
     let guess = [1.3, 2.2, 0.26];
-    criterion.bench_function("period doubling from a guess", |b| {
+    criterion.bench_function("period doubling from a guess, parameters of a scene", |b| {
         b.iter(|| nearest_event(&system, black_box(guess)));
     });
-    criterion.bench_function("period doubling from a guess, proved", |b| {
+    criterion.bench_function("the same, proved", |b| {
         b.iter(|| prove(&system, &nearest_event(&system, black_box(guess))?, &[1e-4; 3]));
     });
 }
 
-criterion_group!(benches, latency, orbits, sweeps);
+criterion_group!(benches, orbits, sweeps);
 criterion_main!(benches);
