@@ -18,7 +18,7 @@ pub struct Settled {
     pub first: u64,
     /// The last impacts, in order.
     pub kept: Vec<Event<f64>>,
-    /// What the motion has come to, where it repeats itself or rests for ever.
+    /// What the motion has come to, where it repeats itself or rests for ever; none where that was not looked for.
     pub attractor: Option<Attractor>,
     /// The last event: the impact at which counting stopped, or what ended the motion before.
     pub end: Option<Event<f64>>,
@@ -28,33 +28,17 @@ impl Settled {
     /// Follows a motion to impact number `impacts`, or to its end where that comes first, and keeps the last `keep`
     /// impacts. Memory holds `keep` or 512 of them, whichever is more.
     pub fn after(events: impl IntoIterator<Item = Event<f64>>, impacts: u32, keep: u32) -> Self {
-        let keep = keep as usize;
-        let mut last: Window = Window::new(keep.max(WINDOW).min(impacts as usize));
-        let mut idle = 0;
-        for event in events {
-            idle = if event.kind == Kind::Impact { 0 } else { idle + 1 };
-            last.push(event);
-            // rested and released for ever, without an impact that is listed
-            if last.impacts == u64::from(impacts) || idle > IDLE {
-                break;
-            }
-        }
-        let events = last.events.make_contiguous();
-        let attractor = Attractor::of(events);
-        let mut kept: Vec<Event<f64>> = events
-            .iter()
-            .rev()
-            .filter(|event| event.kind == Kind::Impact)
-            .take(keep)
-            .cloned()
-            .collect();
-        kept.reverse();
+        let mut last = Window::after(events, impacts, (keep as usize).max(WINDOW));
+        let attractor = Attractor::of(last.events.make_contiguous());
         Self {
-            first: last.impacts + 1 - kept.len() as u64,
-            kept,
             attractor,
-            end: last.events.pop_back(),
+            ..last.into_settled(keep as usize)
         }
+    }
+
+    /// The same impacts, for less: what the motion has come to is not looked for.
+    pub fn listed(events: impl IntoIterator<Item = Event<f64>>, impacts: u32, keep: u32) -> Self {
+        Window::after(events, impacts, keep as usize).into_settled(keep as usize)
     }
 }
 
@@ -69,12 +53,37 @@ struct Window {
 }
 
 impl Window {
-    fn new(most: usize) -> Self {
-        Self {
-            most,
+    /// The last `most` impacts of a motion that is followed to impact number `impacts` or to its end, with all events
+    /// among them.
+    fn after(events: impl IntoIterator<Item = Event<f64>>, impacts: u32, most: usize) -> Self {
+        let mut last = Self {
+            most: most.min(impacts as usize),
             events: VecDeque::new(),
             impacts: 0,
             held: 0,
+        };
+        let mut idle = 0;
+        for event in events {
+            idle = if event.kind == Kind::Impact { 0 } else { idle + 1 };
+            last.push(event);
+            // rested and released for ever, without an impact that is listed
+            if last.impacts == u64::from(impacts) || idle > IDLE {
+                break;
+            }
+        }
+        last
+    }
+
+    /// The last `keep` impacts, and the end.
+    fn into_settled(mut self, keep: usize) -> Settled {
+        let impacts = self.events.iter().rev().filter(|event| event.kind == Kind::Impact);
+        let mut kept: Vec<Event<f64>> = impacts.take(keep).cloned().collect();
+        kept.reverse();
+        Settled {
+            first: self.impacts + 1 - kept.len() as u64,
+            kept,
+            attractor: None,
+            end: self.events.pop_back(),
         }
     }
 
@@ -127,6 +136,12 @@ mod tests {
         assert_eq!((settled.first, settled.kept.len()), (1, 2));
         assert_eq!(settled.end.map(|end| end.kind), Some(Kind::Rest));
         assert_eq!(settled.attractor.map(|found| found.word).as_deref(), Some("B*"));
+        for keep in [1, 2, 60] {
+            let all = (0..).map(|turn| event(Kind::Impact, turn)).take(700);
+            let [looked, listed] = [Settled::after(all.clone(), 600, keep), Settled::listed(all, 600, keep)];
+            let attractor = None;
+            assert_eq!(Settled { attractor, ..looked }, listed);
+        }
         let none = Settled::after([], 500, 60);
         assert_eq!((none.first, none.kept.len(), none.end), (1, 0, None));
     }
