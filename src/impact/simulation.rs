@@ -152,6 +152,7 @@ impl<T: Analytic> Simulation<T> {
 impl<T: Analytic> Iterator for Simulation<T> {
     type Item = Event<T>;
 
+    #[inline]
     fn next(&mut self) -> Option<Event<T>> {
         let event = self.listed()?;
         self.idle = if event.kind == Kind::Impact { 0 } else { self.idle + 1 };

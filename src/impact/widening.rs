@@ -70,6 +70,7 @@ impl Widening {
 impl Iterator for Widening {
     type Item = Event<f64>;
 
+    #[inline]
     fn next(&mut self) -> Option<Event<f64>> {
         let mut event = self.simulation.next()?;
         if event.kind == Kind::Undecided

@@ -2,7 +2,6 @@
 
 use super::Attractor;
 use crate::impact::{Event, Kind};
-use std::collections::VecDeque;
 
 /// The impacts among which a cycle is looked for, at least: three times the longest word, and two cycles of which each
 /// has a long chatter.
@@ -26,10 +25,10 @@ pub struct Settled {
 
 impl Settled {
     /// Follows a motion to impact number `impacts`, or to its end where that comes first, and keeps the last `keep`
-    /// impacts. Memory holds `keep` or 512 of them, whichever is more.
+    /// impacts. Memory holds twice `keep` or 1024 of them, whichever is more.
     pub fn after(events: impl IntoIterator<Item = Event<f64>>, impacts: u32, keep: u32) -> Self {
-        let mut last = Window::after(events, impacts, (keep as usize).max(WINDOW));
-        let attractor = Attractor::of(last.events.make_contiguous());
+        let last = Window::after(events, impacts, (keep as usize).max(WINDOW));
+        let attractor = Attractor::of(&last.events);
         Self {
             attractor,
             ..last.into_settled(keep as usize)
@@ -42,36 +41,58 @@ impl Settled {
     }
 }
 
-/// The last events of a motion, with so many impacts among them at most.
+/// The last events of a motion, with so many impacts among them at least, if there were as many.
 struct Window {
-    most: usize,
-    events: VecDeque<Event<f64>>,
+    events: Vec<Event<f64>>,
     /// All impacts so far.
     impacts: u64,
-    /// Those that are in `events`.
-    held: usize,
 }
 
 impl Window {
     /// The last `most` impacts of a motion that is followed to impact number `impacts` or to its end, with all events
     /// among them.
     fn after(events: impl IntoIterator<Item = Event<f64>>, impacts: u32, most: usize) -> Self {
-        let mut last = Self {
-            most: most.min(impacts as usize),
-            events: VecDeque::new(),
+        let (last, most) = (u64::from(impacts), most.min(impacts as usize));
+        let mut window = Self {
+            events: Vec::with_capacity((2 * most).min(impacts as usize)),
             impacts: 0,
-            held: 0,
         };
+        // cut now and then, not at each event: of an impact this is to cost next to nothing
+        let mut next_cut = last.min(2 * most as u64);
         let mut idle = 0;
         for event in events {
-            idle = if event.kind == Kind::Impact { 0 } else { idle + 1 };
-            last.push(event);
-            // rested and released for ever, without an impact that is listed
-            if last.impacts == u64::from(impacts) || idle > IDLE {
-                break;
+            let is_impact = event.kind == Kind::Impact;
+            window.events.push(event);
+            if !is_impact {
+                idle += 1;
+                // rested and released for ever, without an impact that is listed
+                if idle > IDLE {
+                    break;
+                }
+                continue;
+            }
+            idle = 0;
+            window.impacts += 1;
+            if window.impacts == next_cut {
+                window.cut(most);
+                if window.impacts == last {
+                    break;
+                }
+                next_cut = last.min(next_cut + most as u64);
             }
         }
-        last
+        window.cut(most);
+        window
+    }
+
+    /// Lets go of what is before the last `most` impacts, and of the events between that and the first of these.
+    fn cut(&mut self, most: usize) {
+        let impacts = self.events.iter().enumerate().rev();
+        let mut impacts = impacts.filter(|(_, event)| event.kind == Kind::Impact);
+        // up to the impact before the first that is kept
+        if let Some((before, _)) = impacts.nth(most) {
+            self.events.drain(..=before);
+        }
     }
 
     /// The last `keep` impacts, and the end.
@@ -83,20 +104,7 @@ impl Window {
             first: self.impacts + 1 - kept.len() as u64,
             kept,
             attractor: None,
-            end: self.events.pop_back(),
-        }
-    }
-
-    fn push(&mut self, event: Event<f64>) {
-        if event.kind == Kind::Impact {
-            self.impacts += 1;
-            self.held += 1;
-        }
-        self.events.push_back(event);
-        while self.held > self.most
-            && let Some(left) = self.events.pop_front()
-        {
-            self.held -= usize::from(left.kind == Kind::Impact);
+            end: self.events.pop(),
         }
     }
 }

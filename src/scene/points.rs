@@ -5,7 +5,7 @@ use super::{Quantity, Scene, SceneError, Setting, Want};
 use crate::impact::{Event, Kind, Origin, Start, Widening};
 use crate::model::{Membrane, Motion};
 use crate::number::FIGURES_OF_F64;
-use crate::orbit::{Family, Parameters, Settled, lyapunov};
+use crate::orbit::{Settled, lyapunov};
 use rayon::prelude::*;
 use std::vec::IntoIter;
 
@@ -103,7 +103,7 @@ impl Scene {
         Ok(Points {
             sweep: self.sweep()?,
             diagram: self.diagram()?,
-            setting: self.swept_setting()?,
+            setting: self.swept_setting()?.over_number(),
             start: self.start()?.start(),
             membrane,
             depth: Depth::Settled,
@@ -132,7 +132,7 @@ pub struct Points {
     scene: Scene,
     sweep: Sweep,
     diagram: Diagram,
-    setting: Setting,
+    setting: Setting<f64>,
     start: Start<f64>,
     membrane: Option<Membrane<f64>>,
     depth: Depth,
@@ -168,7 +168,7 @@ impl Points {
     /// Point number `index`, from 0, from where the one before came to or from `[start]`.
     fn point(&self, index: u32, before: Option<&Event<f64>>) -> Result<Point, SceneError> {
         let value = self.sweep.value(index);
-        let motion = self.setting.fixed(&value).motion::<f64>();
+        let motion = self.setting.at(&value.value());
         let motion = motion.map_err(|error| self.scene.error(None, error))?;
         let events = match before {
             None => Widening::new(&motion, &self.start),
