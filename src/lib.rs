@@ -1,15 +1,33 @@
-#![doc = include_str!("../README.md")]
+#![cfg_attr(feature = "cli", doc = include_str!("../README.md"))]
+#![cfg_attr(
+    not(feature = "cli"),
+    doc = "Verification of printed formulas for vibro-impact dynamics; the README's examples need the feature `cli`."
+)]
 
-pub mod accuracy;
-pub mod algebra;
-pub mod claim;
-pub mod cli;
-pub mod evidence;
+// The dynamics, always there.
 pub mod impact;
 pub mod model;
 pub mod number;
 pub mod orbit;
+
+// The algebra, and what holds formulas and numbers against each other.
+#[cfg(feature = "audit")]
+pub mod algebra;
+#[cfg(feature = "audit")]
+pub mod claim;
+#[cfg(feature = "audit")]
+pub mod evidence;
+#[cfg(feature = "audit")]
 pub mod reference;
-pub mod report;
-pub mod scene;
+#[cfg(feature = "audit")]
 pub mod tex;
+
+// Scenes, tables, commands.
+#[cfg(feature = "cli")]
+pub mod accuracy;
+#[cfg(feature = "cli")]
+pub mod cli;
+#[cfg(feature = "cli")]
+pub mod report;
+#[cfg(feature = "cli")]
+pub mod scene;

@@ -7,6 +7,8 @@ mod check;
 mod exit;
 mod failure;
 mod golden;
+#[cfg(test)]
+mod modelled;
 mod options;
 mod orbits;
 mod plot;

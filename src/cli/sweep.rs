@@ -62,7 +62,7 @@ pub fn summary(scene: &Scene, options: &Options) -> Result<Table, Failure> {
 
 /// The last impacts at each value.
 pub fn impact_rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
-    rows(scene.points()?, options, &COLUMNS, of_impacts)
+    rows(scene.points()?.listed(), options, &COLUMNS, of_impacts)
 }
 
 /// What the motion at each value has come to.

@@ -5,6 +5,8 @@ use super::event::{Event, Kind};
 use super::growth::Growth;
 use super::start::Start;
 use crate::model::Motion;
+#[cfg(test)]
+use crate::model::calls::{self, Call};
 use crate::number::Analytic;
 
 /// Impacts of a chatter that completes are listed down to this velocity.
@@ -57,6 +59,13 @@ impl<T: Analytic> Simulation<T> {
         self
     }
 
+    /// The same, no longer following how rounding errors grow: from here on nothing is claimed.
+    pub(super) fn without_growth(mut self) -> Self {
+        self.is_tracked = false;
+        self.growth.lose();
+        self
+    }
+
     /// The same, completing a chatter in closed form as soon as that leaves no more than this error of the phase: in a
     /// wide number of which few digits are asked, that spares hundreds of impacts.
     pub fn completing_to(mut self, error: f64) -> Self {
@@ -88,9 +97,13 @@ impl<T: Analytic> Simulation<T> {
 
     #[inline]
     fn advance(&mut self) -> Option<Event<T>> {
+        #[cfg(test)]
+        calls::count(Call::Step);
         if !self.is_tracked {
             return self.course.advance(|_, _| {});
         }
+        #[cfg(test)]
+        calls::count(Call::Growth);
         let growth = &mut self.growth;
         self.course.advance(|event, step| growth.follow(event, step))
     }
@@ -139,6 +152,7 @@ impl<T: Analytic> Simulation<T> {
 impl<T: Analytic> Iterator for Simulation<T> {
     type Item = Event<T>;
 
+    #[inline]
     fn next(&mut self) -> Option<Event<T>> {
         let event = self.listed()?;
         self.idle = if event.kind == Kind::Impact { 0 } else { self.idle + 1 };

@@ -29,6 +29,15 @@ impl Widening {
         }
     }
 
+    /// The same where nobody asks what holds: [`Widening::growth`] claims nothing, and an impact costs as little as one of
+    /// [`Simulation`]. The events are the same.
+    pub fn without_growth(self) -> Self {
+        Self {
+            simulation: self.simulation.without_growth(),
+            ..self
+        }
+    }
+
     /// What follows after `event`, from which no digits are claimed.
     pub fn after(motion: &Motion<f64>, event: &Event<f64>) -> Self {
         let mut next = Self::new(motion, &Start::from(event));
@@ -61,6 +70,7 @@ impl Widening {
 impl Iterator for Widening {
     type Item = Event<f64>;
 
+    #[inline]
     fn next(&mut self) -> Option<Event<f64>> {
         let mut event = self.simulation.next()?;
         if event.kind == Kind::Undecided

@@ -4,6 +4,8 @@
 //! over dual numbers, derivatives. Uses `number/` and nothing else of ours.
 
 mod ahead;
+#[cfg(test)]
+pub(crate) mod calls;
 mod crossing;
 mod device;
 mod exact;

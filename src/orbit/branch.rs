@@ -9,13 +9,13 @@ use super::find::{Found, pairs};
 use super::instant::Instant;
 use super::isolate::{Limits, isolate};
 use super::one_to_one::{Equations, FINEST, Search};
+use super::parallel::each;
 use super::unsettled::Unsettled;
 use super::wanted::{Goal, Wanted};
 use super::{Balance, Word};
 use crate::model::Exact;
 use crate::model::MotionError;
 use crate::number::{Analytic, Interval};
-use rayon::prelude::*;
 
 /// The cells spent at one value before it is left undecided.
 const MOST_CELLS: usize = 100_000;
@@ -133,7 +133,9 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
         wanted: &W,
         values: &[V],
     ) -> Result<Vec<Found<W::Number>>, MotionError> {
-        values.par_iter().map(|value| self.orbits_as(wanted, value)).collect()
+        each(values, |value| self.orbits_as(wanted, value))
+            .into_iter()
+            .collect()
     }
 
     /// Every bifurcation over the range, in order of the parameter, and what is open.

@@ -7,13 +7,13 @@ use super::find::{Found, Proved};
 use super::happening::moments;
 use super::moment::Moment;
 use super::newton;
+use super::parallel::each;
 use super::strand::{End, Strand};
 use super::wanted::{Goal, Wanted};
 use super::word::Word;
 use crate::model::Exact;
 use crate::model::MotionError;
 use crate::number::Interval;
-use rayon::prelude::*;
 
 /// Values at which motions are searched for, both ends of the range among them.
 const SEARCHES: u32 = 17;
@@ -53,15 +53,13 @@ impl<'a, F: Family + Sync> Followed<'a, F> {
         let count = STARTS * word.impacts() * periods as usize;
         let places = (0..SEARCHES).map(|index| f64::from(index) / f64::from(SEARCHES - 1));
         let places: Vec<f64> = places.collect();
-        let found: Result<Vec<Vec<Cycle>>, MotionError> = places
-            .par_iter()
-            .map(|place| {
-                let motion = family.motion_at(&Interval::point(along.parameter(place)))?;
-                search_from(count, word, periods, &motion)
-            })
-            .collect();
+        let found = each(&places, |place| {
+            let motion = family.motion_at(&Interval::point(along.parameter(place)))?;
+            search_from(count, word, periods, &motion)
+        });
         let mut strands: Vec<Strand> = Vec::new();
-        for (place, cycles) in places.iter().zip(found?) {
+        for (place, cycles) in places.iter().zip(found) {
+            let cycles = cycles?;
             for cycle in cycles.iter().filter(|cycle| cycle.is_certified()) {
                 if !strands.iter().any(|strand| strand.holds(&along, cycle, *place)) {
                     strands.extend(Strand::through(&along, cycle.phases(), *place));
@@ -89,7 +87,9 @@ impl<'a, F: Family + Sync> Followed<'a, F> {
         wanted: &W,
         values: &[V],
     ) -> Result<Vec<Found<W::Number>>, MotionError> {
-        values.par_iter().map(|value| self.orbits_as(wanted, value)).collect()
+        each(values, |value| self.orbits_as(wanted, value))
+            .into_iter()
+            .collect()
     }
 
     /// The motions at one value.
@@ -134,11 +134,7 @@ impl<'a, F: Family + Sync> Followed<'a, F> {
 
     /// Every bifurcation seen on the way, in order of the parameter; those without an error bound are not proved.
     pub fn moments(&self) -> Vec<Moment> {
-        let all: Vec<Vec<Moment>> = self
-            .strands
-            .par_iter()
-            .map(|strand| moments(&self.along, strand))
-            .collect();
+        let all = each(&self.strands, |strand| moments(&self.along, strand));
         let mut told: Vec<Moment> = Vec::new();
         for moment in all.into_iter().flatten() {
             // a motion that is its own mirror image touches in two flights at once, and two branches may end in one

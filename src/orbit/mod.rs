@@ -37,6 +37,7 @@ mod one_to_one;
 // the folder holds periodic motions, the file one of them
 #[allow(clippy::module_inception)]
 mod orbit;
+mod parallel;
 mod refine;
 mod repeat;
 mod returning;

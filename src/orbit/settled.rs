@@ -2,7 +2,6 @@
 
 use super::Attractor;
 use crate::impact::{Event, Kind};
-use std::collections::VecDeque;
 
 /// The impacts among which a cycle is looked for, at least: three times the longest word, and two cycles of which each
 /// has a long chatter.
@@ -18,7 +17,7 @@ pub struct Settled {
     pub first: u64,
     /// The last impacts, in order.
     pub kept: Vec<Event<f64>>,
-    /// What the motion has come to, where it repeats itself or rests for ever.
+    /// What the motion has come to, where it repeats itself or rests for ever; none where that was not looked for.
     pub attractor: Option<Attractor>,
     /// The last event: the impact at which counting stopped, or what ended the motion before.
     pub end: Option<Event<f64>>,
@@ -26,68 +25,86 @@ pub struct Settled {
 
 impl Settled {
     /// Follows a motion to impact number `impacts`, or to its end where that comes first, and keeps the last `keep`
-    /// impacts. Memory holds `keep` or 512 of them, whichever is more.
+    /// impacts. Memory holds twice `keep` or 1024 of them, whichever is more.
     pub fn after(events: impl IntoIterator<Item = Event<f64>>, impacts: u32, keep: u32) -> Self {
-        let keep = keep as usize;
-        let mut last: Window = Window::new(keep.max(WINDOW).min(impacts as usize));
-        let mut idle = 0;
-        for event in events {
-            idle = if event.kind == Kind::Impact { 0 } else { idle + 1 };
-            last.push(event);
-            // rested and released for ever, without an impact that is listed
-            if last.impacts == u64::from(impacts) || idle > IDLE {
-                break;
-            }
-        }
-        let events = last.events.make_contiguous();
-        let attractor = Attractor::of(events);
-        let mut kept: Vec<Event<f64>> = events
-            .iter()
-            .rev()
-            .filter(|event| event.kind == Kind::Impact)
-            .take(keep)
-            .cloned()
-            .collect();
-        kept.reverse();
+        let last = Window::after(events, impacts, (keep as usize).max(WINDOW));
+        let attractor = Attractor::of(&last.events);
         Self {
-            first: last.impacts + 1 - kept.len() as u64,
-            kept,
             attractor,
-            end: last.events.pop_back(),
+            ..last.into_settled(keep as usize)
         }
+    }
+
+    /// The same impacts, for less: what the motion has come to is not looked for.
+    pub fn listed(events: impl IntoIterator<Item = Event<f64>>, impacts: u32, keep: u32) -> Self {
+        Window::after(events, impacts, keep as usize).into_settled(keep as usize)
     }
 }
 
-/// The last events of a motion, with so many impacts among them at most.
+/// The last events of a motion, with so many impacts among them at least, if there were as many.
 struct Window {
-    most: usize,
-    events: VecDeque<Event<f64>>,
+    events: Vec<Event<f64>>,
     /// All impacts so far.
     impacts: u64,
-    /// Those that are in `events`.
-    held: usize,
 }
 
 impl Window {
-    fn new(most: usize) -> Self {
-        Self {
-            most,
-            events: VecDeque::new(),
+    /// The last `most` impacts of a motion that is followed to impact number `impacts` or to its end, with all events
+    /// among them.
+    fn after(events: impl IntoIterator<Item = Event<f64>>, impacts: u32, most: usize) -> Self {
+        let (last, most) = (u64::from(impacts), most.min(impacts as usize));
+        let mut window = Self {
+            events: Vec::with_capacity((2 * most).min(impacts as usize)),
             impacts: 0,
-            held: 0,
+        };
+        // cut now and then, not at each event: of an impact this is to cost next to nothing
+        let mut next_cut = last.min(2 * most as u64);
+        let mut idle = 0;
+        for event in events {
+            let is_impact = event.kind == Kind::Impact;
+            window.events.push(event);
+            if !is_impact {
+                idle += 1;
+                // rested and released for ever, without an impact that is listed
+                if idle > IDLE {
+                    break;
+                }
+                continue;
+            }
+            idle = 0;
+            window.impacts += 1;
+            if window.impacts == next_cut {
+                window.cut(most);
+                if window.impacts == last {
+                    break;
+                }
+                next_cut = last.min(next_cut + most as u64);
+            }
+        }
+        window.cut(most);
+        window
+    }
+
+    /// Lets go of what is before the last `most` impacts, and of the events between that and the first of these.
+    fn cut(&mut self, most: usize) {
+        let impacts = self.events.iter().enumerate().rev();
+        let mut impacts = impacts.filter(|(_, event)| event.kind == Kind::Impact);
+        // up to the impact before the first that is kept
+        if let Some((before, _)) = impacts.nth(most) {
+            self.events.drain(..=before);
         }
     }
 
-    fn push(&mut self, event: Event<f64>) {
-        if event.kind == Kind::Impact {
-            self.impacts += 1;
-            self.held += 1;
-        }
-        self.events.push_back(event);
-        while self.held > self.most
-            && let Some(left) = self.events.pop_front()
-        {
-            self.held -= usize::from(left.kind == Kind::Impact);
+    /// The last `keep` impacts, and the end.
+    fn into_settled(mut self, keep: usize) -> Settled {
+        let impacts = self.events.iter().rev().filter(|event| event.kind == Kind::Impact);
+        let mut kept: Vec<Event<f64>> = impacts.take(keep).cloned().collect();
+        kept.reverse();
+        Settled {
+            first: self.impacts + 1 - kept.len() as u64,
+            kept,
+            attractor: None,
+            end: self.events.pop(),
         }
     }
 }
@@ -127,6 +144,12 @@ mod tests {
         assert_eq!((settled.first, settled.kept.len()), (1, 2));
         assert_eq!(settled.end.map(|end| end.kind), Some(Kind::Rest));
         assert_eq!(settled.attractor.map(|found| found.word).as_deref(), Some("B*"));
+        for keep in [1, 2, 60] {
+            let all = (0..).map(|turn| event(Kind::Impact, turn)).take(700);
+            let [looked, listed] = [Settled::after(all.clone(), 600, keep), Settled::listed(all, 600, keep)];
+            let attractor = None;
+            assert_eq!(Settled { attractor, ..looked }, listed);
+        }
         let none = Settled::after([], 500, 60);
         assert_eq!((none.first, none.kept.len(), none.end), (1, 0, None));
     }

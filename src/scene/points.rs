@@ -5,7 +5,7 @@ use super::{Quantity, Scene, SceneError, Setting, Want};
 use crate::impact::{Event, Kind, Origin, Start, Widening};
 use crate::model::{Membrane, Motion};
 use crate::number::FIGURES_OF_F64;
-use crate::orbit::{Family, Parameters, Settled, lyapunov};
+use crate::orbit::{Settled, lyapunov};
 use rayon::prelude::*;
 use std::vec::IntoIter;
 
@@ -26,7 +26,8 @@ pub struct Point {
     pub settled: Settled,
     /// U_k of (6) for each impact that is kept, V; none where no voltage is modelled.
     pub voltages: Option<Vec<f64>>,
-    /// The mean (7) of U_k over [`Point::counted`], V; none where no voltage is modelled, or there is no impact.
+    /// The mean (7) of U_k over [`Point::counted`], V; none where no voltage is modelled, there is no impact, or the points
+    /// are [`Points::listed`].
     pub mean_voltage: Option<f64>,
     /// How far the last impact can be relied on; none where that is not asked for ([`Points::with_reliance`]).
     pub reliance: Option<Reliance>,
@@ -102,10 +103,10 @@ impl Scene {
         Ok(Points {
             sweep: self.sweep()?,
             diagram: self.diagram()?,
-            setting: self.swept_setting()?,
+            setting: self.swept_setting()?.over_number(),
             start: self.start()?.start(),
             membrane,
-            with_reliance: false,
+            depth: Depth::Settled,
             scene: self.clone(),
             next: 0,
             block: Vec::new().into_iter(),
@@ -114,16 +115,27 @@ impl Scene {
     }
 }
 
+/// How much is made of the motion at a value: each costs more than the one before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Depth {
+    /// Its impacts.
+    Listed,
+    /// What it has come to.
+    Settled,
+    /// How far that can be relied on.
+    Reliable,
+}
+
 /// The points of a sweep, one after the other.
 #[derive(Debug)]
 pub struct Points {
     scene: Scene,
     sweep: Sweep,
     diagram: Diagram,
-    setting: Setting,
+    setting: Setting<f64>,
     start: Start<f64>,
     membrane: Option<Membrane<f64>>,
-    with_reliance: bool,
+    depth: Depth,
     next: u32,
     block: IntoIter<Result<Point, SceneError>>,
     /// Where the motion at the value before came to, where the next one follows it.
@@ -134,7 +146,16 @@ impl Points {
     /// The same points, each with its [`Reliance`]; for up to twice the time.
     pub fn with_reliance(self) -> Self {
         Self {
-            with_reliance: true,
+            depth: Depth::Reliable,
+            ..self
+        }
+    }
+
+    /// The same impacts and their voltages alone, for what simulating them costs: neither what the motion has come to nor a
+    /// mean voltage.
+    pub fn listed(self) -> Self {
+        Self {
+            depth: Depth::Listed,
             ..self
         }
     }
@@ -147,24 +168,14 @@ impl Points {
     /// Point number `index`, from 0, from where the one before came to or from `[start]`.
     fn point(&self, index: u32, before: Option<&Event<f64>>) -> Result<Point, SceneError> {
         let value = self.sweep.value(index);
-        let motion = self.setting.fixed(&value).motion::<f64>();
+        let motion = self.setting.at(&value.value());
         let motion = motion.map_err(|error| self.scene.error(None, error))?;
-        let mut events = match before {
+        let events = match before {
             None => Widening::new(&motion, &self.start),
             Some(impact) if impact.kind == Kind::Impact => Widening::new(&motion, &Start::from(impact)),
             Some(event) => Widening::after(&motion, event),
         };
-        let impacts = self.diagram.impacts;
-        let mut settled = Settled::after(events.by_ref(), impacts, self.diagram.keep);
-        let digits = settled
-            .end
-            .as_ref()
-            .map_or(0, |end| events.growth().digits(end.velocity));
-        settled.attractor = settled.attractor.map(|found| found.settled_further(events));
-        let reliance = self.with_reliance.then(|| Reliance {
-            digits: digits.min(FIGURES_OF_F64),
-            lyapunov: lyapunov(&motion, &settled, impacts),
-        });
+        let (settled, reliance) = self.settled(&motion, events);
         let mut point = Point {
             value,
             motion,
@@ -177,15 +188,38 @@ impl Points {
         Ok(point)
     }
 
+    /// What the events come to, as deep as is asked for.
+    fn settled(&self, motion: &Motion<f64>, events: Widening) -> (Settled, Option<Reliance>) {
+        let Diagram { impacts, keep, .. } = self.diagram;
+        let mut events = match self.depth {
+            Depth::Listed => return (Settled::listed(events.without_growth(), impacts, keep), None),
+            Depth::Settled => events.without_growth(),
+            Depth::Reliable => events,
+        };
+        let mut settled = Settled::after(events.by_ref(), impacts, keep);
+        let end = settled.end.as_ref();
+        let digits = end.map_or(0, |end| events.growth().digits(end.velocity));
+        // on to rounding nobody asks what still holds
+        let further = events.without_growth();
+        settled.attractor = settled.attractor.map(|found| found.settled_further(further));
+        let reliance = (self.depth == Depth::Reliable).then(|| Reliance {
+            digits: digits.min(FIGURES_OF_F64),
+            lyapunov: lyapunov(motion, &settled, impacts),
+        });
+        (settled, reliance)
+    }
+
     fn add_voltages(&self, point: &mut Point) -> Result<(), SceneError> {
         let Some(membrane) = &self.membrane else {
             return Ok(());
         };
         let unit = self.scene.swept_scales::<f64>(self.sweep.over, &point.value)?.velocity;
         let voltage = |event: &Event<f64>| membrane.voltage(&(event.velocity * unit));
-        let (counted, _) = point.counted();
-        let sum: f64 = counted.iter().map(voltage).sum();
-        point.mean_voltage = (!counted.is_empty()).then_some(sum / counted.len() as f64);
+        if self.depth != Depth::Listed {
+            let (counted, _) = point.counted();
+            let sum: f64 = counted.iter().map(voltage).sum();
+            point.mean_voltage = (!counted.is_empty()).then_some(sum / counted.len() as f64);
+        }
         point.voltages = Some(point.settled.kept.iter().map(voltage).collect());
         Ok(())
     }

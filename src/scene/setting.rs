@@ -14,26 +14,27 @@ use std::cmp::Ordering;
 // One a scene: its size is nothing.
 #[allow(clippy::large_enum_variant)]
 #[derive(Clone, Debug, PartialEq)]
-enum Gravity {
+enum Gravity<Q> {
     /// `motion.g`
-    Component(Option<Quantity>),
+    Component(Option<Q>),
     /// `[device]`
     Device {
-        capsule_mass: Quantity,
-        forcing_amplitude: Option<Quantity>,
-        incline: Option<Quantity>,
-        gravity: Quantity,
+        capsule_mass: Q,
+        forcing_amplitude: Option<Q>,
+        incline: Option<Q>,
+        gravity: Q,
     },
 }
 
-/// All that a motion needs, checked; what is swept is left open.
+/// All that a motion needs, checked; what is swept is left open. As typed, or over one number for a whole sweep
+/// ([`Setting::over_number`]).
 #[derive(Clone, Debug, PartialEq)]
-pub struct Setting {
+pub struct Setting<Q = Quantity> {
     over: Option<Over>,
-    gravity: Gravity,
-    d: Option<Quantity>,
-    r_b: Option<Quantity>,
-    r_t: Option<Quantity>,
+    gravity: Gravity<Q>,
+    d: Option<Q>,
+    r_b: Option<Q>,
+    r_t: Option<Q>,
 }
 
 impl Scene {
@@ -87,24 +88,30 @@ impl Setting {
         self.over
     }
 
-    /// The motion over `T`, with `swept` for what is left open.
-    fn with<T: Analytic>(&self, swept: &T) -> Result<Motion<T>, MotionError> {
-        let or_swept = |typed: &Option<Quantity>| typed.as_ref().map_or_else(|| swept.clone(), Quantity::value);
-        let g = match &self.gravity {
-            Gravity::Component(g) => or_swept(g),
+    /// The same over `T`: what is typed is rounded or enclosed once, not at each value of a sweep.
+    pub fn over_number<T: Analytic>(&self) -> Setting<T> {
+        let value = |typed: &Option<Quantity>| typed.as_ref().map(Quantity::value);
+        let gravity = match &self.gravity {
+            Gravity::Component(g) => Gravity::Component(value(g)),
             Gravity::Device {
                 capsule_mass,
                 forcing_amplitude,
                 incline,
                 gravity,
-            } => gravity_component(
-                capsule_mass.value(),
-                or_swept(forcing_amplitude),
-                &or_swept(incline),
-                gravity.value(),
-            ),
+            } => Gravity::Device {
+                capsule_mass: capsule_mass.value(),
+                forcing_amplitude: value(forcing_amplitude),
+                incline: value(incline),
+                gravity: gravity.value(),
+            },
         };
-        Motion::new(g, or_swept(&self.d), or_swept(&self.r_b), or_swept(&self.r_t))
+        Setting {
+            over: self.over,
+            gravity,
+            d: value(&self.d),
+            r_b: value(&self.r_b),
+            r_t: value(&self.r_t),
+        }
     }
 
     fn is_weightless(&self) -> bool {
@@ -113,6 +120,31 @@ impl Setting {
             Gravity::Component(g) => g.as_ref().is_some_and(is_zero),
             Gravity::Device { incline, gravity, .. } => is_zero(gravity) || incline.as_ref().is_some_and(is_zero),
         }
+    }
+}
+
+impl<T: Analytic> Setting<T> {
+    /// The motion with `swept` for what is left open.
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn at(&self, swept: &T) -> Result<Motion<T>, MotionError> {
+        let or_swept = |value: &Option<T>| value.as_ref().unwrap_or(swept).clone();
+        let g = match &self.gravity {
+            Gravity::Component(g) => or_swept(g),
+            Gravity::Device {
+                capsule_mass,
+                forcing_amplitude,
+                incline,
+                gravity,
+            } => gravity_component(
+                capsule_mass.clone(),
+                or_swept(forcing_amplitude),
+                &or_swept(incline),
+                gravity.clone(),
+            ),
+        };
+        Motion::new(g, or_swept(&self.d), or_swept(&self.r_b), or_swept(&self.r_t))
     }
 }
 
@@ -135,13 +167,13 @@ impl impact::Origin for Start {
 impl Parameters for Setting {
     /// Nothing is left open where the setting came from [`Scene::setting`]; else what is swept is 0.
     fn motion<T: Analytic>(&self) -> Result<Motion<T>, MotionError> {
-        self.with(&T::zero())
+        self.over_number().at(&T::zero())
     }
 }
 
 impl Family for Setting {
     fn motion_at<T: Analytic>(&self, parameter: &T) -> Result<Motion<T>, MotionError> {
-        self.with(parameter)
+        self.over_number().at(parameter)
     }
 
     fn is_symmetric(&self) -> bool {

@@ -137,7 +137,10 @@ fn simulate(scene: &Scene, diagram: &mut Diagram) -> Result<Option<Energy>, Fail
     let mut impacts = Vec::new();
     let mut walls: [Vec<Point>; 2] = [Vec::new(), Vec::new()];
     let mut mean: Vec<Point> = Vec::new();
-    for point in scene.points()? {
+    let wanted = scene.want()?.contains(&Want::Voltage);
+    let points = scene.points()?;
+    // the mean is drawn, where voltage is
+    for point in if wanted { points } else { points.listed() } {
         let point = point?;
         let at = point.value.value::<f64>();
         impacts.extend(point.settled.kept.iter().map(|event| Impact {
@@ -153,7 +156,6 @@ fn simulate(scene: &Scene, diagram: &mut Diagram) -> Result<Option<Energy>, Fail
     }
     diagram.impacts = Some(impacts);
     mean.sort_by(|one, other| one.0.total_cmp(&other.0));
-    let wanted = scene.want()?.contains(&Want::Voltage);
     let [bottom, top] = walls;
     let parameter = diagram.parameter.clone();
     Ok(wanted.then_some(Energy {

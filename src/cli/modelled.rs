@@ -1,0 +1,126 @@
+//! That a scene costs what it wants: no membrane where no voltage is wanted, no growth of errors where nobody asks how
+//! many digits hold, no step of a simulation beyond those of the bare loop. Counted, through the commands themselves.
+
+use super::*;
+use crate::impact::{Kind, Origin, Simulation};
+use crate::model::calls::{Call, counted};
+use crate::orbit::Family;
+use crate::scene::Scene;
+
+/// What a command modelled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Modelled {
+    membranes: u64,
+    deflections: u64,
+    steps: u64,
+    growths: u64,
+}
+
+/// What `work` models: it runs on a thread of its own, parallel parts too, whose counters therefore see all of it.
+fn modelled(work: impl FnOnce() + Send) -> Modelled {
+    std::thread::scope(|scope| {
+        let thread = scope.spawn(|| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread();
+            pool.build().unwrap().install(work);
+            Modelled {
+                membranes: counted(Call::Membrane),
+                deflections: counted(Call::Deflection),
+                steps: counted(Call::Step),
+                growths: counted(Call::Growth),
+            }
+        });
+        thread.join().unwrap()
+    })
+}
+
+const WITHOUT: &str = r#"want=["orbits", "branch", "impacts", "sweep", "trajectory"]"#;
+const WITH: &str = r#"want=["sweep", "voltage"]"#;
+
+/// Fig. 3, which has a [membrane], over few values.
+const FEW: [&str; 3] = ["sweep.points=5", "sweep.impacts=100", "sweep.keep=20"];
+
+/// What a command models over [`FEW`], all of its rows made; files go to a directory that is removed.
+fn of(command: &[&str], sets: &[&str]) -> Modelled {
+    static RUNS: std::sync::atomic::AtomicU32 = std::sync::atomic::AtomicU32::new(0);
+    let run = RUNS.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+    let scratch = std::env::temp_dir().join(format!("vibro-audit-modelled-{}-{run}", std::process::id()));
+    let mut arguments = vec!["vibro-audit", command[0], "fig03"];
+    arguments.extend(&command[1..]);
+    for set in FEW.iter().chain(sets) {
+        arguments.extend(["--set", set]);
+    }
+    if command == ["run"] {
+        arguments.extend(["--out", scratch.to_str().unwrap()]);
+    }
+    let line = Line::try_parse_from(arguments).unwrap();
+    let found = modelled(|| {
+        let answer = line.command.run(&line.options).unwrap();
+        if let Content::Rows(rows) = answer.content {
+            rows.table().unwrap();
+        }
+    });
+    let _ = std::fs::remove_dir_all(&scratch);
+    found
+}
+
+#[test]
+fn where_no_voltage_is_wanted_no_membrane_is_made_or_pressed_in() {
+    let commands: [&[&str]; 8] = [
+        &["run"],
+        &["orbits"],
+        &["branch"],
+        &["simulate"],
+        &["sweep"],
+        &["sweep", "--summary"],
+        &["trajectory"],
+        &["plot"],
+    ];
+    for command in commands {
+        let found = of(command, &[WITHOUT]);
+        assert_eq!((found.membranes, found.deflections), (0, 0), "{command:?}");
+    }
+    // nor where voltage is wanted, by commands that do not tell it
+    for command in [&["orbits"][..], &["branch"], &["simulate"], &["trajectory"]] {
+        let found = of(command, &[WITH]);
+        assert_eq!((found.membranes, found.deflections), (0, 0), "{command:?}");
+    }
+}
+
+#[test]
+fn where_voltage_is_wanted_the_membrane_is_pressed_in_once_for_each_impact_that_is_listed() {
+    let listed = of(&["sweep"], &[WITH]);
+    // made to be checked, and to be used
+    assert_eq!((listed.membranes > 0, listed.deflections), (true, 5 * 20));
+    for command in [&["run"][..], &["sweep", "--summary"], &["plot"]] {
+        let found = of(command, &[WITH]);
+        assert!(found.membranes > 0 && found.deflections > 0, "{command:?}: {found:?}");
+    }
+    // the motion is the same work either way
+    assert_eq!(of(&["sweep"], &[WITHOUT]).steps, listed.steps);
+}
+
+#[test]
+fn a_sweep_takes_the_steps_of_the_bare_loop_and_follows_no_errors() {
+    let swept = of(&["sweep"], &[WITHOUT]);
+    let mut scene = Scene::read(crate::scene::find("fig03").unwrap(), "fig03").unwrap();
+    for set in FEW {
+        scene.set(set).unwrap();
+    }
+    let (sweep, setting, start) = (scene.sweep(), scene.swept_setting(), scene.start());
+    let (sweep, setting, start) = (sweep.unwrap(), setting.unwrap(), start.unwrap());
+    let bare = modelled(|| {
+        for value in sweep.values() {
+            let motion = crate::model::Parameters::motion::<f64>(&setting.fixed(&value)).unwrap();
+            let impacts = Simulation::new(&motion, &start.start()).filter(|event| event.kind == Kind::Impact);
+            assert_eq!(impacts.take(100).count(), 100);
+        }
+    });
+    assert!(bare.steps >= 5 * 100 && bare.growths == 0);
+    assert_eq!(swept, bare);
+    // what is told of a summary costs more: errors are followed, and cycles until they repeat
+    let summary = of(&["sweep", "--summary"], &[WITHOUT]);
+    assert!(
+        summary.steps > bare.steps && summary.growths >= bare.steps,
+        "{summary:?}"
+    );
+}
