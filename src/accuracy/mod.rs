@@ -3,6 +3,8 @@
 mod clock;
 mod dp;
 mod points;
+pub mod problems;
+pub mod score;
 mod trade;
 
 pub use dp::trade_dp;

@@ -12,6 +12,7 @@ mod displacement;
 mod energy;
 mod parameter;
 mod portrait;
+mod score;
 mod strand;
 
 pub use branch::{Bifurcation, Course, Step};
@@ -22,3 +23,4 @@ pub use displacement::displacement;
 pub use energy::Energy;
 pub use parameter::Parameter;
 pub use portrait::{Path, Portrait};
+pub use score::{digits, work_precision};
