@@ -79,18 +79,16 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     if let Some(plot) = &arguments.plot {
         Output::File(plot.clone()).check()?;
     }
-    let known = problems::all(|_| true)?;
-    let has = |problem: &&Certified| arguments.selection.has(&problem.problem);
-    let asked: Vec<Certified> = known.iter().filter(has).cloned().collect();
+    let asked = problems::all(|problem| arguments.selection.has(problem))?;
     match &arguments.exec {
-        Some(command) => by_program(arguments, command, options, [&known, &asked]),
-        None => by_file(arguments, [&known, &asked]),
+        Some(command) => by_program(arguments, command, options, &asked),
+        None => by_file(arguments, &asked),
     }
 }
 
-fn by_file(arguments: &Arguments, [known, asked]: [&[Certified]; 2]) -> Result<Answer, Failure> {
+fn by_file(arguments: &Arguments, asked: &[Certified]) -> Result<Answer, Failure> {
     let source = arguments.file.clone().unwrap_or(Source::Stdin);
-    let ratings = rate(asked, &Answers::read(&source.name(), &source.read()?, known)?);
+    let ratings = rate(asked, &Answers::read(&source.name(), &source.read()?, asked)?);
     let content = if arguments.summary {
         summary(&ratings)?
     } else {
@@ -98,15 +96,10 @@ fn by_file(arguments: &Arguments, [known, asked]: [&[Certified]; 2]) -> Result<A
     };
     draw(arguments, "Digits of the answers", || figure::digits(&ratings))?;
     tell(&ratings);
-    answer(arguments, &ratings, content)
+    Ok(answer(arguments, &ratings, content))
 }
 
-fn by_program(
-    arguments: &Arguments,
-    command: &str,
-    options: &Options,
-    [known, asked]: [&[Certified]; 2],
-) -> Result<Answer, Failure> {
+fn by_program(arguments: &Arguments, command: &str, options: &Options, asked: &[Certified]) -> Result<Answer, Failure> {
     let stdin = csv(&table(asked, false)?, options.figures())?;
     let (command, limit) = (command.to_owned(), arguments.limit);
     let program = Program { command, limit };
@@ -114,7 +107,7 @@ fn by_program(
     for tolerance in &arguments.tolerances {
         let ran = program.run(tolerance, &stdin)?;
         let file = format!("what `{}` wrote at tolerance {tolerance}", program.command);
-        let ratings = rate(asked, &Answers::read(&file, &ran.stdout, known)?);
+        let ratings = rate(asked, &Answers::read(&file, &ran.stdout, asked)?);
         let (tolerance, seconds) = (tolerance.clone(), ran.seconds);
         runs.push(Run {
             tolerance,
@@ -136,7 +129,7 @@ fn by_program(
     })?;
     let last = runs.last().map_or(&[][..], |run| &run.ratings);
     tell(last);
-    answer(arguments, last, content)
+    Ok(answer(arguments, last, content))
 }
 
 /// What the tables do not say.
@@ -152,12 +145,12 @@ fn tell(ratings: &[Rating]) {
     }
 }
 
-fn answer(arguments: &Arguments, ratings: &[Rating], content: Table) -> Result<Answer, Failure> {
+fn answer(arguments: &Arguments, ratings: &[Rating], content: Table) -> Answer {
     let as_expected = arguments.at_least.is_none_or(|least| worst(ratings) >= least);
-    Ok(Answer {
+    Answer {
         content: Content::Table(content),
         exit: Exit::from_verdict(as_expected),
-    })
+    }
 }
 
 fn draw(arguments: &Arguments, title: &str, panels: impl FnOnce() -> Vec<Panel>) -> Result<(), Failure> {

@@ -79,12 +79,12 @@ pub fn all(wanted: impl Fn(&Problem) -> bool) -> Result<Vec<Certified>, ProblemE
 
 fn agreed(first: Values<Number>, second: &Values<Number>) -> Result<Vec<Answer>, Why> {
     if first.0.len() != second.0.len() {
-        return Err(Why::Missing("quantity"));
+        return Err(Why::Unlike);
     }
     let mut answers = Vec::new();
     for ((quantity, value), (name, again)) in first.0.into_iter().zip(&second.0) {
         if quantity != *name {
-            return Err(Why::Missing("quantity"));
+            return Err(Why::Unlike);
         }
         let agreed = digits(&quantity, again, &value, 2.0 * AGREED);
         if value == Number::from_integer(0) && !is_phase(&quantity) {

@@ -44,6 +44,9 @@ pub enum Why {
     /// A quantity that is 0 has no relative error.
     #[error("{0} is 0, and has no relative error")]
     Zero(String),
+    /// The two means answer different quantities.
+    #[error("the two means answer different quantities")]
+    Unlike,
     /// The two means do not agree.
     #[error("the two means agree to {digits:.1} digits of {quantity}")]
     Apart {

@@ -8,9 +8,8 @@ use crate::number::{Decimal, Decimals, Interval, Told};
 use crate::orbit::{Found, Proved, Rounded, Word, confirmed, find, find_as, one_to_one, search};
 use std::f64::consts::{PI, TAU};
 
-/// The figures in which enclosures are told: the first as many as 50 digits of computation give, the others where a
-/// motion loses too many of those, as next to a fold.
-const FIGURES: [Decimals; 2] = [Decimals(44), Decimals(60)];
+/// The figures in which enclosures are told.
+const FIGURES: Decimals = Decimals(44);
 
 /// What the answers rest on.
 pub const MEANS: [&str; 2] = ["proved enclosure", "return map in 100 digits"];
@@ -19,14 +18,12 @@ pub const MEANS: [&str; 2] = ["proved enclosure", "return map in 100 digits"];
 pub fn twice(problem: &Problem) -> Result<[Rounded<Decimal>; 2], Why> {
     let given = problem.given()?;
     let (word, periods) = problem.word()?;
-    for decimals in FIGURES {
-        let orbit = nearest(problem, find_as(&decimals, &given, &word, periods)?)?;
-        if orbit.error_bound.is_some() {
-            let again = confirmed(&given, &orbit, decimals)?;
-            return Ok([orbit, again]);
-        }
+    let orbit = nearest(problem, find_as(&FIGURES, &given, &word, periods)?)?;
+    if orbit.error_bound.is_none() {
+        return Err(Why::Unproved);
     }
-    Err(Why::Unproved)
+    let again = confirmed(&given, &orbit, FIGURES)?;
+    Ok([orbit, again])
 }
 
 /// The quantities by both means.

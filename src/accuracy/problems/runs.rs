@@ -168,7 +168,7 @@ fn bracketed<const DIGITS: usize>(given: &Given, begin: &Begin, impacts: u32) ->
 
 /// Impacts slower than this are not followed: what is left of the chatter is that under a constant acceleration, up to
 /// the square of the velocity.
-const SLOWEST: f64 = 1e-17;
+const SLOWEST: f64 = 1e-20;
 
 /// Impact after impact of the chatter, the release, and the flight after it.
 fn rested<const DIGITS: usize>(given: &Given, begin: &Begin) -> Result<Values<Number>, Why> {

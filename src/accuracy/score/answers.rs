@@ -1,6 +1,6 @@
 //! Answers as CSV: `problem,quantity,answer` and, if the writer likes, `seconds`.
 
-use crate::accuracy::problems::{Certified, Number};
+use crate::accuracy::problems::{Certified, Number, list};
 use crate::reference::Lines;
 use std::collections::HashMap;
 
@@ -44,14 +44,14 @@ struct Header {
 }
 
 impl Answers {
-    /// The answers in `text`, named `file` in errors. Columns in any order, others are passed over; a problem that is not
-    /// there is not answered.
+    /// The answers in `text`, named `file` in errors, to what is `asked`. Columns in any order; other columns, and other
+    /// problems of the list, are passed over.
     ///
     /// # Errors
-    /// No header, a column missing or twice, a row of another length, a problem or a quantity that there is not among
-    /// `known`, one that is answered twice, an answer that is no number, seconds that are none or negative.
-    pub fn read(file: &str, text: &str, known: &[Certified]) -> Result<Self, AnswerError> {
-        let reading = Reading { file, known };
+    /// No header, a column missing or twice, a row of another length, a problem or a quantity that there is not, one
+    /// that is answered twice, an answer that is no number, seconds that are none or negative.
+    pub fn read(file: &str, text: &str, asked: &[Certified]) -> Result<Self, AnswerError> {
+        let reading = Reading { file, asked };
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = csv::ReaderBuilder::new()
             .has_headers(false)
@@ -71,7 +71,9 @@ impl Answers {
                 header = Some(reading.header(&row)?);
                 continue;
             };
-            let (key, given) = reading.row(header, &row, lines.line)?;
+            let Some((key, given)) = reading.row(header, &row, lines.line)? else {
+                continue;
+            };
             if let Some(first) = seen.insert(key.clone(), lines.line) {
                 let (problem, quantity) = key;
                 let message = format!("{problem} {quantity} is answered on line {first} already; answer each once");
@@ -101,10 +103,13 @@ impl Answers {
     }
 }
 
+/// Problem and quantity, and what is given for them.
+type Row = ((String, String), Given);
+
 /// What the rows are read against.
 struct Reading<'a> {
     file: &'a str,
-    known: &'a [Certified],
+    asked: &'a [Certified],
 }
 
 impl Reading<'_> {
@@ -135,12 +140,7 @@ impl Reading<'_> {
         })
     }
 
-    fn row(
-        &self,
-        header: &Header,
-        row: &csv::StringRecord,
-        line: u64,
-    ) -> Result<((String, String), Given), AnswerError> {
+    fn row(&self, header: &Header, row: &csv::StringRecord, line: u64) -> Result<Option<Row>, AnswerError> {
         let fault = |message: String| self.error(Some(line), message);
         if row.len() != header.columns {
             let (found, wanted) = (row.len(), header.columns);
@@ -148,8 +148,11 @@ impl Reading<'_> {
         }
         let field = |index: usize| row.get(index).unwrap_or_default();
         let (problem, quantity) = (field(header.problem), field(header.quantity));
-        let known = self.known.iter().find(|known| known.problem.name == problem);
-        let known = known.ok_or_else(|| fault(format!("there is no problem `{problem}`; `problems` lists them")))?;
+        let Some(known) = self.asked.iter().find(|known| known.problem.name == problem) else {
+            let is_other = list().iter().any(|known| known.name == problem);
+            let none = || fault(format!("there is no problem `{problem}`; `problems` lists them"));
+            return if is_other { Ok(None) } else { Err(none()) };
+        };
         if !known.answers.iter().any(|answer| answer.quantity == quantity) {
             let asked: Vec<&str> = known.answers.iter().map(|answer| answer.quantity.as_str()).collect();
             let asked = asked.join(", ");
@@ -162,7 +165,10 @@ impl Reading<'_> {
             .seconds
             .map_or(Ok(None), |index| seconds(field(index)))
             .map_err(fault)?;
-        Ok(((problem.to_owned(), quantity.to_owned()), Given { value, seconds }))
+        Ok(Some((
+            (problem.to_owned(), quantity.to_owned()),
+            Given { value, seconds },
+        )))
     }
 }
 
@@ -211,6 +217,12 @@ mod tests {
         let velocity = answers.get("one", "velocity").unwrap();
         assert_eq!(velocity.value.as_ref().map(Analytic::to_f64), Some(-150.0));
         assert_eq!((velocity.seconds, answers.len()), (None, 2));
+    }
+
+    #[test]
+    fn a_problem_that_is_not_asked_is_passed_over() {
+        let answers = read("problem,quantity,answer\norbit-node,whatever,7\none,time,1\n").unwrap();
+        assert_eq!(answers.len(), 1);
     }
 
     #[test]
