@@ -212,7 +212,7 @@ fn runs() -> Vec<Problem> {
         run("run-far", Hard, [G, "10", "0.99", "0.99"], (Bottom, "1", "3"), Some(60)),
         run("run-to-rest-dull", Hard, [G, "0.3", "0.01", "0.01"], (Bottom, "2.5", "0.1"), None),
         run("run-to-rest-at-the-top", Hard, ["-0.2", "0.5", "0.5", "0.4"], (Top, "4", "-0.1"), None),
-        run("run-to-rest-lively", Hard, [G, "0.4", "0.8", "0.8"], (Bottom, "4.9", "0.01"), None),
+        run("run-to-rest-lively", Hard, [G, "0.4", "0.7", "0.7"], (Bottom, "4.9", "0.01"), None),
         run("run-chaotic", Extreme, [G, "0.25", "0.4", "0.5"], start, Some(60)),
         run("run-chaotic-and-steep", Extreme, ["0.5", "0.08", "0.9", "0.9"], (Bottom, "6.18", "1"), Some(60)),
         run("run-chaotic-in-a-narrow-gap", Extreme, [G, "0.02", "0.95", "0.95"], (Bottom, "1", "1"), Some(80)),
@@ -220,7 +220,7 @@ fn runs() -> Vec<Problem> {
         run("run-elastic-without-gravity", Extreme, ["0", "0.3", "1", "1"], (Bottom, "1", "0.5"), Some(100)),
         run("run-chaotic-of-hundred", Extreme, [G, "0.04", "0.8", "0.8"], (Bottom, "6.18", "1"), Some(100)),
         run("run-nearly-as-heavy-as-shaken", Extreme, ["0.99", "3", "0.9", "0.9"], (Bottom, "1", "2"), Some(60)),
-        run("run-to-rest-livelier", Extreme, [G, "0.4", "0.9", "0.9"], (Bottom, "4.8", "0.001"), None),
+        run("run-to-rest-livelier", Extreme, [G, "0.4", "0.85", "0.85"], (Bottom, "4.8", "0.001"), None),
         run("run-to-rest-just-in-time", Extreme, [G, "0.3", "0.5", "0.5"], (Bottom, "1.6", "0.0001"), None),
     ]
 }

@@ -153,7 +153,8 @@ mod tests {
     #[test]
     fn whole_turns_are_taken_off() {
         for (angle, left) in [(-0.5, 5.783_185_307_179_586), (7.0, 0.716_814_692_820_414), (1.0, 1.0)] {
-            assert!((reduced(&angle) - left).abs() < 1e-12);
+            let found: f64 = reduced(&angle);
+            assert!((found - left).abs() < 1e-12);
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::impact::Origin;
 use crate::number::{Analytic, Field, Wide};
 
 /// What the answers rest on.
-pub const MEANS: [&str; 2] = ["stable form", "(5) and (6) as printed, in 200 digits"];
+pub const MEANS: [&str; 2] = ["stable form", "(5) and (6) as printed in 200 digits"];
 
 /// Enough for the difference of (6), of which slight impacts leave few.
 type Many = Wide<200>;

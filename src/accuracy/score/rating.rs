@@ -62,7 +62,7 @@ pub fn worst(ratings: &[Rating]) -> f64 {
 pub(super) mod tests {
     use super::*;
     use crate::accuracy::problems::{Answer, Number, list};
-    use crate::number::Field;
+    use crate::number::{Analytic, Field};
     use proptest::prelude::*;
 
     /// A problem called `one` that asks for three quantities.
@@ -96,7 +96,7 @@ pub(super) mod tests {
         fn an_answer_off_by_ten_to_the_minus_k_has_k_digits(k in 0.1..29.5_f64, sign in prop::bool::ANY, index in 0..2_usize) {
             let exact = &known()[0].answers[index];
             let off = if sign { 10_f64.powf(-k) } else { -10_f64.powf(-k) };
-            let value = exact.value.clone() * (Number::from_integer(1) + crate::number::Analytic::from_f64(off));
+            let value = exact.value.clone() * (Number::from_integer(1) + Number::from_f64(off));
             let row = format!("one,{},{},", exact.quantity, value.to_decimal(45));
             let found = rated(&[row])[index].digits.unwrap();
             prop_assert!((found - k).abs() < 0.01, "{} {}", found, k);
