@@ -40,7 +40,7 @@ pub struct Arguments {
 }
 
 /// Some of the problems.
-#[derive(Clone, Debug, Default, clap::Args)]
+#[derive(Clone, Debug, clap::Args)]
 pub struct Selection {
     /// Only problems of this kind; may be given several times
     #[arg(long = "kind", value_name = "KIND", value_parser = kind_parser())]
@@ -74,11 +74,8 @@ fn means_parser() -> impl TypedValueParser<Value = Means> {
 impl Selection {
     /// Whether a problem is one of them.
     pub fn has(&self, problem: &Problem) -> bool {
-        let is_among = |kinds: bool, levels: bool| kinds && levels;
-        is_among(
-            self.kinds.is_empty() || self.kinds.contains(&problem.kind),
-            self.levels.is_empty() || self.levels.contains(&problem.level),
-        )
+        let is_of_kind = self.kinds.is_empty() || self.kinds.contains(&problem.kind);
+        is_of_kind && (self.levels.is_empty() || self.levels.contains(&problem.level))
     }
 }
 

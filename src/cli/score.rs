@@ -79,16 +79,21 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     if let Some(plot) = &arguments.plot {
         Output::File(plot.clone()).check()?;
     }
-    let asked = problems::all(|problem| arguments.selection.has(problem))?;
     match &arguments.exec {
-        Some(command) => by_program(arguments, command, options, &asked),
-        None => by_file(arguments, &asked),
+        Some(command) => by_program(arguments, command, options),
+        None => by_file(arguments),
     }
 }
 
-fn by_file(arguments: &Arguments, asked: &[Certified]) -> Result<Answer, Failure> {
+fn asked(arguments: &Arguments) -> Result<Vec<Certified>, Failure> {
+    Ok(problems::all(|problem| arguments.selection.has(problem))?)
+}
+
+fn by_file(arguments: &Arguments) -> Result<Answer, Failure> {
     let source = arguments.file.clone().unwrap_or(Source::Stdin);
-    let ratings = rate(asked, &Answers::read(&source.name(), &source.read()?, asked)?);
+    let (name, text) = (source.name(), source.read()?);
+    let asked = asked(arguments)?;
+    let ratings = rate(&asked, &Answers::read(&name, &text, &asked)?);
     let content = if arguments.summary {
         summary(&ratings)?
     } else {
@@ -99,15 +104,16 @@ fn by_file(arguments: &Arguments, asked: &[Certified]) -> Result<Answer, Failure
     Ok(answer(arguments, &ratings, content))
 }
 
-fn by_program(arguments: &Arguments, command: &str, options: &Options, asked: &[Certified]) -> Result<Answer, Failure> {
-    let stdin = csv(&table(asked, false)?, options.figures())?;
+fn by_program(arguments: &Arguments, command: &str, options: &Options) -> Result<Answer, Failure> {
+    let asked = asked(arguments)?;
+    let stdin = csv(&table(&asked, false)?, options.figures())?;
     let (command, limit) = (command.to_owned(), arguments.limit);
     let program = Program { command, limit };
     let mut runs = Vec::new();
     for tolerance in &arguments.tolerances {
         let ran = program.run(tolerance, &stdin)?;
         let file = format!("what `{}` wrote at tolerance {tolerance}", program.command);
-        let ratings = rate(asked, &Answers::read(&file, &ran.stdout, asked)?);
+        let ratings = rate(&asked, &Answers::read(&file, &ran.stdout, &asked)?);
         let (tolerance, seconds) = (tolerance.clone(), ran.seconds);
         runs.push(Run {
             tolerance,
