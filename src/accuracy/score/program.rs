@@ -137,14 +137,18 @@ impl Program {
     }
 }
 
+/// Runs `$1`, in a group of its own so that all it starts can be ended with it. An interrupt from the keyboard does not
+/// reach that group: something in it looks whether this process is still there, and ends it where not.
+const SHELL: &str =
+    "(while kill -0 $PPID; do sleep 1; done; kill -s KILL -- -$$) </dev/null >/dev/null 2>&1 & exec sh -c \"$1\"";
+
 fn spawn(command: &str, tolerance: &str) -> std::io::Result<Child> {
     let mut shell = Command::new("sh");
-    shell.args(["-c", command]).env(VARIABLE, tolerance);
+    shell.args(["-c", SHELL, "sh", command]).env(VARIABLE, tolerance);
     shell
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped());
-    // a group of its own, so that what it starts ends with it
     #[cfg(unix)]
     std::os::unix::process::CommandExt::process_group(&mut shell, 0);
     shell.spawn()
@@ -153,7 +157,7 @@ fn spawn(command: &str, tolerance: &str) -> std::io::Result<Child> {
 /// Ends the group that a shell of this id leads.
 fn kill(id: u32) {
     let mut kill = Command::new("sh");
-    kill.args(["-c", &format!("kill -9 -- -{id}")]);
+    kill.args(["-c", &format!("kill -s KILL -- -{id}")]);
     // where the group has ended in this moment there is nothing to end
     let _ = kill.stdout(Stdio::null()).stderr(Stdio::null()).status();
 }
