@@ -4,6 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
 use vibro_audit::accuracy::problems::{self, Certified, Means, Number, solve};
 use vibro_audit::accuracy::problems::{Kind, Level};
 use vibro_audit::accuracy::score::{Answers, Precision, Rating, parts, rate};
@@ -284,6 +285,40 @@ fn a_program_that_fails_is_an_error_that_says_what() {
             text(&output.stderr)
         );
     }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_program_does_not_outlive_an_interrupt() {
+    let scratch = Scratch::new("interrupt");
+    let path = scratch.0.join("id");
+    let command = format!("echo $$ > {}; sleep 300 | sleep 300", path.display());
+    let mut scoring = Command::new(BINARY)
+        .args([
+            "score", "--exec", &command, "--limit", "300", "--kind", "impact", "--level", "easy",
+        ])
+        .spawn()
+        .unwrap();
+    let start = Instant::now();
+    let wait_for = |what: &dyn Fn() -> bool| {
+        while !what() {
+            assert!(start.elapsed().as_secs() < 60);
+            std::thread::sleep(Duration::from_millis(50));
+        }
+    };
+    let id = || fs::read_to_string(&path).unwrap_or_default().trim().to_owned();
+    wait_for(&|| !id().is_empty());
+    scoring.kill().unwrap();
+    scoring.wait().unwrap();
+    let lives = || {
+        Command::new("kill")
+            .args(["-0", &id()])
+            .stderr(Stdio::null())
+            .status()
+            .unwrap()
+            .success()
+    };
+    wait_for(&|| !lives());
 }
 
 #[test]

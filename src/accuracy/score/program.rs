@@ -138,13 +138,14 @@ impl Program {
 }
 
 /// Runs `$1`, in a group of its own so that all it starts can be ended with it. An interrupt from the keyboard does not
-/// reach that group: something in it looks whether this process is still there, and ends it where not.
+/// reach that group: something in it looks whether `$2`, this process, is still there, and ends it where not.
 const SHELL: &str =
-    "(while kill -0 $PPID; do sleep 1; done; kill -s KILL -- -$$) </dev/null >/dev/null 2>&1 & exec sh -c \"$1\"";
+    "(while kill -0 $2; do sleep 1; done; kill -s KILL -- -$$) </dev/null >/dev/null 2>&1 & exec sh -c \"$1\"";
 
 fn spawn(command: &str, tolerance: &str) -> std::io::Result<Child> {
     let mut shell = Command::new("sh");
-    shell.args(["-c", SHELL, "sh", command]).env(VARIABLE, tolerance);
+    let own = std::process::id().to_string();
+    shell.args(["-c", SHELL, "sh", command, &own]).env(VARIABLE, tolerance);
     shell
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
