@@ -2,6 +2,8 @@
 
 mod choice;
 mod costs;
+pub mod problems;
+pub mod score;
 mod trade;
 
 pub use choice::{COSTS, ChoiceError, Cost, Purpose, cheapest, costs};

@@ -48,6 +48,15 @@ pub enum Failure {
     /// The model by which numbers are chosen cannot be read.
     #[error("{0}: this is a fault of vibro-audit, please report it")]
     Choice(#[from] crate::accuracy::ChoiceError),
+    /// A problem has no certified answer.
+    #[error("{0}: this is a fault of vibro-audit, please report it")]
+    Problem(#[from] crate::accuracy::problems::ProblemError),
+    /// Answers cannot be scored.
+    #[error(transparent)]
+    Answers(#[from] crate::accuracy::score::AnswerError),
+    /// A program does not answer.
+    #[error(transparent)]
+    Program(#[from] crate::accuracy::score::ProgramError),
     /// More digits than there are.
     #[error("{figures} digits of a motion are more than can be computed; ask for at most {most}")]
     Digits { figures: usize, most: usize },

@@ -12,10 +12,12 @@ mod modelled;
 mod options;
 mod orbits;
 mod plot;
+mod problems;
 mod progress;
 mod run;
 mod scene;
 mod scenes;
+mod score;
 mod simulate;
 mod source;
 mod sweep;
@@ -61,6 +63,8 @@ enum Command {
     Run(run::Arguments),
     Check(check::Arguments),
     Trade(trade::Arguments),
+    Problems(problems::Arguments),
+    Score(score::Arguments),
 }
 
 impl Command {
@@ -77,6 +81,8 @@ impl Command {
             Self::Run(arguments) => run::run(arguments, options),
             Self::Check(arguments) => check::run(arguments, options),
             Self::Trade(arguments) => trade::run(arguments, options),
+            Self::Problems(arguments) => problems::run(arguments, options),
+            Self::Score(arguments) => score::run(arguments, options),
         }
     }
 

@@ -72,11 +72,7 @@ pub fn read(file: &str, text: &str, columns: &'static [&'static str]) -> Result<
     let mut records = Vec::new();
     let mut header_seen = false;
     let mut raw = csv::StringRecord::new();
-    let mut lines = Lines {
-        text: text_alone,
-        at: 0,
-        line: 1,
-    };
+    let mut lines = Lines::new(text_alone);
     while reader
         .read_record(&mut raw)
         .map_err(|error| Fault::of_file(file, error.to_string()))?
@@ -111,15 +107,22 @@ pub fn read(file: &str, text: &str, columns: &'static [&'static str]) -> Result<
 
 /// Counts lines along a text. The csv crate counts them too, but its records begin with the empty lines, and the
 /// second half of the line break, that stand before them.
-struct Lines<'a> {
+pub(crate) struct Lines<'a> {
     text: &'a str,
     at: usize,
-    line: u64,
+    /// The line, from 1, that was walked to.
+    pub(crate) line: u64,
 }
 
-impl Lines<'_> {
+impl<'a> Lines<'a> {
+    /// At the beginning of a text.
+    pub(crate) fn new(text: &'a str) -> Self {
+        let (at, line) = (0, 1);
+        Self { text, at, line }
+    }
+
     /// Walks on to the record that the csv crate says begins at `byte`, and answers where it does begin.
-    fn to(&mut self, byte: u64) -> usize {
+    pub(crate) fn to(&mut self, byte: u64) -> usize {
         let start = self.offset(byte);
         let rest = self.text.get(start..).unwrap_or_default();
         let blank = rest.len() - rest.trim_start_matches(['\r', '\n']).len();

@@ -12,6 +12,7 @@ mod displacement;
 mod energy;
 mod parameter;
 mod portrait;
+mod score;
 mod strand;
 mod trade;
 
@@ -24,3 +25,4 @@ pub use energy::Energy;
 pub use parameter::Parameter;
 pub use portrait::{Path, Portrait};
 pub use trade::trades;
+pub use score::{digits, work_precision};

@@ -1,0 +1,90 @@
+//! Periodic motions: proved enclosures, confirmed by the return map.
+
+use super::problem::{Given, Problem};
+use super::values::{Number, Values, read};
+use super::{Means, Why};
+use crate::model::Parameters;
+use crate::number::{Decimal, Decimals, Interval, Told};
+use crate::orbit::{Found, Proved, Rounded, Word, confirmed, find, find_as, one_to_one, search};
+use std::f64::consts::{PI, TAU};
+
+/// The figures in which enclosures are told.
+const FIGURES: Decimals = Decimals(44);
+
+/// What the answers rest on.
+pub const MEANS: [&str; 2] = ["proved enclosure", "return map in 100 digits"];
+
+/// The motion by both means.
+pub fn twice(problem: &Problem) -> Result<[Rounded<Decimal>; 2], Why> {
+    let given = problem.given()?;
+    let (word, periods) = problem.word()?;
+    let orbit = nearest(problem, find_as(&FIGURES, &given, &word, periods)?)?;
+    if orbit.error_bound.is_none() {
+        return Err(Why::Unproved);
+    }
+    let again = confirmed(&given, &orbit, FIGURES)?;
+    Ok([orbit, again])
+}
+
+/// The quantities by both means.
+pub fn both(problem: &Problem) -> Result<[Values<Number>; 2], Why> {
+    Ok(twice(problem)?.map(|orbit| values(&orbit).convert(|decimal| read(&decimal))))
+}
+
+fn values<N: Clone>(orbit: &Rounded<N>) -> Values<N> {
+    let lists = [&orbit.phases[..], &orbit.velocities, &orbit.times];
+    Values::of_cycle(lists, orbit.trace.clone())
+}
+
+/// The motion in f64.
+pub fn in_f64(problem: &Problem, means: Means) -> Result<Rounded, Why> {
+    let given = problem.given()?;
+    let (word, periods) = problem.word()?;
+    match means {
+        Means::Default => nearest(problem, find(&given, &word, periods)?),
+        Means::Double => {
+            let all = narrow(&given, &word, periods)?;
+            nearest(
+                problem,
+                Found {
+                    orbits: all,
+                    open: Vec::new(),
+                },
+            )
+        }
+    }
+}
+
+/// The quantities in f64.
+pub fn solved(problem: &Problem, means: Means) -> Result<Values<f64>, Why> {
+    Ok(values(&in_f64(problem, means)?))
+}
+
+/// The motions in intervals of f64 and nothing wider: the middles.
+fn narrow(given: &Given, word: &Word, periods: u32) -> Result<Vec<Rounded>, Why> {
+    let motion = given.motion::<Interval<f64>>()?;
+    let orbit = |proved: Proved| proved.orbit::<f64>(given).ok().map(|orbit| orbit.rounded());
+    Ok(if *word == Word::pair() {
+        let roots = one_to_one(&motion, periods).motions;
+        let pairs = roots.iter().map(|root| Proved::Pair { root, periods });
+        pairs.filter_map(orbit).collect()
+    } else {
+        let cycles = search(word, periods, &motion)?;
+        cycles.iter().map(Proved::Cycle).filter_map(orbit).collect()
+    })
+}
+
+/// The motion that the problem means: of those over its periods, the one whose first impact is nearest to its start.
+fn nearest<N: Told>(problem: &Problem, found: Found<N>) -> Result<Rounded<N>, Why> {
+    let start = problem.begin()?;
+    let [phase, velocity] = [&start.phase, &start.velocity].map(crate::model::Exact::value::<f64>);
+    let (_, periods) = problem.word()?;
+    let away = |orbit: &Rounded<N>| {
+        let turned = orbit.phases[0].to_f64() - phase;
+        let around = (turned + PI).rem_euclid(TAU) - PI;
+        around.hypot(orbit.velocities[0].to_f64() - velocity)
+    };
+    let own = found.orbits.into_iter().filter(|orbit| orbit.periods == periods);
+    own.min_by(|one, other| away(one).total_cmp(&away(other)))
+        .ok_or(Why::NoOrbit)
+}
