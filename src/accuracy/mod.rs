@@ -3,6 +3,7 @@
 mod clock;
 mod dp;
 mod points;
+pub mod stress;
 mod trade;
 
 pub use dp::trade_dp;

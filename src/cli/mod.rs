@@ -16,6 +16,7 @@ mod scene;
 mod scenes;
 mod simulate;
 mod source;
+mod stress;
 mod sweep;
 mod trade;
 mod trajectory;
@@ -59,6 +60,7 @@ enum Command {
     Run(run::Arguments),
     Check(check::Arguments),
     Trade(trade::Arguments),
+    Stress(stress::Arguments),
 }
 
 impl Command {
@@ -75,6 +77,7 @@ impl Command {
             Self::Run(arguments) => run::run(arguments, options),
             Self::Check(arguments) => check::run(arguments, options),
             Self::Trade(arguments) => trade::run(arguments, options),
+            Self::Stress(arguments) => stress::run(arguments, options),
         }
     }
 
