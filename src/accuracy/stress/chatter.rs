@@ -169,3 +169,23 @@ pub(super) fn rows(r: f64) -> Result<Vec<StressRow>, StressError> {
         chatter.row::<DoubleDouble>("double-double", Form::Stable, &exact, condition),
     ])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_end_of_a_chatter_is_exact_in_closed_form() {
+        for r in [1e-9, 0.1] {
+            for row in rows(r).unwrap() {
+                assert!(row.digits > row.allowed - 1.0, "{row:#?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_ball_that_keeps_all_its_speed_never_rests() {
+        let (r, velocity) = (1.0, 0.01);
+        assert_eq!(Chatter { r, velocity }.by_law::<f64>([0.0; 4], 0.0), None);
+    }
+}

@@ -170,3 +170,21 @@ impl Quantity for Eigenvalue {
         }])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::quantity::tests::Agreeing;
+    use super::*;
+
+    #[test]
+    fn printed_multipliers_are_the_default_ones_in_many_digits_at_every_setting() {
+        each(&Paper::new().unwrap(), &mut Agreeing).unwrap();
+    }
+
+    #[test]
+    fn the_larger_root_is_found_from_above_also_where_both_nearly_meet() {
+        assert_eq!(larger_root(&5.0, &6.0), Some(3.0));
+        let close = larger_root(&2.0_f64, &(1.0 - 1e-10)).unwrap();
+        assert!((close - 1.00001).abs() < 1e-10, "{close}");
+    }
+}

@@ -95,3 +95,14 @@ impl Quantity for Fall {
         Some(vec![flight.state(duration).displacement])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::quantity::tests::Agreeing;
+    use super::*;
+
+    #[test]
+    fn equation_4_is_the_flight_in_many_digits_at_every_setting() {
+        each(&Paper::new().unwrap(), &mut Agreeing).unwrap();
+    }
+}

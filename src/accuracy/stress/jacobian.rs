@@ -189,3 +189,14 @@ impl Quantity for Derivative<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::quantity::tests::Agreeing;
+    use super::*;
+
+    #[test]
+    fn mended_formulas_links_and_dual_numbers_agree_in_many_digits_at_every_setting() {
+        each(&Paper::new().unwrap(), &mut Agreeing).unwrap();
+    }
+}

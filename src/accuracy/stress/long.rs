@@ -112,3 +112,19 @@ fn by_time<T: Analytic>(motion: &Motion<f64>, orbit: &Rounded, impacts: u32) -> 
         time: Exact::from(0.0),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn after_some_thousand_impacts_the_time_has_cost_digits_and_the_phase_none() {
+        let rows = rows(4000).unwrap();
+        let digits = |form, number: &str| {
+            let row = rows.iter().find(|row| row.form == form && row.number == number);
+            row.map_or(f64::NAN, |row| row.digits)
+        };
+        assert!(digits(Form::Stable, "f64") > 14.0 && digits(Form::Stable, "f32") > 5.5);
+        assert!(digits(Form::Printed, "f64") < digits(Form::Stable, "f64") - 1.0);
+    }
+}

@@ -233,3 +233,38 @@ fn again(quantity: &impl Quantity, at: &str, frozen: &[Frozen]) -> Result<Vec<St
     }
     Ok(found)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HEADER: &str = "case,formula,number,form,digits,at\n";
+
+    #[test]
+    fn a_frozen_point_is_looked_at_again_with_what_was_frozen_of_it() {
+        let frozen = format!("{HEADER}late time,f,f64,stable,15.0,t=1.3\nlate time,f,f64,printed,99.0,t=1.3\n");
+        let rows = stress(Some("late time"), &frozen).unwrap();
+        let here: Vec<_> = rows.iter().filter(|row| row.at == "t=1.3").collect();
+        assert_eq!(here.len(), 8);
+        assert_eq!(here.iter().filter(|row| row.frozen.is_some()).count(), 2);
+        assert_eq!(rows.iter().filter(|row| row.has_lost_a_digit()).count(), 1);
+    }
+
+    #[test]
+    fn frozen_points_that_no_case_answers_are_errors() {
+        for row in [
+            "late time,f,f64,other,1,t=1.3",
+            "late time,f,f16,stable,1,t=1.3",
+            "late time,f,f64,stable,1,s=1",
+        ] {
+            let found = stress(Some("late time"), &format!("{HEADER}{row}\n"));
+            assert!(matches!(found, Err(StressError::Frozen { .. })), "{row}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn a_name_of_no_case_is_an_error() {
+        let found = stress(Some("no case"), WORST);
+        assert_eq!(found, Err(StressError::NoCase("no case".into())));
+    }
+}

@@ -330,3 +330,45 @@ fn keep_worse(rows: &mut Vec<StressRow>, row: StressRow) {
         None => rows.push(row),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn three_equations_are_solved() {
+        let columns = [[2.0, 0.0, 1.0], [1.0, 3.0, 0.0], [0.0, 1.0, 4.0]];
+        // 2x + y, 3y + z, x + 4z at (1, 2, 3)
+        assert_eq!(cramer(&columns, &[4.0, 9.0, 13.0]), Some([1.0, 2.0, 3.0]));
+    }
+
+    #[test]
+    fn phases_are_compared_around_the_circle_and_all_else_relatively() {
+        let fix = |phase: f64, velocity: f64, time: f64| Fix {
+            phase: Exact::from(phase),
+            velocity: Exact::from(velocity),
+            time: Exact::from(time),
+        };
+        let turn = 2.0 * std::f64::consts::PI;
+        let found = errors(&[fix(1e-3 + turn, 1.0, 2.0)], &[fix(0.0, 1.001, 2.0)]);
+        assert!((found[0] - 1e-3).abs() < 1e-12 && (found[1] - 1e-3).abs() < 1e-5);
+        assert_eq!(found[2], 0.0);
+        assert!(errors(&[], &[fix(0.0, 1.0, 1.0)])[0].is_nan());
+    }
+
+    #[test]
+    fn a_harmless_scene_has_all_digits_in_both_forms_and_one_without_motions_is_an_error() {
+        let triple = Triple::new(&Paper::new().unwrap()).unwrap();
+        let scene = |d| Scene {
+            case: "harmless",
+            parameters: [0.12201, d, 0.5, 0.5],
+            periods: 1,
+        };
+        let found = rows(&triple, &scene(0.4)).unwrap();
+        assert_eq!(found.len(), 5);
+        for row in &found {
+            assert!(row.digits > row.allowed - 1.5, "{row:#?}");
+        }
+        assert!(matches!(rows(&triple, &scene(40.0)), Err(StressError::Point { .. })));
+    }
+}

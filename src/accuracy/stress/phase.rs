@@ -97,3 +97,14 @@ impl Quantity for Phase {
         }])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::quantity::tests::Agreeing;
+    use super::*;
+
+    #[test]
+    fn the_forcing_is_that_of_the_phase_in_many_digits_at_every_setting() {
+        each(&mut Agreeing).unwrap();
+    }
+}

@@ -223,12 +223,34 @@ pub(super) fn widen<T: Analytic>(value: &T) -> Exact {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
+    /// Holds every setting of a quantity to its reference, in the number that judges: the stable form as the judge
+    /// does, and the printed one.
+    pub struct Agreeing;
+
+    impl Visitor for Agreeing {
+        fn visit(&mut self, quantity: &impl Quantity) -> Result<(), StressError> {
+            for setting in quantity.settings() {
+                let inputs = quantity.set(&setting);
+                let judge = Judge::new(quantity, &inputs)?.expect("a motion");
+                let printed = quantity.printed(&judge.given).expect("a value");
+                let apart = apart(&printed, &judge.exact);
+                assert!(
+                    apart < 1e-30,
+                    "{} {} at {inputs:?}: {apart:e}",
+                    quantity.case(),
+                    quantity.formula()
+                );
+            }
+            Ok(())
+        }
+    }
+
     /// 1 - x for x near 1, printed as (1 - x²)/(1 + x).
-    struct Loss {
-        broken: bool,
+    pub struct Loss {
+        pub broken: bool,
     }
 
     impl Quantity for Loss {

@@ -134,3 +134,26 @@ impl<Q: Quantity> Climb<'_, Q> {
         Ok(Some(place))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::quantity::tests::Loss;
+    use super::*;
+
+    #[test]
+    fn a_climb_comes_to_where_the_printed_form_keeps_nothing() {
+        let share = Duration::from_millis(300);
+        let (visited, rows) = (0, Vec::new());
+        let mut search = Search { share, visited, rows };
+        search.visit(&Loss { broken: false }).unwrap();
+        let printed = search
+            .rows
+            .iter()
+            .filter(|row| row.form == Form::Printed && row.number == "f64");
+        let least = printed
+            .map(|row| row.digits - row.allowed)
+            .fold(f64::INFINITY, f64::min);
+        assert!(least < 0.0, "{least}");
+        assert!(search.rows.iter().all(|row| !row.is_below_bar()));
+    }
+}

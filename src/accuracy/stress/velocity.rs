@@ -142,3 +142,14 @@ impl Quantity for Velocity {
         Some(vec![v])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::quantity::tests::Agreeing;
+    use super::*;
+
+    #[test]
+    fn the_three_formulas_are_the_balance_in_many_digits_at_every_setting() {
+        each(&Paper::new().unwrap(), &mut Agreeing).unwrap();
+    }
+}

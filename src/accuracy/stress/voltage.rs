@@ -88,3 +88,14 @@ impl Quantity for Voltage {
         Some(vec![membrane.voltage(speed)])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::quantity::tests::Agreeing;
+    use super::*;
+
+    #[test]
+    fn the_printed_voltage_is_the_default_one_in_many_digits_at_every_setting() {
+        each(&mut Agreeing).unwrap();
+    }
+}
