@@ -4,6 +4,7 @@ mod choice;
 mod costs;
 pub mod problems;
 pub mod score;
+pub mod stress;
 mod trade;
 
 pub use choice::{COSTS, ChoiceError, Cost, Purpose, cheapest, costs};

@@ -57,6 +57,9 @@ pub enum Failure {
     /// A program does not answer.
     #[error(transparent)]
     Program(#[from] crate::accuracy::score::ProgramError),
+    /// Digits at the extremes cannot be judged.
+    #[error(transparent)]
+    Stress(#[from] crate::accuracy::stress::StressError),
     /// More digits than there are.
     #[error("{figures} digits of a motion are more than can be computed; ask for at most {most}")]
     Digits { figures: usize, most: usize },

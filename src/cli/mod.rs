@@ -20,6 +20,7 @@ mod scenes;
 mod score;
 mod simulate;
 mod source;
+mod stress;
 mod sweep;
 mod trade;
 mod trajectory;
@@ -65,6 +66,7 @@ enum Command {
     Trade(trade::Arguments),
     Problems(problems::Arguments),
     Score(score::Arguments),
+    Stress(stress::Arguments),
 }
 
 impl Command {
@@ -83,6 +85,7 @@ impl Command {
             Self::Trade(arguments) => trade::run(arguments, options),
             Self::Problems(arguments) => problems::run(arguments, options),
             Self::Score(arguments) => score::run(arguments, options),
+            Self::Stress(arguments) => stress::run(arguments, options),
         }
     }
 

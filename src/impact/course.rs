@@ -181,6 +181,12 @@ impl<T: Analytic> Ball<T> {
             }
             Place::Beginning { side, phase, velocity } => {
                 let speed = side.signed(velocity.clone()) * scaled.pi.clone();
+                if !may_start(phase.to_f64(), speed.to_f64()) {
+                    let event = self.event(Kind::Undecided, *side, phase.clone(), velocity.clone());
+                    witness(&event, Step::Undecided);
+                    self.place = Place::Ended;
+                    return Some(event);
+                }
                 let (mut event, next) = self.impact(scaled, *side, phase.clone(), speed);
                 // as it was given, not there and back through pi
                 event.velocity = velocity.clone();
@@ -289,6 +295,12 @@ impl<T: Analytic> Ball<T> {
         };
         (event.later(turns), next)
     }
+}
+
+/// Whether an impact at this phase with this speed towards the wall can be: NaN, an infinity and a velocity that points
+/// away cannot, and nothing follows from them.
+fn may_start(phase: f64, speed: f64) -> bool {
+    phase.is_finite() && speed.is_finite() && speed >= 0.0
 }
 
 /// Flights between the same walls whose angles differ by less propose each other: closer than the cubic of a stretch

@@ -18,7 +18,8 @@ const MOST_HIDDEN: usize = 100_000_000;
 /// A motion from a start on; an iterator over its events, the start impact first.
 ///
 /// Impacts are found without a time step: none is missed or invented that rounding does not hide, and one that it
-/// hides is an event of the kind [`Kind::Undecided`], the last one. Impacts of a chatter that completes are listed
+/// hides is an event of the kind [`Kind::Undecided`], the last one; so is a start that is no impact (NaN, infinite, away
+/// from its wall). Impacts of a chatter that completes are listed
 /// down to [`LISTED`]; its rest follows at the phase where they accumulate, exact to the precision of the number, then
 /// the release at cos(phase) = -g. The motion ends after a rest that nothing releases (|g| >= 1), after an undecided
 /// contact, and where the ball never reaches a wall again.

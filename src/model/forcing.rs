@@ -156,7 +156,11 @@ impl<T: Analytic> Forcing<T> {
 
     /// The forcing as it looks from `time` onwards.
     pub fn ahead(&self, time: &T) -> Ahead<T> {
-        let time = self.reduced(time);
+        let mut time = self.reduced(time);
+        // about the nearest whole period, exactly: just before the end of one the sine is as small as just after
+        if time.to_f64() > 0.5 * self.period.to_f64() {
+            time -= self.period.clone();
+        }
         let waves = self.harmonics.iter().map(|harmonic| {
             let (sin, cos) = (harmonic.rate.clone() * time.clone()).sincos();
             let (a, b) = (harmonic.cosine.clone(), harmonic.sine.clone());

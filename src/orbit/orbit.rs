@@ -1,7 +1,7 @@
 //! A periodic motion of which every value is an enclosure.
 
 use super::clearance::{Path, least};
-use super::stability::{Kind, Link, Multiplier, determinant, multipliers, trace};
+use super::stability::{Kind, Link, Multiplier, determinant, loss_factor, multipliers, trace};
 use super::unsettled::{Question, Unsettled, undecided};
 use super::word::Word;
 use crate::model::{Motion, Side};
@@ -96,7 +96,7 @@ impl<E: Endpoint> Orbit<E> {
             phases: values(|fix| reduced(&fix.phase)),
             velocities: values(|fix| fix.velocity.clone()),
             times: values(|fix| fix.time.clone()),
-            multipliers: multipliers(kind, &trace, &determinant),
+            multipliers: multipliers(&trace, &loss_factor(&links), kind),
             stable: damped && kind != Kind::Saddle,
             certified: true,
             word,
@@ -189,7 +189,9 @@ pub(super) fn clearance<E: Endpoint>(
     Ok(nearest)
 }
 
-pub(super) fn links<T: Analytic>(sides: &[Side], motion: &Motion<T>, fixes: &[Fix<T>]) -> Vec<Link<T>> {
+/// What the derivative of a periodic motion is made of: a link for each impact, at the wall of `sides`, and the flight
+/// after it; the last flight ends at the first impact.
+pub fn links<T: Analytic>(sides: &[Side], motion: &Motion<T>, fixes: &[Fix<T>]) -> Vec<Link<T>> {
     let pushes: Vec<_> = fixes
         .iter()
         .map(|fix| fix.phase.sincos().1 + motion.g().clone())

@@ -1,0 +1,120 @@
+//! `vibro-audit stress [CASE] [--search SECONDS [--bless]] [--frozen FILE]`.
+
+use super::{Answer, Content, Exit, Failure, Options, Source, note};
+use crate::accuracy::stress::{BAR, StressRow, WORST, WORST_PATH, frozen_text, search, stress};
+use crate::report::{Cell, Format, Output, Table};
+use std::path::PathBuf;
+
+/// Count the digits that printed and default forms keep at the extremes, in each number type
+///
+/// Text shows the rows of f64; csv, json and markdown have every number type. Exits with 1 where a default form keeps
+/// fewer of f64's digits than 14.5 less log10 of the condition, or a frozen worst point has lost a digit.
+#[derive(Debug, clap::Args)]
+pub struct Arguments {
+    /// Only the cases that have this in their names
+    #[arg(value_name = "CASE", conflicts_with = "search")]
+    case: Option<String>,
+    /// Look for the worst points for so long instead
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    search: Option<f64>,
+    /// Freeze the points found: rewrite golden/stress/worst.csv, from the root of the repository
+    #[arg(long, requires = "search")]
+    bless: bool,
+    /// Hold against these frozen points instead of the built-in ones
+    #[arg(long, value_name = "FILE", conflicts_with = "search")]
+    frozen: Option<Source>,
+}
+
+/// The longest search: a day.
+const LONGEST: f64 = 86_400.0;
+
+fn seconds(text: &str) -> Result<f64, String> {
+    let seconds: f64 = text.parse().map_err(|_| "not a number of seconds".to_owned())?;
+    if seconds > 0.0 && seconds <= LONGEST {
+        Ok(seconds)
+    } else {
+        Err(format!("must be above 0 and at most {LONGEST}"))
+    }
+}
+
+/// The columns that text has: the named ones.
+const SHOWN: usize = 7;
+
+/// Runs the command.
+pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
+    let Some(seconds) = arguments.search else {
+        let frozen = arguments.frozen.as_ref().map_or(Ok(WORST.to_owned()), Source::read)?;
+        return judged(stress(arguments.case.as_deref(), &frozen)?, options);
+    };
+    let golden = Source::File(PathBuf::from(WORST_PATH));
+    if arguments.bless {
+        // before a long search, not after: it must be there
+        golden.read()?;
+    }
+    let rows = search(seconds)?;
+    if arguments.bless {
+        let text = frozen_text(&rows)?;
+        Output::File(PathBuf::from(WORST_PATH)).write(|to| to.write_all(text.as_bytes()))?;
+        note(&format!(
+            "{WORST_PATH} has {} rows; build again to hold against them",
+            rows.len()
+        ));
+    }
+    judged(rows, options)
+}
+
+/// The table, and whether all is as it should be.
+fn judged(rows: Vec<StressRow>, options: &Options) -> Result<Answer, Failure> {
+    let below = rows.iter().filter(|row| row.is_below_bar());
+    for row in below.clone() {
+        note(&format!("below {BAR} - log10(condition): {}", named(row)));
+    }
+    let lost = rows.iter().filter(|row| row.has_lost_a_digit());
+    for row in lost.clone() {
+        note(&format!(
+            "a digit is lost, {} before: {}",
+            row.frozen.unwrap_or(f64::NAN),
+            named(row)
+        ));
+    }
+    let exit = Exit::from_verdict(below.count() == 0 && lost.count() == 0);
+    let is_text = options.format == Format::Text;
+    let columns = if is_text { SHOWN } else { StressRow::COLUMNS.len() };
+    let mut table = Table::new(StressRow::COLUMNS.into_iter().take(columns));
+    for row in rows.iter().filter(|row| !is_text || row.number == "f64") {
+        table.push(cells(row).into_iter().take(columns).collect::<Vec<_>>())?;
+    }
+    let content = Content::Table(table);
+    Ok(Answer { content, exit })
+}
+
+fn named(row: &StressRow) -> String {
+    let StressRow {
+        case,
+        formula,
+        number,
+        digits,
+        at,
+        ..
+    } = row;
+    let form = row.form.name();
+    format!("{case}, {formula}, {number}, {form}: {digits:.2} digits at {at}")
+}
+
+fn cells(row: &StressRow) -> Vec<Cell> {
+    // so many figures as a measurement bears
+    let digits = |value: f64| Cell::from((value * 100.0).round() / 100.0);
+    let condition = format!("{:.2e}", row.condition).parse().unwrap_or(row.condition);
+    vec![
+        Cell::from(row.case.as_str()),
+        Cell::from(row.formula.as_str()),
+        Cell::from(row.number.as_str()),
+        Cell::from(row.form.name()),
+        digits(row.digits),
+        Cell::from(condition),
+        Cell::from(row.at.as_str()),
+        digits(row.allowed),
+        Cell::from(row.frozen),
+        Cell::from(Some(row.answer.as_str()).filter(|answer| !answer.is_empty())),
+    ]
+}
