@@ -1,0 +1,84 @@
+//! The instructions that lanes are worked with.
+
+use super::lanes::Lanes;
+use super::step;
+
+/// Instructions of the machine. All give the same bits: they do the same operations, each rounded by itself, and differ
+/// in how many lanes they do at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Path {
+    /// What the crate was compiled for.
+    Portable,
+    /// Four lanes at once.
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+    /// Eight lanes at once.
+    #[cfg(target_arch = "x86_64")]
+    Avx512,
+}
+
+/// A path that this machine has, which is what makes its instructions safe to run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Available(Path);
+
+impl Path {
+    /// All that this machine has, the slowest first.
+    pub fn all() -> Vec<Self> {
+        #[cfg(target_arch = "x86_64")]
+        let known = [Self::Portable, Self::Avx2, Self::Avx512];
+        #[cfg(not(target_arch = "x86_64"))]
+        let known = [Self::Portable];
+        known.into_iter().filter(|path| path.is_here()).collect()
+    }
+
+    fn is_here(self) -> bool {
+        match self {
+            Self::Portable => true,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => is_x86_feature_detected!("avx2"),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512 => {
+                is_x86_feature_detected!("avx512f")
+                    && is_x86_feature_detected!("avx512dq")
+                    && is_x86_feature_detected!("avx512vl")
+            }
+        }
+    }
+}
+
+impl Available {
+    /// The path, or the portable one where this machine does not have it.
+    pub fn or_portable(path: Path) -> Self {
+        Self(if path.is_here() { path } else { Path::Portable })
+    }
+
+    pub fn path(self) -> Path {
+        self.0
+    }
+
+    /// The next flight of every lane.
+    #[inline]
+    pub fn step(self, lanes: &mut Lanes) {
+        match self.0 {
+            Path::Portable => step::step(lanes),
+            // SAFETY: `Available` is made only where the machine was found to have these instructions
+            #[cfg(target_arch = "x86_64")]
+            Path::Avx2 => unsafe { avx2(lanes) },
+            // SAFETY: the same
+            #[cfg(target_arch = "x86_64")]
+            Path::Avx512 => unsafe { avx512(lanes) },
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn avx2(lanes: &mut Lanes) {
+    step::step(lanes);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl")]
+fn avx512(lanes: &mut Lanes) {
+    step::step(lanes);
+}

@@ -1,0 +1,244 @@
+//! The next flight of every lane.
+
+use super::angle::{nearest, pick, sin_cos};
+use super::lanes::{Lanes, Row, WIDTH};
+use super::near::Near;
+use super::search::{Leaving, Stretch};
+use crate::impact::simulation::LISTED;
+use crate::impact::swing::REACH;
+use std::f64::consts::{FRAC_1_PI, PI, TAU};
+
+/// The speeds and gaps, in units of [`Scaled`](crate::impact::scaled::Scaled), that are ordinary; above the smallest a
+/// chatter is listed, not completed.
+const SLOWEST: f64 = 1.5 * LISTED * PI;
+const FASTEST: f64 = 100.0;
+const WIDEST: f64 = 100.0;
+
+/// A contact slower than this grazes, as far as is told here, if it is not one of a chatter.
+const GRAZING: f64 = 1e-3;
+
+/// The same of a chatter, over the speed at which the ball left.
+const GRAZING_HOP: f64 = 0.05;
+
+/// The most steps to a contact.
+const MOST_STEPS: usize = 4;
+
+/// The contacts of all lanes, as they are found.
+struct Contacts {
+    is_far: Row,
+    low: Row,
+    high: Row,
+    /// The latest angle.
+    angle: Row,
+    /// The flight there, and the step from there that is still to be made.
+    there: [Row; 4],
+    leap: Row,
+    /// 1 while it is looked for, 0 where it is found, -1 where it is not.
+    state: Row,
+}
+
+/// Follows every lane to its next impact. A lane whose flight is not ordinary, or not beyond doubt, is left as it is, with
+/// `flown` 0.
+#[inline(always)]
+pub(super) fn step(lanes: &mut Lanes) {
+    let mut contacts = proposed(lanes);
+    for _ in 0..MOST_STEPS {
+        let next = |lane: usize| contacts.angle[lane] + contacts.leap[lane];
+        if any(&contacts.state, |lane, state| (state > 0.0) & (next(lane) < REACH)) {
+            improve::<true>(lanes, &mut contacts);
+        } else {
+            improve::<false>(lanes, &mut contacts);
+        }
+        if !any(&contacts.state, |_, state| state > 0.0) {
+            break;
+        }
+    }
+    if any(&contacts.state, |lane, state| {
+        (state == 0.0) & (contacts.angle[lane] < REACH)
+    }) {
+        rebound::<true>(lanes, &contacts);
+    } else {
+        rebound::<false>(lanes, &contacts);
+    }
+}
+
+/// Whether something holds of a lane.
+#[inline(always)]
+fn any(row: &Row, of: impl Fn(usize, f64) -> bool) -> bool {
+    let mut holds = 0;
+    for (lane, &value) in row.iter().enumerate() {
+        holds |= u64::from(of(lane, value));
+    }
+    holds != 0
+}
+
+impl Lanes {
+    #[inline(always)]
+    fn leaving(&self, lane: usize) -> Leaving {
+        let side = self.side[lane];
+        Leaving {
+            side,
+            phase: self.phase[lane],
+            sin: self.sin[lane],
+            cos: self.cos[lane],
+            speed: self.speed[lane],
+            g: side * self.g[lane],
+            gap: self.gap[lane],
+            turn: self.turn[lane],
+            turn_sin: self.turn_sin[lane],
+        }
+    }
+}
+
+/// Where the contacts are, about.
+#[inline(always)]
+fn proposed(lanes: &Lanes) -> Contacts {
+    let row = [0.0; WIDTH];
+    let mut contacts = Contacts {
+        is_far: row,
+        low: row,
+        high: row,
+        angle: row,
+        there: [row; 4],
+        leap: row,
+        state: row,
+    };
+    for lane in 0..WIDTH {
+        let leaving = lanes.leaving(lane);
+        let speed = leaving.speed;
+        let is_ordinary = (speed > SLOWEST) & (speed < FASTEST) & (leaving.gap < WIDEST);
+        let stretch = leaving.stretch(is_ordinary);
+        contacts.is_far[lane] = pick(stretch.is_far, 1.0, 0.0);
+        contacts.low[lane] = stretch.low;
+        contacts.high[lane] = stretch.high;
+        contacts.angle[lane] = proposal(&leaving, &stretch);
+        contacts.state[lane] = pick(stretch.is_found, 1.0, -1.0);
+    }
+    contacts
+}
+
+/// A short hop under a push that hardly changes, or the cubic through both ends of the stretch.
+#[inline(always)]
+fn proposal(leaving: &Leaving, stretch: &Stretch) -> f64 {
+    let inverse = 1.0 / (leaving.cos + leaving.g);
+    let rough = leaving.speed * inverse;
+    let hop = 2.0 * rough * (1.0 + 2.0 / 3.0 * leaving.sin * rough * inverse);
+    let is_hop = !stretch.is_far & (stretch.low == 0.0) & (hop > 0.0) & (hop < stretch.high) & (hop < REACH);
+    pick(is_hop, hop, stretch.cubic())
+}
+
+/// One step nearer to each contact that is not found yet, by the series of the inverse function to the fourth order, as
+/// in meeting.rs. `CLOSE`: whether one of them may be close to its departure.
+#[inline(always)]
+fn improve<const CLOSE: bool>(lanes: &Lanes, contacts: &mut Contacts) {
+    for lane in 0..WIDTH {
+        let leaving = lanes.leaving(lane);
+        let angle = contacts.angle[lane] + contacts.leap[lane];
+        let far = leaving.at(angle);
+        let there = if CLOSE {
+            leaving.close(angle).or(far, angle < REACH)
+        } else {
+            far
+        };
+        let is_far = contacts.is_far[lane] > 0.0;
+        let towards = |value: f64| pick(is_far, -value, value);
+        let distance = pick(is_far, leaving.gap - there.y, there.y);
+        let approach = pick(is_far, there.w, -there.w);
+        let inverse = 1.0 / approach;
+        let first = distance * inverse;
+        let b = towards(there.push) * inverse * 0.5;
+        let c = -towards(there.sin) * inverse * (1.0 / 6.0);
+        let d = -towards(there.cos) * inverse * (1.0 / 24.0);
+        let bb = b * b;
+        let third = bb + bb - c;
+        let fourth = b * (5.0 * (c - bb)) - d;
+        let series = first + first * first * (first * (third + first * fourth) - b);
+        let size = first.abs();
+        let product = (b * first).abs();
+        let bent = pick(product > size, product, size);
+        let is_bent = bent >= 0.1;
+        let leap = pick(is_bent, first, series);
+        let left = 14.0 * size * ((bent * bent) * (bent * bent));
+        let next = angle + leap;
+        // no angle of a stretch is tried that is not in it, nor one from which the ball recedes
+        let is_right = (approach > 0.0) & (next > contacts.low[lane]) & (next <= contacts.high[lane]);
+        let is_done = is_right & !is_bent & (left <= 0.25 * f64::EPSILON * next);
+
+        let state = contacts.state[lane];
+        let is_open = state > 0.0;
+        let keep = |new: f64, old: f64| pick(is_open, new, old);
+        contacts.angle[lane] = keep(angle, contacts.angle[lane]);
+        contacts.leap[lane] = keep(leap, contacts.leap[lane]);
+        let [w, push, sin, cos] = &mut contacts.there;
+        w[lane] = keep(there.w, w[lane]);
+        push[lane] = keep(there.push, push[lane]);
+        sin[lane] = keep(there.sin, sin[lane]);
+        cos[lane] = keep(there.cos, cos[lane]);
+        contacts.state[lane] = keep(pick(is_done, 0.0, pick(is_right, 1.0, -1.0)), state);
+    }
+}
+
+/// The first or the second of two entries of rows. A plain choice between them would become one of addresses, and a
+/// loop with such a choice no vector.
+#[inline(always)]
+fn choose(condition: bool, [yes, no]: [f64; 2]) -> f64 {
+    let mask = u64::from(condition).wrapping_neg();
+    f64::from_bits((yes.to_bits() & mask) | (no.to_bits() & !mask))
+}
+
+/// The impacts, and the departures after them. `CLOSE`: whether one of them may be close to its departure.
+#[inline(always)]
+fn rebound<const CLOSE: bool>(lanes: &mut Lanes, contacts: &Contacts) {
+    for lane in 0..WIDTH {
+        let [w, push, sin, cos] = &contacts.there;
+        let there = Near {
+            y: 0.0,
+            w: w[lane],
+            push: push[lane],
+            sin: sin[lane],
+            cos: cos[lane],
+        };
+        let (angle, leap) = (contacts.angle[lane], contacts.leap[lane]);
+        let is_close = angle < REACH;
+        let there = there.after(leap);
+        let is_far = contacts.is_far[lane] > 0.0;
+        let approach = pick(is_far, there.w, -there.w);
+        let slowest = pick(!is_far & is_close, GRAZING_HOP * lanes.speed[lane], GRAZING);
+        let is_flown =
+            (contacts.state[lane] == 0.0) & (approach > slowest) & (approach > SLOWEST) & (approach < FASTEST);
+
+        let (phase, turns) = reduced(lanes.phase[lane] + (angle + leap));
+        let left = lanes.side[lane];
+        let side = pick(is_far, -left, left);
+        let (mut sin, mut cos) = (pick(is_far, -there.sin, there.sin), pick(is_far, -there.cos, there.cos));
+        if CLOSE {
+            // expanded about the departure: rounding errors of sine and cosine would add up
+            let fresh = sin_cos(phase);
+            sin = pick(is_close, side * fresh.0, sin);
+            cos = pick(is_close, side * fresh.1, cos);
+        }
+        let r = choose(side > 0.0, [lanes.restitution[0][lane], lanes.restitution[1][lane]]);
+        let keep = |new: f64, old: f64| pick(is_flown, new, old);
+        lanes.side[lane] = keep(side, left);
+        lanes.phase[lane] = keep(phase, lanes.phase[lane]);
+        lanes.sin[lane] = keep(sin, lanes.sin[lane]);
+        lanes.cos[lane] = keep(cos, lanes.cos[lane]);
+        lanes.speed[lane] = keep(r * approach, lanes.speed[lane]);
+        lanes.turns[lane] = turns;
+        lanes.velocity[lane] = side * (approach * FRAC_1_PI);
+        lanes.flown[lane] = keep(1.0, 0.0);
+    }
+}
+
+/// A phase in [0, 2 pi), and the turns taken off it.
+#[inline(always)]
+fn reduced(phase: f64) -> (f64, f64) {
+    // the nearest whole number to half a turn less; rounding may put it one off
+    let turns = nearest(phase * (0.5 * FRAC_1_PI) - 0.5);
+    let phase = phase - TAU * turns;
+    let (less, more) = (phase < 0.0, phase >= TAU);
+    (
+        phase + pick(less, TAU, 0.0) - pick(more, TAU, 0.0),
+        turns - pick(less, 1.0, 0.0) + pick(more, 1.0, 0.0),
+    )
+}
