@@ -4,7 +4,7 @@ use super::super::scaled::{Departure, Scaled};
 use crate::model::Side;
 
 /// The orbits that are followed together: the compiler makes vectors of the loops over them.
-pub(super) const WIDTH: usize = 16;
+pub(super) const WIDTH: usize = 32;
 
 /// One number for each lane.
 pub(super) type Row = [f64; WIDTH];
@@ -28,6 +28,8 @@ pub(super) struct Lanes {
     pub velocity: Row,
     /// Whether the latest flight was an ordinary one: 1, else 0, and nothing else has changed.
     pub flown: Row,
+    /// The angles of the latest ordinary flights from bottom and top, back and across.
+    pub latest: [[Row; 2]; 2],
     /// Of the motion, in units of [`Scaled`].
     pub g: Row,
     pub gap: Row,
@@ -50,6 +52,7 @@ impl Lanes {
             turns: row,
             velocity: row,
             flown: row,
+            latest: [[row; 2]; 2],
             g: row,
             gap: [1.0; WIDTH],
             restitution: [row; 2],
@@ -69,6 +72,9 @@ impl Lanes {
             self.gap[lane] = scaled.gap;
             self.turn[lane] = turn.angle;
             self.turn_sin[lane] = turn.sin;
+        }
+        for angles in self.latest.as_flattened_mut() {
+            angles[lane] = 0.0;
         }
         self.leave(lane);
     }

@@ -1,6 +1,7 @@
 //! Many motions at once, several to a processor core.
 
 mod angle;
+mod flights;
 mod lanes;
 mod near;
 mod path;
@@ -13,6 +14,7 @@ use super::event::{Event, Kind};
 use super::simulation::{LISTED, Simulation};
 use super::start::Start;
 use crate::model::Motion;
+use flights::Flights;
 use lanes::{Lanes, WIDTH};
 use path::Available;
 
@@ -60,7 +62,7 @@ impl<'a> Batch<'a> {
             return;
         }
         let mut waiting = self.motions.iter().enumerate();
-        let mut lanes = Lanes::idle();
+        let (mut lanes, mut flights) = (Lanes::idle(), Flights::none());
         let mut balls: [Option<Ball>; WIDTH] = [const { None }; WIDTH];
         loop {
             let mut is_over = true;
@@ -85,7 +87,7 @@ impl<'a> Batch<'a> {
             if is_over {
                 return;
             }
-            self.path.step(&mut lanes);
+            self.path.step(&mut lanes, &mut flights);
         }
     }
 }

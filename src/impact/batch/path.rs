@@ -1,5 +1,6 @@
 //! The instructions that lanes are worked with.
 
+use super::flights::Flights;
 use super::lanes::Lanes;
 use super::step;
 
@@ -58,27 +59,27 @@ impl Available {
 
     /// The next flight of every lane.
     #[inline]
-    pub fn step(self, lanes: &mut Lanes) {
+    pub fn step(self, lanes: &mut Lanes, flights: &mut Flights) {
         match self.0 {
-            Path::Portable => step::step(lanes),
+            Path::Portable => step::step(lanes, flights),
             // SAFETY: `Available` is made only where the machine was found to have these instructions
             #[cfg(target_arch = "x86_64")]
-            Path::Avx2 => unsafe { avx2(lanes) },
+            Path::Avx2 => unsafe { avx2(lanes, flights) },
             // SAFETY: the same
             #[cfg(target_arch = "x86_64")]
-            Path::Avx512 => unsafe { avx512(lanes) },
+            Path::Avx512 => unsafe { avx512(lanes, flights) },
         }
     }
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn avx2(lanes: &mut Lanes) {
-    step::step(lanes);
+fn avx2(lanes: &mut Lanes, flights: &mut Flights) {
+    step::step(lanes, flights);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
-fn avx512(lanes: &mut Lanes) {
-    step::step(lanes);
+fn avx512(lanes: &mut Lanes, flights: &mut Flights) {
+    step::step(lanes, flights);
 }

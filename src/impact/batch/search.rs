@@ -39,27 +39,27 @@ pub(super) struct Stretch {
 
 /// The search, piece after piece.
 #[derive(Clone, Copy)]
-struct Search {
-    is_open: bool,
-    found: Stretch,
-    /// The beginning of the piece: angle, distance from the wall that was left, its rate.
-    low: [f64; 3],
-    /// The end of the piece.
-    high: f64,
+pub(super) struct Search {
+    /// Whether to go on.
+    pub is_open: bool,
+    pub found: Stretch,
+    /// The beginning of the piece that comes next: angle, distance from the wall that was left, its rate.
+    pub low: [f64; 3],
+    /// Its end.
+    pub high: f64,
     /// 1 where f + g falls through 0 there, -1 where it rises.
-    falling: f64,
+    pub falling: f64,
 }
 
 impl Leaving {
-    /// The stretch of the next contact, if one of the first three pieces has it and it is clear of every doubt but that
-    /// of a dip which turns back short of the wall, where there is no contact.
+    /// The search for the next contact, which is clear of every doubt but that of a dip which turns back short of the
+    /// wall, where there is no contact.
     #[inline(always)]
-    pub fn stretch(&self, is_ordinary: bool) -> Stretch {
+    pub fn search(&self, is_ordinary: bool) -> Search {
         let first = self.turn - self.phase;
         let second = TAU - self.turn - self.phase;
-        let high = pick(first > 0.0, first, pick(second > 0.0, second, first + TAU));
         let is_rising = (first <= 0.0) & (second > 0.0);
-        let search = Search {
+        Search {
             is_open: is_ordinary,
             found: Stretch {
                 is_found: false,
@@ -70,15 +70,14 @@ impl Leaving {
                 approaches: [1.0; 2],
             },
             low: [0.0, 0.0, self.speed],
-            high,
+            high: pick(first > 0.0, first, pick(second > 0.0, second, first + TAU)),
             falling: pick(is_rising, -1.0, 1.0),
-        };
-        self.piece(self.piece(self.piece(search))).found
+        }
     }
 
     /// The search after one more piece.
     #[inline(always)]
-    fn piece(&self, search: Search) -> Search {
+    pub fn piece(&self, search: Search) -> Search {
         let [low, y, w] = search.low;
         let high = search.high;
         // whether f + g presses the ball to the wall it left

@@ -1,8 +1,8 @@
 //! The next flight of every lane.
 
 use super::angle::{nearest, pick, sin_cos};
+use super::flights::Flights;
 use super::lanes::{Lanes, Row, WIDTH};
-use super::near::Near;
 use super::search::{Leaving, Stretch};
 use crate::impact::simulation::LISTED;
 use crate::impact::swing::REACH;
@@ -20,45 +20,38 @@ const GRAZING: f64 = 1e-3;
 /// The same of a chatter, over the speed at which the ball left.
 const GRAZING_HOP: f64 = 0.05;
 
+/// Where the cubic comes this close to the angle of the latest flight, the motion may have settled and the angle be the
+/// same again.
+const SETTLED: f64 = 0.12;
+
+/// The most pieces of a flight.
+const MOST_PIECES: usize = 5;
+
 /// The most steps to a contact.
 const MOST_STEPS: usize = 4;
-
-/// The contacts of all lanes, as they are found.
-struct Contacts {
-    is_far: Row,
-    low: Row,
-    high: Row,
-    /// The latest angle.
-    angle: Row,
-    /// The flight there, and the step from there that is still to be made.
-    there: [Row; 4],
-    leap: Row,
-    /// 1 while it is looked for, 0 where it is found, -1 where it is not.
-    state: Row,
-}
 
 /// Follows every lane to its next impact. A lane whose flight is not ordinary, or not beyond doubt, is left as it is, with
 /// `flown` 0.
 #[inline(always)]
-pub(super) fn step(lanes: &mut Lanes) {
-    let mut contacts = proposed(lanes);
+pub(super) fn step(lanes: &mut Lanes, flights: &mut Flights) {
+    search(lanes, flights);
+    propose(lanes, flights);
     for _ in 0..MOST_STEPS {
-        let next = |lane: usize| contacts.angle[lane] + contacts.leap[lane];
-        if any(&contacts.state, |lane, state| (state > 0.0) & (next(lane) < REACH)) {
-            improve::<true>(lanes, &mut contacts);
+        let next = |lane: usize| flights.angle[lane] + flights.leap[lane];
+        if any(&flights.state, |lane, state| (state > 0.0) & (next(lane) < REACH)) {
+            improve::<true>(lanes, flights);
         } else {
-            improve::<false>(lanes, &mut contacts);
+            improve::<false>(lanes, flights);
         }
-        if !any(&contacts.state, |_, state| state > 0.0) {
+        if !any(&flights.state, |_, state| state > 0.0) {
             break;
         }
     }
-    if any(&contacts.state, |lane, state| {
-        (state == 0.0) & (contacts.angle[lane] < REACH)
-    }) {
-        rebound::<true>(lanes, &contacts);
+    let is_close = |lane: usize, state: f64| (state == 0.0) & (flights.angle[lane] < REACH);
+    if any(&flights.state, is_close) {
+        rebound::<true>(lanes, flights);
     } else {
-        rebound::<false>(lanes, &contacts);
+        rebound::<false>(lanes, flights);
     }
 }
 
@@ -90,57 +83,71 @@ impl Lanes {
     }
 }
 
-/// Where the contacts are, about.
+/// In which stretches the contacts are. Most flights have two pieces at most.
 #[inline(always)]
-fn proposed(lanes: &Lanes) -> Contacts {
-    let row = [0.0; WIDTH];
-    let mut contacts = Contacts {
-        is_far: row,
-        low: row,
-        high: row,
-        angle: row,
-        there: [row; 4],
-        leap: row,
-        state: row,
-    };
+fn search(lanes: &Lanes, flights: &mut Flights) {
     for lane in 0..WIDTH {
         let leaving = lanes.leaving(lane);
         let speed = leaving.speed;
         let is_ordinary = (speed > SLOWEST) & (speed < FASTEST) & (leaving.gap < WIDEST);
-        let stretch = leaving.stretch(is_ordinary);
-        contacts.is_far[lane] = pick(stretch.is_far, 1.0, 0.0);
-        contacts.low[lane] = stretch.low;
-        contacts.high[lane] = stretch.high;
-        contacts.angle[lane] = proposal(&leaving, &stretch);
-        contacts.state[lane] = pick(stretch.is_found, 1.0, -1.0);
+        let search = leaving.search(is_ordinary);
+        flights.keep_search(lane, leaving.piece(leaving.piece(search)));
     }
-    contacts
+    for _ in 2..MOST_PIECES {
+        if !any(&flights.open, |_, open| open > 0.0) {
+            break;
+        }
+        for lane in 0..WIDTH {
+            let search = lanes.leaving(lane).piece(flights.search(lane));
+            flights.keep_search(lane, search);
+        }
+    }
 }
 
-/// A short hop under a push that hardly changes, or the cubic through both ends of the stretch.
+/// Where in their stretches the contacts are, about.
 #[inline(always)]
-fn proposal(leaving: &Leaving, stretch: &Stretch) -> f64 {
+fn propose(lanes: &Lanes, flights: &mut Flights) {
+    for lane in 0..WIDTH {
+        let stretch = flights.stretch(lane);
+        let [bottom, top] = &lanes.latest;
+        let latest = pick(
+            stretch.is_far,
+            from(lanes.side[lane], bottom[1][lane], top[1][lane]),
+            from(lanes.side[lane], bottom[0][lane], top[0][lane]),
+        );
+        flights.angle[lane] = proposal(&lanes.leaving(lane), &stretch, latest);
+        flights.leap[lane] = 0.0;
+        flights.state[lane] = pick(stretch.is_found, 1.0, -1.0);
+    }
+}
+
+/// A short hop under a push that hardly changes, the angle of the `latest` flight like this one where that fits, or the
+/// cubic through both ends of the stretch.
+#[inline(always)]
+fn proposal(leaving: &Leaving, stretch: &Stretch, latest: f64) -> f64 {
     let inverse = 1.0 / (leaving.cos + leaving.g);
     let rough = leaving.speed * inverse;
     let hop = 2.0 * rough * (1.0 + 2.0 / 3.0 * leaving.sin * rough * inverse);
     let is_hop = !stretch.is_far & (stretch.low == 0.0) & (hop > 0.0) & (hop < stretch.high) & (hop < REACH);
-    pick(is_hop, hop, stretch.cubic())
+    let cubic = stretch.cubic();
+    let is_settled = ((latest - cubic).abs() < SETTLED) & (latest > stretch.low) & (latest < stretch.high);
+    pick(is_hop, hop, pick(is_settled, latest, cubic))
 }
 
 /// One step nearer to each contact that is not found yet, by the series of the inverse function to the fourth order, as
 /// in meeting.rs. `CLOSE`: whether one of them may be close to its departure.
 #[inline(always)]
-fn improve<const CLOSE: bool>(lanes: &Lanes, contacts: &mut Contacts) {
+fn improve<const CLOSE: bool>(lanes: &Lanes, flights: &mut Flights) {
     for lane in 0..WIDTH {
         let leaving = lanes.leaving(lane);
-        let angle = contacts.angle[lane] + contacts.leap[lane];
+        let angle = flights.angle[lane] + flights.leap[lane];
         let far = leaving.at(angle);
         let there = if CLOSE {
             leaving.close(angle).or(far, angle < REACH)
         } else {
             far
         };
-        let is_far = contacts.is_far[lane] > 0.0;
+        let is_far = flights.far[lane] > 0.0;
         let towards = |value: f64| pick(is_far, -value, value);
         let distance = pick(is_far, leaving.gap - there.y, there.y);
         let approach = pick(is_far, there.w, -there.w);
@@ -161,51 +168,39 @@ fn improve<const CLOSE: bool>(lanes: &Lanes, contacts: &mut Contacts) {
         let left = 14.0 * size * ((bent * bent) * (bent * bent));
         let next = angle + leap;
         // no angle of a stretch is tried that is not in it, nor one from which the ball recedes
-        let is_right = (approach > 0.0) & (next > contacts.low[lane]) & (next <= contacts.high[lane]);
+        let is_right = (approach > 0.0) & (next > flights.low[lane]) & (next <= flights.high[lane]);
         let is_done = is_right & !is_bent & (left <= 0.25 * f64::EPSILON * next);
 
-        let state = contacts.state[lane];
+        let state = flights.state[lane];
         let is_open = state > 0.0;
         let keep = |new: f64, old: f64| pick(is_open, new, old);
-        contacts.angle[lane] = keep(angle, contacts.angle[lane]);
-        contacts.leap[lane] = keep(leap, contacts.leap[lane]);
-        let [w, push, sin, cos] = &mut contacts.there;
-        w[lane] = keep(there.w, w[lane]);
-        push[lane] = keep(there.push, push[lane]);
-        sin[lane] = keep(there.sin, sin[lane]);
-        cos[lane] = keep(there.cos, cos[lane]);
-        contacts.state[lane] = keep(pick(is_done, 0.0, pick(is_right, 1.0, -1.0)), state);
+        flights.angle[lane] = keep(angle, flights.angle[lane]);
+        flights.leap[lane] = keep(leap, flights.leap[lane]);
+        flights.keep_near(lane, there.or(flights.near(lane), is_open));
+        flights.state[lane] = keep(pick(is_done, 0.0, pick(is_right, 1.0, -1.0)), state);
     }
 }
 
-/// The first or the second of two entries of rows. A plain choice between them would become one of addresses, and a
-/// loop with such a choice no vector.
+/// What belongs to the bottom or to the top. A plain choice between entries of two rows would become one of addresses,
+/// and a loop with such a choice no vector.
 #[inline(always)]
-fn choose(condition: bool, [yes, no]: [f64; 2]) -> f64 {
-    let mask = u64::from(condition).wrapping_neg();
-    f64::from_bits((yes.to_bits() & mask) | (no.to_bits() & !mask))
+fn from(side: f64, bottom: f64, top: f64) -> f64 {
+    let mask = u64::from(side > 0.0).wrapping_neg();
+    f64::from_bits((bottom.to_bits() & mask) | (top.to_bits() & !mask))
 }
 
 /// The impacts, and the departures after them. `CLOSE`: whether one of them may be close to its departure.
 #[inline(always)]
-fn rebound<const CLOSE: bool>(lanes: &mut Lanes, contacts: &Contacts) {
+fn rebound<const CLOSE: bool>(lanes: &mut Lanes, flights: &Flights) {
     for lane in 0..WIDTH {
-        let [w, push, sin, cos] = &contacts.there;
-        let there = Near {
-            y: 0.0,
-            w: w[lane],
-            push: push[lane],
-            sin: sin[lane],
-            cos: cos[lane],
-        };
-        let (angle, leap) = (contacts.angle[lane], contacts.leap[lane]);
+        let (angle, leap) = (flights.angle[lane], flights.leap[lane]);
         let is_close = angle < REACH;
-        let there = there.after(leap);
-        let is_far = contacts.is_far[lane] > 0.0;
+        let there = flights.near(lane).after(leap);
+        let is_far = flights.far[lane] > 0.0;
         let approach = pick(is_far, there.w, -there.w);
         let slowest = pick(!is_far & is_close, GRAZING_HOP * lanes.speed[lane], GRAZING);
         let is_flown =
-            (contacts.state[lane] == 0.0) & (approach > slowest) & (approach > SLOWEST) & (approach < FASTEST);
+            (flights.state[lane] == 0.0) & (approach > slowest) & (approach > SLOWEST) & (approach < FASTEST);
 
         let (phase, turns) = reduced(lanes.phase[lane] + (angle + leap));
         let left = lanes.side[lane];
@@ -217,7 +212,7 @@ fn rebound<const CLOSE: bool>(lanes: &mut Lanes, contacts: &Contacts) {
             sin = pick(is_close, side * fresh.0, sin);
             cos = pick(is_close, side * fresh.1, cos);
         }
-        let r = choose(side > 0.0, [lanes.restitution[0][lane], lanes.restitution[1][lane]]);
+        let r = from(side, lanes.restitution[0][lane], lanes.restitution[1][lane]);
         let keep = |new: f64, old: f64| pick(is_flown, new, old);
         lanes.side[lane] = keep(side, left);
         lanes.phase[lane] = keep(phase, lanes.phase[lane]);
@@ -227,6 +222,12 @@ fn rebound<const CLOSE: bool>(lanes: &mut Lanes, contacts: &Contacts) {
         lanes.turns[lane] = turns;
         lanes.velocity[lane] = side * (approach * FRAC_1_PI);
         lanes.flown[lane] = keep(1.0, 0.0);
+        for (wall, angles) in lanes.latest.iter_mut().enumerate() {
+            let is_from = if wall == 0 { left > 0.0 } else { left < 0.0 };
+            let new = is_flown & is_from;
+            angles[0][lane] = pick(new & !is_far, angle + leap, angles[0][lane]);
+            angles[1][lane] = pick(new & is_far, angle + leap, angles[1][lane]);
+        }
     }
 }
 
