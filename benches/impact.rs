@@ -3,7 +3,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use rayon::prelude::*;
 use std::hint::black_box;
-use vibro_audit::impact::{Batch, Kind, Path, Simulation, Start, Widening};
+use vibro_audit::impact::{Batch, Instructions, Kind, Simulation, Start, Widening};
 use vibro_audit::model::{Motion, Side};
 use vibro_audit::number::{DoubleDouble, Wide};
 use vibro_audit::scene::{self, Scene};
@@ -75,13 +75,13 @@ fn many(criterion: &mut Criterion) {
             ..start()
         };
         let orbits: Vec<_> = (0..64).map(|index| (motion(g(), d, r_b, r_t), near(index))).collect();
-        for path in Path::all() {
-            let name = format!("65536 impacts of 64 orbits, r {r_b} {r_t} d {d}, {path:?}");
+        for instructions in Instructions::all() {
+            let name = format!("65536 impacts of 64 orbits, r {r_b} {r_t} d {d}, {instructions:?}");
             criterion.bench_function(&name, |b| {
                 b.iter(|| {
                     let mut sum = 0.0;
                     Batch::new(black_box(&orbits))
-                        .on(path)
+                        .on(instructions)
                         .run(1024, |_, event| sum += event.velocity);
                     sum
                 });
@@ -113,16 +113,19 @@ fn sweeps(criterion: &mut Criterion) {
         });
     });
     let orbits: Vec<_> = gaps.iter().map(|motion| (motion.clone(), start())).collect();
-    for path in Path::all() {
-        criterion.bench_function(&format!("401 gaps x 500 impacts, one core, in lanes, {path:?}"), |b| {
-            b.iter(|| {
-                let mut sum = 0.0;
-                Batch::new(black_box(&orbits))
-                    .on(path)
-                    .run(500, |_, event| sum += event.velocity);
-                sum
-            });
-        });
+    for instructions in Instructions::all() {
+        criterion.bench_function(
+            &format!("401 gaps x 500 impacts, one core, in lanes, {instructions:?}"),
+            |b| {
+                b.iter(|| {
+                    let mut sum = 0.0;
+                    Batch::new(black_box(&orbits))
+                        .on(instructions)
+                        .run(500, |_, event| sum += event.velocity);
+                    sum
+                });
+            },
+        );
     }
     criterion.bench_function("401 gaps x 500 impacts, every core", |b| {
         b.iter(|| {

@@ -18,7 +18,7 @@ mod swing;
 mod trajectory;
 mod widening;
 
-pub use batch::{Batch, Path};
+pub use batch::{Batch, Instructions};
 pub use event::{Event, Kind};
 pub use growth::Growth;
 pub use history::{Extent, History, Row, history, history_in_decimals};

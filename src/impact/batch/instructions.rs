@@ -1,4 +1,4 @@
-//! The instructions that lanes are worked with.
+//! The instructions that lanes are worked with, found out at run time.
 
 use super::flights::Flights;
 use super::lanes::Lanes;
@@ -7,7 +7,7 @@ use super::step;
 /// Instructions of the machine. All give the same bits: they do the same operations, each rounded by itself, and differ
 /// in how many lanes they do at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Path {
+pub enum Instructions {
     /// What the crate was compiled for.
     Portable,
     /// Four lanes at once.
@@ -18,18 +18,18 @@ pub enum Path {
     Avx512,
 }
 
-/// A path that this machine has, which is what makes its instructions safe to run.
+/// Instructions that this machine has, which is what makes them safe to run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Available(Path);
+pub(super) struct Available(Instructions);
 
-impl Path {
+impl Instructions {
     /// All that this machine has, the slowest first.
     pub fn all() -> Vec<Self> {
         #[cfg(target_arch = "x86_64")]
         let known = [Self::Portable, Self::Avx2, Self::Avx512];
         #[cfg(not(target_arch = "x86_64"))]
         let known = [Self::Portable];
-        known.into_iter().filter(|path| path.is_here()).collect()
+        known.into_iter().filter(|one| one.is_here()).collect()
     }
 
     fn is_here(self) -> bool {
@@ -48,12 +48,16 @@ impl Path {
 }
 
 impl Available {
-    /// The path, or the portable one where this machine does not have it.
-    pub fn or_portable(path: Path) -> Self {
-        Self(if path.is_here() { path } else { Path::Portable })
+    /// Those that are wanted, or the portable ones where this machine does not have them.
+    pub fn or_portable(wanted: Instructions) -> Self {
+        Self(if wanted.is_here() {
+            wanted
+        } else {
+            Instructions::Portable
+        })
     }
 
-    pub fn path(self) -> Path {
+    pub fn instructions(self) -> Instructions {
         self.0
     }
 
@@ -61,15 +65,20 @@ impl Available {
     #[inline]
     pub fn step(self, lanes: &mut Lanes, flights: &mut Flights) {
         match self.0 {
-            Path::Portable => step::step(lanes, flights),
+            Instructions::Portable => portable(lanes, flights),
             // SAFETY: `Available` is made only where the machine was found to have these instructions
             #[cfg(target_arch = "x86_64")]
-            Path::Avx2 => unsafe { avx2(lanes, flights) },
+            Instructions::Avx2 => unsafe { avx2(lanes, flights) },
             // SAFETY: the same
             #[cfg(target_arch = "x86_64")]
-            Path::Avx512 => unsafe { avx512(lanes, flights) },
+            Instructions::Avx512 => unsafe { avx512(lanes, flights) },
         }
     }
+}
+
+#[inline(never)]
+fn portable(lanes: &mut Lanes, flights: &mut Flights) {
+    step::step(lanes, flights);
 }
 
 #[cfg(target_arch = "x86_64")]
