@@ -243,3 +243,104 @@ fn reduced(phase: f64) -> (f64, f64) {
         turns - pick(less, 1.0, 0.0) + pick(more, 1.0, 0.0),
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::impact::scaled::{Departure, Scaled};
+    use crate::model::{Motion, Side};
+
+    /// A ball that leaves the bottom, in every lane.
+    fn lanes(motion: [f64; 4], phase: f64, speed: f64) -> Lanes {
+        let [g, d, r_b, r_t] = motion;
+        let scaled = Scaled::new(&Motion::new(g, d, r_b, r_t).expect("a motion"));
+        let (sin, cos) = phase.sin_cos();
+        let from = Departure {
+            side: Side::Bottom,
+            phase,
+            sin,
+            cos,
+            speed,
+            released: false,
+        };
+        let mut lanes = Lanes::idle();
+        for lane in 0..WIDTH {
+            lanes.enter(lane, &scaled);
+            lanes.depart(lane, &from);
+        }
+        lanes
+    }
+
+    /// How many of so many flights one after the other are flown in lanes.
+    fn flown(lanes: &mut Lanes, flights: usize) -> usize {
+        let mut rows = Flights::none();
+        let mut step_by = || {
+            step(lanes, &mut rows);
+            assert!(lanes.flown.iter().all(|flown| *flown == lanes.flown[0]));
+            lanes.flown[0] == 1.0
+        };
+        (0..flights).take_while(|_| step_by()).count()
+    }
+
+    #[test]
+    fn a_motion_that_settles_is_flown_in_lanes_alone() {
+        // near the orbits, each start at a bottom impact of about that velocity
+        for (r_b, r_t, d, phase, velocity) in [
+            (0.5, 0.5, 0.4, 0.49, 0.83),
+            (0.6, 0.3, 0.26, 0.93, 0.70),
+            (0.6, 0.3, 0.33, 1.21, 0.73),
+        ] {
+            let mut lanes = lanes([0.12201, d, r_b, r_t], phase, r_b * velocity * PI);
+            assert_eq!(flown(&mut lanes, 1000), 1000, "{d}");
+        }
+    }
+
+    #[test]
+    fn a_chatter_is_flown_in_lanes_down_to_what_is_listed() {
+        let mut lanes = lanes([0.1, 0.3, 0.6, 0.6], 5.5, 0.1);
+        let impacts = flown(&mut lanes, 100);
+        assert!((15..30).contains(&impacts), "{impacts}");
+        let speed = lanes.speed[0];
+        assert!(speed < 3.0 * SLOWEST, "{speed}");
+    }
+
+    #[test]
+    fn what_is_not_beyond_doubt_is_left_as_it_is() {
+        // turned back at the top by pi² times 1e-8, as the test of grazing contacts in simulation.rs has it
+        let (g, phase, launch): (f64, f64, f64) = (0.12, 5.6, 0.45 * PI);
+        let mut x: f64 = 1.2;
+        for _ in 0..60 {
+            x += (launch + phase.sin() - g * x - (phase + x).sin()) / ((phase + x).cos() + g);
+        }
+        let height = (launch + phase.sin()) * x - 0.5 * g * x * x - phase.cos() + (phase + x).cos();
+        let d = height / (PI * PI) - 1e-8;
+        let grazing = ([g, d, 0.5, 0.5], phase, launch);
+        let doubtful = [
+            grazing,
+            ([0.12, 0.4, 0.5, 0.5], 6.18, SLOWEST * 0.5),
+            ([0.12, 0.4, 0.5, 0.5], 6.18, FASTEST * 2.0),
+            ([0.12, WIDEST, 0.5, 0.5], 6.18, 1.0),
+            ([1.1, 0.4, 0.5, 0.5], 6.18, 1.0),
+        ];
+        for (motion, phase, speed) in doubtful {
+            let mut lanes = lanes(motion, phase, speed);
+            let before = lanes.clone();
+            assert_eq!(flown(&mut lanes, 1), 0, "{motion:?}");
+            let same = |of: fn(&Lanes) -> Row| assert_eq!(of(&lanes), of(&before), "{motion:?}");
+            same(|lanes| lanes.side);
+            same(|lanes| lanes.phase);
+            same(|lanes| lanes.sin);
+            same(|lanes| lanes.cos);
+            same(|lanes| lanes.speed);
+        }
+    }
+
+    #[test]
+    fn phases_are_reduced_at_and_beside_whole_turns() {
+        for (phase, turns) in [(0.0, 0.0), (TAU.next_down(), 0.0), (TAU, 1.0), (3.0 * TAU + 1.0, 3.0)] {
+            let (rest, taken) = reduced(phase);
+            assert_eq!(taken, turns);
+            assert!((0.0..TAU).contains(&rest) && (rest + taken * TAU - phase).abs() < 1e-14);
+        }
+    }
+}
