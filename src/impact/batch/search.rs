@@ -105,7 +105,6 @@ impl Leaving {
         let presses = is_clear & (beyond > CLOSE);
         let goes_on = is_clear & (beyond < -CLOSE) & !dips;
 
-        let is_found = search.is_open & (dips | presses);
         let either = |dip: f64, press: f64| pick(dips, dip, press);
         let found = Stretch {
             is_found: true,
@@ -115,19 +114,11 @@ impl Leaving {
             distances: [either(near, self.gap - distance(y)), either(far, -beyond)],
             approaches: [either(before, -approach(w)), either(after, -end[2])],
         };
-        let old = search.found;
         let falling = -search.falling;
         let twice = self.turn + self.turn;
         Search {
             is_open: search.is_open & goes_on,
-            found: Stretch {
-                is_found: old.is_found | is_found,
-                is_far: (is_found & found.is_far) | (!is_found & old.is_far),
-                low: pick(is_found, found.low, old.low),
-                high: pick(is_found, found.high, old.high),
-                distances: both(is_found, found.distances, old.distances),
-                approaches: both(is_found, found.approaches, old.approaches),
-            },
+            found: found.or(search.found, search.is_open & (dips | presses)),
             low: [high, end_y, end_w],
             high: high + pick(falling > 0.0, twice, 2.0 * PI - twice),
             falling,
@@ -156,11 +147,6 @@ impl Leaving {
 }
 
 #[inline(always)]
-fn both(condition: bool, [yes, yes_too]: [f64; 2], [no, no_too]: [f64; 2]) -> [f64; 2] {
-    [pick(condition, yes, no), pick(condition, yes_too, no_too)]
-}
-
-#[inline(always)]
 fn three(condition: bool, yes: [f64; 3], no: [f64; 3]) -> [f64; 3] {
     [
         pick(condition, yes[0], no[0]),
@@ -170,6 +156,21 @@ fn three(condition: bool, yes: [f64; 3], no: [f64; 3]) -> [f64; 3] {
 }
 
 impl Stretch {
+    /// This or another.
+    #[inline(always)]
+    fn or(self, other: Self, is_this: bool) -> Self {
+        let either =
+            |this: [f64; 2], other: [f64; 2]| [pick(is_this, this[0], other[0]), pick(is_this, this[1], other[1])];
+        Self {
+            is_found: (is_this & self.is_found) | (!is_this & other.is_found),
+            is_far: (is_this & self.is_far) | (!is_this & other.is_far),
+            low: pick(is_this, self.low, other.low),
+            high: pick(is_this, self.high, other.high),
+            distances: either(self.distances, other.distances),
+            approaches: either(self.approaches, other.approaches),
+        }
+    }
+
     /// About where the ball meets the wall: by the cubic through both ends, as in meeting.rs.
     #[inline(always)]
     pub fn cubic(&self) -> f64 {
