@@ -3,7 +3,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use rayon::prelude::*;
 use std::hint::black_box;
-use vibro_audit::impact::{Kind, Simulation, Start, Widening};
+use vibro_audit::impact::{Batch, Instructions, Kind, Simulation, Start, Widening};
 use vibro_audit::model::{Motion, Side};
 use vibro_audit::number::{DoubleDouble, Wide};
 use vibro_audit::scene::{self, Scene};
@@ -67,6 +67,29 @@ fn impacts(criterion: &mut Criterion) {
     });
 }
 
+/// 1024 impacts of 64 orbits from starts close to each other, by each path of this machine.
+fn many(criterion: &mut Criterion) {
+    for (r_b, r_t, d) in [(0.5, 0.5, 0.4), (0.6, 0.3, 0.26)] {
+        let near = |index: i32| Start {
+            phase: 6.18 + 0.001 * f64::from(index),
+            ..start()
+        };
+        let orbits: Vec<_> = (0..64).map(|index| (motion(g(), d, r_b, r_t), near(index))).collect();
+        for instructions in Instructions::all() {
+            let name = format!("65536 impacts of 64 orbits, r {r_b} {r_t} d {d}, {instructions:?}");
+            criterion.bench_function(&name, |b| {
+                b.iter(|| {
+                    let mut sum = 0.0;
+                    Batch::new(black_box(&orbits))
+                        .on(instructions)
+                        .run(1024, |_, event| sum += event.velocity);
+                    sum
+                });
+            });
+        }
+    }
+}
+
 /// The gaps of Fig. 3.
 fn gaps() -> Vec<Motion<f64>> {
     (0..401)
@@ -89,6 +112,21 @@ fn sweeps(criterion: &mut Criterion) {
                 .sum::<f64>()
         });
     });
+    let orbits: Vec<_> = gaps.iter().map(|motion| (motion.clone(), start())).collect();
+    for instructions in Instructions::all() {
+        criterion.bench_function(
+            &format!("401 gaps x 500 impacts, one core, in lanes, {instructions:?}"),
+            |b| {
+                b.iter(|| {
+                    let mut sum = 0.0;
+                    Batch::new(black_box(&orbits))
+                        .on(instructions)
+                        .run(500, |_, event| sum += event.velocity);
+                    sum
+                });
+            },
+        );
+    }
     criterion.bench_function("401 gaps x 500 impacts, every core", |b| {
         b.iter(|| {
             gaps.par_iter()
@@ -111,6 +149,6 @@ fn sweeps(criterion: &mut Criterion) {
 criterion_group! {
     name = benches;
     config = Criterion::default().sample_size(20);
-    targets = latency, impacts, sweeps
+    targets = latency, impacts, many, sweeps
 }
 criterion_main!(benches);

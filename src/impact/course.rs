@@ -89,6 +89,20 @@ impl<T: Analytic> Course<T> {
         self.ball.resume(&self.scaled, event);
     }
 
+    /// The departure after the latest event, if that was an impact.
+    pub fn departure(&self) -> Option<&Departure<T>> {
+        match &self.ball.place {
+            Place::Leaving(from) if !from.released => Some(from),
+            _ => None,
+        }
+    }
+
+    /// Goes on from a departure, so many turns after the start.
+    pub fn depart(&mut self, from: Departure<T>, turns: i64) {
+        self.ball.place = Place::Leaving(from);
+        self.ball.turns = turns;
+    }
+
     /// What happens next, shown to a witness with the step that led there; `None` where nothing does any more.
     #[inline]
     pub fn advance(&mut self, witness: impl FnOnce(&Event<T>, Step<T>)) -> Option<Event<T>> {

@@ -2,6 +2,7 @@
 //!
 //! Uses `number/` and `model/`.
 
+pub mod batch;
 mod chatter;
 mod course;
 mod event;
@@ -17,6 +18,7 @@ mod swing;
 mod trajectory;
 mod widening;
 
+pub use batch::{Batch, Instructions};
 pub use event::{Event, Kind};
 pub use growth::Growth;
 pub use history::{Extent, History, Row, history, history_in_decimals};

@@ -3,6 +3,7 @@
 use super::course::Course;
 use super::event::{Event, Kind};
 use super::growth::Growth;
+use super::scaled::Departure;
 use super::start::Start;
 use crate::model::Motion;
 #[cfg(test)]
@@ -30,7 +31,7 @@ const MOST_HIDDEN: usize = 100_000_000;
 /// Source: (3), (4), (8); the ends of chatter from the expansion in chatter.rs.
 #[derive(Clone, Debug)]
 pub struct Simulation<T> {
-    course: Course<T>,
+    pub(super) course: Course<T>,
     growth: Growth,
     is_tracked: bool,
     has_started: bool,
@@ -94,6 +95,12 @@ impl<T: Analytic> Simulation<T> {
         self.course.resume(event);
         self.has_started = true;
         self.growth.lose();
+    }
+
+    /// Goes on from an impact of [`LISTED`] or more, so many turns after the start.
+    pub(super) fn depart(&mut self, from: Departure<T>, turns: i64) {
+        self.course.depart(from, turns);
+        (self.exhaustive, self.idle) = (false, 0);
     }
 
     #[inline]
@@ -357,12 +364,10 @@ mod tests {
 
     #[test]
     fn gravity_beyond_the_forcing_ends_a_motion_on_its_wall() {
-        let list = events(&motion(1.1, 0.5, 0.6, 0.6), &start(0.0, 0.4), 1000);
-        let last = list.last().expect("events");
-        assert_eq!((last.kind, last.side), (Kind::Rest, Side::Bottom));
-        let list = events(&motion(-1.5, 0.5, 0.6, 0.6), &start(0.0, 0.0), 1000);
-        let last = list.last().expect("events");
-        assert_eq!((last.kind, last.side), (Kind::Rest, Side::Top));
+        for (g, speed, wall) in [(1.1, 0.4, Side::Bottom), (-1.5, 0.0, Side::Top)] {
+            let last = events(&motion(g, 0.5, 0.6, 0.6), &start(0.0, speed), 1000).pop();
+            assert_eq!(last.map(|last| (last.kind, last.side)), Some((Kind::Rest, wall)));
+        }
     }
 
     #[test]

@@ -1,0 +1,115 @@
+//! Many balls on their way, side by side.
+
+use super::super::scaled::{Departure, Scaled};
+use crate::model::Side;
+
+/// The orbits that are followed together: the compiler makes vectors of the loops over them.
+pub(super) const WIDTH: usize = 32;
+
+/// One number for each lane.
+pub(super) type Row = [f64; WIDTH];
+
+/// Balls that have just left a wall, and their motions: a lane is one entry of each row.
+#[derive(Clone, Debug)]
+#[repr(align(64))]
+pub(super) struct Lanes {
+    /// 1 for a ball that left the bottom, -1 for the top.
+    pub side: Row,
+    /// In [0, 2 pi).
+    pub phase: Row,
+    /// Sine and cosine of the forcing there, as seen from the wall: times `side`.
+    pub sin: Row,
+    pub cos: Row,
+    /// Away from the wall, in units of [`Scaled`].
+    pub speed: Row,
+    /// The turns that the latest flight took off the phase.
+    pub turns: Row,
+    /// Zdot just before the latest impact.
+    pub velocity: Row,
+    /// Whether the latest flight was an ordinary one: 1, else 0, and nothing else has changed.
+    pub flown: Row,
+    /// The angles of the latest ordinary flights from bottom and top, back and across.
+    pub latest: [[Row; 2]; 2],
+    /// Of the motion, in units of [`Scaled`].
+    pub g: Row,
+    pub gap: Row,
+    pub restitution: [Row; 2],
+    /// cos(turn) = -g.
+    pub turn: Row,
+    pub turn_sin: Row,
+}
+
+impl Lanes {
+    /// All lanes at rest in motions that no ordinary flight belongs to.
+    pub fn idle() -> Self {
+        let row = [0.0; WIDTH];
+        Self {
+            side: [1.0; WIDTH],
+            phase: row,
+            sin: row,
+            cos: [1.0; WIDTH],
+            speed: row,
+            turns: row,
+            velocity: row,
+            flown: row,
+            latest: [[row; 2]; 2],
+            g: row,
+            gap: [1.0; WIDTH],
+            restitution: [row; 2],
+            turn: [std::f64::consts::FRAC_PI_2; WIDTH],
+            turn_sin: [1.0; WIDTH],
+        }
+    }
+
+    /// Puts a motion in a lane. One whose f + g never changes sign has no ordinary flights: for those no gap is that wide.
+    pub fn enter(&mut self, lane: usize, scaled: &Scaled<f64>) {
+        self.g[lane] = scaled.g;
+        for (row, r) in self.restitution.iter_mut().zip(scaled.restitution) {
+            row[lane] = r;
+        }
+        self.gap[lane] = f64::INFINITY;
+        if let Some(turn) = &scaled.turn {
+            self.gap[lane] = scaled.gap;
+            self.turn[lane] = turn.angle;
+            self.turn_sin[lane] = turn.sin;
+        }
+        for angles in self.latest.as_flattened_mut() {
+            angles[lane] = 0.0;
+        }
+        self.leave(lane);
+    }
+
+    /// Makes a lane idle until it departs.
+    pub fn leave(&mut self, lane: usize) {
+        self.speed[lane] = 0.0;
+        self.flown[lane] = 0.0;
+    }
+
+    /// Lets the ball of a lane leave a wall.
+    pub fn depart(&mut self, lane: usize, from: &Departure<f64>) {
+        let sign = from.side.sign();
+        self.side[lane] = sign;
+        self.phase[lane] = from.phase;
+        self.sin[lane] = sign * from.sin;
+        self.cos[lane] = sign * from.cos;
+        self.speed[lane] = from.speed;
+    }
+
+    /// The wall a lane's ball has left.
+    pub fn side(&self, lane: usize) -> Side {
+        if self.side[lane] > 0.0 { Side::Bottom } else { Side::Top }
+    }
+
+    /// The departure of a lane's ball.
+    pub fn departure(&self, lane: usize) -> Departure<f64> {
+        let sign = self.side[lane];
+        Departure {
+            side: self.side(lane),
+            phase: self.phase[lane],
+            sin: sign * self.sin[lane],
+            cos: sign * self.cos[lane],
+            speed: self.speed[lane],
+            released: false,
+        }
+    }
+}
