@@ -14,7 +14,13 @@ fn motions(count: usize) -> Vec<Motion<f64>> {
     let mut sequence = Sequence::new(2026);
     let mut draw = || {
         let mut between = |low, high| sequence.between(low, high);
-        Motion::new(between(-0.6, 0.9), between(0.05, 1.2), between(0.1, 1.0), between(0.1, 1.0)).expect("a motion")
+        Motion::new(
+            between(-0.6, 0.9),
+            between(0.05, 1.2),
+            between(0.1, 1.0),
+            between(0.1, 1.0),
+        )
+        .expect("a motion")
     };
     std::iter::repeat_with(&mut draw).take(count).collect()
 }
@@ -94,9 +100,16 @@ fn orbits_have_the_digits_asked_at_close_to_the_least_cost() {
             let exact = lists(exact, |value| parse(value.as_str()));
             let has = delivered(values, &exact);
             assert!(has >= f64::from(digits), "{motion:?}: {has} of {digits}");
-            let start = if digits <= FIGURES_OF_F64 { first } else { first.max(Rung::DoubleDouble) };
+            let start = if digits <= FIGURES_OF_F64 {
+                first
+            } else {
+                first.max(Rung::DoubleDouble)
+            };
             let excess = excess(Purpose::Orbit, [start, *landed, *best]);
-            assert!(excess <= 1.5, "{motion:?}: {digits} digits cost {excess} times what they need");
+            assert!(
+                excess <= 1.5,
+                "{motion:?}: {digits} digits cost {excess} times what they need"
+            );
             checked += 1;
         }
     }
@@ -122,13 +135,27 @@ fn runs_have_the_digits_asked_at_close_to_the_least_cost() {
         let run = |first: Rung| -> (Vec<[Exact; 2]>, Vec<u32>, Rung) {
             if digits <= FIGURES_OF_F64 {
                 let history = history(motion, &start, &extent, first).expect("a motion");
-                let told = history.rows.iter().map(|row| [row.time, row.velocity].map(Analytic::from_f64));
-                (told.collect(), history.rows.iter().map(|row| row.digits).collect(), history.computed_in)
+                let told = history
+                    .rows
+                    .iter()
+                    .map(|row| [row.time, row.velocity].map(Analytic::from_f64));
+                (
+                    told.collect(),
+                    history.rows.iter().map(|row| row.digits).collect(),
+                    history.computed_in,
+                )
             } else {
                 let decimals = Decimals(digits as usize);
                 let history = history_in_decimals(motion, &start, &extent, decimals, first).expect("a motion");
-                let told = history.rows.iter().map(|row| [&row.time, &row.velocity].map(|value| parse(value.as_str())));
-                (told.collect(), history.rows.iter().map(|row| row.digits).collect(), history.computed_in)
+                let told = history
+                    .rows
+                    .iter()
+                    .map(|row| [&row.time, &row.velocity].map(|value| parse(value.as_str())));
+                (
+                    told.collect(),
+                    history.rows.iter().map(|row| row.digits).collect(),
+                    history.computed_in,
+                )
             }
         };
         let (found, claimed, landed) = run(first);
@@ -143,8 +170,15 @@ fn runs_have_the_digits_asked_at_close_to_the_least_cost() {
                 assert!(has >= f64::from(digits), "{motion:?}: {has} of {digits}");
             }
         }
-        let start = if digits <= FIGURES_OF_F64 { first } else { first.max(Rung::DoubleDouble) };
+        let start = if digits <= FIGURES_OF_F64 {
+            first
+        } else {
+            first.max(Rung::DoubleDouble)
+        };
         let excess = excess(Purpose::Impact, [start, landed, best]);
-        assert!(excess <= 1.5, "{motion:?}: {digits} digits cost {excess} times what they need");
+        assert!(
+            excess <= 1.5,
+            "{motion:?}: {digits} digits cost {excess} times what they need"
+        );
     }
 }

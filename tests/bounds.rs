@@ -7,8 +7,8 @@
 use std::f64::consts::TAU;
 use vibro_audit::impact::{Event, Extent, Kind, Row, Simulation, Start, history, history_in_decimals};
 use vibro_audit::model::{Motion, Side};
-use vibro_audit::number::{Analytic, Decimal, Decimals, FIGURES_OF_F64, Field, Sequence, Told, Wide};
-use vibro_audit::orbit::{Parameters, Rounded, Word, find, find_as, returning};
+use vibro_audit::number::{Analytic, Decimal, Decimals, FIGURES_OF_F64, Field, Rung, Sequence, Told, Wide};
+use vibro_audit::orbit::{Goal, Parameters, Rounded, Word, find, find_as, returning};
 
 /// Exact values have fifty digits.
 type Number = Wide<50>;
@@ -61,7 +61,13 @@ fn returned(motion: &Motion<f64>, orbit: &Rounded) -> Option<Fixes> {
 
 /// By the first means in 45 figures: the motion of the word that is nearest.
 fn widened(motion: &Motion<f64>, orbit: &Rounded) -> Option<Fixes> {
-    let found = find_as(&Decimals(45), motion, &orbit.word, orbit.periods).ok()?;
+    let found = find_as(
+        &Goal::decimals(Decimals(45), Rung::Wide(50)),
+        motion,
+        &orbit.word,
+        orbit.periods,
+    )
+    .ok()?;
     let number = |value: &Decimal| Number::parse(value.as_str()).expect("a number");
     let lists = |other: &Rounded<Decimal>| -> Fixes {
         let lists = other.phases.iter().zip(&other.velocities).zip(&other.times);
@@ -180,7 +186,7 @@ fn bounds_of_doubles(seed: u64, count: usize) -> Bounds {
 
 fn bounds_of_decimals(seed: u64, count: usize, figures: usize) -> Bounds {
     let wanted = |motion: &Motion<f64>, word: &Word| {
-        let found = find_as(&Decimals(figures), motion, word, 1).expect("a search");
+        let found = find_as(&Goal::decimals(Decimals(figures), Rung::DoubleDouble), motion, word, 1).expect("a search");
         found.orbits
     };
     bounds_of(seed, count, wanted, |value: &Decimal| {
@@ -335,13 +341,13 @@ fn claims_of(seed: u64, motions: usize, figures: Option<usize>) -> Claims {
         let from = (&motion, &start);
         match figures {
             None => {
-                let rows = history(&motion, &start, &extent).expect("a motion").rows;
+                let rows = history(&motion, &start, &extent, Rung::Double).expect("a motion").rows;
                 compare(rows, FIGURES_OF_F64, from, |value| Exact::from_f64(*value), &mut claims);
             }
             Some(figures) => {
                 let digits = figures as u32;
                 let extent = Extent { digits, ..extent };
-                let rows = history_in_decimals(&motion, &start, &extent, Decimals(figures))
+                let rows = history_in_decimals(&motion, &start, &extent, Decimals(figures), Rung::DoubleDouble)
                     .expect("a motion")
                     .rows;
                 let read = |value: &Decimal| Exact::parse(value.as_str()).expect("a number");

@@ -30,7 +30,7 @@ const RESTING: [&str; 6] = ["simulate", "fig03", "--set", "motion.d=0.18", "--fo
 #[test]
 fn the_columns_are_those_that_scripts_rely_on_and_row_1_is_the_start() {
     let rows = printed(&[&RESTING[..], &["--impacts", "3"]].concat());
-    assert_eq!(rows[0].join(","), "event,time,phase,side,velocity,kind,digits");
+    assert_eq!(rows[0].join(","), "event,time,phase,side,velocity,kind,digits,number");
     assert_eq!(rows.len(), 4);
     assert_eq!(rows[1][..6].join(","), "1,0.0,6.18,bottom,0.5293,impact");
     for (index, row) in rows.iter().skip(1).enumerate() {

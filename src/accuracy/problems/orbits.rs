@@ -4,8 +4,8 @@ use super::problem::{Given, Problem};
 use super::values::{Number, Values, read};
 use super::{Means, Why};
 use crate::model::Parameters;
-use crate::number::{Decimal, Decimals, Interval, Told};
-use crate::orbit::{Found, Proved, Rounded, Word, confirmed, find, find_as, one_to_one, search};
+use crate::number::{Decimal, Decimals, Interval, Rung, Told};
+use crate::orbit::{Found, Goal, Proved, Rounded, Word, confirmed, find, find_as, one_to_one, search};
 use std::f64::consts::{PI, TAU};
 
 /// The figures in which enclosures are told.
@@ -18,7 +18,10 @@ pub const MEANS: [&str; 2] = ["proved enclosure", "return map in 100 digits"];
 pub fn twice(problem: &Problem) -> Result<[Rounded<Decimal>; 2], Why> {
     let given = problem.given()?;
     let (word, periods) = problem.word()?;
-    let orbit = nearest(problem, find_as(&FIGURES, &given, &word, periods)?)?;
+    let orbit = nearest(
+        problem,
+        find_as(&Goal::decimals(FIGURES, Rung::Wide(50)), &given, &word, periods)?,
+    )?;
     if orbit.error_bound.is_none() {
         return Err(Why::Unproved);
     }

@@ -5,7 +5,7 @@ use super::values::{Number, Values, number, read, reduced};
 use super::{Means, Why};
 use crate::impact::{Extent, History, Kind, Origin, Simulation, Start, history, history_in_decimals};
 use crate::model::{Flight, Forcing, Impact, Parameters, Side, Watch, next_impact};
-use crate::number::{Analytic, Decimal, Decimals, FIGURES_OF_F64, Field, Wide};
+use crate::number::{Analytic, Decimal, Decimals, FIGURES_OF_F64, Field, Rung, Wide};
 
 /// The figures in which the first means is told, of which all must hold.
 const FIGURES: usize = 40;
@@ -27,7 +27,7 @@ pub fn both(problem: &Problem) -> Result<[Values<Number>; 2], Why> {
     let (given, begin) = (problem.given()?, problem.begin()?);
     let decimals = Decimals(FIGURES);
     let extent = extent(problem, &given, &begin, FIGURES as u32)?;
-    let history = history_in_decimals(&given, &begin, &extent, decimals)?;
+    let history = history_in_decimals(&given, &begin, &extent, decimals, Rung::Wide(50))?;
     let first = told(problem, &history, FIGURES as u32)?.convert(|decimal: Decimal| read(&decimal));
     let again = match problem.impacts {
         Some(impacts) => bracketed::<100>(&given, &begin, impacts)?,
@@ -42,7 +42,7 @@ pub fn solved(problem: &Problem, means: Means) -> Result<Values<f64>, Why> {
     match means {
         Means::Default => {
             let extent = extent(problem, &given, &begin, FIGURES_OF_F64)?;
-            let history = history(&given, &begin, &extent)?;
+            let history = history(&given, &begin, &extent, Rung::Double)?;
             told(problem, &history, 0)
         }
         Means::Double => {

@@ -6,8 +6,8 @@ use super::quantity::{Exact, Number, largest, narrow, widen};
 use super::row::{Form, StressRow, allowed, place};
 use crate::accuracy::trade::digits_of;
 use crate::model::{Forcing, Motion, Parameters, Side};
-use crate::number::{Analytic, Decimal, Decimals, DoubleDouble, Dual, seeded};
-use crate::orbit::{Fix, Rounded, Word, find, find_as, returning};
+use crate::number::{Analytic, Decimal, Decimals, DoubleDouble, Dual, Rung, seeded};
+use crate::orbit::{Fix, Goal, Rounded, Word, find, find_as, returning};
 
 /// Parameters at which motions are looked for.
 pub(super) struct Scene {
@@ -251,7 +251,13 @@ pub(super) fn rows(triple: &Triple, scene: &Scene) -> Result<Vec<StressRow>, Str
     let motion = Motion::new(g, d, r_b, r_t).map_err(|_| fault(f64::NAN))?;
     let word = Word::pair();
     let found = find(&motion, &word, scene.periods).map_err(|_| fault(f64::NAN))?;
-    let wider = find_as(&Decimals(DECIMALS), &motion, &word, scene.periods).map_err(|_| fault(f64::NAN))?;
+    let wider = find_as(
+        &Goal::decimals(Decimals(DECIMALS), Rung::Wide(50)),
+        &motion,
+        &word,
+        scene.periods,
+    )
+    .map_err(|_| fault(f64::NAN))?;
     let mut rows: Vec<StressRow> = Vec::new();
     for (orbit, decimal) in found.orbits.iter().zip(&wider.orbits) {
         if orbit.periods != scene.periods {

@@ -1,4 +1,5 @@
-//! The task `multipliers`: the eigenvalues (19) of a trace and a determinant, as printed and without cancellation.
+//! The task `multipliers`: the eigenvalues (19) of a trace and a determinant, the square of r_B r_T, as printed and without
+//! cancellation.
 
 use super::contest::{self, EVERY, Exact, Means, Task};
 use super::{TradeError, TradeOptions, TradeRow};
@@ -11,7 +12,8 @@ const BITS: u32 = 20;
 /// A real pair of multipliers, by numbers that f32 holds exactly.
 struct Point {
     trace: f64,
-    determinant: f64,
+    /// r_B r_T, the root of the determinant.
+    loss: f64,
 }
 
 /// Where the points lie.
@@ -33,8 +35,7 @@ impl Part {
         let mut sequence = Sequence::new(options.seed);
         let mut draw = || {
             let narrow = |value: f64| f64::from(value as f32);
-            let loss = sequence.on_grid(BITS, 0.05, 0.9);
-            let determinant = narrow(loss * loss);
+            let loss = narrow(sequence.on_grid(BITS, 0.05, 0.9));
             let (low, high) = match region {
                 Region::Random => ((2.1 * loss).log10(), 1.0),
                 Region::Saddle => (2.0, 6.0),
@@ -46,7 +47,7 @@ impl Part {
                 1.0
             };
             let trace = narrow(sign * size);
-            Point { trace, determinant }
+            Point { trace, loss }
         };
         let name = match region {
             Region::Random => "multipliers/random",
@@ -82,7 +83,7 @@ impl Task for Part {
 enum Way {
     /// (19): (Tr ± sqrt(Tr² - 4 Det)) / 2.
     Printed,
-    /// The larger in size so, the other from the determinant.
+    /// Delta as a product, the larger in size so, the other from the determinant.
     Stable,
 }
 
@@ -99,11 +100,11 @@ impl Means<Point> for Way {
     }
 
     fn answer<T: Machine>(&self, point: &Point) -> Option<Vec<T>> {
-        let [trace, determinant] = [point.trace, point.determinant].map(<T as Analytic>::from_f64);
+        let [trace, loss] = [point.trace, point.loss].map(<T as Analytic>::from_f64);
         let [larger, smaller] = match self {
-            Self::Stable => multipliers(Kind::Saddle, &trace, &determinant).map(|multiplier| multiplier.re),
+            Self::Stable => multipliers(&trace, &loss, Kind::Saddle).map(|multiplier| multiplier.re),
             Self::Printed => {
-                let delta = trace.clone() * trace.clone() - T::from_integer(4) * determinant;
+                let delta = trace.clone() * trace.clone() - T::from_integer(4) * (loss.clone() * loss);
                 let root = Analytic::sqrt(&delta);
                 let half = T::from_ratio(1, 2);
                 let [plus, minus] = [trace.clone() + root.clone(), trace - root].map(|sum| sum * half.clone());

@@ -24,5 +24,5 @@ pub use displacement::displacement;
 pub use energy::Energy;
 pub use parameter::Parameter;
 pub use portrait::{Path, Portrait};
-pub use trade::trades;
 pub use score::{digits, work_precision};
+pub use trade::trades;
