@@ -11,19 +11,15 @@ pub type Exact = Wide<100>;
 const BEYOND: f64 = 15.0;
 
 /// What is to be computed: problems, and their answers.
-pub(super) trait Task {
-    /// A problem.
-    type Point;
+pub(super) struct Task<'a, P> {
     /// Such as `dp/random/trace`.
-    fn name(&self) -> String;
+    pub name: String,
     /// The problems, the same on every machine.
-    fn points(&self) -> &[Self::Point];
+    pub points: &'a [P],
     /// The answer by two means that share no formula, `None` where there is none.
-    fn exact(&self, point: &Self::Point) -> Option<[Vec<Exact>; 2]>;
-    /// How far an answer is from the exact one: the largest difference over the largest exact value.
-    fn error(&self, found: &[Exact], exact: &[Exact]) -> f64 {
-        relative_error(found, exact)
-    }
+    pub exact: fn(&P) -> Option<[Vec<Exact>; 2]>,
+    /// How far an answer is from the exact one.
+    pub error: fn(&[Exact], &[Exact]) -> f64,
 }
 
 /// A way to the answers.
@@ -69,8 +65,8 @@ pub(super) fn worst_relative_error(found: &[Exact], exact: &[Exact]) -> f64 {
 /// # Errors
 /// `Points` without problems, `Reference` where the two exact answers to one of them agree to fewer digits than it
 /// takes to judge the widest number.
-pub(super) fn rows<T: Task, M: Means<T::Point>>(
-    task: &T,
+pub(super) fn rows<P, M: Means<P>>(
+    task: &Task<P>,
     means: &[M],
     options: &TradeOptions,
 ) -> Result<Vec<TradeRow>, TradeError> {
@@ -97,21 +93,21 @@ pub(super) fn rows<T: Task, M: Means<T::Point>>(
 }
 
 /// The exact answers, each confirmed.
-fn exact<T: Task>(task: &T, widest: Rung) -> Result<Vec<Vec<Exact>>, TradeError> {
-    let points = task.points();
-    if points.is_empty() {
-        return Err(TradeError::Points { task: task.name() });
+fn exact<P>(task: &Task<P>, widest: Rung) -> Result<Vec<Vec<Exact>>, TradeError> {
+    let name = || task.name.clone();
+    if task.points.is_empty() {
+        return Err(TradeError::Points { task: name() });
     }
     let wanted = f64::from(widest.digits()) + BEYOND;
-    let confirmed = points.iter().enumerate().map(|(point, at)| {
-        let both = task.exact(at);
+    let confirmed = task.points.iter().enumerate().map(|(point, at)| {
+        let both = (task.exact)(at);
         let digits = both
             .as_ref()
-            .map_or(0.0, |[one, other]| digits_of(task.error(other, one), 1e-99));
+            .map_or(0.0, |[one, other]| digits_of((task.error)(other, one), 1e-99));
         match both {
             Some([exact, _]) if digits >= wanted => Ok(exact),
             _ => Err(TradeError::Reference {
-                task: task.name(),
+                task: name(),
                 point,
                 digits,
                 wanted,
@@ -122,19 +118,19 @@ fn exact<T: Task>(task: &T, widest: Rung) -> Result<Vec<Vec<Exact>>, TradeError>
 }
 
 /// One means in one number.
-struct Contest<'a, T, M> {
-    task: &'a T,
+struct Contest<'a, P, M> {
+    task: &'a Task<'a, P>,
     means: &'a M,
     exact: &'a [Vec<Exact>],
     budget: f64,
     rung: Rung,
 }
 
-impl<T: Task, M: Means<T::Point>> AtRung for Contest<'_, T, M> {
+impl<P, M: Means<P>> AtRung for Contest<'_, P, M> {
     type Output = TradeRow;
 
     fn run<N: Machine>(self) -> TradeRow {
-        let points = self.task.points();
+        let points = self.task.points;
         let epsilon = <N as Analytic>::epsilon().to_f64();
         let digits: Vec<f64> = points
             .iter()
@@ -142,7 +138,7 @@ impl<T: Task, M: Means<T::Point>> AtRung for Contest<'_, T, M> {
             .map(|(point, exact)| {
                 let found = self.means.answer::<N>(point);
                 let found = found.map(|found| found.iter().map(Machine::to_wide).collect::<Vec<Exact>>());
-                let error = found.map_or(f64::NAN, |found| self.task.error(&found, exact));
+                let error = found.map_or(f64::NAN, |found| (self.task.error)(&found, exact));
                 digits_of(error, epsilon)
             })
             .collect();
@@ -161,7 +157,7 @@ impl<T: Task, M: Means<T::Point>> AtRung for Contest<'_, T, M> {
         });
         let mean = |total: u64| (total as f64 / points.len() as f64).round() as u64;
         TradeRow {
-            task: self.task.name(),
+            task: self.task.name.clone(),
             number: self.rung,
             method: self.means.name(),
             operations: mean(counts.total()),

@@ -1,6 +1,6 @@
 //! The task `dp`: entries, trace and determinant of DP by closed form, dual numbers and differences.
 
-use super::contest::{self, EVERY, Exact, Means, Task};
+use super::contest::{self, EVERY, Exact, Means, Task, relative_error};
 use super::points::{Point, Region, points};
 use super::{TradeError, TradeOptions, TradeRow};
 use crate::model::{Forcing, JacobianError, Motion, Order, Pair, Passage};
@@ -26,8 +26,17 @@ impl Quantity {
         }
     }
 
-    fn means(self, method: Method) -> Way {
-        Way { quantity: self, method }
+    /// By the closed form and by dual numbers.
+    fn exact(self) -> fn(&Point) -> Option<[Vec<Exact>; 2]> {
+        fn both(quantity: Quantity, point: &Point) -> Option<[Vec<Exact>; 2]> {
+            let by = |method| Way { quantity, method }.answer(point);
+            Some([by(Method::Formula)?, by(Method::Dual)?])
+        }
+        match self {
+            Self::Entries => |point| both(Self::Entries, point),
+            Self::Trace => |point| both(Self::Trace, point),
+            Self::Determinant => |point| both(Self::Determinant, point),
+        }
     }
 
     /// The quantity of a matrix; a scalar in the first of four places.
@@ -129,29 +138,6 @@ impl<T: Analytic> Input<T> {
     }
 }
 
-struct Part<'a> {
-    region: Region,
-    quantity: Quantity,
-    points: &'a [Point],
-}
-
-impl Task for Part<'_> {
-    type Point = Point;
-
-    fn name(&self) -> String {
-        format!("dp/{}/{}", self.region.name(), self.quantity.name())
-    }
-
-    fn points(&self) -> &[Point] {
-        self.points
-    }
-
-    fn exact(&self, point: &Point) -> Option<[Vec<Exact>; 2]> {
-        let by = |method| self.quantity.means(method).answer(point);
-        Some([by(Method::Formula)?, by(Method::Dual)?])
-    }
-}
-
 /// A means to one of the quantities.
 struct Way {
     quantity: Quantity,
@@ -188,20 +174,17 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
     for region in [Region::Random, Region::Grazing] {
         let points = points(region, options.points, options.seed);
         for quantity in Quantity::ALL {
-            let points = &points[..];
+            let task = Task {
+                name: format!("dp/{}/{}", region.name(), quantity.name()),
+                points: &points,
+                exact: quantity.exact(),
+                error: relative_error,
+            };
             let means: Vec<Way> = Method::all_for(quantity)
                 .into_iter()
-                .map(|method| quantity.means(method))
+                .map(|method| Way { quantity, method })
                 .collect();
-            rows.extend(contest::rows(
-                &Part {
-                    region,
-                    quantity,
-                    points,
-                },
-                &means,
-                options,
-            )?);
+            rows.extend(contest::rows(&task, &means, options)?);
         }
     }
     Ok(rows)

@@ -1,6 +1,6 @@
 //! The task `impact`: the impact that follows one, by fixed step, by bracketing and by our own means.
 
-use super::contest::{self, EVERY, Exact, Means, OF_THE_MACHINE, Task};
+use super::contest::{self, EVERY, Exact, Means, OF_THE_MACHINE, Task, worst_relative_error};
 use super::{TradeError, TradeOptions, TradeRow};
 use crate::impact::{Kind, Simulation, Start};
 use crate::model::{Flight, Forcing, Impact, Motion, Side, next_impact};
@@ -67,8 +67,7 @@ pub fn starts(options: &TradeOptions, count: usize) -> Vec<(Motion<f64>, Start<f
         points: count * FEWER,
         ..options.clone()
     };
-    let (name, speeds) = REGIONS[0];
-    let points = Part::new(name, speeds, &options).points.into_iter();
+    let points = points(REGIONS[0].1, &options).into_iter();
     let pairs = points.filter_map(|point| Some((point.motion()?, point.start())));
     pairs.collect()
 }
@@ -76,55 +75,31 @@ pub fn starts(options: &TradeOptions, count: usize) -> Vec<(Motion<f64>, Start<f
 /// How fast the ball starts.
 const REGIONS: [(&str, [f64; 2]); 2] = [("impact/random", [0.1, 1.5]), ("impact/slow", [0.01, 0.1])];
 
-struct Part {
-    name: &'static str,
-    points: Vec<Point>,
-}
-
-impl Part {
-    fn new(name: &'static str, speeds: [f64; 2], options: &TradeOptions) -> Self {
-        let mut sequence = Sequence::new(options.seed);
-        let mut draw = || {
-            let mut between = |low, high| f64::from(sequence.on_grid(BITS, low, high) as f32);
-            let point = Point {
-                g: between(-0.5, 0.9),
-                d: between(0.1, 1.0),
-                r: [between(0.2, 0.9), between(0.2, 0.9)],
-                phase: between(0.0, 6.28),
-                velocity: between(speeds[0], speeds[1]),
-            };
-            let ordinary = |[time, velocity]: &[f64; 2]| velocity.abs() > LEAST_ARRIVAL && *time < LONGEST;
-            point.by_simulation().filter(ordinary).map(|_| point)
+fn points(speeds: [f64; 2], options: &TradeOptions) -> Vec<Point> {
+    let mut sequence = Sequence::new(options.seed);
+    let mut draw = || {
+        let mut between = |low, high| f64::from(sequence.on_grid(BITS, low, high) as f32);
+        let point = Point {
+            g: between(-0.5, 0.9),
+            d: between(0.1, 1.0),
+            r: [between(0.2, 0.9), between(0.2, 0.9)],
+            phase: between(0.0, 6.28),
+            velocity: between(speeds[0], speeds[1]),
         };
-        let points = std::iter::repeat_with(|| (0..MOST_DRAWS).find_map(|_| draw()));
-        let points = points.take(options.points / FEWER).map_while(|point| point).collect();
-        Self { name, points }
-    }
+        let ordinary = |[time, velocity]: &[f64; 2]| velocity.abs() > LEAST_ARRIVAL && *time < LONGEST;
+        point.by_simulation().filter(ordinary).map(|_| point)
+    };
+    let points = std::iter::repeat_with(|| (0..MOST_DRAWS).find_map(|_| draw()));
+    points.take(options.points / FEWER).map_while(|point| point).collect()
 }
 
-impl Task for Part {
-    type Point = Point;
-
-    fn name(&self) -> String {
-        self.name.to_owned()
-    }
-
-    fn points(&self) -> &[Point] {
-        &self.points
-    }
-
-    fn exact(&self, point: &Point) -> Option<[Vec<Exact>; 2]> {
-        at_digits(100, || {
-            let own = point.by_simulation::<Digits>()?;
-            let bracketed = Way::Bracketing.answer::<Digits>(point)?;
-            Some([own.to_vec(), bracketed].map(|answer| answer.iter().map(Machine::to_wide).collect()))
-        })
-    }
-
-    /// The larger relative error of time and velocity.
-    fn error(&self, found: &[Exact], exact: &[Exact]) -> f64 {
-        contest::worst_relative_error(found, exact)
-    }
+/// By our own means and by bracketing.
+fn exact(point: &Point) -> Option<[Vec<Exact>; 2]> {
+    at_digits(100, || {
+        let own = point.by_simulation::<Digits>()?;
+        let bracketed = Way::Bracketing.answer::<Digits>(point)?;
+        Some([own.to_vec(), bracketed].map(|answer| answer.iter().map(Machine::to_wide).collect()))
+    })
 }
 
 #[derive(Clone, Copy)]
@@ -211,7 +186,13 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
     ];
     let mut rows = Vec::new();
     for (name, speeds) in REGIONS {
-        rows.extend(contest::rows(&Part::new(name, speeds, options), &means, options)?);
+        let task = Task {
+            name: name.to_owned(),
+            points: &points(speeds, options),
+            exact,
+            error: worst_relative_error,
+        };
+        rows.extend(contest::rows(&task, &means, options)?);
     }
     Ok(rows)
 }

@@ -1,7 +1,7 @@
 //! The task `multipliers`: the eigenvalues (19) of a trace and a determinant, the square of r_B r_T, as printed and without
 //! cancellation.
 
-use super::contest::{self, EVERY, Exact, Means, Task};
+use super::contest::{self, EVERY, Means, Task, worst_relative_error};
 use super::{TradeError, TradeOptions, TradeRow};
 use crate::number::{Analytic, Machine, Rung, Sequence};
 use crate::orbit::{Kind, multipliers};
@@ -25,20 +25,22 @@ enum Region {
     Saddle,
 }
 
-struct Part {
-    name: &'static str,
-    points: Vec<Point>,
-}
+impl Region {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Random => "multipliers/random",
+            Self::Saddle => "multipliers/saddle",
+        }
+    }
 
-impl Part {
-    fn new(region: Region, options: &TradeOptions) -> Self {
+    fn points(self, options: &TradeOptions) -> Vec<Point> {
         let mut sequence = Sequence::new(options.seed);
-        let mut draw = || {
+        let draw = || {
             let narrow = |value: f64| f64::from(value as f32);
             let loss = narrow(sequence.on_grid(BITS, 0.05, 0.9));
-            let (low, high) = match region {
-                Region::Random => ((2.1 * loss).log10(), 1.0),
-                Region::Saddle => (2.0, 6.0),
+            let (low, high) = match self {
+                Self::Random => ((2.1 * loss).log10(), 1.0),
+                Self::Saddle => (2.0, 6.0),
             };
             let size = 10_f64.powf(sequence.on_grid(BITS, low, high));
             let sign = if sequence.on_grid(BITS, 0.0, 1.0) < 0.5 {
@@ -49,33 +51,7 @@ impl Part {
             let trace = narrow(sign * size);
             Point { trace, loss }
         };
-        let name = match region {
-            Region::Random => "multipliers/random",
-            Region::Saddle => "multipliers/saddle",
-        };
-        let points = (0..options.points).map(|_| draw()).collect();
-        Self { name, points }
-    }
-}
-
-impl Task for Part {
-    type Point = Point;
-
-    fn name(&self) -> String {
-        self.name.to_owned()
-    }
-
-    fn points(&self) -> &[Point] {
-        &self.points
-    }
-
-    fn exact(&self, point: &Point) -> Option<[Vec<Exact>; 2]> {
-        Some([Way::Stable.answer(point)?, Way::Printed.answer(point)?])
-    }
-
-    /// The larger relative error of the two.
-    fn error(&self, found: &[Exact], exact: &[Exact]) -> f64 {
-        contest::worst_relative_error(found, exact)
+        std::iter::repeat_with(draw).take(options.points).collect()
     }
 }
 
@@ -123,11 +99,13 @@ impl Means<Point> for Way {
 pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> {
     let mut rows = Vec::new();
     for region in [Region::Random, Region::Saddle] {
-        rows.extend(contest::rows(
-            &Part::new(region, options),
-            &[Way::Printed, Way::Stable],
-            options,
-        )?);
+        let task = Task {
+            name: region.name().to_owned(),
+            points: &region.points(options),
+            exact: |point| Some([Way::Stable.answer(point)?, Way::Printed.answer(point)?]),
+            error: worst_relative_error,
+        };
+        rows.extend(contest::rows(&task, &[Way::Printed, Way::Stable], options)?);
     }
     Ok(rows)
 }

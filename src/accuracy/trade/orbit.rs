@@ -97,38 +97,24 @@ fn orbits(motion: Motion<f64>, sequence: &mut Sequence) -> Option<Vec<Point>> {
     Some(points.collect())
 }
 
-struct Orbits(Vec<Point>);
+/// The certified orbit, which rests on equations without a denominator, and the mended triple.
+fn exact(point: &Point) -> Option<[Vec<Exact>; 2]> {
+    let near = [&point.exact[0], &point.exact[3], &point.exact[1]].map(Analytic::to_f64);
+    let near = [near[0] / std::f64::consts::PI, near[1], near[2]].map(<Exact as Analytic>::from_f64);
+    let again = by_triple(point, Sixteen::Mended, TripleSlopes::Duals, near)?;
+    Some([point.exact.clone(), again])
+}
 
-impl Task for Orbits {
-    type Point = Point;
-
-    fn name(&self) -> String {
-        "orbit".to_owned()
-    }
-
-    fn points(&self) -> &[Point] {
-        &self.0
-    }
-
-    fn exact(&self, point: &Point) -> Option<[Vec<Exact>; 2]> {
-        // the certified orbit rests on other equations, without a denominator
-        let near = [&point.exact[0], &point.exact[3], &point.exact[1]].map(Analytic::to_f64);
-        let near = [near[0] / std::f64::consts::PI, near[1], near[2]].map(<Exact as Analytic>::from_f64);
-        let again = by_triple(point, Sixteen::Mended, TripleSlopes::Duals, near)?;
-        Some([point.exact.clone(), again])
-    }
-
-    /// The largest of the error of the phase, in rad around the circle, and of the relative errors of both velocities and of
-    /// T_1.
-    fn error(&self, found: &[Exact], exact: &[Exact]) -> f64 {
-        let turn = Exact::pi() + Exact::pi();
-        let apart = found[0].clone() - exact[0].clone();
-        let turns = (apart.to_f64() / std::f64::consts::TAU).round();
-        let phase = (apart - <Exact as Analytic>::from_f64(turns) * turn).to_f64().abs();
-        let others = contest::worst_relative_error(&found[1..], &exact[1..]);
-        // unlike f64::max this lets NaN through
-        if phase <= others { others } else { phase }
-    }
+/// The largest of the error of the phase, in rad around the circle, and of the relative errors of both velocities and of
+/// T_1.
+fn error(found: &[Exact], exact: &[Exact]) -> f64 {
+    let turn = Exact::pi() + Exact::pi();
+    let apart = found[0].clone() - exact[0].clone();
+    let turns = (apart.to_f64() / std::f64::consts::TAU).round();
+    let phase = (apart - <Exact as Analytic>::from_f64(turns) * turn).to_f64().abs();
+    let others = contest::worst_relative_error(&found[1..], &exact[1..]);
+    // unlike f64::max this lets NaN through
+    if phase <= others { others } else { phase }
 }
 
 #[derive(Clone, Copy)]
@@ -314,7 +300,13 @@ fn certified<T: Machine>(point: &Point, guess: [f64; 2]) -> Option<[T; 2]> {
 
 /// The trade of task `orbit`.
 pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> {
-    contest::rows(&Orbits(points(options)), &ALL, options)
+    let task = Task {
+        name: "orbit".to_owned(),
+        points: &points(options),
+        exact,
+        error,
+    };
+    contest::rows(&task, &ALL, options)
 }
 
 #[cfg(test)]

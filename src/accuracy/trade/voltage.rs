@@ -1,6 +1,6 @@
 //! The task `voltage`: the output of an impact, (5) and (6), as printed and without cancellation.
 
-use super::contest::{self, EVERY, Exact, Means, Task};
+use super::contest::{self, EVERY, Means, Task, relative_error};
 use super::{TradeError, TradeOptions, TradeRow};
 use crate::model::Membrane;
 use crate::number::{Analytic, Machine, Rung, Sequence};
@@ -14,28 +14,6 @@ const MEMBRANE: [f32; 6] = [0.0035, 4.0847e5, 2.6, 0.005, 0.0063, 2000.0];
 
 /// How fast the impacts are, as powers of ten of m/s.
 const REGIONS: [(&str, [f64; 2]); 2] = [("voltage/ordinary", [-1.0, 1.3]), ("voltage/slight", [-9.0, -3.0])];
-
-struct Part {
-    name: &'static str,
-    speeds: Vec<f64>,
-}
-
-impl Task for Part {
-    /// A speed, m/s.
-    type Point = f64;
-
-    fn name(&self) -> String {
-        self.name.to_owned()
-    }
-
-    fn points(&self) -> &[f64] {
-        &self.speeds
-    }
-
-    fn exact(&self, speed: &f64) -> Option<[Vec<Exact>; 2]> {
-        Some([Way::Stable.answer(speed)?, Way::Printed.answer(speed)?])
-    }
-}
 
 #[derive(Clone, Copy)]
 enum Way {
@@ -75,9 +53,14 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
     for (name, [low, high]) in REGIONS {
         let mut sequence = Sequence::new(options.seed);
         let mut speed = || f64::from(10_f64.powf(sequence.on_grid(BITS, low, high)) as f32);
-        let speeds = (0..options.points).map(|_| speed()).collect();
-        let part = Part { name, speeds };
-        rows.extend(contest::rows(&part, &[Way::Printed, Way::Stable], options)?);
+        let speeds: Vec<f64> = (0..options.points).map(|_| speed()).collect();
+        let task = Task {
+            name: name.to_owned(),
+            points: &speeds,
+            exact: |speed| Some([Way::Stable.answer(speed)?, Way::Printed.answer(speed)?]),
+            error: relative_error,
+        };
+        rows.extend(contest::rows(&task, &[Way::Printed, Way::Stable], options)?);
     }
     Ok(rows)
 }
