@@ -46,7 +46,7 @@ def flight(p, phase, start, side, velocity):
         rtol=TOLERANCE,
         atol=TOLERANCE * 1e-3,
         first_step=first,
-        max_step=0.1,
+        max_step=0.5,  # a quarter of the forcing period: a longer one may pass a wall and come back
     )
     for wall, times, states in zip((1, -1), found.t_events, found.y_events):
         if len(times) and times[0] > start and states[0][1] * wall > 0:
