@@ -53,6 +53,9 @@ impl Answers {
     pub fn read(file: &str, text: &str, asked: &[Certified]) -> Result<Self, AnswerError> {
         let reading = Reading { file, asked };
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        if text.trim().is_empty() {
+            return Err(reading.error(None, "it is empty; its header is problem,quantity,answer".to_owned()));
+        }
         let mut reader = csv::ReaderBuilder::new()
             .has_headers(false)
             .flexible(true)
@@ -81,10 +84,7 @@ impl Answers {
             }
             answers.insert(key, given);
         }
-        match header {
-            Some(_) => Ok(Self(answers)),
-            None => Err(reading.error(None, "it is empty; its header is problem,quantity,answer".to_owned())),
-        }
+        Ok(Self(answers))
     }
 
     /// The answer to a quantity of a problem.

@@ -200,7 +200,8 @@ fn last_lines(bytes: &[u8]) -> String {
     lines[from..].iter().map(|line| format!("\n  {line}")).collect()
 }
 
-#[cfg(all(test, unix))]
+#[cfg(unix)]
+#[cfg(test)]
 mod tests {
     use super::*;
 

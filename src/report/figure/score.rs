@@ -77,43 +77,25 @@ pub fn work_precision(runs: &[(f64, Precision)]) -> Panel {
         Axis::new("digits"),
     );
     panel.heading = "Work and precision".to_owned();
-    let curves: [(&str, fn(&Precision) -> Option<f64>, Marker, Dash); 2] = [
-        (
-            "median of what is answered",
-            |run| run.median,
-            sized(Colour::Blue, Form::Circle),
-            Dash::Solid,
-        ),
-        (
-            "worst of what is answered",
-            |run| run.worst,
-            sized(Colour::Vermillion, Form::Wedge),
-            Dash::Dashed,
-        ),
-    ];
-    for (name, of, marker, dash) in curves {
-        let points: Vec<Point> = runs
-            .iter()
-            .map(|(seconds, precision)| (seconds.log10(), of(precision).unwrap_or(f64::NAN)))
-            .collect();
-        let colour = marker.colour;
-        let stroke = Stroke {
-            colour,
-            dash,
-            width: 1.5,
-        };
-        let marked = points.clone();
+    let mut curve = |name: &str, digits: fn(&Precision) -> Option<f64>, marker: Marker, dash: Dash| {
+        let point = |(seconds, run): &(f64, Precision)| (seconds.log10(), digits(run).unwrap_or(f64::NAN));
+        let points: Vec<Point> = runs.iter().map(point).collect();
+        let (colour, width) = (marker.colour, 1.5);
         let shape = Shape::Marked {
+            marked: points.clone(),
             points,
-            stroke,
-            marked,
+            stroke: Stroke { colour, dash, width },
             marker,
         };
-        panel.series.push(Series {
-            name: name.to_owned(),
-            shape,
-        });
-    }
+        let name = name.to_owned();
+        panel.series.push(Series { name, shape });
+    };
+    let (circle, wedge) = (
+        sized(Colour::Blue, Form::Circle),
+        sized(Colour::Vermillion, Form::Wedge),
+    );
+    curve("median of what is answered", |run| run.median, circle, Dash::Solid);
+    curve("worst of what is answered", |run| run.worst, wedge, Dash::Dashed);
     panel
 }
 
