@@ -144,7 +144,13 @@ impl Quantity {
     /// The point at `part` of `whole` of the way from `self` to `to`; `self` where `whole` is 0. Exact.
     pub fn towards(&self, to: &Self, part: u32, whole: u32) -> Self {
         let share = Rational::new(i64::from(part), i64::from(whole)).unwrap_or_else(Rational::zero);
-        let between = |from: &Rational, to: &Rational| from.clone() + (to.clone() - from.clone()) * share.clone();
+        let between = |from: &Rational, to: &Rational| {
+            if from == to {
+                // the turns, as a rule, which are 0 at both ends: rationals are slow beside an impact
+                return from.clone();
+            }
+            from.clone() + (to.clone() - from.clone()) * share.clone()
+        };
         Self {
             plain: between(&self.plain, &to.plain),
             turns: between(&self.turns, &to.turns),
