@@ -61,20 +61,25 @@ fn the_printed_form_loses_its_digits_where_it_should() {
         ("d near 0", "1-1 motion"),
     ] {
         let rows: Vec<_> = ROWS.iter().filter(|row| row.case == case).collect();
-        for number in ["f32", "f64", "double-double"] {
+        // Two that double-double saves: T_1 is 1 + 9e-17 there, so that (15) has no denominator in f64 and one of 2e-16 in
+        // double-double; and of numbers of f64 the square Tr² and the product 4 Det are exact in it.
+        let is_saved =
+            [("r_B r_T near 1", "1-1 motion"), ("Delta near 0", "(19) imaginary")].contains(&(case, formula));
+        let numbers = ["f32", "f64", "double-double"];
+        for number in &numbers[..if is_saved { 2 } else { 3 }] {
             let least = |form| {
                 let own = rows.iter().filter(|row| row.formula == formula && row.form == form);
-                let digits = own.filter(|row| row.number == number).map(|row| row.digits);
+                let digits = own.filter(|row| row.number == *number).map(|row| row.digits);
                 digits.fold(f64::INFINITY, f64::min)
             };
             // f32 cannot hold how near 1 a number is, whatever the form
-            let lost = if number == "f32" { 2.0 } else { 10.0 };
-            let most = if number == "double-double" { 32.0 } else { 15.96 };
-            let (printed, most) = (least(Form::Printed), if number == "f32" { 7.23 } else { most });
-            assert!(
-                printed < most - lost,
-                "{case} {formula} {number}: {printed} digits printed"
-            );
+            let most = match *number {
+                "f32" => 7.2 - 2.0,
+                "f64" => 15.9 - 10.0,
+                _ => 31.9 - 10.0,
+            };
+            let printed = least(Form::Printed);
+            assert!(printed < most, "{case} {formula} {number}: {printed} digits printed");
         }
     }
 }

@@ -195,7 +195,8 @@ impl<T: Analytic> Ball<T> {
             }
             Place::Beginning { side, phase, velocity } => {
                 let speed = side.signed(velocity.clone()) * scaled.pi.clone();
-                if !may_start(phase.to_f64(), speed.to_f64()) {
+                if !may_start(self.turns, phase.to_f64(), speed.to_f64()) {
+                    self.turns = 0;
                     let event = self.event(Kind::Undecided, *side, phase.clone(), velocity.clone());
                     witness(&event, Step::Undecided);
                     self.place = Place::Ended;
@@ -311,10 +312,11 @@ impl<T: Analytic> Ball<T> {
     }
 }
 
-/// Whether an impact at this phase with this speed towards the wall can be: NaN, an infinity and a velocity that points
-/// away cannot, and nothing follows from them.
-fn may_start(phase: f64, speed: f64) -> bool {
-    phase.is_finite() && speed.is_finite() && speed >= 0.0
+/// Whether a motion can start with an impact at this reduced phase, with this speed towards the wall: not with NaN, an
+/// infinity, a phase so large that its turns take all digits, or a velocity that points away.
+fn may_start(turns: i64, phase: f64, speed: f64) -> bool {
+    let is_reduced = (0.0..=std::f64::consts::TAU).contains(&phase) && turns.unsigned_abs() < 1 << 53;
+    is_reduced && speed.is_finite() && speed >= 0.0
 }
 
 /// Flights between the same walls whose angles differ by less propose each other: closer than the cubic of a stretch
@@ -336,10 +338,10 @@ fn reduced<T: Analytic>(scaled: &Scaled<T>, phase: T) -> (T, i64) {
     // the quotient may have been rounded across a whole number
     if phase.to_f64() < 0.0 {
         phase += scaled.circle.clone();
-        turns -= 1;
+        turns = turns.saturating_sub(1);
     } else if (phase.clone() - scaled.circle.clone()).to_f64() >= 0.0 {
         phase -= scaled.circle.clone();
-        turns += 1;
+        turns = turns.saturating_add(1);
     }
     (phase, turns)
 }

@@ -304,7 +304,8 @@ pub(super) mod tests {
         };
         assert!((7.0..9.5).contains(&digits(Form::Printed, "f64")));
         assert!(digits(Form::Stable, "f64") > 15.9);
-        assert!((23.0..27.0).contains(&digits(Form::Printed, "double-double")));
+        // the square of a number of f64 is exact there
+        assert!(digits(Form::Printed, "double-double") > 31.0);
         // f32 cannot even hold the input
         assert!(digits(Form::Stable, "f32") < 1.0);
         assert!(rows.iter().all(|row| (row.condition / 1e8 - 1.0).abs() < 1e-6));
