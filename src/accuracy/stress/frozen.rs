@@ -83,7 +83,7 @@ mod tests {
 
     #[test]
     fn what_is_frozen_reads_back() {
-        let text = frozen_text(&[row(Form::Printed, "wide 50", 3.254, 1e7)]).unwrap();
+        let text = frozen_text(&[row(Form::Printed, "50-digits", 3.254, 1e7)]).unwrap();
         let rows = read(&text).unwrap();
         assert_eq!(rows.len(), 1);
         assert_eq!(

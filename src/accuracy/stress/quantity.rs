@@ -3,7 +3,7 @@
 use super::StressError;
 use super::row::{Form, StressRow, allowed, place};
 use crate::accuracy::trade::digits_of;
-use crate::number::{Analytic, DoubleDouble, Dual, Wide, seeded};
+use crate::number::{Analytic, Any, Dual, Rung, Wide, of_type, seeded};
 use num_dual::DualNum;
 
 /// A number that every form works over, dual numbers among them.
@@ -118,6 +118,9 @@ impl Judge {
     }
 }
 
+/// The numbers in which the forms are judged.
+const JUDGED: [Rung; 4] = [Rung::Single, Rung::Double, Rung::DoubleDouble, Rung::Wide(50)];
+
 /// The rows of a point, all numbers and both forms; `None` where the inputs are those of no motion.
 ///
 /// # Errors
@@ -129,24 +132,17 @@ pub(super) fn rows(quantity: &impl Quantity, inputs: &[f64]) -> Result<Option<Ve
     let condition = judge.condition(quantity);
     let mut rows = Vec::new();
     for form in [Form::Printed, Form::Stable] {
-        let kept = [
-            ("f32", judge.digits::<f32>(quantity, form), f64::from(f32::EPSILON)),
-            ("f64", judge.digits::<f64>(quantity, form), f64::EPSILON),
-            (
-                "double-double",
-                judge.digits::<DoubleDouble>(quantity, form),
-                <DoubleDouble as Analytic>::epsilon().to_f64(),
-            ),
-            (
-                "wide 50",
-                judge.digits::<Wide<50>>(quantity, form),
-                <Wide<50> as Analytic>::epsilon().to_f64(),
-            ),
-        ];
+        let kept = JUDGED.map(|rung| {
+            // one copy of all formulas does for every type: the values are those of the type itself
+            of_type(rung, || {
+                let epsilon = <Any as Analytic>::epsilon().to_f64();
+                (rung, judge.digits::<Any>(quantity, form), epsilon)
+            })
+        });
         rows.extend(kept.map(|(number, digits, epsilon)| StressRow {
             case: quantity.case().to_owned(),
             formula: quantity.formula().to_owned(),
-            number: number.to_owned(),
+            number: number.to_string(),
             form,
             digits,
             condition,

@@ -36,7 +36,7 @@ pub struct StressRow {
     pub case: String,
     /// The formula, by the paper's number or in words.
     pub formula: String,
-    /// `f32`, `f64`, `double-double`, `wide 50`, `decimal 30`.
+    /// `f32`, `f64`, `double-double`, `50-digits`, `decimal 30`.
     pub number: String,
     /// Which form.
     pub form: Form,
