@@ -53,9 +53,6 @@ fn panel(task: &str, rows: &[&TradeRow]) -> Panel {
     for (number, colour, form) in NUMBERS {
         let of_number = rows.iter().filter(|row| row.number == number);
         let (on, off): (Vec<&TradeRow>, Vec<&TradeRow>) = of_number.partition(|row| row.on_front);
-        if on.is_empty() && off.is_empty() {
-            continue;
-        }
         let open = Marker::open(colour, form);
         let filled = Marker { filled: true, ..open };
         let mark = |row: &&TradeRow| Mark {
@@ -66,12 +63,16 @@ fn panel(task: &str, rows: &[&TradeRow]) -> Panel {
                 String::new()
             },
         };
-        panel
-            .series
-            .push(Series::marks(number.to_string(), off.iter().map(mark).collect(), open));
-        panel
-            .series
-            .push(Series::marks("", on.iter().map(mark).collect(), filled));
+        let mut name = number.to_string();
+        for (rows, marker) in [(on, filled), (off, open)] {
+            if !rows.is_empty() {
+                // the legend names a number once
+                let marks = rows.iter().map(mark).collect();
+                panel
+                    .series
+                    .push(Series::marks(std::mem::take(&mut name), marks, marker));
+            }
+        }
     }
     panel
 }
