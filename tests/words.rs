@@ -3,7 +3,7 @@
 use nalgebra::Matrix2;
 use std::sync::LazyLock;
 use vibro_audit::model::{Forcing, Impact, Leg, Map, Motion, Order, Passage, Side, next_impact};
-use vibro_audit::number::{Analytic, DoubleDouble, Field, Interval, Sequence, Wide};
+use vibro_audit::number::{Analytic, DoubleDouble, Field, Interval, Rung, Sequence, Wide};
 use vibro_audit::orbit::{Orbit, Question, Rounded, Unsettled, Word, search};
 
 type Digits = Wide<40>;
@@ -384,6 +384,7 @@ fn in_double_double_the_bound_is_the_rounding_of_what_is_printed_and_in_many_dig
                 row,
                 Rounded {
                     error_bound: Some(bound),
+                    computed_in: Rung::DoubleDouble,
                     ..wide.rounded()
                 }
             );
