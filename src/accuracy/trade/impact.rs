@@ -83,7 +83,7 @@ fn points(speeds: [f64; 2], options: &TradeOptions) -> Vec<Point> {
             g: between(-0.5, 0.9),
             d: between(0.1, 1.0),
             r: [between(0.2, 0.9), between(0.2, 0.9)],
-            phase: between(0.0, 6.28),
+            phase: between(0.0, 6.25),
             velocity: between(speeds[0], speeds[1]),
         };
         let ordinary = |[time, velocity]: &[f64; 2]| velocity.abs() > LEAST_ARRIVAL && *time < LONGEST;
