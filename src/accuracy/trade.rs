@@ -164,10 +164,8 @@ pub enum TradeError {
         wanted: f64,
     },
     /// No means of a task has the name.
-    #[error("no means {method} in {number}; `trade {task} --format csv` lists those there are")]
+    #[error("no means {method} in {number}; `trade --format csv` lists those there are")]
     Means {
-        /// The task.
-        task: Task,
         /// What was asked for.
         method: String,
         /// And in which number.
@@ -193,7 +191,6 @@ pub fn trade(task: Task, options: &TradeOptions) -> Result<Vec<TradeRow>, TradeE
     }?;
     if rows.is_empty() {
         return Err(TradeError::Means {
-            task,
             method: options.method.clone().unwrap_or_else(|| "at all".to_owned()),
             number: options
                 .number
@@ -208,8 +205,8 @@ pub fn trade(task: Task, options: &TradeOptions) -> Result<Vec<TradeRow>, TradeE
     Ok(rows)
 }
 
-/// Times closer than this part and their own spreads are taken as equal: a repeated run differs by as much. Operations
-/// decide there.
+/// Times closer than this part and their own spreads, up to as much again, are taken as equal: a repeated run differs by
+/// as much. Operations decide there.
 const SAME_TIME: f64 = 0.1;
 
 /// Marks the rows that no other row of the same task beats: one that is cheaper and at least as accurate, or more
@@ -230,7 +227,7 @@ fn beats(a: &TradeRow, b: &TradeRow) -> bool {
 }
 
 fn costs_less(a: &TradeRow, b: &TradeRow) -> bool {
-    let same = 1.0 + SAME_TIME + 2.0 * (a.spread + b.spread);
+    let same = 1.0 + SAME_TIME + (a.spread + b.spread).min(SAME_TIME);
     let same = a.seconds <= b.seconds * same && b.seconds <= a.seconds * same;
     if same {
         a.operations < b.operations

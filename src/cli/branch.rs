@@ -14,7 +14,7 @@ pub struct Arguments {
 }
 
 /// The columns that scripts rely on; where something other than d is swept, its name stands before d.
-const COLUMNS: [&str; 11] = [
+const COLUMNS: [&str; 12] = [
     "kind",
     "word",
     "periods",
@@ -26,6 +26,7 @@ const COLUMNS: [&str; 11] = [
     "clearance",
     "admissible",
     "error_bound",
+    "number",
 ];
 
 /// Where d stands.
@@ -223,6 +224,7 @@ where
         Cell::from(orbit.clearance),
         Cell::from(orbit.admissible),
         orbit.error_bound.map_or(Cell::Empty, Cell::from),
+        Cell::from(orbit.computed_in.to_string()),
     ];
     if over != Over::D {
         row.insert(GAP, Cell::from(parameter));
@@ -246,6 +248,7 @@ where
         Cell::from(event.clearance),
         Cell::from(event.admissible),
         event.error_bound.map_or(Cell::Empty, Cell::from),
+        Cell::from(event.computed_in.to_string()),
     ];
     if over != Over::D {
         row.insert(GAP, Cell::from(event.parameter));
@@ -266,6 +269,7 @@ fn moment(over: Over, event: &Moment) -> Vec<Cell> {
         Cell::from(event.clearance),
         Cell::from(event.admissible),
         Cell::from(event.error_bound),
+        Cell::from(Rung::Double.to_string()),
     ];
     if over != Over::D {
         row.insert(GAP, Cell::from(event.parameter));

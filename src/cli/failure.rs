@@ -45,6 +45,9 @@ pub enum Failure {
     /// A measurement failed.
     #[error(transparent)]
     Trade(#[from] crate::accuracy::TradeError),
+    /// Two outputs for one file.
+    #[error("{0} cannot hold both the table and the drawing: name two files by --out and --plot")]
+    SameFile(String),
     /// The model by which numbers are chosen cannot be read.
     #[error("{0}: this is a fault of vibro-audit, please report it")]
     Choice(#[from] crate::accuracy::ChoiceError),

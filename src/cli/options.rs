@@ -39,6 +39,22 @@ impl Options {
         self.out.clone().map_or(Output::Stdout, Output::File)
     }
 
+    /// Where a drawing beside the table goes, if one is wanted; looked at before a long computation.
+    ///
+    /// # Errors
+    /// A file that cannot be written, or that the table is to go to.
+    pub fn drawing(&self, file: Option<&PathBuf>) -> Result<Option<Output>, Failure> {
+        let Some(file) = file else {
+            return Ok(None);
+        };
+        if self.out.as_ref() == Some(file) {
+            return Err(Failure::SameFile(file.display().to_string()));
+        }
+        let output = Output::File(file.clone());
+        output.check()?;
+        Ok(Some(output))
+    }
+
     /// The digits asked for: `--digits`, or those of the scene; `None` where neither asks.
     ///
     /// # Errors

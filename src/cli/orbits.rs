@@ -109,7 +109,7 @@ fn tell<N>(word: &Word, found: &Found<N>) {
     let unbounded = found.orbits.iter().filter(|orbit| orbit.error_bound.is_none()).count();
     if unbounded > 0 {
         note(&format!(
-            "{word}: {unbounded} without error_bound, not proved to the figures asked for"
+            "{word}: {unbounded} without error_bound: not certified, no figure of these is proved"
         ));
     }
 }

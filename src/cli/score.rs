@@ -76,9 +76,7 @@ struct Run {
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
-    if let Some(plot) = &arguments.plot {
-        Output::File(plot.clone()).check()?;
-    }
+    options.drawing(arguments.plot.as_ref())?;
     match &arguments.exec {
         Some(command) => by_program(arguments, command, options),
         None => by_file(arguments),

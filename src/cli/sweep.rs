@@ -38,7 +38,7 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     if !wants.contains(&Want::Voltage) {
         note("no voltage: the scene does not want it, or has no [membrane]");
     }
-    if options.digits.is_some_and(|digits| digits > FIGURES_OF_F64) {
+    if options.asked_of(&scene)?.is_some_and(|digits| digits > FIGURES_OF_F64) {
         note(&format!(
             "a sweep runs in f64: {FIGURES_OF_F64} digits at most; `--summary` says how many hold"
         ));

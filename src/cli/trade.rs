@@ -1,10 +1,10 @@
 //! `vibro-audit trade [TASK] [--plot FILE]`.
 
 use super::{Answer, Content, Exit, Failure, Options, note};
-use crate::accuracy::{Task, TradeOptions, TradeRow, machine, trade};
+use crate::accuracy::{Task, TradeError, TradeOptions, TradeRow, machine, trade};
 use crate::number::Rung;
 use crate::report::figure::trades;
-use crate::report::{Cell, Format, Output, Table};
+use crate::report::{Cell, Format, Table};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 
@@ -46,10 +46,7 @@ fn measured(value: f64) -> f64 {
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
-    let drawing = arguments.plot.clone().map(Output::File);
-    if let Some(output) = &drawing {
-        output.check()?;
-    }
+    let drawing = options.drawing(arguments.plot.as_ref())?;
     let tasks: Vec<Task> = arguments.task.map_or_else(|| Task::ALL.to_vec(), |task| vec![task]);
     let asked = TradeOptions {
         method: arguments.method.clone(),
@@ -58,8 +55,17 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     };
     note(&format!("times are of {}", machine()));
     let mut rows = Vec::new();
+    let mut none = None;
     for task in tasks {
-        rows.extend(trade(task, &asked)?);
+        match trade(task, &asked) {
+            Ok(found) => rows.extend(found),
+            // a means of one task is none of the others
+            Err(error @ TradeError::Means { .. }) => none = Some(error),
+            Err(error) => return Err(error.into()),
+        }
+    }
+    if let Some(error) = none.filter(|_| rows.is_empty()) {
+        return Err(error.into());
     }
     if let Some(output) = drawing {
         let svg = trades(&rows, &machine()).svg()?;

@@ -191,7 +191,10 @@ impl<P: Parameters, O: Origin> Asked<'_, P, O> {
     fn attempt<T: Endpoint, N>(&self, figures: u32, tell: impl Fn(&T) -> N) -> Result<Attempt<N>, MotionError> {
         let extent = self.extent;
         let start = self.origin.start::<T>();
-        let completing = 10_f64.powi(-(figures.max(extent.digits) as i32) - 2);
+        // digits of a rest are relative to the time it comes at, which a slow start makes short
+        let pace = start.velocity.to_f64().abs().clamp(f64::MIN_POSITIVE, 1.0);
+        let pace = if start.velocity.is_zero() { 1.0 } else { pace };
+        let completing = pace * 10_f64.powi(-(figures.max(extent.digits) as i32) - 2);
         let simulation = Simulation::new(&self.motion.motion::<T>()?, &start).with_growth();
         let mut simulation = simulation.completing_to(completing);
         let mut attempt = Attempt {

@@ -141,7 +141,13 @@ fn orbit_over<E: Endpoint, T: Telling<E>>(
         let enough = orbit.all_are(holds);
         Ok((orbit.told(telling), enough))
     } else {
-        Ok((orbit.told(guess), true))
+        // what the enclosures are around came from f64
+        let computed_in = Rung::Double;
+        let told = Rounded {
+            computed_in,
+            ..orbit.told(guess)
+        };
+        Ok((told, true))
     }
 }
 

@@ -32,6 +32,7 @@ pub use figures::Figures;
 pub use outcome::{Outcome, check};
 pub use printed::Printed;
 pub use quantity::{Across, FieldName, NoQuantity, Quantity};
+#[cfg(feature = "cli")]
 pub(crate) use records::Lines;
 pub use records::Record;
 pub use request::{Answer, Asked, Request};

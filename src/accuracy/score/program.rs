@@ -114,6 +114,10 @@ impl Program {
             let (limit, stderr) = (self.limit, last_lines(&said.unwrap_or_default()));
             return Err(ProgramError::Limit { command, limit, stderr });
         };
+        // before the status: a program of which no more is read may die of that
+        if stdout.len() > MOST {
+            return Err(ProgramError::Long { command });
+        }
         let status = status.map_err(error)?;
         if !status.success() {
             let stderr = last_lines(&stderr_text);
@@ -122,9 +126,6 @@ impl Program {
                 status,
                 stderr,
             });
-        }
-        if stdout.len() > MOST {
-            return Err(ProgramError::Long { command });
         }
         let seconds = (end - start).as_secs_f64();
         match String::from_utf8(stdout) {

@@ -117,6 +117,27 @@ fn exact<P>(task: &Task<P>, widest: Rung) -> Result<Vec<Vec<Exact>>, TradeError>
     confirmed.collect()
 }
 
+/// A spread above this is that of the machine and not of the work: what else runs there got in between.
+const QUIET: f64 = 0.1;
+
+/// Times that something is timed at most for a quiet answer.
+const TIMED: usize = 4;
+
+/// The first timing with a small spread, or that with the least.
+fn quiet(measure: impl Fn() -> Timing) -> Timing {
+    let mut best = measure();
+    for _ in 1..TIMED {
+        if best.spread <= QUIET {
+            break;
+        }
+        let again = measure();
+        if again.spread < best.spread {
+            best = again;
+        }
+    }
+    best
+}
+
 /// One means in one number.
 struct Contest<'a, P, M> {
     task: &'a Task<'a, P>,
@@ -150,10 +171,12 @@ impl<P, M: Means<P>> AtRung for Contest<'_, P, M> {
                 }
             });
         });
-        let Timing { median, spread } = timing(self.budget, || {
-            for point in points {
-                let _ = std::hint::black_box(self.means.answer::<N>(std::hint::black_box(point)));
-            }
+        let Timing { median, spread } = quiet(|| {
+            timing(self.budget, || {
+                for point in points {
+                    let _ = std::hint::black_box(self.means.answer::<N>(std::hint::black_box(point)));
+                }
+            })
         });
         let mean = |total: u64| (total as f64 / points.len() as f64).round() as u64;
         TradeRow {
