@@ -27,8 +27,8 @@ pub struct Options {
     /// Write to this file instead of stdout; it is there whole or not at all. For `run` and `plot all`, a directory
     #[arg(long, global = true, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// How many significant digits to reach and, in text, to print [default: all that f64 shows, six after a simulation's
-    /// growth of errors; 12 are printed]
+    /// How many significant digits to reach and, in text, to print [default: all that f64 shows, of which 12 are
+    /// printed; of a simulated motion 6]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DIGITS)))]
     pub digits: Option<u32>,
 }

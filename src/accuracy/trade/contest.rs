@@ -32,6 +32,29 @@ pub(super) trait Means<P> {
     fn answer<T: Machine>(&self, point: &P) -> Option<Vec<T>>;
 }
 
+/// Bits of a drawn number: of a range that is a power of 2, f32 holds them with bits to spare.
+pub(super) const BITS: u32 = 20;
+
+/// A formula as the paper prints it, and the one that the program uses.
+#[derive(Clone, Copy)]
+pub(super) enum Form {
+    Printed,
+    Stable,
+}
+
+impl Form {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Printed, Self::Stable];
+
+    /// As tables have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Printed => "printed",
+            Self::Stable => "stable",
+        }
+    }
+}
+
 /// The rungs of most means.
 pub(super) const EVERY: &[Rung] = &[Rung::Single, Rung::Double, Rung::DoubleDouble, Rung::Wide(50)];
 

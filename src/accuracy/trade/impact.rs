@@ -1,13 +1,10 @@
 //! The task `impact`: the impact that follows one, by fixed step, by bracketing and by our own means.
 
-use super::contest::{self, EVERY, Exact, Means, OF_THE_MACHINE, Task, worst_relative_error};
+use super::contest::{self, BITS, EVERY, Exact, Means, OF_THE_MACHINE, Task, worst_relative_error};
 use super::{TradeError, TradeOptions, TradeRow};
 use crate::impact::{Kind, Simulation, Start};
 use crate::model::{Flight, Forcing, Impact, Motion, Side, next_impact};
 use crate::number::{Analytic, Digits, Machine, Rung, Sequence, at_digits};
-
-/// Bits of a drawn number: few enough for f32.
-const BITS: u32 = 20;
 
 /// Problems for each region: a fixed step needs thousands of evaluations for one.
 const FEWER: usize = 4;

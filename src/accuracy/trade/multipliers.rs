@@ -1,13 +1,10 @@
 //! The task `multipliers`: the eigenvalues (19) of a trace and a determinant, the square of r_B r_T, as printed and without
 //! cancellation.
 
-use super::contest::{self, EVERY, Means, Task, worst_relative_error};
+use super::contest::{self, BITS, EVERY, Form, Means, Task, worst_relative_error};
 use super::{TradeError, TradeOptions, TradeRow};
 use crate::number::{Analytic, Machine, Rung, Sequence};
 use crate::orbit::{Kind, multipliers};
-
-/// Bits of a drawn number: few enough for f32.
-const BITS: u32 = 20;
 
 /// A real pair of multipliers, by numbers that f32 holds exactly.
 struct Point {
@@ -55,20 +52,13 @@ impl Region {
     }
 }
 
-#[derive(Clone, Copy)]
-enum Way {
-    /// (19): (Tr ± sqrt(Tr² - 4 Det)) / 2.
-    Printed,
-    /// Delta as a product, the larger in size so, the other from the determinant.
-    Stable,
-}
+/// Printed, (19): (Tr ± sqrt(Tr² - 4 Det)) / 2. Stable: Delta as a product, the larger in size so, the other from the
+/// determinant.
+struct Way(Form);
 
 impl Means<Point> for Way {
     fn name(&self) -> &'static str {
-        match self {
-            Self::Printed => "printed",
-            Self::Stable => "stable",
-        }
+        self.0.name()
     }
 
     fn rungs(&self) -> &'static [Rung] {
@@ -77,9 +67,9 @@ impl Means<Point> for Way {
 
     fn answer<T: Machine>(&self, point: &Point) -> Option<Vec<T>> {
         let [trace, loss] = [point.trace, point.loss].map(<T as Analytic>::from_f64);
-        let [larger, smaller] = match self {
-            Self::Stable => multipliers(&trace, &loss, Kind::Saddle).map(|multiplier| multiplier.re),
-            Self::Printed => {
+        let [larger, smaller] = match self.0 {
+            Form::Stable => multipliers(&trace, &loss, Kind::Saddle).map(|multiplier| multiplier.re),
+            Form::Printed => {
                 let delta = trace.clone() * trace.clone() - T::from_integer(4) * (loss.clone() * loss);
                 let root = Analytic::sqrt(&delta);
                 let half = T::from_ratio(1, 2);
@@ -102,10 +92,10 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
         let task = Task {
             name: region.name().to_owned(),
             points: &region.points(options),
-            exact: |point| Some([Way::Stable.answer(point)?, Way::Printed.answer(point)?]),
+            exact: |point| Some([Way(Form::Stable).answer(point)?, Way(Form::Printed).answer(point)?]),
             error: worst_relative_error,
         };
-        rows.extend(contest::rows(&task, &[Way::Printed, Way::Stable], options)?);
+        rows.extend(contest::rows(&task, &Form::ALL.map(Way), options)?);
     }
     Ok(rows)
 }

@@ -1,7 +1,7 @@
 //! The task `orbit`: a 1-1 orbit from a guess that is 5% off, by the paper's equations, along the explicit curve, and by
 //! our own means.
 
-use super::contest::{self, EVERY, Exact, Means, OF_THE_MACHINE, Task};
+use super::contest::{self, BITS, EVERY, Exact, Means, OF_THE_MACHINE, Task};
 use super::{TradeError, TradeOptions, TradeRow};
 use crate::model::{Bracket, Motion, Sample, root};
 use crate::number::{Analytic, Digits, Dual, Interval, Machine, Rung, Sequence, at_digits, seeded};
@@ -10,9 +10,6 @@ use roots::{
     SearchError, SimpleConvergency, find_root_brent, find_root_inverse_quadratic, find_root_newton_raphson,
     find_root_regula_falsi, find_root_secant,
 };
-
-/// Bits of a drawn number: few enough for f32.
-const BITS: u32 = 20;
 
 /// Problems: a tenth of what is asked for where one costs next to nothing.
 const FEWER: usize = 10;

@@ -1,9 +1,7 @@
 //! The points at which means are compared: the same ones on every machine.
 
+use super::contest::BITS;
 use crate::number::Sequence;
-
-/// Bits of a drawn number: of a range that is a power of 2, f32 holds them with bits to spare.
-const BITS: u32 = 20;
 
 /// Where the points lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

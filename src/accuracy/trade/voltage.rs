@@ -1,12 +1,9 @@
 //! The task `voltage`: the output of an impact, (5) and (6), as printed and without cancellation.
 
-use super::contest::{self, EVERY, Means, Task, relative_error};
+use super::contest::{self, BITS, EVERY, Form, Means, Task, relative_error};
 use super::{TradeError, TradeOptions, TradeRow};
 use crate::model::Membrane;
 use crate::number::{Analytic, Machine, Rung, Sequence};
-
-/// Bits of a drawn number: few enough for f32.
-const BITS: u32 = 20;
 
 /// The membrane of Table 1, each number rounded to f32, so that every number is asked about the same one: ball mass,
 /// stiffness, exponent, radii of ball and membrane, input voltage.
@@ -15,20 +12,12 @@ const MEMBRANE: [f32; 6] = [0.0035, 4.0847e5, 2.6, 0.005, 0.0063, 2000.0];
 /// How fast the impacts are, as powers of ten of m/s.
 const REGIONS: [(&str, [f64; 2]); 2] = [("voltage/ordinary", [-1.0, 1.3]), ("voltage/slight", [-9.0, -3.0])];
 
-#[derive(Clone, Copy)]
-enum Way {
-    /// (5) and (6) as they stand.
-    Printed,
-    /// Without the difference.
-    Stable,
-}
+/// Printed: (5) and (6) as they stand. Stable: without the difference.
+struct Way(Form);
 
 impl Means<f64> for Way {
     fn name(&self) -> &'static str {
-        match self {
-            Self::Printed => "printed",
-            Self::Stable => "stable",
-        }
+        self.0.name()
     }
 
     fn rungs(&self) -> &'static [Rung] {
@@ -40,9 +29,9 @@ impl Means<f64> for Way {
             MEMBRANE.map(|value| <T as Analytic>::from_f64(f64::from(value)));
         let membrane = Membrane::new(mass, stiffness, exponent, ball, rim, input).ok()?;
         let speed = <T as Analytic>::from_f64(*speed);
-        Some(vec![match self {
-            Self::Printed => membrane.voltage_as_printed(&speed),
-            Self::Stable => membrane.voltage(&speed),
+        Some(vec![match self.0 {
+            Form::Printed => membrane.voltage_as_printed(&speed),
+            Form::Stable => membrane.voltage(&speed),
         }])
     }
 }
@@ -57,10 +46,10 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
         let task = Task {
             name: name.to_owned(),
             points: &speeds,
-            exact: |speed| Some([Way::Stable.answer(speed)?, Way::Printed.answer(speed)?]),
+            exact: |speed| Some([Way(Form::Stable).answer(speed)?, Way(Form::Printed).answer(speed)?]),
             error: relative_error,
         };
-        rows.extend(contest::rows(&task, &[Way::Printed, Way::Stable], options)?);
+        rows.extend(contest::rows(&task, &Form::ALL.map(Way), options)?);
     }
     Ok(rows)
 }
