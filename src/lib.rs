@@ -18,6 +18,8 @@ pub mod claim;
 #[cfg(feature = "audit")]
 pub mod evidence;
 #[cfg(feature = "audit")]
+pub mod kernel;
+#[cfg(feature = "audit")]
 pub mod reference;
 #[cfg(feature = "audit")]
 pub mod tex;

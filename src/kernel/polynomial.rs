@@ -1,0 +1,180 @@
+//! Polynomials with rational coefficients over terms, as certificates state them and the kernel multiplies them out.
+
+use super::term::Term;
+use crate::number::Rational;
+use dashu_ratio::RBig;
+use num_traits::Zero;
+use smallvec::SmallVec;
+use std::collections::HashMap;
+
+/// A product of powers of generators, sorted by generator, without exponents that are 0.
+pub type Monomial = SmallVec<[(Term, u32); 4]>;
+
+/// A polynomial over terms: each term stands for its own value, whatever is inside it.
+///
+/// The list is sorted by monomial and holds no coefficient that is 0, so that equality is equality of polynomials.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Polynomial(Vec<(Monomial, RBig)>);
+
+impl Polynomial {
+    /// A constant.
+    pub fn constant(value: &Rational) -> Self {
+        Self::from_list(vec![(Monomial::new(), value.0.clone())])
+    }
+
+    /// An integer.
+    pub fn integer(value: i64) -> Self {
+        Self::from_list(vec![(Monomial::new(), RBig::from(value))])
+    }
+
+    /// One generator.
+    pub fn generator(term: Term) -> Self {
+        Self(vec![(Monomial::from_slice(&[(term, 1)]), RBig::ONE)])
+    }
+
+    /// The polynomial with these terms, equal monomials added up.
+    pub fn from_terms(terms: impl IntoIterator<Item = (Monomial, RBig)>) -> Self {
+        let mut sums: HashMap<Monomial, RBig> = HashMap::new();
+        for (monomial, coefficient) in terms {
+            *sums.entry(monomial).or_insert(RBig::ZERO) += coefficient;
+        }
+        let mut list: Vec<(Monomial, RBig)> = sums.into_iter().collect();
+        list.sort_unstable_by(|a, b| a.0.cmp(&b.0));
+        Self::from_list(list)
+    }
+
+    fn from_list(mut list: Vec<(Monomial, RBig)>) -> Self {
+        list.retain(|(_, coefficient)| !coefficient.is_zero());
+        Self(list)
+    }
+
+    /// Its terms, in the order of their monomials.
+    pub fn terms(&self) -> &[(Monomial, RBig)] {
+        &self.0
+    }
+
+    /// Whether it is 0 identically.
+    pub fn is_zero(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Its value, where it holds no generator.
+    pub fn as_constant(&self) -> Option<Rational> {
+        match self.0.as_slice() {
+            [] => Some(Rational::zero()),
+            [(monomial, value)] if monomial.is_empty() => Some(Rational(value.clone())),
+            _ => None,
+        }
+    }
+
+    /// Every generator that occurs, in order, each once.
+    pub fn generators(&self) -> Vec<Term> {
+        let mut met: Vec<Term> = self
+            .0
+            .iter()
+            .flat_map(|(m, _)| m.iter().map(|(term, _)| *term))
+            .collect();
+        met.sort_unstable();
+        met.dedup();
+        met
+    }
+
+    /// The sum.
+    pub fn plus(&self, other: &Self) -> Self {
+        self.merged(other, false)
+    }
+
+    /// The difference.
+    pub fn minus(&self, other: &Self) -> Self {
+        self.merged(other, true)
+    }
+
+    fn merged(&self, other: &Self, negate: bool) -> Self {
+        let signed = |value: &RBig| if negate { -value.clone() } else { value.clone() };
+        let (mut list, mut left, mut right) = (Vec::with_capacity(self.0.len() + other.0.len()), 0, 0);
+        while let (Some(a), Some(b)) = (self.0.get(left), other.0.get(right)) {
+            match a.0.cmp(&b.0) {
+                std::cmp::Ordering::Less => {
+                    list.push(a.clone());
+                    left += 1;
+                }
+                std::cmp::Ordering::Greater => {
+                    list.push((b.0.clone(), signed(&b.1)));
+                    right += 1;
+                }
+                std::cmp::Ordering::Equal => {
+                    let sum = &a.1 + signed(&b.1);
+                    if !sum.is_zero() {
+                        list.push((a.0.clone(), sum));
+                    }
+                    (left, right) = (left + 1, right + 1);
+                }
+            }
+        }
+        list.extend(self.0.iter().skip(left).cloned());
+        list.extend(other.0.iter().skip(right).map(|(m, c)| (m.clone(), signed(c))));
+        Self(list)
+    }
+
+    /// The product; `None` where more than `most` products of terms would be added up.
+    pub fn times_within(&self, other: &Self, most: usize) -> Option<Self> {
+        if self.0.len().saturating_mul(other.0.len()) > most {
+            return None;
+        }
+        Some(self.times(other))
+    }
+
+    /// The product.
+    pub fn times(&self, other: &Self) -> Self {
+        if let [(monomial, value)] = other.0.as_slice()
+            && monomial.is_empty()
+        {
+            return self.scaled(&Rational(value.clone()));
+        }
+        let pairs = self.0.iter().flat_map(|a| other.0.iter().map(move |b| (a, b)));
+        Self::from_terms(pairs.map(|(a, b)| (product(&a.0, &b.0), &a.1 * &b.1)))
+    }
+
+    /// The product with a number.
+    pub fn scaled(&self, factor: &Rational) -> Self {
+        let list = self.0.iter().map(|(m, c)| (m.clone(), c * &factor.0));
+        Self::from_list(list.collect())
+    }
+
+    /// The opposite.
+    pub fn negated(&self) -> Self {
+        Self(self.0.iter().map(|(m, c)| (m.clone(), -c.clone())).collect())
+    }
+
+    /// Whether one is the other times a number that is not 0.
+    pub fn is_multiple_of(&self, other: &Self) -> bool {
+        let (Some(a), Some(b)) = (self.0.first(), other.0.first()) else {
+            return self.is_zero() && other.is_zero();
+        };
+        self.0.len() == other.0.len() && a.0 == b.0 && *self == other.scaled(&Rational(&a.1 / &b.1))
+    }
+}
+
+/// The product of two monomials.
+pub fn product(a: &Monomial, b: &Monomial) -> Monomial {
+    let (mut merged, mut left, mut right) = (Monomial::new(), 0, 0);
+    while let (Some(&(x, n)), Some(&(y, m))) = (a.get(left), b.get(right)) {
+        match x.cmp(&y) {
+            std::cmp::Ordering::Less => {
+                merged.push((x, n));
+                left += 1;
+            }
+            std::cmp::Ordering::Greater => {
+                merged.push((y, m));
+                right += 1;
+            }
+            std::cmp::Ordering::Equal => {
+                merged.push((x, n.saturating_add(m)));
+                (left, right) = (left + 1, right + 1);
+            }
+        }
+    }
+    merged.extend(a.iter().skip(left).copied());
+    merged.extend(b.iter().skip(right).copied());
+    merged
+}

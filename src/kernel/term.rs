@@ -1,0 +1,240 @@
+//! Terms: what the kernel makes of the trees of a claim and its premises. Equal terms are one term.
+
+use crate::number::Rational;
+use std::collections::HashMap;
+
+/// A term of a [`Terms`]; its number is its place in there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Term(pub u32);
+
+/// A free symbol of a [`Terms`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Symbol(pub u32);
+
+/// An unknown function of a [`Terms`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Function(pub u32);
+
+/// The elementary functions that are terms of their own; all others are made of these where a statement is built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Elementary {
+    Sin,
+    Cos,
+    Exp,
+    /// The natural logarithm.
+    Ln,
+    /// The root of this index, at least 2: of an even index not negative, of an odd one with the sign of its radicand;
+    /// over complex numbers the principal one.
+    Root(u32),
+    Arcsin,
+    Arccos,
+    Arctan,
+}
+
+/// A term, one step deep.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    Number(Rational),
+    /// The circle constant.
+    Pi,
+    /// The imaginary unit.
+    Imaginary,
+    Symbol(Symbol),
+    Sum(Vec<Term>),
+    Product(Vec<Term>),
+    /// An integer power; `x^0` is 1.
+    Power(Term, i32),
+    Quotient(Term, Term),
+    Elementary(Elementary, Term),
+    /// A power whose exponent is neither an integer nor a rational number.
+    RealPower(Term, Term),
+    /// The derivative of this order of an unknown function, at a term.
+    Value(Function, u32, Term),
+}
+
+/// All terms of one statement: each is kept once, so that equal terms have equal numbers.
+#[derive(Clone, Debug, Default)]
+pub struct Terms {
+    nodes: Vec<Node>,
+    numbers: HashMap<Node, Term>,
+    /// How each symbol is printed, by its number.
+    symbols: Vec<String>,
+    /// How each unknown function is printed, by its number.
+    functions: Vec<String>,
+}
+
+impl Terms {
+    /// The term with this node.
+    pub fn add(&mut self, node: Node) -> Term {
+        if let Some(&known) = self.numbers.get(&node) {
+            return known;
+        }
+        let term = Term(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
+        self.numbers.insert(node.clone(), term);
+        self.nodes.push(node);
+        term
+    }
+
+    /// The node of a term of this store.
+    pub fn node(&self, term: Term) -> &Node {
+        // a term of another store has no meaning here: the kernel takes certificates with the store they were made in
+        self.nodes.get(term.0 as usize).unwrap_or(&Node::Pi)
+    }
+
+    /// How many terms there are.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether there is no term yet.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// A new symbol, printed like this.
+    pub fn new_symbol(&mut self, printed: impl Into<String>) -> Symbol {
+        self.symbols.push(printed.into());
+        Symbol(u32::try_from(self.symbols.len() - 1).unwrap_or(u32::MAX))
+    }
+
+    /// A new unknown function, printed like this.
+    pub fn new_function(&mut self, printed: impl Into<String>) -> Function {
+        self.functions.push(printed.into());
+        Function(u32::try_from(self.functions.len() - 1).unwrap_or(u32::MAX))
+    }
+
+    /// How a symbol is printed.
+    pub fn symbol_name(&self, symbol: Symbol) -> &str {
+        self.symbols.get(symbol.0 as usize).map_or("?", String::as_str)
+    }
+
+    /// How a function is printed.
+    pub fn function_name(&self, function: Function) -> &str {
+        self.functions.get(function.0 as usize).map_or("?", String::as_str)
+    }
+
+    /// How many symbols there are.
+    pub fn symbols(&self) -> usize {
+        self.symbols.len()
+    }
+
+    /// A number.
+    pub fn number(&mut self, value: Rational) -> Term {
+        self.add(Node::Number(value))
+    }
+
+    /// An integer.
+    pub fn integer(&mut self, value: i64) -> Term {
+        self.number(<Rational as crate::number::Field>::from_integer(value))
+    }
+
+    /// A symbol as a term.
+    pub fn symbol(&mut self, symbol: Symbol) -> Term {
+        self.add(Node::Symbol(symbol))
+    }
+
+    /// The sum of terms.
+    pub fn sum(&mut self, mut parts: Vec<Term>) -> Term {
+        match parts.len() {
+            0 => self.integer(0),
+            1 => parts.remove(0),
+            _ => self.add(Node::Sum(parts)),
+        }
+    }
+
+    /// The product of terms.
+    pub fn product(&mut self, mut parts: Vec<Term>) -> Term {
+        match parts.len() {
+            0 => self.integer(1),
+            1 => parts.remove(0),
+            _ => self.add(Node::Product(parts)),
+        }
+    }
+
+    /// `-term`.
+    pub fn negative(&mut self, term: Term) -> Term {
+        let minus = self.integer(-1);
+        self.product(vec![minus, term])
+    }
+
+    /// `a - b`.
+    pub fn difference(&mut self, a: Term, b: Term) -> Term {
+        let negative = self.negative(b);
+        self.sum(vec![a, negative])
+    }
+
+    /// `a / b`.
+    pub fn quotient(&mut self, a: Term, b: Term) -> Term {
+        self.add(Node::Quotient(a, b))
+    }
+
+    /// An elementary function of a term.
+    pub fn elementary(&mut self, function: Elementary, of: Term) -> Term {
+        self.add(Node::Elementary(function, of))
+    }
+
+    /// The terms one step inside a term.
+    pub fn parts(&self, term: Term) -> Vec<Term> {
+        match self.node(term) {
+            Node::Number(_) | Node::Pi | Node::Imaginary | Node::Symbol(_) => Vec::new(),
+            Node::Sum(parts) | Node::Product(parts) => parts.clone(),
+            Node::Power(base, _) => vec![*base],
+            Node::Quotient(a, b) | Node::RealPower(a, b) => vec![*a, *b],
+            Node::Elementary(_, of) | Node::Value(_, _, of) => vec![*of],
+        }
+    }
+
+    /// The term and all that is inside it, each once, inner ones first.
+    pub fn inside(&self, term: Term) -> Vec<Term> {
+        // numbers of inner terms are smaller than those of the terms they are in
+        let mut met = std::collections::BTreeSet::from([term]);
+        let mut next = vec![term];
+        while let Some(term) = next.pop() {
+            for part in self.parts(term) {
+                if met.insert(part) {
+                    next.push(part);
+                }
+            }
+        }
+        met.into_iter().collect()
+    }
+
+    /// The term with some terms inside replaced: `new` gives a term for a node whose parts are rewritten already.
+    pub fn rewrite(&mut self, term: Term, new: &mut dyn FnMut(&mut Self, &Node) -> Option<Term>) -> Term {
+        let mut done: HashMap<Term, Term> = HashMap::new();
+        for inner in self.inside(term) {
+            let moved = |part: &Term| done.get(part).copied().unwrap_or(*part);
+            let node = match self.node(inner).clone() {
+                Node::Sum(parts) => Node::Sum(parts.iter().map(moved).collect()),
+                Node::Product(parts) => Node::Product(parts.iter().map(moved).collect()),
+                Node::Power(base, exponent) => Node::Power(moved(&base), exponent),
+                Node::Quotient(a, b) => Node::Quotient(moved(&a), moved(&b)),
+                Node::RealPower(a, b) => Node::RealPower(moved(&a), moved(&b)),
+                Node::Elementary(function, of) => Node::Elementary(function, moved(&of)),
+                Node::Value(function, order, of) => Node::Value(function, order, moved(&of)),
+                node => node,
+            };
+            let result = new(self, &node).unwrap_or_else(|| self.add(node));
+            done.insert(inner, result);
+        }
+        done.get(&term).copied().unwrap_or(term)
+    }
+
+    /// The term with one symbol replaced by a term.
+    pub fn substitute(&mut self, term: Term, symbol: Symbol, by: Term) -> Term {
+        self.rewrite(term, &mut |_, node| (*node == Node::Symbol(symbol)).then_some(by))
+    }
+
+    /// Whether the symbol occurs in the term.
+    pub fn holds(&self, term: Term, symbol: Symbol) -> bool {
+        self.inside(term)
+            .iter()
+            .any(|&inner| *self.node(inner) == Node::Symbol(symbol))
+    }
+
+    /// Whether no symbol and no unknown function occurs in the term.
+    pub fn is_closed(&self, term: Term) -> bool {
+        let open = |inner: &Term| matches!(self.node(*inner), Node::Symbol(_) | Node::Value(..));
+        !self.inside(term).iter().any(open)
+    }
+}
