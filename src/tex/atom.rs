@@ -141,7 +141,7 @@ impl<'a> Reader<'a> {
             }
         }
         let radicand = self.argument()?;
-        self.carried(Box::new(Tree::Root(radicand, At(token.at))), Form::Plain)
+        self.carried(Box::new(Tree::Root(radicand, 2, At(token.at))), Form::Plain)
     }
 
     /// `\frac{\partial a}{\partial b}` or `\frac{\partial}{\partial b} a`, after its command.

@@ -71,6 +71,9 @@ const LETTERS: &[&str] = &[
     "\\jmath",
 ];
 
+/// The name of the absolute value as a function.
+pub(super) const ABSOLUTE: &str = "\\abs";
+
 /// Functions that are known without a declaration, longest first where one starts another.
 const FUNCTIONS: &[&str] = &[
     "\\arccos", "\\arcsin", "\\arctan", "\\sinh", "\\cosh", "\\tanh", "\\sin", "\\cos", "\\tan", "\\exp", "\\log",

@@ -5,7 +5,7 @@ use super::lexer::lex;
 use super::reader::Reader;
 use super::statement::statements;
 use super::token::{Bracket, Kind, Token};
-use super::{At, Equation, Name, Names, ReadError, Tree};
+use super::{At, Equation, Name, Names, ReadError, Relation, Tree};
 
 /// The longest formula that is read, in bytes.
 const LONGEST: usize = 100_000;
@@ -101,6 +101,7 @@ impl Reader<'_> {
             let left = std::mem::replace(&mut left, right.clone());
             equations.push(Equation {
                 left,
+                relation: Relation::Equal,
                 right,
                 at: At(at),
                 end: At(end),

@@ -45,4 +45,4 @@ pub use error::{ReadError, Reason};
 pub use evaluate::{EvaluationError, Scope, Unsupported, evaluate};
 pub use names::Names;
 pub use place::Place;
-pub use tree::{At, Equation, Invariant, Name, Tree};
+pub use tree::{At, Condition, Equation, Invariant, Name, Relation, Tree};

@@ -1,6 +1,7 @@
 //! Tree -> TeX that reads back to the same tree, given the same [`Names`](super::Names).
 
-use super::{Equation, Invariant, Name, Tree};
+use super::command::ABSOLUTE;
+use super::{Equation, Invariant, Name, Relation, Tree};
 use crate::number::Rational;
 use std::fmt;
 
@@ -43,9 +44,22 @@ fn script(text: &str) -> String {
     }
 }
 
+impl fmt::Display for Relation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Equal => "=",
+            Self::NotEqual => "\\neq",
+            Self::Less => "<",
+            Self::LessOrEqual => "\\leq",
+            Self::Greater => ">",
+            Self::GreaterOrEqual => "\\geq",
+        })
+    }
+}
+
 impl fmt::Display for Equation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} = {}", self.left, self.right)
+        write!(f, "{} {} {}", self.left, self.relation, self.right)
     }
 }
 
@@ -122,7 +136,7 @@ fn needs_dot(before: &Tree, next: &Tree, text: &str) -> bool {
 /// Whether a bracket behind `tree` might read as its argument: the printer does not know which names are functions.
 fn may_call(tree: &Tree) -> bool {
     match tree {
-        Tree::Power(base, ..) => matches!(**base, Tree::Symbol(..)),
+        Tree::Power(base, ..) | Tree::RealPower(base, ..) => matches!(**base, Tree::Symbol(..)),
         _ => matches!(tree, Tree::Symbol(..)),
     }
 }
@@ -131,12 +145,15 @@ fn factor(tree: &Tree) -> String {
     match tree {
         Tree::Number(value) => number(value),
         Tree::Symbol(name, _) => name.to_string(),
+        Tree::Call(name, argument, _) if is_absolute(name) => format!("\\left|{}\\right|", sum(argument)),
         Tree::Call(name, argument, _) => format!("{name}({})", sum(argument)),
         Tree::Partial { of, by, .. } => format!("\\frac{{\\partial {of}}}{{\\partial {by}}}"),
         Tree::Invariant { kind, of, .. } => format!("{}({of})", invariant(*kind)),
         Tree::Quotient(above, below, _) => format!("\\frac{{{}}}{{{}}}", sum(above), sum(below)),
-        Tree::Root(radicand, _) => format!("\\sqrt{{{}}}", sum(radicand)),
+        Tree::Root(radicand, 2, _) => format!("\\sqrt{{{}}}", sum(radicand)),
+        Tree::Root(radicand, index, _) => format!("\\sqrt[{index}]{{{}}}", sum(radicand)),
         Tree::Power(base, exponent, _) => power(base, *exponent),
+        Tree::RealPower(base, exponent, _) => real_power(base, exponent),
         Tree::Negate(_) | Tree::Sum(_) | Tree::Product(_) | Tree::PlusMinus(_) | Tree::MinusPlus(_) => bracketed(tree),
     }
 }
@@ -146,6 +163,7 @@ fn power(base: &Tree, exponent: i32) -> String {
     let before_argument = !exponent.starts_with("{-");
     match base {
         Tree::Number(_) | Tree::Root(..) => format!("{}^{exponent}", factor(base)),
+        Tree::Call(name, ..) if is_absolute(name) => format!("{}^{exponent}", factor(base)),
         Tree::Symbol(name, _) if name.mark.is_empty() && name.primes == 0 => {
             format!("{name}^{exponent}")
         }
@@ -154,6 +172,26 @@ fn power(base: &Tree, exponent: i32) -> String {
         }
         base => format!("{}^{exponent}", bracketed(base)),
     }
+}
+
+fn real_power(base: &Tree, exponent: &Tree) -> String {
+    let mut text = sum(exponent);
+    if matches!(base, Tree::Symbol(..)) && text.len() > 1 && text.bytes().all(|byte| byte.is_ascii_alphabetic()) {
+        // Without the sign such a run of letters is a mark, or might be.
+        text.insert(0, '+');
+    }
+    let exponent = script(&text);
+    match base {
+        Tree::Number(_) | Tree::Root(..) => format!("{}^{exponent}", factor(base)),
+        Tree::Call(name, ..) if is_absolute(name) => format!("{}^{exponent}", factor(base)),
+        Tree::Symbol(name, _) if name.mark.is_empty() && name.primes == 0 => format!("{name}^{exponent}"),
+        base => format!("{}^{exponent}", bracketed(base)),
+    }
+}
+
+/// Whether this is the absolute value, which prints as bars.
+fn is_absolute(name: &Name) -> bool {
+    name.base == ABSOLUTE
 }
 
 /// `tree` between brackets that differ from those within.

@@ -31,9 +31,9 @@ impl Exponent {
         let at = At(self.at);
         match (self.twice % 2 == 0, self.twice) {
             (true, twice) => Tree::Power(tree, twice / 2, at),
-            (false, 1) => Tree::Root(tree, at),
+            (false, 1) => Tree::Root(tree, 2, at),
             (false, twice) => {
-                let root = Tree::Root(tree, at);
+                let root = Tree::Root(tree, 2, at);
                 Tree::Power(Box::new(root), twice, at)
             }
         }

@@ -84,7 +84,7 @@ pub fn tree() -> impl Strategy<Value = Tree> {
             2 => boxed().prop_map(Tree::Negate),
             2 => (boxed(), boxed()).prop_map(|(above, below)| Tree::Quotient(above, below, At::default())),
             2 => (boxed(), -3i32..13).prop_map(|(base, exponent)| Tree::Power(base, exponent, At::default())),
-            1 => boxed().prop_map(|radicand| Tree::Root(radicand, At::default())),
+            1 => (boxed(), prop::sample::select(vec![2u32, 2, 3, 1000])).prop_map(|(radicand, index)| Tree::Root(radicand, index, At::default())),
             1 => boxed().prop_map(Tree::PlusMinus),
             1 => boxed().prop_map(Tree::MinusPlus),
             2 => (function(), boxed()).prop_map(|(name, argument)| Tree::Call(name, argument, At::default())),
@@ -119,8 +119,11 @@ impl Scope<Rational> for Hashed {
     fn invariant(&mut self, kind: Invariant, of: &Name) -> Result<Rational, Unsupported> {
         Ok(hashed((kind, of)))
     }
-    fn root(&mut self, radicand: Rational) -> Result<Rational, Unsupported> {
-        Ok(radicand * Rational::from_integer(3))
+    fn root(&mut self, radicand: Rational, index: u32) -> Result<Rational, Unsupported> {
+        Ok(radicand * Rational::from_integer(i64::from(index) + 1))
+    }
+    fn real_power(&mut self, base: Rational, exponent: Rational) -> Result<Rational, Unsupported> {
+        Ok(base * Rational::from_integer(5) - exponent)
     }
     fn upper_sign(&self) -> Option<bool> {
         Some(true)
@@ -146,7 +149,8 @@ pub fn flat(tree: &Tree) -> Tree {
         Tree::MinusPlus(body) => Tree::MinusPlus(boxed(body)),
         Tree::Quotient(above, below, at) => Tree::Quotient(boxed(above), boxed(below), *at),
         Tree::Power(base, exponent, at) => Tree::Power(boxed(base), *exponent, *at),
-        Tree::Root(radicand, at) => Tree::Root(boxed(radicand), *at),
+        Tree::RealPower(base, exponent, at) => Tree::RealPower(boxed(base), boxed(exponent), *at),
+        Tree::Root(radicand, index, at) => Tree::Root(boxed(radicand), *index, *at),
         Tree::Call(name, argument, at) => Tree::Call(name.clone(), boxed(argument), *at),
         leaf => leaf.clone(),
     }
