@@ -1,0 +1,682 @@
+#!/usr/bin/env python3
+"""Re-checks the stated truth of the attack sheets at 50 digits. Needs mpmath (and Python 3.11 for tomllib).
+
+    python3 tests/attacks/verify.py            checks all, one line per failure, then a table of counts
+    python3 tests/attacks/verify.py -v         also prints the point at which each wrong claim fails
+    python3 tests/attacks/verify.py WORD ...   only sheets whose name contains a word
+
+Nothing here parses TeX: each recipe in TABLE was written from the mathematics of its sheet, with the premises solved by
+hand. The truth that is tested stands in the sheet (`# truth: ...`). A recipe is a list of steps parted by `;`:
+
+    x y                     draw real numbers, of both signs, some of them small integers (0 among them)
+    x y > 0, x >= 0         draw positive numbers, numbers that are not negative
+    x in (a, b)             draw from an open interval; a and b are expressions
+    n int, s sign           draw an integer of -6..6, a sign
+    z complex               draw a complex number; the recipe is then read with principal branches
+    w := expression         a premise solved for w, or a coordinate of a counterexample
+    f(t) := expression      a function; D(f, t) is its derivative, D2(f, t) its second
+    if condition            otherwise drawn anew (`assume`, or where everything is defined)
+    given a = b             a premise as it stands, asserted at the point
+    claim a = b             the claim; also <, <=, >, >=
+
+A claim is `true` here when it holds at POINTS random points (points where something is not defined over the reals are
+drawn anew), `false` when some point is found at which every `given` holds and the claim is defined and fails, or, with
+`nowhere`, when none of the drawn points has the claim defined. Sheets without a recipe rest on their `# because:`.
+"""
+
+import random
+import re
+import sys
+import tomllib
+from collections import Counter
+from pathlib import Path
+
+import mpmath
+from mpmath import mp, mpc, mpf
+
+mp.dps = 70
+TOLERANCE = mpf(10) ** -45  # relative to the size of the sides; 50 digits of 70, less what cancels
+POINTS = 25
+HERE = Path(__file__).resolve().parent
+
+
+class Undefined(Exception):
+    """Something written is not defined at this point."""
+
+
+def real_only(function, admits):
+    def wrapped(x):
+        if isinstance(x, mpc) or not admits(x):
+            raise Undefined
+        return function(x)
+
+    return wrapped
+
+
+def quotient(numerator, denominator):
+    if abs(denominator) < mpf(10) ** -60:
+        raise Undefined
+    return numerator / denominator
+
+
+BOTH = {
+    "sin": mp.sin, "cos": mp.cos, "exp": mp.exp, "sinh": mp.sinh, "cosh": mp.cosh, "tanh": mp.tanh,
+    "tan": lambda x: quotient(mp.sin(x), mp.cos(x)), "cot": lambda x: quotient(mp.cos(x), mp.sin(x)),
+    "sec": lambda x: quotient(mpf(1), mp.cos(x)), "csc": lambda x: quotient(mpf(1), mp.sin(x)),
+    "pi": mp.pi, "abs": abs, "mpf": mpf, "D": lambda f, x: mp.diff(f, x), "D2": lambda f, x: mp.diff(f, x, 2),
+    "integral": lambda f, a, b: mp.quad(f, mp.linspace(a, b, 9)), "erf": mp.erf, "floor": mp.floor,
+}
+REAL = {
+    "sqrt": real_only(mp.sqrt, lambda x: x >= 0), "ln": real_only(mp.log, lambda x: x > 0),
+    "cbrt": lambda x: mp.cbrt(x) if x >= 0 else -mp.cbrt(-x),
+    "root": lambda n, x: mp.root(x, int(n)) if x >= 0 else (-mp.root(-x, int(n)) if int(n) % 2 else undefined()),
+    "asin": real_only(mp.asin, lambda x: abs(x) <= 1), "acos": real_only(mp.acos, lambda x: abs(x) <= 1),
+    "atan": mp.atan, "power": lambda x, a: mp.power(x, a) if x > 0 or (x == 0 and a > 0) else undefined(),
+}
+COMPLEX = {
+    "sqrt": mp.sqrt, "ln": mp.log, "I": mpc(0, 1), "conj": mp.conj, "re": mp.re, "im": mp.im, "asin": mp.asin,
+    "acos": mp.acos, "atan": mp.atan, "power": mp.power,
+}
+
+
+def undefined():
+    raise Undefined
+
+
+def exact(expression):
+    """The expression with its numbers as mpf, so that 1/3 has all digits."""
+    return re.sub(r"(?<![\w.])(\d+(?:\.\d+)?)", r"mpf('\1')", expression)
+
+
+def drawn(low=-4, high=4):
+    if random.random() < 0.2:
+        return mpf(random.randint(int(low) + 0, int(high)))
+    return low + (high - low) * mpf(random.getrandbits(200)) / mpf(2) ** 200
+
+
+def compare(text, point):
+    """Whether a comparison holds, with the difference of its sides."""
+    left, relation, right = re.split(r"\s(<=|>=|=|<|>)\s", text)
+    a, b = (eval(exact(side), point) for side in (left, right))
+    if "I" not in point and (isinstance(a, mpc) or isinstance(b, mpc)):
+        raise Undefined
+    near = abs(a - b) <= TOLERANCE * (1 + abs(a) + abs(b))
+    if relation == "=":
+        return near, a - b
+    less = (a < b) and not near
+    return {"<": less, "<=": less or near, ">": not less and not near, ">=": not less or near}[relation], a - b
+
+
+def step(text, point):
+    """One step of a recipe; the result is None, or what the claim came to."""
+    if text.startswith("if "):
+        if not eval(exact(text[3:]), point):
+            raise Undefined
+    elif text.startswith("given "):
+        holds, difference = compare(text[6:], point)
+        assert holds, f"the premise {text[6:]} fails by {mp.nstr(difference, 5)}"
+    elif text.startswith("claim "):
+        return compare(text[6:], point)
+    elif found := re.fullmatch(r"(\w+)\((\w+(?:, ?\w+)*)\) := (.*)", text):
+        name, argument, body = found.groups()
+        point[name] = eval(f"lambda {argument}: {exact(body)}", point)
+    elif ":=" in text:
+        name, body = text.split(":=")
+        point[name.strip()] = +eval(exact(body.strip()), point)
+    elif found := re.fullmatch(r"(\w+) in \((.*), (.*)\)", text):
+        name, low, high = found.groups()
+        low, high = eval(exact(low), point), eval(exact(high), point)
+        point[name] = low + (high - low) * mpf(random.getrandbits(200) + 1) / (mpf(2) ** 200 + 2)
+    else:
+        names, kind = re.fullmatch(r"([\w ]+?)((?: int| sign| complex| > 0| >= 0)?)", text).groups()
+        for name in names.split():
+            point[name] = {
+                "": drawn,
+                " int": lambda: mpf(random.randint(-6, 6)),
+                " sign": lambda: mpf(random.choice([-1, 1])),
+                " complex": lambda: mpc(drawn(), drawn()),
+                " > 0": lambda: abs(drawn()) + mpf(1) / 64,
+                " >= 0": lambda: abs(drawn()),
+            }[kind]()
+    return None
+
+
+def one_point(recipe):
+    """The recipe at one drawn point: the names with their values, whether the claim holds, and the difference."""
+    complex_numbers = re.search(r" complex\b|\bI\b", recipe)
+    tools = BOTH | REAL | (COMPLEX if complex_numbers else {})
+    point = dict(tools)
+    outcome = None
+    for text in (part.strip() for part in recipe.split(";")):
+        outcome = step(text, point) or outcome
+    values = {n: v for n, v in point.items() if n not in tools and n != "__builtins__" and not callable(v)}
+    return values, outcome
+
+
+def check(recipe, truth):
+    """An error message, or the counterexample found (for a wrong claim), or nothing."""
+    nowhere = recipe.startswith("nowhere;")
+    recipe = recipe.removeprefix("nowhere;").strip()
+    fixed = not re.search(r"(^|;)\s*[\w ]+( > 0| >= 0)?\s*(;|$)| in \(", recipe)
+    defined = 0
+    for _ in range(3000 if not fixed else 1):
+        try:
+            values, (holds, difference) = one_point(recipe)
+        except (Undefined, ZeroDivisionError):
+            continue
+        defined += 1
+        shown = ", ".join(f"{n} = {mp.nstr(v, 8)}" for n, v in values.items())
+        if nowhere:
+            return f"is defined at {shown}", None
+        if truth == "false" and not holds:
+            return None, f"{shown}: the sides differ by {mp.nstr(difference, 8)}"
+        if truth == "true" and not holds:
+            return f"fails at {shown} by {mp.nstr(difference, 8)}", None
+        if truth == "true" and (fixed or defined >= POINTS):
+            return None, None
+    if nowhere:
+        return None, "defined nowhere"
+    return ("no counterexample found" if truth == "false" else f"only {defined} points"), None
+
+
+TABLE = {
+    # false-proofs
+    "false-proofs/root-in-law":
+        "a b; f(t) := sqrt(1+t**2); claim f(b)**2-f(a)**2 = b**2-a**2",
+    "false-proofs/root-in-law-wrong":
+        "a := 0; b := 1; f(t) := sqrt(1+t**2); claim f(a) = f(b)",
+    "false-proofs/cosine-of-root-in-law":
+        "a >= 0; f(t) := cos(sqrt(t)); claim f(a)**2+sin(sqrt(a))**2 = 1",
+    "false-proofs/cosine-of-root-in-law-wrong":
+        "a := 0; b := 1; f(t) := cos(sqrt(t)); claim f(a) = f(b)",
+    "false-proofs/root-law-derivative":
+        "a; F(t) := sqrt(1+t**2); claim D(F,a)*F(a) = a",
+    "false-proofs/root-law-derivative-wrong":
+        "a := 1; F(t) := sqrt(1+t**2); claim D(F,a) = 0",
+    "false-proofs/product-of-roots":
+        "a b >= 0; claim sqrt(a)*sqrt(b) = sqrt(a*b)",
+    "false-proofs/product-of-roots-wrong":
+        "a := -1; b := 1; claim sqrt(a**2*b) = a*sqrt(b)",
+    "false-proofs/roots-of-negatives-by-square":
+        "u v; a := u**2; b := v**2; claim (u*v)**2 = a*b",
+    "false-proofs/roots-of-negatives-by-square-wrong":
+        "u := 1; v := -1; a := 1; b := 1; given u**2 = a; claim u*v = sqrt(a*b)",
+    "false-proofs/quotient-of-roots":
+        "a >= 0; b > 0; claim sqrt(a/b)*sqrt(b) = sqrt(a)",
+    "false-proofs/quotient-of-roots-wrong":
+        "a := -1; b := -1; claim sqrt(a/b) = sqrt(a*b)/b",
+    "false-proofs/vanishing-square-factor":
+        "x u; y := x; v := u + 1; given (x-y)**2*u = (x-y)**2*v; claim (x-y)*u = (x-y)*v",
+    "false-proofs/vanishing-square-factor-wrong":
+        "x := 0; y := 0; u := 0; v := 1; given (x-y)**2*u = (x-y)**2*v; claim u = v",
+    "false-proofs/vanishing-factor-generic":
+        "x y u; if x != y; v := u; claim u = v",
+    "false-proofs/vanishing-factor-half-generic":
+        "x := 1; u := 0; v := 1; w := 2; given u*v = u*w; claim v = w",
+    "false-proofs/vanishing-factor-nonzero":
+        "a u; if a != 0; v := u; claim u = v",
+    "false-proofs/vanishing-factor-plain":
+        "a := 0; u := 0; v := 1; given a*u = a*v; claim u = v",
+    "false-proofs/factor-in-denominator":
+        "u a; v := u; if a != 0; given u/a = v/a; claim u = v",
+    "false-proofs/vanishing-cosine":
+        "t u; v := u; claim (u-v)**2*cos(t) = 0",
+    "false-proofs/vanishing-cosine-wrong":
+        "t := pi/2; u := 0; v := 1; given u*cos(t) = v*cos(t); claim u = v",
+    "false-proofs/vanishing-exponential":
+        "x u; v := u; given u*exp(x) = v*exp(x); claim u = v",
+    "false-proofs/vanishing-exponential-wrong":
+        "x := 0; u := 0; v := 1; given u*(exp(x)-1) = v*(exp(x)-1); claim u = v",
+    "false-proofs/sum-of-squares-factor":
+        "x y u; v := u; claim u = v",
+    "false-proofs/sum-of-squares-factor-wrong":
+        "x := 0; y := 0; u := 0; v := 1; given (x**2+y**2)*u = (x**2+y**2)*v; claim u = v",
+    "false-proofs/square-then-root":
+        "x >= 0; y := x; given x**2 = y**2; claim x = y",
+    "false-proofs/square-then-root-wrong":
+        "x := 1; y := -1; given x**2 = y**2; claim x = y",
+    "false-proofs/cube-then-root":
+        "x; y := x; claim x = y",
+    "false-proofs/cube-then-root-wrong":
+        "x := 1; y := -1; given x**4 = y**4; claim x = y",
+    "false-proofs/sines-equal":
+        "y; n int; x := y + 2*pi*n; given sin(x) = sin(y); given cos(x) = cos(y); claim sin(2*x) = sin(2*y)",
+    "false-proofs/sines-equal-wrong":
+        "x := 2*pi; y := 0; given sin(x) = sin(y); given cos(x) = cos(y); claim x = y",
+    "false-proofs/zero-product":
+        "a; b := 0; c := 0; claim a*b*c = 0",
+    "false-proofs/zero-product-wrong":
+        "a := 1; b := 0; c := 0; given a*b = 0; given b*c = 0; claim a + b = 0",
+    "false-proofs/solved-for-twice":
+        "a; x := 0; y := 0; claim (a**2-1)*x = 0",
+    "false-proofs/solved-for-twice-wrong":
+        "a := 2; x := 0; y := 0; given a*x = y; given a*y = x; claim a**2 = 1",
+    "false-proofs/divided-by-its-own-claim":
+        "x; y := x; claim x**3 = x*y**2",
+    "false-proofs/divided-by-its-own-claim-wrong":
+        "x := 0; y := 1; given x**2 = x*y; claim x = y",
+    "false-proofs/integer-root":
+        "n int; s sign; m := s*n; claim n**4 = m**4",
+    "false-proofs/integer-root-wrong":
+        "n := 1; m := -1; given n**2 = m**2; claim n = m",
+    # roots
+    "roots/denest-two":
+        "claim sqrt(3+2*sqrt(2)) = 1+sqrt(2)",
+    "roots/denest-two-wrong":
+        "claim sqrt(3+sqrt(2)) = 1+4/5*sqrt(2)",
+    "roots/denest-minus":
+        "claim sqrt(3-2*sqrt(2)) = sqrt(2)-1",
+    "roots/denest-minus-wrong":
+        "claim sqrt(3-2*sqrt(2)) = 1-sqrt(2)",
+    "roots/denest-five":
+        "claim sqrt(5+2*sqrt(6)) = sqrt(2)+sqrt(3)",
+    "roots/denest-five-wrong":
+        "claim sqrt(5+2*sqrt(5)) = sqrt(2)+sqrt(3)",
+    "roots/golden-cube-roots":
+        "claim cbrt(2+sqrt(5))+cbrt(2-sqrt(5)) = 1",
+    "roots/golden-cube-roots-wrong":
+        "claim cbrt(2+sqrt(5))-cbrt(2-sqrt(5)) = 1",
+    "roots/cube-root-odd":
+        "x; claim cbrt(-x) = -cbrt(x)",
+    "roots/cube-root-odd-wrong":
+        "x := 8; claim cbrt(x**2) = x",
+    "roots/cube-root-of-cube":
+        "x; claim cbrt(x**3) = x",
+    "roots/cube-root-of-cube-wrong":
+        "x := -1; claim root(4,x**4) = x",
+    "roots/cube-root-product":
+        "x y; claim cbrt(x*y) = cbrt(x)*cbrt(y)",
+    "roots/cube-root-product-wrong":
+        "x := 1; y := 1; claim cbrt(x+y) = cbrt(x)+cbrt(y)",
+    "roots/third-power":
+        "x >= 0; claim power(x,1/3)*power(x,2/3) = x",
+    "roots/third-power-wrong":
+        "x := 8; claim power(x,1/3)*power(x,1/3) = x",
+    "roots/third-power-is-cube-root":
+        "x >= 0; claim power(x,1/3) = cbrt(x)",
+    "roots/third-power-sign-forced":
+        "x >= 0; claim abs(x)*power(x,1/3) = power(x,4/3)",
+    "roots/cube-root-abs":
+        "x := -1; claim abs(x)*cbrt(x) = x*cbrt(abs(x))+1",
+    "roots/cube-root-abs-true":
+        "x; claim abs(x)*cbrt(x) = x*cbrt(abs(x))",
+    "roots/root-of-square":
+        "x >= 0; claim sqrt(x**2) = x",
+    "roots/root-of-square-wrong":
+        "x := -1; claim sqrt(x**2) = x",
+    "roots/root-of-square-abs":
+        "x y; claim sqrt(x**2*y**2) = abs(x*y)",
+    "roots/root-of-square-abs-wrong":
+        "x := -1; y := 1; claim sqrt(x**2*y**2) = x*abs(y)",
+    "roots/sum-of-roots-squared":
+        "a b >= 0; claim (sqrt(a)+sqrt(b))**2 = a+b+2*sqrt(a*b)",
+    "roots/sum-of-roots-squared-wrong":
+        "a := 1; b := 1; claim sqrt(a)+sqrt(b) = sqrt(a+b)",
+    "roots/rationalised":
+        "x y >= 0; if x != y; claim 1/(sqrt(x)-sqrt(y)) = (sqrt(x)+sqrt(y))/(x-y)",
+    "roots/rationalised-wrong":
+        "x := 4; y := 1; claim 1/(sqrt(x)-sqrt(y)) = (sqrt(x)+sqrt(y))/(x+y)",
+    "roots/nested-parameter":
+        "b d > 0; a := b + d; claim sqrt(a+b+2*sqrt(a*b)) = sqrt(a)+sqrt(b)",
+    "roots/nested-parameter-wrong":
+        "b := 1; a := 4; given a > b; claim sqrt(a+b-2*sqrt(a*b)) = sqrt(b)-sqrt(a)",
+    "roots/nested-minus-abs":
+        "a b >= 0; claim sqrt(a+b-2*sqrt(a*b)) = abs(sqrt(a)-sqrt(b))",
+    "roots/nested-minus-abs-wrong":
+        "a := 1; b := 4; claim sqrt(a+b-2*sqrt(a*b)) = sqrt(a)-sqrt(b)",
+    "roots/nested-minus-negatives":
+        "a := -1; b := -4; claim sqrt(a+b+2*sqrt(a*b)+2) = sqrt(abs(a))+sqrt(abs(b))-1",
+    "roots/fourth-root":
+        "x >= 0; claim sqrt(sqrt(x)) = root(4,x)",
+    "roots/fourth-root-wrong":
+        "x := 64; claim sqrt(sqrt(x)) = cbrt(x)",
+    "roots/cos-pi-over-five-root":
+        "claim sqrt(6-2*sqrt(5)) = sqrt(5)-1",
+    "roots/cos-pi-over-five-root-wrong":
+        "claim sqrt(6+2*sqrt(5)) = sqrt(5)-1",
+    "roots/near-integer":
+        "claim sqrt(10)+sqrt(17) < sqrt(5)+sqrt(29)",
+    "roots/near-integer-wrong":
+        "claim sqrt(11)+sqrt(5)+1/2000 = sqrt(2964567/96123)",
+    "roots/shanks":
+        "claim sqrt(5)+sqrt(22+2*sqrt(5)) = sqrt(11+2*sqrt(29))+sqrt(16-2*sqrt(29)+2*sqrt(55-10*sqrt(29)))",
+    "roots/shanks-wrong":
+        "claim sqrt(5)+sqrt(22+2*sqrt(5)) = sqrt(11+2*sqrt(29))+sqrt(16-2*sqrt(29)+2*sqrt(55-9*sqrt(29)))",
+    "roots/premise-root-solved":
+        "x >= 0; y := sqrt(x); claim x = y**2",
+    "roots/premise-square-solved":
+        "y := -1; x := 1; given x = y**2; claim y = sqrt(x)",
+    "roots/depressed-cubic":
+        "p > 0; q; R := sqrt(q**2/4+p**3/27); x := cbrt(q/2+R)+cbrt(q/2-R); claim x**3+p*x = q",
+    "roots/depressed-cubic-where":
+        "p > 0; q; R := sqrt(q**2/4+p**3/27); x := cbrt(q/2+R)+cbrt(q/2-R); claim x**3+p*x = q",
+    "roots/depressed-cubic-where-wrong":
+        "p := 1; q := 1; R := sqrt(q**2/4+p**3/9); x := cbrt(q/2+R)+cbrt(q/2-R); claim x**3+p*x = q",
+    # angles
+    "angles/cos-pi-3":
+        "claim cos(pi/3) = 1/2",
+    "angles/cos-pi-3-wrong":
+        "claim cos(pi/3) = sqrt(3)/2",
+    "angles/cos-pi-5":
+        "claim cos(pi/5) = (1+sqrt(5))/4",
+    "angles/cos-pi-5-wrong":
+        "claim cos(2*pi/5) = (1+sqrt(5))/4",
+    "angles/sin-pi-12":
+        "claim sin(pi/12) = (sqrt(6)-sqrt(2))/4",
+    "angles/sin-pi-12-wrong":
+        "claim sin(pi/12) = (sqrt(6)+sqrt(2))/4",
+    "angles/tan-pi-8":
+        "claim tan(pi/8) = sqrt(2)-1",
+    "angles/tan-pi-8-wrong":
+        "claim tan(pi/8) = sqrt(2)+1",
+    "angles/heptagon":
+        "claim cos(pi/7)-cos(2*pi/7)+cos(3*pi/7) = 1/2",
+    "angles/heptagon-wrong":
+        "claim cos(pi/7)+cos(2*pi/7)-cos(3*pi/7) = 1/2",
+    "angles/morrie":
+        "claim cos(pi/9)*cos(2*pi/9)*cos(4*pi/9) = 1/8",
+    "angles/morrie-wrong":
+        "claim cos(pi/9)*cos(2*pi/9)*cos(3*pi/9) = 1/8",
+    "angles/tan-product":
+        "claim tan(pi/7)*tan(2*pi/7)*tan(3*pi/7) = sqrt(7)",
+    "angles/tan-product-wrong":
+        "claim tan(pi/7)*tan(2*pi/7)*tan(3*pi/7) = 37/14",
+    "angles/sin-seventeen":
+        "claim sin(17*pi/6) = 1/2",
+    "angles/sin-seventeen-wrong":
+        "claim sin(-17*pi/6) = 1/2",
+    "angles/half-cosine":
+        "x; claim 2*cos(x/2)**2 = 1+cos(x)",
+    "angles/half-cosine-wrong":
+        "x := 2*pi; claim cos(x/2) = sqrt((1+cos(x))/2)",
+    "angles/half-sine":
+        "x; claim abs(sin(x/2)) = sqrt((1-cos(x))/2)",
+    "angles/half-sine-wrong":
+        "x := -pi; claim sin(x/2) = sqrt((1-cos(x))/2)",
+    "angles/half-tangent":
+        "x; claim tan(x/2) = sin(x)/(1+cos(x))",
+    "angles/half-tangent-wrong":
+        "x := pi/3; claim tan(x/2) = (1+cos(x))/sin(x)",
+    "angles/half-tangent-substitution":
+        "x; claim sin(x) = 2*tan(x/2)/(1+tan(x/2)**2)",
+    "angles/half-tangent-substitution-wrong":
+        "x := pi/3; claim sin(x) = 2*tan(x/2)/(1-tan(x/2)**2)",
+    "angles/triple":
+        "x; claim sin(3*x) = 3*sin(x)-4*sin(x)**3",
+    "angles/triple-wrong":
+        "x := pi/6; claim sin(3*x) = 4*sin(x)-3*sin(x)**3",
+    "angles/quintuple":
+        "x; claim cos(5*x) = 16*cos(x)**5-20*cos(x)**3+5*cos(x)",
+    "angles/quintuple-wrong":
+        "x := 0; claim cos(5*x) = 16*cos(x)**5-20*cos(x)**3-5*cos(x)",
+    "angles/half-and-triple":
+        "x; claim sin(3*x/2) = sin(x/2)*(1+2*cos(x))",
+    "angles/half-and-triple-wrong":
+        "x := pi/3; claim sin(3*x/2) = sin(x/2)*(1-2*cos(x))",
+    "angles/sum-to-product":
+        "x y; claim sin(x)+sin(y) = 2*sin((x+y)/2)*cos((x-y)/2)",
+    "angles/sum-to-product-wrong":
+        "x := 0; y := pi/2; claim sin(x)+sin(y) = 2*cos((x+y)/2)*sin((x-y)/2)",
+    "angles/product-to-sum":
+        "x y; claim 2*sin(x)*sin(y) = cos(x-y)-cos(x+y)",
+    "angles/product-to-sum-wrong":
+        "x := pi/2; y := pi/2; claim 2*sin(x)*sin(y) = cos(x+y)-cos(x-y)",
+    "angles/tan-addition":
+        "x y; claim tan(x+y) = (tan(x)+tan(y))/(1-tan(x)*tan(y))",
+    "angles/tan-addition-wrong":
+        "x := pi/6; y := pi/6; claim tan(x+y) = (tan(x)+tan(y))/(1+tan(x)*tan(y))",
+    "angles/plus-minus":
+        "x y; claim cos(x+y) = cos(x)*cos(y)-sin(x)*sin(y)",
+    "angles/plus-minus-wrong":
+        "x := pi/2; y := pi/2; claim cos(x+y) = cos(x)*cos(y)+sin(x)*sin(y)",
+    "angles/shift-by-thirds":
+        "x; claim cos(x)+cos(x+2*pi/3)+cos(x-2*pi/3) = 0",
+    "angles/shift-by-thirds-wrong":
+        "x := 0; claim cos(x)+cos(x+pi/3)+cos(x-pi/3) = 0",
+    "angles/quarter-shift":
+        "x; claim sin(x)+cos(x) = sqrt(2)*sin(x+pi/4)",
+    "angles/quarter-shift-wrong":
+        "x := 0; claim sin(x)+cos(x) = 2*sin(x+pi/4)",
+    "angles/integer-shift":
+        "x; n int; claim cos(x+pi*n) = (-1)**n*cos(x)",
+    "angles/integer-shift-wrong":
+        "x := 0; n := 1; claim cos(x+pi*n) = cos(x)",
+    "angles/commensurable":
+        "x; claim cos(x/3)**3 = 3/4*cos(x/3)+1/4*cos(x)",
+    "angles/commensurable-wrong":
+        "x := pi; claim cos(x/3)**3 = 1/4*cos(x/3)+3/4*cos(x)",
+    "angles/secant":
+        "x; claim sec(x)**2 = 1+tan(x)**2",
+    "angles/secant-wrong":
+        "x := pi/3; claim csc(x)**2 = 1+tan(x)**2",
+    "angles/cot-double":
+        "x; claim cot(2*x) = (cot(x)**2-1)/(2*cot(x))",
+    "angles/cot-double-wrong":
+        "x := pi/6; claim cot(2*x) = (cot(x)**2+1)/(2*cot(x))",
+    "angles/double-premise":
+        "p; t := 2*p; claim sin(t) = 2*sin(p)*cos(p)",
+    "angles/double-premise-wrong":
+        "p := 0; t := 0; given t = 2*p; claim cos(t) = 2*cos(p)",
+    "angles/triangle-sum":
+        "A B; C := pi-A-B; claim tan(A)+tan(B)+tan(C) = tan(A)*tan(B)*tan(C)",
+    "angles/triangle-sum-wrong":
+        "A := pi/2; B := pi/2; C := 0; given A+B+C = pi; claim sin(A)+sin(B)+sin(C) = 4*sin(A/2)*sin(B/2)*sin(C/2)",
+    "angles/triangle-half":
+        "A B; C := pi-A-B; claim sin(A)+sin(B)+sin(C) = 4*cos(A/2)*cos(B/2)*cos(C/2)",
+    "angles/triangle-half-wrong":
+        "A := pi/3; B := pi/3; C := pi/3; given A+B+C = pi; claim cos(A)+cos(B)+cos(C) = 1-4*sin(A/2)*sin(B/2)*sin(C/2)",
+    "angles/complement-premise":
+        "t; p := pi/2-t; claim sin(t)**2+sin(p)**2 = 1",
+    "angles/complement-premise-wrong":
+        "t := 0; p := pi/2; given t+p = pi/2; claim sin(t) = sin(p)",
+    "angles/value-premise":
+        "n int; x := asin(3/5)+2*pi*n; claim cos(2*x) = 7/25",
+    "angles/value-premise-wrong":
+        "x := pi-asin(3/5); given sin(x) = 3/5; claim cos(x) = 4/5",
+    "angles/power-after-bracket":
+        "x; claim sin(pi*x)**2+cos(pi*x)**2 = 1",
+    # exp-log
+    "exp-log/exp-sum":
+        "x y; claim exp(x+y) = exp(x)*exp(y)",
+    "exp-log/exp-sum-wrong":
+        "x := 0; y := 0; claim exp(x+y) = exp(x)+exp(y)",
+    "exp-log/ln-product":
+        "x y > 0; claim ln(x)+ln(y) = ln(x*y)",
+    "exp-log/ln-product-wrong":
+        "x := 1; y := 1; claim ln(x)*ln(y) = ln(x+y)",
+    "exp-log/ln-square":
+        "x; if x != 0; claim ln(x**2) = 2*ln(abs(x))",
+    "exp-log/ln-square-wrong":
+        "x := 1; claim ln(x**2+1) = 2*ln(abs(x))",
+    "exp-log/ln-square-plain":
+        "x > 0; claim ln(x**2) = 2*ln(x)",
+    "exp-log/ln-of-exp":
+        "x; claim ln(exp(x)) = x",
+    "exp-log/exp-of-ln":
+        "x > 0; claim exp(ln(x)) = x",
+    "exp-log/exp-of-half-ln-square":
+        "x := -1; claim exp(ln(x**2)/2) = x",
+    "exp-log/real-power":
+        "x > 0; a b; claim power(x,a)*power(x,b) = power(x,a+b)",
+    "exp-log/real-power-wrong":
+        "x := 1; a := 0; b := 0; claim power(x,a)+power(x,b) = power(x,a+b)",
+    "exp-log/power-of-power":
+        "x > 0; a b; claim power(power(x,a),b) = power(x,a*b)",
+    "exp-log/power-of-power-wrong":
+        "x := 2; a := 1; b := 1; claim power(power(x,a),b) = power(x,a+b)",
+    "exp-log/power-is-exp-ln":
+        "x > 0; a; claim power(x,a) = exp(a*ln(x))",
+    "exp-log/power-is-exp-ln-wrong":
+        "x := 1; a := 2; claim power(x,a) = exp(x*ln(a))",
+    "exp-log/cosh-sinh":
+        "x; claim cosh(x)**2-sinh(x)**2 = 1",
+    "exp-log/cosh-sinh-wrong":
+        "x := 1; claim cosh(x)**2+sinh(x)**2 = 1",
+    "exp-log/sinh-exp":
+        "x; claim sinh(x) = (exp(x)-exp(-x))/2",
+    "exp-log/sinh-exp-wrong":
+        "x := 0; claim sinh(x) = (exp(x)+exp(-x))/2",
+    "exp-log/tanh-addition":
+        "x y; claim tanh(x+y) = (tanh(x)+tanh(y))/(1+tanh(x)*tanh(y))",
+    "exp-log/tanh-addition-wrong":
+        "x := 1; y := 1; claim tanh(x+y) = (tanh(x)+tanh(y))/(1-tanh(x)*tanh(y))",
+    "exp-log/half-cosh":
+        "x; claim cosh(x/2) = sqrt((cosh(x)+1)/2)",
+    "exp-log/half-cosh-wrong":
+        "x := -2; claim sinh(x/2) = sqrt((cosh(x)-1)/2)",
+    "exp-log/tanh-exp":
+        "x; claim tanh(x) = (exp(2*x)-1)/(exp(2*x)+1)",
+    "exp-log/tanh-exp-wrong":
+        "x := 1; claim tanh(x) = (exp(x)-1)/(exp(x)+1)",
+    "exp-log/logistic":
+        "x; claim 1/(1+exp(-x))+1/(1+exp(x)) = 1",
+    "exp-log/logistic-wrong":
+        "x := 0; claim 1/(1+exp(-x))-1/(1+exp(x)) = 1",
+    "exp-log/decay-premise":
+        "x > 0; a; y := x*exp(-a); claim a = ln(x)-ln(y)",
+    "exp-log/decay-premise-wrong":
+        "x := 1; a := 1; y := exp(-1); given y = x*exp(-a); claim a = ln(y)-ln(x)",
+    "exp-log/exp-injective":
+        "x; y := x; claim x = y",
+    "exp-log/exp-injective-wrong":
+        "x := 1; y := 1; given exp(x) = exp(y); claim x = -y",
+    "exp-log/cosh-not-injective":
+        "x; s sign; y := s*x; given cosh(x) = cosh(y); claim x**2 = y**2",
+    "exp-log/cosh-not-injective-wrong":
+        "x := 1; y := -1; given cosh(x) = cosh(y); claim x = y",
+    "exp-log/integer-power-of-zero":
+        "x y; n int; if n >= 0; claim (x*y)**n = x**n*y**n",
+    "exp-log/ln-negative-product":
+        "x := -1; y := -1; claim ln(x*y) = ln(abs(x))+ln(abs(y))+1",
+    "exp-log/ln-absolute-product":
+        "x y; if x*y > 0; claim ln(x*y) = ln(abs(x))+ln(abs(y))",
+    "exp-log/exp-inequality":
+        "x; claim exp(x) >= 1+x",
+    "exp-log/exp-inequality-wrong":
+        "x := 0; claim exp(x) > 1+x",
+    "exp-log/number-e":
+        "claim exp(1) = 2.718281828459045",
+    "exp-log/number-exp-pi":
+        "claim exp(pi) > power(pi,exp(1))",
+    "exp-log/number-ramanujan":
+        "claim exp(pi*sqrt(163)) = 262537412640768744",
+    # inverse
+    "inverse/arctan-reciprocal":
+        "x > 0; claim atan(x)+atan(1/x) = pi/2",
+    "inverse/arctan-reciprocal-wrong":
+        "x := -1; claim atan(x)+atan(1/x) = pi/2",
+    "inverse/arcsin-arccos":
+        "x in (-1, 1); claim asin(x)+acos(x) = pi/2",
+    "inverse/arcsin-arccos-wrong":
+        "x := 0; claim asin(x)-acos(x) = pi/2",
+    "inverse/sin-arcsin":
+        "x in (-1, 1); claim sin(asin(x)) = x",
+    "inverse/sin-arcsin-wrong":
+        "x := pi; claim asin(sin(x)) = x",
+    "inverse/arcsin-sin-range":
+        "x in (-pi/2, pi/2); claim asin(sin(x)) = x",
+    "inverse/arcsin-sin-range-wrong":
+        "x := pi; claim asin(sin(x)) = x",
+    "inverse/arccos-cos-range":
+        "x in (0, pi); claim acos(cos(x)) = x",
+    "inverse/cos-arcsin":
+        "x in (-1, 1); claim cos(asin(x)) = sqrt(1-x**2)",
+    "inverse/cos-arcsin-wrong":
+        "x := 3/5; claim cos(asin(x)) = 1-x**2",
+    "inverse/tan-arcsin":
+        "x in (-1, 1); claim tan(asin(x)) = x/sqrt(1-x**2)",
+    "inverse/tan-arcsin-wrong":
+        "x := 3/5; claim tan(acos(x)) = x/sqrt(1-x**2)",
+    "inverse/arctan-addition":
+        "x y; if x*y < 1; claim atan(x)+atan(y) = atan((x+y)/(1-x*y))",
+    "inverse/arctan-addition-wrong":
+        "x := 2; y := 2; claim atan(x)+atan(y) = atan((x+y)/(1-x*y))",
+    "inverse/machin":
+        "claim 4*atan(1/5)-atan(1/239) = pi/4",
+    "inverse/machin-wrong":
+        "claim 4*atan(1/5)-atan(1/238) = pi/4",
+    "inverse/arctan-one-two-three":
+        "claim atan(1)+atan(2)+atan(3) = pi",
+    "inverse/arctan-one-two-three-wrong":
+        "claim atan(1)+atan(2)+atan(3) = 0",
+    "inverse/arcsin-value":
+        "claim asin(sqrt(3)/2) = pi/3",
+    "inverse/arcsin-value-wrong":
+        "claim asin(sqrt(3)/2) = 2*pi/3",
+    "inverse/arccos-odd":
+        "x in (-1, 1); claim acos(-x) = pi-acos(x)",
+    "inverse/arccos-odd-wrong":
+        "x := 0; claim acos(-x) = -acos(x)",
+    "inverse/double-arcsin":
+        "x in (0, 1); claim 2*asin(x) = acos(1-2*x**2)",
+    "inverse/double-arcsin-wrong":
+        "x := -1; claim 2*asin(x) = acos(1-2*x**2)",
+    "inverse/angle-premise":
+        "x; t := atan(x); claim sin(t) = x/sqrt(1+x**2)",
+    "inverse/angle-premise-wrong":
+        "x := 1; t := 5*pi/4; given tan(t) = x; claim sin(t) = x/sqrt(1+x**2)",
+    "inverse/nowhere-defined":
+        "nowhere; x; claim asin(2+x**2) = asin(2+x**2)",
+}
+
+
+def truths(path):
+    """The truth of each claim of a sheet, by label ("" where there is one), and faults of its form."""
+    text = path.read_text()
+    sheet = tomllib.loads(text)
+    found = dict(re.findall(r"^# truth ?(\w*): (true|false|contradictory|unread)$", text, re.M))
+    faults = [] if "# because" in text else ["no `# because:`"]
+    claims = [entry for entry in sheet["equation"] if entry["role"] == "claim"]
+    if len(found) != len(claims):
+        faults.append(f"{len(claims)} claims, {len(found)} truths")
+    wanted = {"true": "proved", "false": "refuted"}
+    for entry in claims:
+        truth = found.get(entry["label"], found.get(""))
+        if entry.get("expect") != wanted.get(truth):
+            faults.append(f"{entry['label']}: `expect` does not say {wanted.get(truth)}")
+    return found, faults
+
+
+def main():
+    random.seed(20)
+    arguments = [word for word in sys.argv[1:] if word != "-v"]
+    counts, unchecked, failures = Counter(), [], []
+    sheets = sorted(HERE.glob("*/*.toml"))
+    names = set()
+    for path in sheets:
+        name = f"{path.parent.name}/{path.stem}"
+        found, faults = truths(path)
+        failures += [f"{name}: {fault}" for fault in faults]
+        for label, truth in found.items():
+            key = f"{name}:{label}" if label else name
+            names.add(key)
+            counts[path.parent.name, truth] += 1
+            if arguments and not any(word in key for word in arguments):
+                continue
+            if key not in TABLE:
+                unchecked.append(key)
+                continue
+            try:
+                fault, shown = check(TABLE[key], truth)
+            except Exception as error:  # a recipe that cannot be run is a failure like any other
+                fault, shown = f"{type(error).__name__}: {error}", None
+            if fault:
+                failures.append(f"{key} ({truth}): {fault}")
+            elif shown and "-v" in sys.argv:
+                print(f"{key}: {shown}")
+    failures += [f"{key}: a recipe without a sheet" for key in sorted(set(TABLE) - names)]
+    kinds = ["true", "false", "contradictory", "unread"]
+    print(f"{'class':22}" + "".join(f"{kind:>14}" for kind in kinds))
+    for folder in sorted({folder for folder, _ in counts}) + ["all"]:
+        row = [sum(n for (f, k), n in counts.items() if k == kind and folder in (f, "all")) for kind in kinds]
+        print(f"{folder:22}" + "".join(f"{n:14}" for n in row))
+    print(f"{len(sheets)} sheets, {sum(counts.values())} claims, {len(TABLE)} with a recipe")
+    if "-v" in sys.argv:
+        print("on their proofs alone: " + ", ".join(unchecked))
+    for failure in failures:
+        print(f"WRONG {failure}")
+    sys.exit(1 if failures else 0)
+
+
+if __name__ == "__main__":
+    main()
