@@ -617,6 +617,252 @@ TABLE = {
         "x := 1; t := 5*pi/4; given tan(t) = x; claim sin(t) = x/sqrt(1+x**2)",
     "inverse/nowhere-defined":
         "nowhere; x; claim asin(2+x**2) = asin(2+x**2)",
+    # forcing
+    "forcing/product":
+        "a p c; h > 0; b := a+h; F(t) := sin(pi*t+p)/pi+c; claim F(b)-F(a) = 2/pi*sin(pi*h/2)*cos(pi*(a+b)/2+p)",
+    "forcing/product-wrong":
+        "a p c; h > 0; b := a+h; F(t) := sin(pi*t+p)/pi+c; claim F(b)-F(a) = 2/pi*cos(pi*h/2)*sin(pi*(a+b)/2+p)",
+    "forcing/difference":
+        "a p c; h > 0; b := a+h; F(t) := sin(pi*t+p)/pi+c; claim F(b)-F(a) = (sin(pi*b+p)-sin(pi*a+p))/pi",
+    "forcing/difference-wrong":
+        "a := 0; p := 0; F(t) := sin(pi*t+p)/pi+1; claim F(a) = sin(pi*a+p)/pi",
+    "forcing/second-integral":
+        "a p c d; h > 0; b := a+h; F(t) := sin(pi*t+p)/pi+c; G(t) := -cos(pi*t+p)/pi**2+c*t+d; claim G(b)-G(a)-F(a)*h = (cos(pi*a+p)-cos(pi*b+p))/pi**2-h/pi*sin(pi*a+p)",
+    "forcing/second-integral-wrong":
+        "a p c d; h > 0; b := a+h; F(t) := sin(pi*t+p)/pi+c; G(t) := -cos(pi*t+p)/pi**2+c*t+d; claim G(b)-G(a) = (cos(pi*a+p)-cos(pi*b+p))/pi**2",
+    "forcing/half-period":
+        "t p; claim cos(pi*(t+1)+p) = -cos(pi*t+p)",
+    "forcing/half-period-wrong":
+        "t := 0; p := 0; claim cos(pi*(t+1)+p) = cos(pi*t+p)",
+    "forcing/flight-of-one":
+        "a p c; F(t) := sin(pi*t+p)/pi+c; claim F(a+1)-F(a) = -2/pi*sin(pi*a+p)",
+    "forcing/flight-of-one-wrong":
+        "a p c; F(t) := sin(pi*t+p)/pi+c; claim F(a+1)-F(a) = -1/pi*sin(pi*a+p)",
+    "forcing/full-period":
+        "a p c; F(t) := sin(pi*t+p)/pi+c; claim F(a+2) = F(a)",
+    "forcing/full-period-wrong":
+        "a p d; c := 1; G(t) := -cos(pi*t+p)/pi**2+c*t+d; claim G(a+2) = G(a)",
+    "forcing/linear-law":
+        "a c; d h > 0; b := a+h; F(t) := d*t**2/2+c; claim F(b)-F(a) = d*h/2*(a+b)",
+    "forcing/linear-law-wrong":
+        "a c; d h > 0; b := a+h; F(t) := d*t**2/2+c; claim F(b)-F(a) = d*h*(a+b)",
+    "forcing/cubic-law":
+        "a b c; F(t) := t**4/4-3*t**2/2+c; claim F(b)-F(a) = (b**4-a**4)/4-3/2*(b**2-a**2)",
+    "forcing/cubic-law-wrong":
+        "a := 1; b := 2; F(t) := t**4/4-3*t**2/2; claim F(b)-F(a) = (b-a)**4/4-3/2*(b-a)**2",
+    "forcing/second-period-wrong":
+        "T := 1; d := 2; claim T = d",
+    "forcing/second-period-multiples-wrong":
+        "T := 1; d := 2; f(t) := cos(2*pi*t); given f(1/7+T) = f(1/7); given f(1/7+d) = f(1/7); claim f(T/2) = f(0)",
+    "forcing/antiperiod-wrong":
+        "f(t) := cos(pi*t); given f(1/7+1) = -f(1/7); claim f(1) = f(0)",
+    "forcing/gauss-law":
+        "a b; claim exp(-a**2)*exp(-b**2) = exp(-a**2-b**2)",
+    "forcing/gauss-law-wrong":
+        "a := 0; b := 1; f(t) := exp(-t**2); claim integral(f,a,b) = 0",
+    "forcing/chirp-law":
+        "a; claim cos(a**2)**2 = (1+cos(2*a**2))/2",
+    "forcing/chirp-law-wrong":
+        "a := 0; b := 1; f(t) := cos(t**2); claim integral(f,a,b) = sin(b**2)-sin(a**2)",
+    "forcing/inverse-square-law":
+        "a h > 0; c; b := a+h; F(t) := -1/t+c; claim F(b)-F(a) = 1/a-1/b",
+    "forcing/inverse-square-law-wrong":
+        "a := 1; b := 2; F(t) := -1/t; claim F(b)-F(a) = 1/a-1/b+1",
+    "forcing/inverse-square-law-across":
+        "a := -1; b := 1; F(t) := -1/t+(1 if t > 0 else 0); claim F(b)-F(a) = 1/a-1/b",
+    "forcing/squared-cosine":
+        "a c; h > 0; b := a+h; F(t) := t/2+sin(2*pi*t)/(4*pi)+c; claim F(b)-F(a) = h/2+(sin(2*pi*b)-sin(2*pi*a))/(4*pi)",
+    "forcing/squared-cosine-wrong":
+        "a := 0; b := 1/4; F(t) := t/2+sin(2*pi*t)/(4*pi); claim F(b)-F(a) = (b-a)/2+(sin(2*pi*b)-sin(2*pi*a))/(2*pi)",
+    "forcing/decaying-law":
+        "a c; h > 0; b := a+h; F(t) := -exp(-t)+c; claim F(b)-F(a) = exp(-a)-exp(-b)",
+    "forcing/decaying-law-wrong":
+        "a := 0; b := 1; F(t) := -exp(-t); claim F(b)-F(a) = exp(-b)-exp(-a)",
+    "forcing/two-tones":
+        "t; f(t) := cos(pi*t)+cos(2*pi*t); claim f(t+2) = f(t)",
+    "forcing/two-tones-wrong":
+        "f(t) := cos(pi*t)+cos(2*pi*t); claim f(1) = f(0)",
+    # restated-premises
+    "restated-premises/law-at-running-time":
+        "t p; claim cos(pi*t+p) = cos(pi*t+p)",
+    "restated-premises/law-at-running-time-wrong":
+        "claim cos(0*pi) = sin(0*pi)",
+    "restated-premises/period-two-wrong":
+        "f(t) := cos(pi*t); given f(1/7+2) = f(1/7); claim f(1) = f(0)",
+    "restated-premises/period-one-wrong":
+        "f(t) := cos(2*pi*t); given f(1/7+1) = f(1/7); claim f(1/2) = f(0)",
+    "restated-premises/period-backwards-wrong":
+        "f(t) := t-t+1; claim f(0) = -f(0)",
+    "restated-premises/declared-derivative-wrong":
+        "f := 1; g := 0; claim g = f",
+    "restated-premises/derivative-by-premise-wrong":
+        "f := 1; g := 0; claim f = g",
+    "restated-premises/law-derived":
+        "u; f(t) := t**2; claim D(f,u) = 2*u",
+    "restated-premises/law-derived-wrong":
+        "f(t) := t**2; claim D(f,mpf(1)) = 1",
+    "restated-premises/law-derived-cosine":
+        "u; f(t) := cos(3*t); claim D(f,u) = -3*sin(3*u)",
+    "restated-premises/law-derived-cosine-wrong":
+        "u := 1; f(t) := cos(3*t); claim D(f,u) = -sin(3*u)",
+    "restated-premises/law-back":
+        "a c; f(t) := t**2+c; claim f(a)-f(0*a) = a**2",
+    "restated-premises/law-back-wrong":
+        "a := 0; f(t) := t**2+1; claim f(a) = a**2",
+    "restated-premises/recurrence":
+        "a x; y := a*x; claim y = a*x",
+    "restated-premises/recurrence-wrong":
+        "a := 2; x := 1; y := 2; given y = a*x; claim x = a*y",
+    "restated-premises/mirrored":
+        "y; x := y+1; claim y+1 = x",
+    "restated-premises/mirrored-wrong":
+        "y := 0; x := 1; given x = y+1; claim y = x+1",
+    "restated-premises/quotient":
+        "b c; a := b*c; if b != 0; claim a = b*c",
+    "restated-premises/quotient-wrong":
+        "a := 2; b := 1; c := 2; given a/b = c; claim b/a = c",
+    "restated-premises/quotient-reciprocal":
+        "b c; if b != 0 and c != 0; a := b*c; claim b/a = 1/c",
+    "restated-premises/product-to-quotient-wrong":
+        "a := 2; b := 1; c := 2; given a = b*c; claim a*c = b",
+    "restated-premises/square":
+        "s sign; x := s*sqrt(2); claim x**2 = 2",
+    "restated-premises/square-wrong":
+        "x := -sqrt(2); given x**2 = 2; claim x = sqrt(2)",
+    "restated-premises/sine-value":
+        "n int; x := asin(1/3)+2*pi*n; claim sin(x) = 1/3",
+    "restated-premises/sine-value-wrong":
+        "x := pi-asin(1/3); given sin(x) = 1/3; claim x = asin(1/3)",
+    "restated-premises/inequality":
+        "x; d > 0; y := x+d; claim x <= y",
+    "restated-premises/inequality-wrong":
+        "x := 1; y := 1; given x <= y; claim x < y",
+    "restated-premises/motion-law-wrong":
+        "z := 1; g := 1; f := 0; given z = f+g; claim z = f-g",
+    "restated-premises/several-in-one":
+        "x := 1; y := 2; claim x+y = 3",
+    "restated-premises/several-in-one-wrong":
+        "x := 1; y := 2; claim y-x = 2",
+    # relations
+    "relations/relation-and-premise":
+        "s sign; S := s*sqrt(1/2); C := S; given S**2 = 1-C**2; claim 2*S**2 = 1",
+    "relations/relation-and-premise-wrong":
+        "S := -1/sqrt(2); C := S; given S**2 = 1-C**2; claim S = 1/sqrt(2)",
+    "relations/relation-value":
+        "S := 4/5; C := 3/5; given S**2 = 1-C**2; claim S = 4/5",
+    "relations/relation-value-wrong":
+        "S := -4/5; C := 3/5; given S**2 = 1-C**2; claim S = 4/5",
+    "relations/relation-bound":
+        "S := 0; C := 1; given S**2 = 1-C**2; claim S = 0",
+    "relations/relation-bound-wrong":
+        "S := 0; C := 1; given S**2 = 1-C**2; claim S = 1",
+    "relations/circle-and-line":
+        "s sign; x := (7+s)/2; y := 7-x; given x**2+y**2 = 25; claim x*y = 12",
+    "relations/circle-and-line-wrong":
+        "x := 4; y := 3; given x**2+y**2 = 25; given x+y = 7; claim x = 3",
+    "relations/golden-power":
+        "s sign; x := (1+s*sqrt(5))/2; claim x**5 = 5*x+3",
+    "relations/golden-power-wrong":
+        "x := (1-sqrt(5))/2; given x**2 = x+1; claim x = (1+sqrt(5))/2",
+    "relations/golden-both-roots":
+        "s sign; x := (1+s*sqrt(5))/2; claim x**2 = x+1",
+    "relations/golden-both-roots-wrong":
+        "x := (-1+sqrt(5))/2; claim x**2 = x+1",
+    "relations/double-root-as-two":
+        "x := 1; claim x**2 = 4",
+    "relations/chain":
+        "d; c := d**2; b := c+1; a := b**2; claim a = d**4+2*d**2+1",
+    "relations/chain-wrong":
+        "d := 1; c := 1; b := 2; a := 4; claim a = d**4+1",
+    "relations/chain-of-roots":
+        "a; b := a**2; c := b**2; claim a**4 = c",
+    "relations/chain-of-roots-wrong":
+        "a := 1; b := 1; c := 1; claim a**2 = sqrt(c)+1",
+    "relations/chain-of-roots-sign":
+        "a; b := a**2; c := b**2; claim b = sqrt(c)",
+    "relations/chain-of-roots-sign-wrong":
+        "a := -1; b := 1; c := 1; given a**2 = b; claim a = sqrt(b)",
+    "relations/parametrised-circle":
+        "s; x := (1-s**2)/(1+s**2); y := 2*s/(1+s**2); claim x**2+y**2 = 1",
+    "relations/parametrised-circle-wrong":
+        "s := -1; x := (1-s**2)/(1+s**2); y := 2*s/(1+s**2); claim x+y = 1",
+    "relations/mobius-inverse":
+        "a b c x; if a != 0; d := (1+b*c)/a; if c*x+d != 0; y := (a*x+b)/(c*x+d); claim x*(a-c*y) = d*y-b",
+    "relations/mobius-inverse-wrong":
+        "a := 2; b := 1; c := 1; d := 1; x := 1; y := 3/2; given a*d-b*c = 1; given y = (a*x+b)/(c*x+d); claim x*(a+c*y) = d*y-b",
+    "relations/mobius-inverse-divided":
+        "a b c x; if a != 0; d := (1+b*c)/a; if c*x+d != 0; y := (a*x+b)/(c*x+d); claim x = (d*y-b)/(a-c*y)",
+    "relations/power-sums":
+        "x y; p := x+y; q := x*y; claim x**3+y**3 = p**3-3*p*q",
+    "relations/power-sums-wrong":
+        "x := 1; y := 1; p := 2; q := 1; claim x**3+y**3 = p**3-2*p*q",
+    "relations/zero-sum":
+        "a b; c := -a-b; claim a**3+b**3+c**3 = 3*a*b*c",
+    "relations/zero-sum-wrong":
+        "a := 1; b := 1; c := -2; given a+b+c = 0; claim a**3+b**3+c**3 = a*b*c",
+    "relations/zero-sum-fourth":
+        "a b; c := -a-b; claim (a**2+b**2+c**2)**2 = 2*(a**4+b**4+c**4)",
+    "relations/where-discriminant":
+        "a b x; c := -a*x**2-b*x; claim (2*a*x+b)**2 = b**2-4*a*c",
+    "relations/where-discriminant-wrong":
+        "a := 1; b := -3; c := 2; x := 1; given a*x**2+b*x+c = 0; claim 2*a*x+b = sqrt(b**2-4*a*c)",
+    "relations/with-substitution":
+        "x b; y := 2*x+b; claim y = 2*x+b",
+    "relations/with-substitution-wrong":
+        "x := 1; b := 0; y := 2; given y = 2*x+b; claim y = x+b",
+    "relations/with-acts-on-premises-only":
+        "a := 3; x := 1; b := 0; y := 2; given y = 2*x+b; claim y = a*x+b",
+    "relations/three-eliminated":
+        "a; x := a; y := 0*a; z := 2*a; given y+z = 2*a; given z+x = 3*a; claim y = 0",
+    "relations/three-eliminated-wrong":
+        "a := 1; y := 0; claim y = a",
+    "relations/quadratic-in-what-it-defines":
+        "y > 0; x := y**2; a := x**2; claim y**4 = a",
+    "relations/quadratic-in-what-it-defines-wrong":
+        "y := 2; x := 4; a := 16; claim y**4 = x",
+    # indices
+    "indices/twice":
+        "a x; y := a*x; z := a*y; claim z = a**2*x",
+    "indices/twice-wrong":
+        "a := 2; x := 1; z := 4; claim z = a**3*x",
+    "indices/k-does-not-run":
+        "a := 1; x := 0; y := 0; z := 1; given y = a*x; claim z = a**2*x",
+    "indices/k-does-not-run-restated":
+        "a x; y := a*x; claim y**2 = a**2*x**2",
+    "indices/k-next":
+        "a := 1; x := 0; y := 0; z := 1; given y = a*x; claim z = a*y",
+    "indices/pair-k-does-not-run":
+        "r := 1/2; x := 2; y := -1; z := 7; given y = -r*x; claim z = r**2*x",
+    "indices/pair-both-flights":
+        "r q > 0; x; y := -r*x; z := -q*y; claim z = r*q*x",
+    "indices/backwards":
+        "a x; claim (x+a)+(x-a) = 2*x",
+    "indices/backwards-wrong":
+        "a := 1; x := 0; claim (x+a)-(x-a) = a",
+    "indices/fibonacci":
+        "x y; z := x+y; u := z+y; v := u+z; claim v = 3*y+2*x",
+    "indices/fibonacci-wrong":
+        "x := 0; y := 1; z := x+y; u := z+y; v := u+z; claim v = 2*y+3*x",
+    "indices/cassini":
+        "x y; z := x+y; claim z*x-y**2 = x**2+x*y-y**2",
+    "indices/cassini-wrong":
+        "x := 0; y := 1; z := 1; u := 2; claim u*y-z**2 = z*x-y**2",
+    "indices/cassini-step":
+        "x y; z := x+y; u := y+z; claim u*y-z**2 = -(z*x-y**2)",
+    "indices/logistic":
+        "a x; y := a*x*(1-x); claim a*y*(1-y) = a**2*x*(1-x)*(1-a*x*(1-x))",
+    "indices/logistic-wrong":
+        "a := 2; x := 1/4; y := a*x*(1-x); claim a*y*(1-y) = a**2*x*(1-x)*(1-x*(1-x))",
+    "indices/newton":
+        "a x; if x != 0; y := (x+a/x)/2; claim y**2-a = (x**2-a)**2/(4*x**2)",
+    "indices/newton-wrong":
+        "a := 2; x := 1; y := 3/2; claim y**2-a = (x**2-a)**2/(2*x**2)",
+    "indices/constant-sequence-wrong":
+        "x := 1; claim x = 2",
+    "indices/closed-form":
+        "a; n int; if n >= 0; claim a**n = a**n",
+    "indices/closed-form-wrong":
+        "a := 1; claim a**0 = 0*a",
 }
 
 
