@@ -863,6 +863,285 @@ TABLE = {
         "a; n int; if n >= 0; claim a**n = a**n",
     "indices/closed-form-wrong":
         "a := 1; claim a**0 = 0*a",
+    # domains
+    "domains/cancelled":
+        "x; if x != 1; claim (x**2-1)/(x-1) = x+1",
+    "domains/cancelled-wrong":
+        "x := 0; claim (x**2-1)/(x-1) = x-1",
+    "domains/factor-premise":
+        "x := 1; y := 0; given x**2-1 = (x-1)*y; claim y = x+1",
+    "domains/factor-premise-generic":
+        "x; if x != 1; y := x+1; claim y = x+1",
+    "domains/factor-premise-assumed":
+        "x; if x != 1; y := x+1; claim y = x+1",
+    "domains/factor-premise-assumed-beside":
+        "x := 1; y := 0; given x**2-1 = (x-1)*y; claim y = x+1",
+    "domains/zeroth-power":
+        "x; claim x**0 = 1",
+    "domains/zeroth-power-wrong":
+        "x := 2; claim x**0 = x",
+    "domains/absolute-value-positive":
+        "x > 0; claim abs(x) = x",
+    "domains/absolute-value-positive-wrong":
+        "x := -1; claim abs(x) = x",
+    "domains/absolute-value-product":
+        "x y; claim abs(x*y) = abs(x)*abs(y)",
+    "domains/absolute-value-product-wrong":
+        "x := 1; y := -1; claim abs(x+y) = abs(x)+abs(y)",
+    "domains/triangle-inequality":
+        "x y; claim abs(x+y) <= abs(x)+abs(y)",
+    "domains/triangle-inequality-wrong":
+        "x := 0; y := 0; claim abs(x+y) < abs(x)+abs(y)",
+    "domains/root-of-square-negative":
+        "d > 0; x := -d; claim sqrt(x**2) = -x",
+    "domains/root-of-square-interval":
+        "x := -1; claim sqrt(x**2) = x",
+    "domains/root-of-shifted-square":
+        "x in (-3, 1); claim sqrt(1-2*x+x**2) = 1-x",
+    "domains/even-power-of-sign":
+        "n int; claim (-1)**(2*n) = 1",
+    "domains/even-power-of-sign-wrong":
+        "n := 1; claim (-1)**n = 1",
+    "domains/sine-of-integer":
+        "n int; claim sin(pi*n) = 0",
+    "domains/sine-of-integer-wrong":
+        "n := 1; claim sin(pi*n/2) = 0",
+    "domains/sine-of-real":
+        "n := 1/2; claim sin(pi*n) = 0",
+    "domains/integer-between":
+        "n int; if 0 <= n <= 1; claim n**2 = n",
+    "domains/integer-between-wrong":
+        "n := 1/2; claim n**2 = n",
+    "domains/reciprocal-sum":
+        "x > 0; claim x+1/x >= 2",
+    "domains/reciprocal-sum-wrong":
+        "x := -1; claim x+1/x >= 2",
+    "domains/means":
+        "x y >= 0; claim (x+y)/2 >= sqrt(x*y)",
+    "domains/means-wrong":
+        "x := 1; y := 1; claim (x+y)/2 > sqrt(x*y)",
+    "domains/square-inequality":
+        "x y; claim x**2+y**2 >= 2*x*y",
+    "domains/square-inequality-wrong":
+        "x := 1; y := 1; claim x**2+y**2 > 2*x*y",
+    "domains/at-most-one":
+        "r in (0, 1); claim 1-r**2 >= 0",
+    "domains/at-most-one-wrong":
+        "r := 1; claim 1-r**2 > 0",
+    "domains/lone-point":
+        "x := 0; claim sqrt(-x**2) = x",
+    "domains/lone-point-wrong":
+        "x := 0; claim sqrt(-x**2) = 1",
+    "domains/lone-point-two-roots":
+        "x := 0; claim sqrt(x)+sqrt(-x) = x",
+    "domains/lone-point-two-roots-wrong":
+        "x := 0; claim sqrt(x)+sqrt(-x) = x+1",
+    "domains/nowhere-logarithm":
+        "nowhere; x; claim ln(-1-x**2) = ln(-1-x**2)",
+    "domains/nowhere-two-logarithms":
+        "nowhere; x; claim ln(x)+ln(-x) = 0",
+    "domains/nowhere-denominator":
+        "nowhere; x; claim 1/(x-x) = 1/(x-x)",
+    "domains/nowhere-under-premise":
+        "nowhere; x := 0; claim 1/x = 1/x",
+    "domains/nowhere-hidden":
+        "nowhere; x y; claim x/((x+y)**2-x**2-2*x*y-y**2) = 1",
+    "domains/nowhere-trigonometric":
+        "nowhere; x; claim 1/(sin(x)**2+cos(x)**2-1) = 1",
+    "domains/complex-quadratic":
+        "a b; s sign; z := I*0+a+s*sqrt(I*0+a**2-b); claim z**2-2*a*z+b = 0",
+    "domains/complex-quadratic-wrong":
+        "a := 0; b := 1; z := a+sqrt(I*0+a**2+b); claim z**2-2*a*z+b = 0",
+    "domains/complex-focus":
+        "a; b := a**2+1; z := a+I; given z**2-2*a*z+b = 0; claim b = a**2+1",
+    "domains/complex-focus-wrong":
+        "a := 0; b := 1; z := a+I; given z**2-2*a*z+b = 0; claim b = a**2-1",
+    "domains/complex-root-squared":
+        "z complex; claim sqrt(z)**2 = z",
+    "domains/complex-root-squared-wrong":
+        "z := -1+0*I; claim sqrt(z**2) = z",
+    "domains/complex-exponential":
+        "z w complex; claim exp(z+w) = exp(z)*exp(w)",
+    "domains/complex-root-of-product":
+        "z := -1+0*I; w := -1+0*I; claim sqrt(z*w) = sqrt(z)*sqrt(w)",
+    "domains/euler":
+        "x; claim exp(I*x) = cos(x)+I*sin(x)",
+    "domains/euler-wrong":
+        "x := pi/2; claim exp(I*x) = cos(x)-I*sin(x)",
+    "domains/complex-logarithm":
+        "z complex; if z != 0; claim exp(ln(z)) = z",
+    "domains/complex-logarithm-wrong":
+        "z := -1+0*I; w := -1+0*I; claim ln(z*w) = ln(z)+ln(w)",
+    "domains/complex-number":
+        "claim (1+I)**2 = 2*I",
+    "domains/complex-number-wrong":
+        "claim (1+I)**2 = -2*I",
+    "domains/complex-square-minus-one":
+        "s sign; z := s*I; claim z**4 = 1",
+    "domains/complex-square-minus-one-wrong":
+        "z := -I; given z**2 = -1; claim z = I",
+    "domains/complex-sine":
+        "x; claim sin(I*x) = I*sinh(x)",
+    "domains/complex-sine-wrong":
+        "x := 0; claim cos(I*x) = I*cosh(x)",
+    "domains/cube-root-of-one":
+        "x := 1; claim x = 1",
+    "domains/cube-root-of-one-wrong":
+        "x := (-1+I*sqrt(3))/2; given x**3 = 1; claim x = 1",
+    "domains/sum-of-two-squares":
+        "x := 0; claim x = 0",
+    "domains/sum-of-two-squares-wrong":
+        "x := 1; y := I; given x**2+y**2 = 0; claim x = 0",
+    # differential
+    "differential/oscillator-energy":
+        "p q; f(t) := p*cos(t)+q*sin(t); g(t) := -p*sin(t)+q*cos(t); u; claim f(u)**2+g(u)**2 = f(0)**2+g(0)**2",
+    "differential/oscillator-energy-wrong":
+        "f(t) := cos(t); g(t) := -sin(t); u := pi/2; claim f(u)**2-g(u)**2 = f(0)**2-g(0)**2",
+    "differential/oscillator-solution":
+        "p q; f(t) := p*cos(t)+q*sin(t); g(t) := -p*sin(t)+q*cos(t); u; claim f(u) = f(0)*cos(u)+g(0)*sin(u)",
+    "differential/oscillator-solution-wrong":
+        "f(t) := sin(t); g(t) := cos(t); u := 1; claim f(u) = f(0)*cos(u)-g(0)*sin(u)",
+    "differential/oscillator-period":
+        "p q; f(t) := p*cos(t)+q*sin(t); g(t) := -p*sin(t)+q*cos(t); u; claim f(u+2*pi) = f(u)",
+    "differential/oscillator-period-wrong":
+        "f(t) := cos(t); claim f(pi) = f(0)",
+    "differential/exponential":
+        "k u; f(t) := k*exp(t); claim f(u) = f(0)*exp(u)",
+    "differential/exponential-wrong":
+        "u := 0; f(t) := 2*exp(t); claim f(u) = exp(u)",
+    "differential/exponential-product":
+        "k a b; f(t) := k*exp(t); claim f(a)*f(b) = f(0)*f(a+b)",
+    "differential/exponential-product-wrong":
+        "a := 0; b := 0; f(t) := 2*exp(t); claim f(a)*f(b) = f(a+b)",
+    "differential/decay":
+        "k u; f(t) := k*exp(-2*t); claim f(u)*exp(2*u) = f(0)",
+    "differential/decay-wrong":
+        "u := 1; f(t) := exp(-2*t); claim f(u)*exp(u) = f(0)",
+    "differential/decay-second-derivative":
+        "k a u; f(t) := k*exp(-a*t); claim D2(f,u) = a**2*f(u)",
+    "differential/decay-second-derivative-wrong":
+        "a := 1; u := 0; f(t) := exp(-t); claim D2(f,u) = -a**2*f(u)",
+    "differential/logistic":
+        "u k > 0; f(t) := 1/(1+k*exp(-t)); claim D2(f,u) = D(f,u)*(1-2*f(u))",
+    "differential/logistic-wrong":
+        "u := 1; f(t) := 1/(1+exp(-t)); claim D2(f,u) = D(f,u)*(1-f(u))",
+    "differential/constant-acceleration":
+        "a p q u; f(t) := p+q*t+a*t**2/2; claim f(u) = f(0)+q*u+a*u**2/2",
+    "differential/constant-acceleration-wrong":
+        "a := 1; u := 1; f(t) := a*t**2/2; claim f(u) = a*u**2",
+    "differential/constant-acceleration-energy":
+        "a p q u; f(t) := p+q*t+a*t**2/2; g(t) := q+a*t; claim g(u)**2-2*a*f(u) = g(0)**2-2*a*f(0)",
+    "differential/constant-acceleration-energy-wrong":
+        "a := 1; u := 1; f(t) := t**2/2; g(t) := t; claim g(u)**2-a*f(u) = 0",
+    "differential/henon-determinant":
+        "a b x; claim (-2*a*x)*0-1*b = -b",
+    "differential/henon-determinant-wrong":
+        "b := 1; claim -b = b",
+    "differential/henon-twice":
+        "b; claim (-b)*(-b) = b**2",
+    "differential/henon-twice-wrong":
+        "b := 1; claim b**2 = -b**2",
+    "differential/standard-map":
+        "a x; claim (1+a*cos(x))*1-1*(a*cos(x)) = 1",
+    "differential/standard-map-trace":
+        "a x; claim (1+a*cos(x))+1 = 2+a*cos(x)",
+    "differential/standard-map-trace-wrong":
+        "a := 1; x := 0; claim (1+a*cos(x))+1 = 2+a*sin(x)",
+    "differential/standard-map-wrong":
+        "a := 1; x := 0; claim 1 = 1+a*cos(x)",
+    "differential/implicit-map-wrong":
+        "a := 1; x := 1; claim a/(1+3*x**2) = a/(1+x**2)",
+    "differential/abbreviation-in-jacobian":
+        "a x; f(t) := t+a*t**2; claim D(f,x) = 1+2*a*x",
+    "differential/abbreviation-in-jacobian-wrong":
+        "a := 1; x := 1; f(t) := t+a*t**2; claim D(f,x) = 1",
+    "differential/chain-rule-map":
+        "a x; f(t) := sin(a*t); claim D(f,x) = a*cos(a*x)",
+    "differential/chain-rule-map-wrong":
+        "a := 2; x := 0; f(t) := sin(a*t); claim D(f,x) = cos(a*x)",
+    "differential/root-map":
+        "a > 0; x; f(t) := sqrt(a+t**2); claim D(f,x) = x/f(x)",
+    "differential/root-map-wrong":
+        "a := 1; x := 1; f(t) := sqrt(a+t**2); claim D(f,x) = 1/(2*f(x))",
+    # witness-traps
+    "witness-traps/half-angle":
+        "u; claim sin(u) = 2*sin(u/2)*cos(u/2)",
+    "witness-traps/half-angle-wrong":
+        "u := pi; claim sin(u) = 2*sin(u/2)",
+    "witness-traps/cosine-one":
+        "n int; u := 2*pi*n; claim sin(u/2) = 0",
+    "witness-traps/cosine-one-wrong":
+        "u := 2*pi; given cos(u) = 1; claim cos(u/2) = 1",
+    "witness-traps/sine-zero":
+        "n int; u := pi*n; claim sin(2*u) = 0",
+    "witness-traps/sine-zero-wrong":
+        "u := pi; given sin(u) = 0; claim sin(u/2) = 0",
+    "witness-traps/tangent-one":
+        "nowhere; u := pi/4; claim tan(2*u) = 0",
+    "witness-traps/premise-denominator":
+        "x; if x != 1; y := (x**2-x)/(x-1); claim y = x",
+    "witness-traps/premise-denominator-wrong":
+        "x := 2; y := 2; given y = (x**2-x)/(x-1); claim y = 1",
+    "witness-traps/premise-denominator-zero-value":
+        "x := -1; y := -1; given y = (x**2-x)/(x-1); claim x = -1",
+    "witness-traps/premise-denominator-zero-value-wrong":
+        "x := -1; y := -1; given y = (x**2-x)/(x-1); claim x = 1",
+    "witness-traps/reciprocals":
+        "x; if x != 0; y := -x; given 1/x+1/y = 0; claim x+y = 0",
+    "witness-traps/reciprocals-wrong":
+        "x := 2; y := -2; given 1/x+1/y = 0; claim x*y = -1",
+    "witness-traps/root-of-negative-premise":
+        "y; x := -1-y**2; claim sqrt(x**2) = -x",
+    "witness-traps/root-of-negative-premise-wrong":
+        "y := 1; x := -2; claim sqrt(x**2) = 1-y**2",
+    "witness-traps/reflexion-of-exponential":
+        "k; f(t) := k*exp(t); claim f(1)*f(-1) = f(0)**2",
+    "witness-traps/reflexion-of-exponential-wrong":
+        "f(t) := 2*exp(t); claim f(1)*f(-1) = f(0)",
+    "witness-traps/oscillator-half-turn":
+        "p q; f(t) := p*cos(t)+q*sin(t); g(t) := -p*sin(t)+q*cos(t); claim f(pi) = -f(0)",
+    "witness-traps/oscillator-half-turn-wrong":
+        "f(t) := cos(t); claim f(pi) = f(0)",
+    "witness-traps/straight-line":
+        "p q; f(t) := p+q*t; claim f(2)-f(1) = f(1)-f(0)",
+    "witness-traps/straight-line-wrong":
+        "f(t) := t; claim f(2) = f(1)",
+    "witness-traps/period-and-values-wrong":
+        "f(t) := cos(pi*t); claim f(4) = f(1)",
+    "witness-traps/two-periods-wrong":
+        "f(t) := cos(2*pi*t); given f(1/7+2) = f(1/7); given f(1/7+3) = f(1/7); claim f(1/2) = f(0)",
+    "witness-traps/even-function-wrong":
+        "f(t) := t-t+1; claim f(0) = 0",
+    "witness-traps/periodic-derivative-wrong":
+        "f(t) := t; given D(f,mpf(2)) = D(f,mpf(1)); claim f(1) = f(0)",
+    "witness-traps/derivative-zero-wrong":
+        "f(t) := t-t+1; claim f(1) = 0",
+    "witness-traps/additive-function-wrong":
+        "f(t) := t+sin(pi*t)**2; given f(1/7+1) = f(1/7)+1; claim f(1/2) = f(0)+1/2",
+    "witness-traps/quintic-wrong":
+        "x := 7/6; claim x**5-x-1 = 0",
+    "witness-traps/transcendental-root-wrong":
+        "x := 3/4; claim x = cos(x)",
+    "witness-traps/exponential-root":
+        "x := ln(2); claim exp(x) = 2",
+    "witness-traps/exponential-root-wrong":
+        "x := ln(2); given exp(x) = 2; claim x = 0.6931471805599453",
+    "witness-traps/inequality-premise":
+        "x := 0; claim x = 0",
+    "witness-traps/inequality-premise-wrong":
+        "x := 1; y := 1; given x**2-y**2 <= 0; claim x = 0",
+    "witness-traps/irrational-only":
+        "x := sqrt(2); claim x**3 = 2*x",
+    "witness-traps/irrational-only-wrong":
+        "x := sqrt(2); claim x = 99/70",
+    "witness-traps/small-difference":
+        "x > 0; claim ((1+x)**3-1)/x = 3+3*x+x**2",
+    "witness-traps/small-difference-wrong":
+        "x := 1; claim ((1+x)**3-1)/x = 3+3*x+x**2+x/10**30",
+    "witness-traps/vanishes-at-small-integers":
+        "x; claim x*(x-1)*(x+1) = x**3-x",
+    "witness-traps/vanishes-at-small-integers-wrong":
+        "x := 4; claim x*(x**2-1)*(x**2-4)*(x**2-9) = 0",
 }
 
 
