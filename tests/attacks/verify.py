@@ -1181,7 +1181,7 @@ TABLE = {
     "equations-of-fields/beam-tip-wrong":
         "F := 1; E := 1; J := 1; L := 1; d := 1/3; claim d = F*L**3/(8*E*J)",
     "equations-of-fields/rc-circuit":
-        "R C > 0; U u; q(t) := C*U*(1-exp(-t/(R*C))); claim R*D(q,u)+q(u)/C = U",
+        "R in (1/2, 4); C in (1/2, 4); U u; q(t) := C*U*(1-exp(-t/(R*C))); claim R*D(q,u)+q(u)/C = U",
     "equations-of-fields/rc-circuit-wrong":
         "R := 1; C := 1; U := 1; u := 1; q(t) := C*U*(1-exp(-t/(R*C))); claim R*D(q,u)-q(u)/C = U",
     "equations-of-fields/rlc-quality":
