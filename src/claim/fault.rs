@@ -14,9 +14,6 @@ pub struct Source {
     verbatim: bool,
 }
 
-/// Inequalities are read, and not yet decided.
-pub(super) const NO_INEQUALITIES: &str = "inequalities are not decided: only equations are";
-
 /// Characters shown on either side of the place of a fault.
 const MOST_SHOWN: usize = 160;
 
@@ -32,6 +29,11 @@ impl Source {
             column,
             verbatim: offset.is_some(),
         }
+    }
+
+    /// Line and column where the TeX starts in the file, from 1.
+    pub fn place(&self) -> (usize, usize) {
+        (self.line, self.column)
     }
 
     /// A fault at byte `at` of the TeX.

@@ -1,8 +1,9 @@
 //! `vibro-audit audit [SHEET] [--explain LABEL]`.
 
 use super::{Answer, Content, Exit, Failure, Options, Source};
-use crate::claim::{self, Decision, Fault, Sheet};
+use crate::claim::{self, Fault, Sheet};
 use crate::evidence::{Evidence, witness};
+use crate::prove::{self, Decision, mention_refuted};
 use crate::report::{Cell, Table};
 use rayon::prelude::*;
 
@@ -61,7 +62,7 @@ fn decide_sheet(sheet: &Sheet, name: &str) -> Result<Answer, Failure> {
         name: name.to_owned(),
         fault,
     })?;
-    sheet.mention_refuted(decided.iter_mut().map(|(decision, _)| decision));
+    mention_refuted(sheet, decided.iter_mut().map(|(decision, _)| decision));
     table(&decided)
 }
 
@@ -72,7 +73,7 @@ fn decide_all(sheet: &Sheet) -> Result<Vec<(Decision, Evidence)>, Fault> {
 }
 
 fn decide(sheet: &Sheet, position: usize) -> Result<(Decision, Evidence), Fault> {
-    let decision = sheet.decide(position)?;
+    let decision = prove::decide(sheet, position, &prove::Options::default());
     let evidence = witness(sheet, position, decision.verdict, POINTS)?;
     Ok((decision, evidence))
 }
@@ -120,11 +121,11 @@ fn explain(sheet: &Sheet, label: &str) -> Result<Answer, Fault> {
     let (mut decision, evidence) = decide(sheet, position)?;
     let others = decide_all(sheet)?;
     let mut others: Vec<Decision> = others.into_iter().map(|(decision, _)| decision).collect();
-    sheet.mention_refuted(others.iter_mut());
+    mention_refuted(sheet, others.iter_mut());
     if let Some(told) = others.into_iter().find(|other| other.label == decision.label) {
         decision = told;
     }
-    let mut text = sheet.explain(position, &decision)?;
+    let mut text = prove::explain(sheet, position, &decision, &prove::Options::default());
     text.push_str(&told(&evidence));
     let as_expected = decision.is_expected() && evidence.against.is_none();
     Ok(Answer {

@@ -35,7 +35,9 @@ pub struct Evidence {
 /// # Errors
 /// The [`Fault`] of a claim or premise that makes no sense.
 pub fn witness(sheet: &Sheet, position: usize, verdict: Verdict, points: usize) -> Result<Evidence, Fault> {
-    let statements = sheet.statements(position)?;
+    let statements = Statements::gather(sheet, position)?;
+    let premises = statements.said(&sheet.vocabulary);
+    let statements = Statements { premises, ..statements };
     Ok(of_statements(sheet, &statements, verdict, points))
 }
 
@@ -87,7 +89,7 @@ fn of_statements(sheet: &Sheet, statements: &Statements, verdict: Verdict, point
                     .push("true for this forcing: it holds where f is a cosine alone, cos(pi t + phi)".to_string());
             }
         }
-        Verdict::Undecided => {}
+        Verdict::Undecided | Verdict::Unread => {}
     }
     evidence
 }
