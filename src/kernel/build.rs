@@ -697,7 +697,7 @@ impl<'a> Builder<'a> {
         if is_letter(name, "i") {
             return Ok(self.statement.terms.add(Node::Imaginary));
         }
-        Err(unreadable(at, format!("unknown symbol `{name}` (known: {})", self.vocabulary.known())))
+        Err(unreadable(at, format!("unknown symbol `{name}`")))
     }
 
     /// The symbol of an abbreviation, defined by its tree.

@@ -16,7 +16,7 @@ pub enum Property {
 }
 
 /// What a symbol stands for.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Quantity {
     Parameter(Name),
     /// The running time.
