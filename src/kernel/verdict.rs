@@ -91,7 +91,9 @@ pub fn refute(statement: &Statement, witness: &Witness) -> Result<Refuted, Refus
 pub fn refute_nowhere(statement: &Statement, certificate: &Certificate, witness: &Witness) -> Result<Refuted, Refusal> {
     contradicts(statement, certificate)?;
     let mut premises = statement.clone();
-    premises.givens.retain(|given| given.label != super::build::CLAIM_DOMAIN);
+    premises
+        .givens
+        .retain(|given| given.label != super::build::CLAIM_DOMAIN);
     At::new(&mut premises, witness, EFFORT)?;
     Ok(Refuted { nowhere: true })
 }
