@@ -122,6 +122,7 @@ impl Entry {
             }
             any(tree, &mut |node| {
                 if let Tree::Symbol(name, at) = node
+                    && elsewhere.contains(name)
                     && !mine(name)
                     && !vocabulary.knows(name)
                 {
