@@ -1,13 +1,16 @@
 //! Tree -> TeX that reads back to the same tree, given the same [`Names`](super::Names).
 
-use super::command::ABSOLUTE;
+use super::command::{ABSOLUTE, operator_name};
 use super::{Equation, Invariant, Name, Relation, Tree};
 use crate::number::Rational;
 use std::fmt;
 
 impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let plain = self.base.clone();
+        let plain = match operator_name(&self.base) {
+            Some(word) => format!("\\operatorname{{{word}}}"),
+            None => self.base.clone(),
+        };
         let accented = self
             .accents
             .iter()
@@ -19,13 +22,11 @@ impl fmt::Display for Name {
         for _ in 0..self.primes {
             f.write_str("'")?;
         }
-        match self.mark.len() {
-            0 => Ok(()),
-            // A single letter would be a symbolic power.
-            1 if self.mark.starts_with(|c: char| c.is_ascii_alphabetic()) => {
-                write!(f, "^{{\\text{{{}}}}}", self.mark)
-            }
-            _ => write!(f, "^{}", script(&self.mark)),
+        match self.mark.chars().next() {
+            None => Ok(()),
+            // Without \text, letters are a power, or might be.
+            Some(letter) if letter.is_ascii_alphabetic() => write!(f, "^{{\\text{{{}}}}}", self.mark),
+            Some(_) => write!(f, "^{}", script(&self.mark)),
         }
     }
 }
@@ -231,7 +232,7 @@ mod tests {
             (r"\dot Z_{1+k}", r"\dot{Z}_{k+1}"),
             ("r_{B}T_{1}", "r_B T_1"),
             (r"a-(b-(c+d))", "a - [b - (c + d)]"),
-            (r"1/2 T_1", r"\frac{1}{2} T_1"),
+            (r"1/2 \cdot T_1", r"\frac{1}{2} T_1"),
             ("2 \\cdot 3 \\cdot x_1 \\cdot 2", r"2 \cdot 3 x_1 \cdot 2"),
             (r"2 \cdot \frac12", r"2 \cdot \frac{1}{2}"),
             (r"r_B\cdot(a+b)(c+d)", r"r_B \cdot (a + b) (c + d)"),
@@ -243,6 +244,17 @@ mod tests {
             (r"\partial a/\partial b", r"\frac{\partial a}{\partial b}"),
             (r"[\operatorname{tr}(DP)]^2 - 4\det DP", "[Tr(DP)]^2 - 4 Det(DP)"),
             (r"-(\pm (-a))", r"-[\pm (-a)]"),
+            (r"|a - b|^2", r"\left|a - b\right|^2"),
+            (r"f \lvert x \rvert^n", r"f \left|x\right|^n"),
+            (r"\sqrt[3]{x}^{1/3}", r"\sqrt[3]{x}^{\frac{1}{3}}"),
+            ("x^{a b}", "x^{a b}"),
+            ("x^{+eta}", "x^{+eta}"),
+            ("e^{eta}", "e^{+eta}"),
+            ("e^{-a t}", "e^{-a t}"),
+            ("(Z_k^-)^n", "(Z_k^-)^n"),
+            (r"(\cos(x))^{-n}", r"[\cos(x)]^{-n}"),
+            ("x^n (a + b)", r"x^n \cdot (a + b)"),
+            (r"\operatorname{sgn}(x)^2", r"\operatorname{sgn}^2(x)"),
         ] {
             let tree = read_expression(tex, &names()).unwrap();
             assert_eq!(tree.to_string(), wanted, "{tex}");
