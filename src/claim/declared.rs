@@ -2,7 +2,7 @@
 
 use super::definition::{Local, pair_of};
 use super::nearest::nearest;
-use super::substitute::{any_side, find};
+use super::substitute::{any_side, below, find};
 use super::vocabulary::{Map, Vocabulary, index_of};
 use crate::tex::{Name, Tree};
 use std::collections::BTreeSet;
@@ -121,6 +121,20 @@ impl Vocabulary {
 
     fn is_time_of_impact(&self, name: &Name) -> bool {
         self.times.contains(&name.bare()) && self.is_indexed(name)
+    }
+
+    /// The first symbol of the formula that may be complex, absolute values left out; `extra` are complex besides.
+    pub(super) fn complex_in<'t>(&self, tree: &'t Tree, extra: &dyn Fn(&Name) -> bool) -> Option<&'t Name> {
+        let is_unit = |name: &Name| name.base == "i" && is_constant(name) && !self.declares(name);
+        match tree {
+            Tree::Symbol(name, _) => {
+                let single = pair_of(name);
+                let listed = self.complex.contains(single.as_ref().unwrap_or(name));
+                (listed || is_unit(name) || extra(name)).then_some(name)
+            }
+            Tree::Call(name, ..) if name.base == r"\abs" => None,
+            _ => below(tree, &mut |part| self.complex_in(part, extra)),
+        }
     }
 
     /// What to say of a name that nothing declares.

@@ -6,7 +6,7 @@ use super::fault::{Fault, Source};
 use super::substitute::any;
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
-use crate::tex::{Condition, Equation, Name, Tree};
+use crate::tex::{Condition, Equation, Name, Relation, Tree};
 use serde::Deserialize;
 use std::collections::HashSet;
 
@@ -127,6 +127,7 @@ impl Entry {
                 false
             });
         }
+        self.check_order(vocabulary)?;
         for (equation, source) in &self.with {
             if let Tree::Symbol(name, _) = &equation.left
                 && vocabulary.is_index_letter(name)
@@ -138,6 +139,45 @@ impl Entry {
         }
         self.borrowed = borrowed;
         Ok(())
+    }
+
+    /// Refuses an inequality between values that may be complex.
+    fn check_order(&self, vocabulary: &Vocabulary) -> Result<(), Fault> {
+        let conditions = self.assume.iter().filter_map(|(condition, source)| match condition {
+            Condition::Relation(relation) => Some((relation, source)),
+            Condition::Integer(_) => None,
+        });
+        let stated = self.equations.iter().map(|equation| (equation, &self.tex));
+        let ordered = |relation: Relation| !matches!(relation, Relation::Equal | Relation::NotEqual);
+        let mut complex: Option<HashSet<&Name>> = None;
+        for (equation, source) in stated
+            .chain(conditions)
+            .filter(|(equation, _)| ordered(equation.relation))
+        {
+            let defined = complex.get_or_insert_with(|| self.complex_definitions(vocabulary));
+            for side in [&equation.left, &equation.right] {
+                if let Some(name) = vocabulary.complex_in(side, &|name| defined.contains(name)) {
+                    let problem = format!("`{name}` is complex, and complex values have no order");
+                    return Err(source.fault(equation.at.0, problem).of(&self.label));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The symbols that the entry defines by an expression that may be complex.
+    fn complex_definitions(&self, vocabulary: &Vocabulary) -> HashSet<&Name> {
+        let mut complex = HashSet::new();
+        loop {
+            let new = self.own.iter().find(|local| {
+                let known = |name: &Name| complex.contains(name);
+                !complex.contains(&local.name) && vocabulary.complex_in(&local.tree, &known).is_some()
+            });
+            match new {
+                Some(local) => complex.insert(&local.name),
+                None => return complex,
+            };
+        }
     }
 
     /// The names that a definition gives to whatever follows from it.

@@ -102,6 +102,15 @@ impl Fault {
         self
     }
 
+    /// Two faults of one equation: the place is that of the first.
+    pub(super) fn and(mut self, other: Self) -> Self {
+        let place = other
+            .place
+            .map(|(line, column)| format!("line {line}, column {column}: "));
+        self.message = format!("{}; {}{}", self.message, place.unwrap_or_default(), other.message);
+        self
+    }
+
     /// The fault with a word in front of its message.
     pub(super) fn within(mut self, part: &str) -> Self {
         self.message = format!("{part} {}", self.message);

@@ -9,7 +9,7 @@ use super::premise::shared;
 use super::symbols::{MapEntry, Symbols};
 use super::verdict::Verdict;
 use super::vocabulary::Vocabulary;
-use crate::tex::{Equation, Name, read};
+use crate::tex::{Equation, Name, read, read_conditions};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use toml::Spanned;
@@ -41,6 +41,8 @@ struct RawEntry {
     local: Vec<Spanned<String>>,
     #[serde(default)]
     with: Vec<Spanned<String>>,
+    #[serde(default)]
+    assume: Vec<Spanned<String>>,
     follows_from: Option<Vec<Spanned<String>>>,
     #[serde(default)]
     expect: Verdict,
@@ -327,10 +329,10 @@ fn read_entry(
         }
     }
     let tex = Source::new(text, &raw.tex);
-    let mut unread = None;
+    let mut faults = Vec::new();
     let mut keep = |read: Result<Vec<Equation>, Fault>| {
         read.unwrap_or_else(|fault| {
-            unread.get_or_insert(fault.of(raw.label.get_ref()));
+            faults.push(fault);
             Vec::new()
         })
     };
@@ -348,16 +350,27 @@ fn read_entry(
         read.flatten().collect()
     };
     let (local, with) = (sourced(&raw.local), sourced(&raw.with));
+    let mut assume = Vec::new();
+    for value in raw.assume.iter().filter(|_| wanted) {
+        let source = Source::new(text, value);
+        match read_conditions(&source.tex, &vocabulary.names) {
+            Ok(conditions) => assume.extend(conditions.into_iter().map(|condition| (condition, source.clone()))),
+            Err(error) => faults.push(source.fault(error.at, error.reason.to_string())),
+        }
+    }
     Ok(Entry {
         label: raw.label.get_ref().clone(),
         role: raw.role,
         equations,
         local,
         with,
-        assume: Vec::new(),
+        assume,
         follows_from,
         expect: raw.expect,
-        unread,
+        unread: faults
+            .into_iter()
+            .reduce(Fault::and)
+            .map(|fault| fault.of(raw.label.get_ref())),
         tex,
         own: Vec::new(),
         stated: Vec::new(),

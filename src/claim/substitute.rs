@@ -46,18 +46,22 @@ pub fn rewrite_equation(equation: &Equation, new: &dyn Fn(&Name) -> Option<Tree>
 
 /// Whether any node of the tree passes the test.
 pub fn any(tree: &Tree, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
-    test(tree)
-        || match tree {
-            Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => false,
-            Tree::Call(_, inner, _)
-            | Tree::Negate(inner)
-            | Tree::Power(inner, ..)
-            | Tree::Root(inner, ..)
-            | Tree::PlusMinus(inner)
-            | Tree::MinusPlus(inner) => any(inner, test),
-            Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| any(part, test)),
-            Tree::Quotient(above, below, _) | Tree::RealPower(above, below, _) => any(above, test) || any(below, test),
-        }
+    test(tree) || below(tree, &mut |part| any(part, test).then_some(())).is_some()
+}
+
+/// What the test finds first among the parts directly below a node.
+pub(super) fn below<'t, T>(tree: &'t Tree, test: &mut dyn FnMut(&'t Tree) -> Option<T>) -> Option<T> {
+    match tree {
+        Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => None,
+        Tree::Call(_, inner, _)
+        | Tree::Negate(inner)
+        | Tree::Power(inner, ..)
+        | Tree::Root(inner, ..)
+        | Tree::PlusMinus(inner)
+        | Tree::MinusPlus(inner) => test(inner),
+        Tree::Sum(parts) | Tree::Product(parts) => parts.iter().find_map(test),
+        Tree::Quotient(above, below, _) | Tree::RealPower(above, below, _) => test(above).or_else(|| test(below)),
+    }
 }
 
 /// Whether any node of either side passes the test.
