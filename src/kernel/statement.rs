@@ -22,30 +22,14 @@ pub enum Quantity {
     /// The running time.
     Running,
     /// The time of an impact, or a state just before it or just after it.
-    Time {
-        family: Name,
-        index: i32,
-    },
-    State {
-        state: Name,
-        index: i32,
-        after: bool,
-    },
+    Time { family: Name, index: i32 },
+    State { state: Name, index: i32, after: bool },
     /// The derivative of one quantity by another along a map.
-    Partial {
-        of: Symbol,
-        by: Symbol,
-    },
+    Partial { of: Symbol, by: Symbol },
     /// The trace or determinant of a map of which no premise says anything.
-    Invariant {
-        kind: Invariant,
-        of: Name,
-    },
+    Invariant { kind: Invariant, of: Name },
     /// A symbol that is defined beside an equation; the number tells such symbols of different equations apart.
-    Local {
-        name: Name,
-        scope: usize,
-    },
+    Local { name: Name, scope: usize },
     /// A symbol that a certificate or a witness brings along.
     Fresh(usize),
 }
@@ -90,37 +74,129 @@ pub struct Step {
     pub equations: Vec<(String, Term)>,
 }
 
-/// A claim, ready to be decided: wherever all givens hold, the goal holds.
+/// A claim, ready to be decided: wherever all givens hold, the goals hold.
+///
+/// Outside the kernel it can be read, and extended by terms and symbols, but nothing given and no goal can be changed.
 #[derive(Clone, Debug, Default)]
 pub struct Statement {
-    pub terms: Terms,
+    /// Which statement it is: copies of one are extended apart, but stay the same statement. 0 is none.
+    pub(super) identity: u64,
+    pub(super) terms: Terms,
     /// Whether the symbols declared complex take part, so that all functions are principal branches.
-    pub complex: bool,
-    pub givens: Vec<Given>,
-    pub goal: Vec<(Property, Term)>,
+    pub(super) complex: bool,
+    pub(super) givens: Vec<Given>,
+    pub(super) goal: Vec<(Property, Term)>,
     /// What symbols stand for, by their number.
-    pub quantities: Vec<Quantity>,
+    pub(super) quantities: Vec<Quantity>,
     /// What unknown functions are, by their number.
-    pub functions: Vec<FunctionOf>,
+    pub(super) functions: Vec<FunctionOf>,
     /// Symbols that are abbreviations.
-    pub definitions: BTreeMap<Symbol, Term>,
+    pub(super) definitions: BTreeMap<Symbol, Term>,
     /// The declared derivatives of unknown functions.
-    pub derivatives: Derivatives,
+    pub(super) derivatives: Derivatives,
     /// Symbols that are declared complex, those declared generic.
-    pub complex_symbols: Vec<Symbol>,
-    pub generic: Vec<Symbol>,
-    pub steps: Vec<Step>,
+    pub(super) complex_symbols: Vec<Symbol>,
+    pub(super) generic: Vec<Symbol>,
+    pub(super) steps: Vec<Step>,
     /// The times of impacts by index; states that may be named; the states that an impact does not change.
-    pub times: BTreeMap<i32, Symbol>,
-    pub states: Vec<Name>,
-    pub continuous: Vec<Name>,
+    pub(super) times: BTreeMap<i32, Symbol>,
+    pub(super) states: Vec<Name>,
+    pub(super) continuous: Vec<Name>,
     /// The flight that the running time of the claim is in.
-    pub flight: Option<i32>,
+    pub(super) flight: Option<i32>,
     /// The letter that numbers impacts.
-    pub letter: String,
+    pub(super) letter: String,
 }
 
 impl Statement {
+    /// Its terms.
+    pub fn terms(&self) -> &Terms {
+        &self.terms
+    }
+
+    /// Its terms, to add to.
+    pub fn terms_mut(&mut self) -> &mut Terms {
+        &mut self.terms
+    }
+
+    /// What is given.
+    pub fn givens(&self) -> &[Given] {
+        &self.givens
+    }
+
+    /// What is to be shown.
+    pub fn goal(&self) -> &[(Property, Term)] {
+        &self.goal
+    }
+
+    /// Symbols that are abbreviations.
+    pub fn definitions(&self) -> &BTreeMap<Symbol, Term> {
+        &self.definitions
+    }
+
+    /// The declared derivatives of unknown functions.
+    pub fn derivatives(&self) -> &Derivatives {
+        &self.derivatives
+    }
+
+    /// What symbols stand for, by their number.
+    pub fn quantities(&self) -> &[Quantity] {
+        &self.quantities
+    }
+
+    /// What unknown functions are, by their number.
+    pub fn functions(&self) -> &[FunctionOf] {
+        &self.functions
+    }
+
+    /// Symbols that are declared generic.
+    pub fn generic(&self) -> &[Symbol] {
+        &self.generic
+    }
+
+    /// Symbols that are declared complex.
+    pub fn complex_symbols(&self) -> &[Symbol] {
+        &self.complex_symbols
+    }
+
+    /// Whether complex numbers take part.
+    pub fn is_complex(&self) -> bool {
+        self.complex
+    }
+
+    /// The maps whose derivatives the statement speaks of.
+    pub fn maps(&self) -> &[Step] {
+        &self.steps
+    }
+
+    /// The times of impacts by index.
+    pub fn times(&self) -> &BTreeMap<i32, Symbol> {
+        &self.times
+    }
+
+    /// The flight that the running time of the claim is in.
+    pub fn flight(&self) -> Option<i32> {
+        self.flight
+    }
+
+    /// The statement without what must hold for the claim to be defined, and without the claim.
+    pub fn premises(&self) -> Self {
+        let mut premises = self.clone();
+        premises.givens.retain(|given| given.label != super::build::CLAIM_DOMAIN);
+        premises.goal.clear();
+        premises.identity = 0;
+        premises
+    }
+
+    /// The statement with some of what is given.
+    pub fn with_givens(&self, kept: &dyn Fn(&Given) -> bool) -> Self {
+        let mut fewer = self.clone();
+        fewer.givens.retain(kept);
+        fewer.goal.clear();
+        fewer.identity = 0;
+        fewer
+    }
+
     /// What a symbol stands for.
     pub fn quantity(&self, symbol: Symbol) -> Option<&Quantity> {
         self.quantities.get(symbol.0 as usize)
@@ -393,28 +469,18 @@ impl Statement {
     /// Whether the value of a term is real for certain, over complex numbers.
     pub fn is_real(&self, term: Term) -> bool {
         !self.complex
-            || self
-                .terms
-                .inside(term)
-                .into_iter()
-                .all(|inner| match self.terms.node(inner) {
-                    Node::Symbol(symbol) => {
-                        !self.complex_symbols.contains(symbol)
-                            && self
-                                .definitions
-                                .get(symbol)
-                                .is_none_or(|&meaning| self.is_real(meaning))
-                            && !matches!(self.quantity(*symbol), Some(Quantity::Fresh(_)))
-                    }
-                    Node::Imaginary | Node::RealPower(..) => false,
-                    Node::Elementary(function, _) => {
-                        matches!(
-                            function,
-                            Elementary::Sin | Elementary::Cos | Elementary::Exp | Elementary::Arctan
-                        )
-                    }
-                    _ => true,
-                })
+            || self.terms.inside(term).into_iter().all(|inner| match self.terms.node(inner) {
+                Node::Symbol(symbol) => {
+                    !self.complex_symbols.contains(symbol)
+                        && self.definitions.get(symbol).is_none_or(|&meaning| self.is_real(meaning))
+                        && !matches!(self.quantity(*symbol), Some(Quantity::Fresh(_)))
+                }
+                Node::Imaginary | Node::RealPower(..) => false,
+                Node::Elementary(function, _) => {
+                    matches!(function, Elementary::Sin | Elementary::Cos | Elementary::Exp | Elementary::Arctan)
+                }
+                _ => true,
+            })
     }
 }
 
@@ -422,9 +488,7 @@ impl Statement {
 fn domain_of(terms: &mut Terms, term: Term, complex: bool) -> Vec<(Property, Term)> {
     match terms.node(term).clone() {
         Node::Quotient(_, below) => vec![(Property::Nonzero, below)],
-        Node::Elementary(Elementary::Root(index), of) if !complex && index % 2 == 0 => {
-            vec![(Property::NonNegative, of)]
-        }
+        Node::Elementary(Elementary::Root(index), of) if !complex && index % 2 == 0 => vec![(Property::NonNegative, of)],
         Node::Elementary(Elementary::Ln, of) if complex => vec![(Property::Nonzero, of)],
         Node::Elementary(Elementary::Ln, of) => vec![(Property::Positive, of)],
         Node::Elementary(Elementary::Arcsin | Elementary::Arccos, of) if !complex => {

@@ -1,7 +1,11 @@
 //! The search for proofs and counterexamples. Whatever it finds, the kernel decides.
 
+mod angles;
 mod counterexample;
 mod decision;
+mod proof;
+mod session;
+mod values;
 
 pub use counterexample::Counterexample;
 pub use decision::{Decision, mention_refuted};
@@ -24,16 +28,35 @@ impl Default for Options {
 /// Decides the claim at a position of the sheet. What cannot be read is `unread`; what follows from such is
 /// `undecided`.
 pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
-    let _ = options;
-    match Decision::without_search(sheet, position) {
-        Ok(_statements) => {
-            let mut decision = Decision::of(sheet, position);
-            decision.verdict = Verdict::Undecided;
-            decision.reason = "not decided yet".to_string();
-            decision
+    let statements = match Decision::without_search(sheet, position) {
+        Ok(statements) => statements,
+        Err(decision) => return decision,
+    };
+    let mut decision = Decision::of(sheet, position);
+    let questions = match crate::kernel::questions(&statements, &sheet.vocabulary) {
+        Ok(questions) => questions,
+        Err(fault) => {
+            decision.verdict = Verdict::Unread;
+            decision.reason = fault.to_string();
+            return decision;
         }
-        Err(decision) => decision,
+    };
+    decision.verdict = Verdict::Proved;
+    for question in questions {
+        match proof::search(&question.statement, 5_000_000 * options.effort) {
+            Some(certificate) => {
+                if let Err(refusal) = crate::kernel::follows(&certificate) {
+                    decision.verdict = Verdict::Undecided;
+                    decision.reason = format!("KERNEL: {refusal}");
+                }
+            }
+            None => {
+                decision.verdict = Verdict::Undecided;
+                decision.reason = "no proof found".into();
+            }
+        }
     }
+    decision
 }
 
 /// Decides each claim, in the order of the sheet. What cannot be read has a row too, whatever its role.
