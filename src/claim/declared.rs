@@ -218,8 +218,12 @@ impl Vocabulary {
             .collect()
     }
 
-    /// Whether a map has this derivative, or a chain of maps: 1 or 0 among the quantities that a map starts from.
+    /// Whether a map has this derivative, or a chain of maps: 1 or 0 among the quantities that a map starts from. Where
+    /// no maps are declared, the premises may give the derivative of any time or state at an impact by another.
     fn has_partial(&self, of: &Name, by: &Name) -> bool {
+        if self.maps.is_empty() {
+            return self.is_indexed(of) && self.is_indexed(by);
+        }
         let steps: Vec<(Vec<Name>, Vec<Name>)> = self.maps.iter().filter_map(|(_, map)| self.step(map)).collect();
         let (of, mut reached) = (self.quantity(of), vec![self.quantity(by)]);
         if steps
