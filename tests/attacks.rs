@@ -8,7 +8,10 @@ use vibro_audit::prove::{Options, decide};
 
 /// The sheets below a folder, in order.
 fn sheets(folder: &Path, found: &mut Vec<PathBuf>) {
-    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .collect();
     entries.sort();
     for path in entries {
         if path.is_dir() {
@@ -21,7 +24,11 @@ fn sheets(folder: &Path, found: &mut Vec<PathBuf>) {
 
 /// The truth that the first lines of a sheet state: of one claim by its label, or of the last.
 fn truth(text: &str, label: &str, last: bool) -> Option<String> {
-    let of = |prefix: &str| text.lines().find_map(|line| line.strip_prefix(prefix)).map(|word| word.trim().to_string());
+    let of = |prefix: &str| {
+        text.lines()
+            .find_map(|line| line.strip_prefix(prefix))
+            .map(|word| word.trim().to_string())
+    };
     of(&format!("# truth {label}:")).or_else(|| if last { of("# truth:") } else { None })
 }
 
@@ -39,7 +46,12 @@ fn no_verdict_is_wrong_and_few_are_undecided() {
         if only.as_ref().is_some_and(|only| !shown.contains(only.as_str())) {
             continue;
         }
-        let class = path.parent().and_then(Path::file_name).unwrap().to_string_lossy().into_owned();
+        let class = path
+            .parent()
+            .and_then(Path::file_name)
+            .unwrap()
+            .to_string_lossy()
+            .into_owned();
         let text = std::fs::read_to_string(&path).unwrap();
         let sheet = match Sheet::read(&text, &vocabulary().unwrap()) {
             Ok(sheet) => sheet,
@@ -53,7 +65,9 @@ fn no_verdict_is_wrong_and_few_are_undecided() {
         let claims: Vec<usize> = (0..sheet.entries.len()).filter(|&n| sheet.is_claim(n)).collect();
         for &position in &claims {
             let label = sheet.entries[position].label.clone();
-            let Some(truth) = truth(&text, &label, claims.last() == Some(&position)) else { continue };
+            let Some(truth) = truth(&text, &label, claims.last() == Some(&position)) else {
+                continue;
+            };
             let start = std::time::Instant::now();
             let decision = decide(&sheet, position, &Options::default());
             let taken = start.elapsed();
@@ -64,7 +78,10 @@ fn no_verdict_is_wrong_and_few_are_undecided() {
                 ("contradictory" | "unread", Verdict::Undecided) => true,
                 ("true" | "false", Verdict::Undecided) => {
                     class.1 += 1;
-                    println!("undecided ({truth}): {shown} ({label}) {:?}: {}", taken, decision.reason);
+                    println!(
+                        "undecided ({truth}): {shown} ({label}) {:?}: {}",
+                        taken, decision.reason
+                    );
                     true
                 }
                 _ => false,
@@ -73,11 +90,16 @@ fn no_verdict_is_wrong_and_few_are_undecided() {
                 println!("slow: {shown} {taken:?}");
             }
             if !right {
-                wrong.push(format!("{shown} ({label}): {truth}, but {}: {}", decision.verdict, decision.reason));
+                wrong.push(format!(
+                    "{shown} ({label}): {truth}, but {}: {}",
+                    decision.verdict, decision.reason
+                ));
             }
         }
     }
-    let (claims, undecided) = classes.values().fold((0, 0), |sum, class| (sum.0 + class.0, sum.1 + class.1));
+    let (claims, undecided) = classes
+        .values()
+        .fold((0, 0), |sum, class| (sum.0 + class.0, sum.1 + class.1));
     for (class, (claims, undecided)) in &classes {
         println!("{class}: {undecided} of {claims} undecided");
     }

@@ -88,7 +88,10 @@ fn pair_questions(
     let [first, second] = values(&mut builder, at)?;
     let symbol = builder.in_claim(&Tree::Symbol(name.clone(), equation.at), at)?;
     let Node::Symbol(pair) = *builder.statement.terms.node(symbol) else {
-        return Err(unreadable(equation.at.0, format!("`{name}` is no symbol that premises could be solved for")));
+        return Err(unreadable(
+            equation.at.0,
+            format!("`{name}` is no symbol that premises could be solved for"),
+        ));
     };
     builder.written.extend([first, second]);
     let factors = [first, second].map(|value| builder.statement.terms.difference(symbol, value));
@@ -104,14 +107,20 @@ fn pair_questions(
         let values = values(&mut builder, at)?;
         builder.written.extend(values);
         let goals = builder.solution(pair, values[sign], count);
-        let instance = if sign == 0 { "the upper value is a solution" } else { "the lower value is a solution" };
+        let instance = if sign == 0 {
+            "the upper value is a solution"
+        } else {
+            "the lower value is a solution"
+        };
         questions.push(question(equation, instance, builder.finish(goals)?));
     }
     Ok(questions)
 }
 
 fn has_sign(tree: &Tree) -> bool {
-    crate::claim::any(tree, &mut |node| matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_)))
+    crate::claim::any(tree, &mut |node| {
+        matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_))
+    })
 }
 
 fn unreadable(at: usize, message: impl Into<String>) -> Unreadable {
@@ -201,7 +210,12 @@ impl<'a> Builder<'a> {
             }
             builder.give(&premise.label, property, term, conditions);
         }
-        let number = statements.claims.iter().map(|claim| builder.first_impact(claim)).min().flatten();
+        let number = statements
+            .claims
+            .iter()
+            .map(|claim| builder.first_impact(claim))
+            .min()
+            .flatten();
         builder.own_scope(number.unwrap_or(0), false);
         for condition in &statements.assume {
             let (property, term) = builder.condition(condition)?;
@@ -284,21 +298,34 @@ impl<'a> Builder<'a> {
     }
 
     fn runs_over_indices(&mut self, term: Term) -> bool {
-        if !self.vocabulary.indices.iter().any(|letter| letter.to_string() == self.vocabulary.index) {
+        if !self
+            .vocabulary
+            .indices
+            .iter()
+            .any(|letter| letter.to_string() == self.vocabulary.index)
+        {
             return false;
         }
         let written = self.statement.written_out(term);
-        self.statement.terms.inside(written).into_iter().any(|inner| match self.statement.terms.node(inner) {
-            Node::Symbol(symbol) => matches!(
-                self.statement.quantity(*symbol),
-                Some(Quantity::State { .. } | Quantity::Time { .. })
-            ),
-            _ => false,
-        })
+        self.statement
+            .terms
+            .inside(written)
+            .into_iter()
+            .any(|inner| match self.statement.terms.node(inner) {
+                Node::Symbol(symbol) => matches!(
+                    self.statement.quantity(*symbol),
+                    Some(Quantity::State { .. } | Quantity::Time { .. })
+                ),
+                _ => false,
+            })
     }
 
     fn running_symbol(&mut self) -> Option<Symbol> {
-        let at = self.statement.quantities.iter().position(|known| *known == Quantity::Running)?;
+        let at = self
+            .statement
+            .quantities
+            .iter()
+            .position(|known| *known == Quantity::Running)?;
         u32::try_from(at).ok().map(Symbol)
     }
 
@@ -369,7 +396,10 @@ impl<'a> Builder<'a> {
         self.declare_signs()?;
         self.statement.complex = self.is_complex();
         if self.statement.complex && self.real_only {
-            return Err(unreadable(0, "absolute values are not read where complex numbers take part"));
+            return Err(unreadable(
+                0,
+                "absolute values are not read where complex numbers take part",
+            ));
         }
         for term in std::mem::take(&mut self.written) {
             for (property, of) in self.statement.domain(term) {
@@ -387,7 +417,10 @@ impl<'a> Builder<'a> {
         }
         self.statement.goal = goal;
         if self.statement.terms.len() > MOST_TERMS {
-            return Err(unreadable(0, format!("the claim and its premises come to more than {MOST_TERMS} terms")));
+            return Err(unreadable(
+                0,
+                format!("the claim and its premises come to more than {MOST_TERMS} terms"),
+            ));
         }
         Ok(self.statement)
     }
@@ -399,7 +432,10 @@ impl<'a> Builder<'a> {
             _ => false,
         };
         let complex = (0_u32..).map(Symbol).zip(&self.statement.quantities);
-        let complex: Vec<Symbol> = complex.filter(|(_, quantity)| declared(quantity)).map(|(symbol, _)| symbol).collect();
+        let complex: Vec<Symbol> = complex
+            .filter(|(_, quantity)| declared(quantity))
+            .map(|(symbol, _)| symbol)
+            .collect();
         let given: Vec<Term> = self.statement.givens.iter().map(|given| given.term).collect();
         let mut inside = BTreeSet::new();
         for term in given.into_iter().chain(self.written.clone()) {
@@ -427,7 +463,10 @@ impl<'a> Builder<'a> {
         ];
         // an abbreviation that is declared positive is so whether or not it is written
         for (name, _) in &vocabulary.abbreviations {
-            if lists.iter().any(|(list, _)| list.contains(name)) && !vocabulary.times.is_empty() && !self.statement.times.is_empty() {
+            if lists.iter().any(|(list, _)| list.contains(name))
+                && !vocabulary.times.is_empty()
+                && !self.statement.times.is_empty()
+            {
                 self.own_scope(0, false);
                 self.tree(&Tree::Symbol(name.clone(), Default::default()))?;
             }
@@ -470,7 +509,9 @@ impl<'a> Builder<'a> {
         }
         // a derivative that is a formula is a law: f' = formula at every time
         for (name, derivative) in &self.vocabulary.functions {
-            let Some(tree) = derivative.as_ref().filter(|tree| !matches!(tree, Tree::Symbol(next, _) if self.is_function(next)))
+            let Some(tree) = derivative
+                .as_ref()
+                .filter(|tree| !matches!(tree, Tree::Symbol(next, _) if self.is_function(next)))
             else {
                 continue;
             };
@@ -500,7 +541,11 @@ impl<'a> Builder<'a> {
         if let Some(running) = self.running {
             return Ok(running);
         }
-        let printed = self.vocabulary.running.as_ref().map_or("t".to_string(), Name::to_string);
+        let printed = self
+            .vocabulary
+            .running
+            .as_ref()
+            .map_or("t".to_string(), Name::to_string);
         let symbol = self.statement.symbol_of(Quantity::Running, || printed);
         Ok(self.statement.terms.symbol(symbol))
     }
@@ -553,7 +598,10 @@ impl<'a> Builder<'a> {
     /// The term of a tree.
     fn tree(&mut self, tree: &Tree) -> Result<Term, Unreadable> {
         if self.statement.terms.len() > MOST_TERMS {
-            return Err(unreadable(0, format!("the claim and its premises come to more than {MOST_TERMS} terms")));
+            return Err(unreadable(
+                0,
+                format!("the claim and its premises come to more than {MOST_TERMS} terms"),
+            ));
         }
         Ok(match tree {
             Tree::Number(value) => self.statement.terms.number(value.clone()),
@@ -634,7 +682,9 @@ impl<'a> Builder<'a> {
         let constant = constant.filter(|quotient| quotient.divisors.is_empty());
         if let Some(Rational(value)) = constant.and_then(|quotient| quotient.numerator.as_constant()) {
             let index = u32::try_from(value.denominator()).ok().filter(|index| *index <= 1000);
-            let power = i32::try_from(value.numerator()).ok().filter(|power| power.abs() <= 10_000);
+            let power = i32::try_from(value.numerator())
+                .ok()
+                .filter(|power| power.abs() <= 10_000);
             let (Some(index), Some(power)) = (index, power) else {
                 return Err(unreadable(at, "this exponent is too large to be read"));
             };
@@ -678,7 +728,9 @@ impl<'a> Builder<'a> {
             return self.abbreviation(&local.name, &local.tree, self.scope.number, at);
         }
         if self.vocabulary.parameters.contains(name) || self.vocabulary.indices.contains(name) {
-            let symbol = self.statement.symbol_of(Quantity::Parameter(name.clone()), || name.to_string());
+            let symbol = self
+                .statement
+                .symbol_of(Quantity::Parameter(name.clone()), || name.to_string());
             return Ok(self.statement.terms.symbol(symbol));
         }
         if let Some((name, tree)) = self.vocabulary.abbreviations.iter().find(|(known, _)| known == name) {
@@ -773,13 +825,17 @@ impl<'a> Builder<'a> {
             && let Some(index) = index_of(&time.subscript, &self.vocabulary.index)
             && self.vocabulary.states.contains(&name.bare())
         {
-            let departs = name.mark == "+" || (name.mark.is_empty() && self.scope.in_flight && self.scope.flight == index);
+            let departs =
+                name.mark == "+" || (name.mark.is_empty() && self.scope.in_flight && self.scope.flight == index);
             let letter = self.vocabulary.index.clone();
             let symbol = self.statement.state(&name.bare(), index, departs, &letter);
             return Ok(self.statement.terms.symbol(symbol));
         }
         if !name.mark.is_empty() {
-            return Err(unreadable(at, format!("`{name}` needs the time of an impact in its bracket")));
+            return Err(unreadable(
+                at,
+                format!("`{name}` needs the time of an impact in its bracket"),
+            ));
         }
         let _ = dots;
         let time = self.tree(argument)?;
@@ -806,13 +862,20 @@ impl<'a> Builder<'a> {
             r"\tan" => ratio(terms, Elementary::Sin, Elementary::Cos),
             r"\cot" => ratio(terms, Elementary::Cos, Elementary::Sin),
             r"\sec" | r"\csc" => {
-                let below = if function == r"\sec" { Elementary::Cos } else { Elementary::Sin };
+                let below = if function == r"\sec" {
+                    Elementary::Cos
+                } else {
+                    Elementary::Sin
+                };
                 let below = terms.elementary(below, of);
                 terms.quotient(one, below)
             }
             r"\sinh" | r"\cosh" | r"\tanh" | r"\coth" => {
                 let minus = terms.negative(of);
-                let (up, down) = (terms.elementary(Elementary::Exp, of), terms.elementary(Elementary::Exp, minus));
+                let (up, down) = (
+                    terms.elementary(Elementary::Exp, of),
+                    terms.elementary(Elementary::Exp, minus),
+                );
                 let (sum, difference, two) = (terms.sum(vec![up, down]), terms.difference(up, down), terms.integer(2));
                 match function {
                     r"\sinh" => terms.quotient(difference, two),
@@ -852,10 +915,12 @@ impl<'a> Builder<'a> {
         if maps.iter().any(|(_, map)| matches!(map, Map::Equations(_))) {
             return false;
         }
-        let mut trees = statements.claims.iter().chain(statements.premises.iter().map(|premise| &premise.equation));
-        let writes = |equation: &Equation| {
-            crate::claim::any_side(equation, &mut |node| matches!(node, Tree::Partial { .. }))
-        };
+        let mut trees = statements
+            .claims
+            .iter()
+            .chain(statements.premises.iter().map(|premise| &premise.equation));
+        let writes =
+            |equation: &Equation| crate::claim::any_side(equation, &mut |node| matches!(node, Tree::Partial { .. }));
         if trees.any(writes) {
             return false;
         }
@@ -871,7 +936,10 @@ impl<'a> Builder<'a> {
             })
             .collect();
         !statements.premises.iter().any(|premise| {
-            self.vocabulary.impacts(&premise.equation).iter().any(|index| named.contains(index))
+            self.vocabulary
+                .impacts(&premise.equation)
+                .iter()
+                .any(|index| named.contains(index))
                 || crate::claim::flies(&premise.equation, self.vocabulary)
         })
     }
@@ -886,7 +954,11 @@ impl<'a> Builder<'a> {
     /// The derivative of one quantity by another: 1 and 0 among those a map starts from, by the chain rule where
     /// impacts lie between.
     fn entry(&mut self, of: Symbol, by: Symbol, steps: &[(Name, Step)], left: usize) -> Option<Term> {
-        let here: Vec<&Step> = steps.iter().map(|(_, step)| step).filter(|step| step.by.contains(&by)).collect();
+        let here: Vec<&Step> = steps
+            .iter()
+            .map(|(_, step)| step)
+            .filter(|step| step.by.contains(&by))
+            .collect();
         if here.iter().any(|step| step.by.contains(&of)) {
             return Some(self.statement.terms.integer(i64::from(of == by)));
         }
@@ -923,7 +995,10 @@ impl<'a> Builder<'a> {
             .matrix(of, &steps, self.vocabulary.maps.len())
             .ok_or_else(|| unreadable(at, format!("`{of}` is no known matrix")))?;
         if matrix.iter().any(|row| row.len() != matrix.len()) {
-            return Err(unreadable(at, format!("`{of}` is a matrix without equal numbers of rows and columns")));
+            return Err(unreadable(
+                at,
+                format!("`{of}` is a matrix without equal numbers of rows and columns"),
+            ));
         }
         Ok(match kind {
             Invariant::Trace => {
@@ -939,7 +1014,10 @@ impl<'a> Builder<'a> {
             let row = |of: &Symbol, builder: &mut Self| -> Vec<Term> {
                 let partials = step.by.iter().map(|by| builder.statement.partial(*of, *by));
                 let partials: Vec<Symbol> = partials.collect();
-                partials.into_iter().map(|partial| builder.statement.terms.symbol(partial)).collect()
+                partials
+                    .into_iter()
+                    .map(|partial| builder.statement.terms.symbol(partial))
+                    .collect()
             };
             return Some(step.of.iter().map(|of| row(of, self)).collect());
         }
@@ -966,11 +1044,18 @@ impl<'a> Builder<'a> {
         }
         let terms = &mut self.statement.terms;
         let mut entry = |row: &Vec<Term>, column: usize| {
-            let parts = row.iter().zip(b).map(|(left, right)| terms.product(vec![*left, right[column]]));
+            let parts = row
+                .iter()
+                .zip(b)
+                .map(|(left, right)| terms.product(vec![*left, right[column]]));
             let parts = parts.collect();
             terms.sum(parts)
         };
-        Some(a.iter().map(|row| (0..columns).map(|column| entry(row, column)).collect()).collect())
+        Some(
+            a.iter()
+                .map(|row| (0..columns).map(|column| entry(row, column)).collect())
+                .collect(),
+        )
     }
 
     /// The maps whose derivatives are symbols of their own: what they take to what.
@@ -1034,7 +1119,13 @@ impl<'a> Builder<'a> {
             let message = format!("map `{map}`: its equations must take the states at one impact to the next");
             return Err(unreadable(0, message));
         }
-        let side = |at| order.iter().filter(|(index, ..)| *index == at).map(|(.., symbol)| *symbol).collect();
+        let side = |at| {
+            order
+                .iter()
+                .filter(|(index, ..)| *index == at)
+                .map(|(.., symbol)| *symbol)
+                .collect()
+        };
         let mut rows = Vec::new();
         for equation in equations {
             let (_, term) = self.relation(equation)?;
@@ -1085,7 +1176,13 @@ pub fn determinant(statement: &mut Statement, matrix: &[Vec<Term>]) -> Term {
     };
     let mut sum = Vec::new();
     for (column, entry) in first.iter().enumerate() {
-        let without = |row: &Vec<Term>| row.iter().enumerate().filter(|(n, _)| *n != column).map(|(_, t)| *t).collect();
+        let without = |row: &Vec<Term>| {
+            row.iter()
+                .enumerate()
+                .filter(|(n, _)| *n != column)
+                .map(|(_, t)| *t)
+                .collect()
+        };
         let minor: Vec<Vec<Term>> = rest.iter().map(without).collect();
         let minor = determinant(statement, &minor);
         let product = statement.terms.product(vec![*entry, minor]);

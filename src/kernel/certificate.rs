@@ -102,13 +102,25 @@ pub enum Axiom {
     /// sin² + cos² = 1.
     Pythagoras(Term),
     /// The sine of a term that is the sum of two (DLMF 4.21.2).
-    SineOfSum { sum: Term, parts: [Term; 2] },
+    SineOfSum {
+        sum: Term,
+        parts: [Term; 2],
+    },
     /// The cosine of a term that is the sum of two (DLMF 4.21.3).
-    CosineOfSum { sum: Term, parts: [Term; 2] },
+    CosineOfSum {
+        sum: Term,
+        parts: [Term; 2],
+    },
     /// sin(-x) = -sin x, for two terms with sum 0.
-    SineOfNegative { negative: Term, of: Term },
+    SineOfNegative {
+        negative: Term,
+        of: Term,
+    },
     /// cos(-x) = cos x.
-    CosineOfNegative { negative: Term, of: Term },
+    CosineOfNegative {
+        negative: Term,
+        of: Term,
+    },
     /// The sine of a term that is 0, the cosine of one.
     SineOfZero(Term),
     CosineOfZero(Term),
@@ -119,7 +131,10 @@ pub enum Axiom {
     SineOfHalfTurns(Term),
     CosineOfTurns(Term),
     /// exp(x + y) = exp x exp y for a term that is the sum of two.
-    ExpOfSum { sum: Term, parts: [Term; 2] },
+    ExpOfSum {
+        sum: Term,
+        parts: [Term; 2],
+    },
     /// exp of a term that is 0.
     ExpOfZero(Term),
     /// exp x > 0 for real x.
@@ -137,13 +152,22 @@ pub enum Axiom {
     /// An even root is not negative.
     RootNonNegative(Term),
     /// `value` with the n-th power x is the n-th root of x, if n is odd or `value` is not negative.
-    RootUnique { root: Term, value: Term },
+    RootUnique {
+        root: Term,
+        value: Term,
+    },
     /// x^y = exp(y ln x) for x > 0.
     RealPower(Term),
     /// x^(a + b) = x^a x^b for x other than 0 and integers a and b.
-    IntegerPowerOfSum { power: Term, parts: [Term; 2] },
+    IntegerPowerOfSum {
+        power: Term,
+        parts: [Term; 2],
+    },
     /// x^n is the n-th power of x for an exponent that is the integer n, x other than 0 if n is negative.
-    IntegerPower { power: Term, exponent: i32 },
+    IntegerPower {
+        power: Term,
+        exponent: i32,
+    },
     /// sin(arcsin x) = x, cos(arccos x) = x, sin(arctan x) = x cos(arctan x).
     SineOfArcsin(Term),
     CosineOfArccos(Term),

@@ -139,7 +139,10 @@ impl<'a> Checker<'a> {
 
     /// Whether a polynomial with integer coefficients holds only generators that are known to be integers.
     fn is_integer(&self, polynomial: &Polynomial) -> bool {
-        let whole = polynomial.terms().iter().all(|(_, value)| *value.denominator() == dashu_int::UBig::ONE);
+        let whole = polynomial
+            .terms()
+            .iter()
+            .all(|(_, value)| *value.denominator() == dashu_int::UBig::ONE);
         let integer = |term: &Term| {
             let fact = Fact {
                 property: Property::Integer,
@@ -296,7 +299,8 @@ impl<'a> Checker<'a> {
             Inference::Derivative(source) => {
                 let mut law = self.derived(*source)?;
                 // where a law holds at single times only, its derivative says nothing
-                let open = |(property, _): &(Property, Term)| matches!(property, Property::Positive | Property::Nonzero);
+                let open =
+                    |(property, _): &(Property, Term)| matches!(property, Property::Positive | Property::Nonzero);
                 if !law.conditions.iter().all(open) {
                     return refused("the law does not hold on an open set");
                 }
@@ -314,7 +318,9 @@ impl<'a> Checker<'a> {
             } => self.constant(*of, *time, *at, *flight, steps),
             Inference::Along { map, equation, by } => {
                 let step = self.statement.steps.get(*map).cloned();
-                let Some((step, (_, term))) = step.and_then(|step| Some((step.clone(), step.equations.get(*equation)?.clone()))) else {
+                let Some((step, (_, term))) =
+                    step.and_then(|step| Some((step.clone(), step.equations.get(*equation)?.clone())))
+                else {
                     return refused("there is no such map or equation");
                 };
                 if !step.by.contains(by) {
@@ -387,7 +393,10 @@ impl<'a> Checker<'a> {
             let mut positive = root.as_constant().is_some_and(|value| !value.is_zero());
             for &number in facts {
                 let fact = self.fact(number, &[Property::Positive, Property::NonNegative])?;
-                positive &= self.facts.get(number).is_some_and(|fact| fact.property == Property::Positive);
+                positive &= self
+                    .facts
+                    .get(number)
+                    .is_some_and(|fact| fact.property == Property::Positive);
                 part = self.expansion.times(&part, &fact)?;
             }
             is_strict |= positive;
@@ -397,13 +406,20 @@ impl<'a> Checker<'a> {
             return refused("no summand is positive for certain");
         }
         self.identical(&left, &right)?;
-        let property = if strict { Property::Positive } else { Property::NonNegative };
+        let property = if strict {
+            Property::Positive
+        } else {
+            Property::NonNegative
+        };
         self.add(property, target.clone());
         Ok(())
     }
 
     fn congruence(&mut self, left: Term, right: Term) -> Outcome<()> {
-        let (a, b) = match (self.statement.terms.node(left).clone(), self.statement.terms.node(right).clone()) {
+        let (a, b) = match (
+            self.statement.terms.node(left).clone(),
+            self.statement.terms.node(right).clone(),
+        ) {
             (Node::Elementary(f, a), Node::Elementary(g, b)) if f == g => (a, b),
             (Node::Value(f, n, a), Node::Value(g, m, b)) if f == g && n == m => (a, b),
             (Node::RealPower(x, a), Node::RealPower(y, b)) if x == y => (a, b),
@@ -541,25 +557,29 @@ impl<'a> Checker<'a> {
         }
     }
 
-    fn constant(
-        &mut self,
-        of: Term,
-        time: Symbol,
-        at: Term,
-        flight: Option<i32>,
-        steps: &[Inference],
-    ) -> Outcome<()> {
+    fn constant(&mut self, of: Term, time: Symbol, at: Term, flight: Option<i32>, steps: &[Inference]) -> Outcome<()> {
         // the symbol runs: nothing may be known of it
-        if !matches!(self.statement.quantity(time), Some(super::statement::Quantity::Fresh(_))) {
+        if !matches!(
+            self.statement.quantity(time),
+            Some(super::statement::Quantity::Fresh(_))
+        ) {
             return refused("the time of a law is a symbol of the statement");
         }
         let speaks = |fact: &Fact, statement: &Statement| {
-            fact.polynomial.generators().iter().any(|&term| statement.terms.holds(term, time))
+            fact.polynomial
+                .generators()
+                .iter()
+                .any(|&term| statement.terms.holds(term, time))
         };
         if self.facts.iter().any(|fact| speaks(fact, self.statement)) {
             return refused("something is known of the time of a law");
         }
-        let given = self.statement.givens.iter().filter(|given| given.law.is_none()).map(|given| given.term);
+        let given = self
+            .statement
+            .givens
+            .iter()
+            .filter(|given| given.law.is_none())
+            .map(|given| given.term);
         for term in given.collect::<Vec<_>>() {
             let term = self.statement.written_out(term);
             if self.statement.terms.holds(term, time) {
@@ -692,7 +712,11 @@ impl<'a> Checker<'a> {
             }
             Axiom::CosineOfZero(of) | Axiom::ExpOfZero(of) => {
                 self.same(*of, &[])?;
-                let which = if matches!(axiom, Axiom::CosineOfZero(_)) { Cos } else { Exp };
+                let which = if matches!(axiom, Axiom::CosineOfZero(_)) {
+                    Cos
+                } else {
+                    Exp
+                };
                 let (value, one) = (function(self, which, *of), terms!().integer(1));
                 let difference = terms!().difference(value, one);
                 self.conclude(Zero, difference)

@@ -43,7 +43,10 @@ impl Quotient {
     /// The product of the divisors that `self` has and `other` lacks.
     fn lacking(&self, other: &Self) -> Vec<(Polynomial, u32)> {
         let power_in = |p: &Polynomial| other.divisors.iter().find(|(q, _)| q == p).map_or(0, |(_, n)| *n);
-        let lacking = self.divisors.iter().map(|(p, n)| (p.clone(), n.saturating_sub(power_in(p))));
+        let lacking = self
+            .divisors
+            .iter()
+            .map(|(p, n)| (p.clone(), n.saturating_sub(power_in(p))));
         lacking.filter(|(_, n)| *n > 0).collect()
     }
 }
@@ -115,7 +118,10 @@ impl Expansion {
                 let base = self.of(terms, base)?;
                 let exponent = u32::try_from(exponent).map_err(|_| Refusal::Other("a negative power".into()))?;
                 let numerator = self.power(&base.numerator, exponent)?;
-                let raised = base.divisors.iter().map(|(p, n)| (p.clone(), n.saturating_mul(exponent)));
+                let raised = base
+                    .divisors
+                    .iter()
+                    .map(|(p, n)| (p.clone(), n.saturating_mul(exponent)));
                 Quotient {
                     numerator,
                     divisors: raised.filter(|(_, n)| *n > 0).collect(),
@@ -299,7 +305,11 @@ fn elementary_slope(terms: &mut Terms, function: Elementary, at: Term, inner: Te
             let rest = terms.difference(one, square);
             let root = terms.elementary(Elementary::Root(2), rest);
             let slope = terms.quotient(one, root);
-            if function == Elementary::Arcsin { slope } else { terms.negative(slope) }
+            if function == Elementary::Arcsin {
+                slope
+            } else {
+                terms.negative(slope)
+            }
         }
         Elementary::Arctan => {
             let square = terms.add(Node::Power(at, 2));

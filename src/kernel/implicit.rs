@@ -54,12 +54,20 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
             })
             .collect();
         let met: Vec<Symbol> = met.into_iter().filter(|symbol| moving(symbol, statement)).collect();
-        let inside = met.iter().all(|symbol| step.of.contains(symbol) || step.by.contains(symbol));
+        let inside = met
+            .iter()
+            .all(|symbol| step.of.contains(symbol) || step.by.contains(symbol));
         let speaks = met.iter().any(|symbol| step.of.contains(symbol));
-        let partial = statement.terms.inside(written).into_iter().any(|inner| match statement.terms.node(inner) {
-            super::term::Node::Symbol(symbol) => matches!(statement.quantity(*symbol), Some(Quantity::Partial { .. })),
-            _ => false,
-        });
+        let partial = statement
+            .terms
+            .inside(written)
+            .into_iter()
+            .any(|inner| match statement.terms.node(inner) {
+                super::term::Node::Symbol(symbol) => {
+                    matches!(statement.quantity(*symbol), Some(Quantity::Partial { .. }))
+                }
+                _ => false,
+            });
         if inside && speaks && !partial {
             let state = met
                 .iter()
@@ -98,7 +106,9 @@ pub fn slope_determinant(statement: &mut Statement, step: &Step) -> Term {
 
 fn slope_at_random(statement: &mut Statement, term: Term, of: Symbol) -> Option<u128> {
     let slope = statement.derivative(term, of);
-    let quotient = Expansion::new(BTreeSet::new(), 100_000).of(&statement.terms, slope).ok()?;
+    let quotient = Expansion::new(BTreeSet::new(), 100_000)
+        .of(&statement.terms, slope)
+        .ok()?;
     residue(&quotient.numerator)
 }
 
@@ -115,7 +125,9 @@ fn residue(polynomial: &Polynomial) -> Option<u128> {
         let (above, below) = (positive(above)?, positive(&dashu_int::IBig::from(below.clone()))?);
         let product = monomial
             .iter()
-            .fold(times(above, inverse(below)), |product, (generator, power)| times(product, raise(value(*generator), u128::from(*power))));
+            .fold(times(above, inverse(below)), |product, (generator, power)| {
+                times(product, raise(value(*generator), u128::from(*power)))
+            });
         Some((sum + product) % PRIME)
     })
 }

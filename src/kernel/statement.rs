@@ -22,14 +22,30 @@ pub enum Quantity {
     /// The running time.
     Running,
     /// The time of an impact, or a state just before it or just after it.
-    Time { family: Name, index: i32 },
-    State { state: Name, index: i32, after: bool },
+    Time {
+        family: Name,
+        index: i32,
+    },
+    State {
+        state: Name,
+        index: i32,
+        after: bool,
+    },
     /// The derivative of one quantity by another along a map.
-    Partial { of: Symbol, by: Symbol },
+    Partial {
+        of: Symbol,
+        by: Symbol,
+    },
     /// The trace or determinant of a map of which no premise says anything.
-    Invariant { kind: Invariant, of: Name },
+    Invariant {
+        kind: Invariant,
+        of: Name,
+    },
     /// A symbol that is defined beside an equation; the number tells such symbols of different equations apart.
-    Local { name: Name, scope: usize },
+    Local {
+        name: Name,
+        scope: usize,
+    },
     /// A symbol that a certificate or a witness brings along.
     Fresh(usize),
 }
@@ -182,7 +198,9 @@ impl Statement {
     /// The statement without what must hold for the claim to be defined, and without the claim.
     pub fn premises(&self) -> Self {
         let mut premises = self.clone();
-        premises.givens.retain(|given| given.label != super::build::CLAIM_DOMAIN);
+        premises
+            .givens
+            .retain(|given| given.label != super::build::CLAIM_DOMAIN);
         premises.goal.clear();
         premises.identity = 0;
         premises
@@ -205,7 +223,9 @@ impl Statement {
     pub fn with_functions(&mut self, term: Term, functions: &[(Function, Symbol, Term)]) -> Term {
         let declared = self.derivatives.clone();
         self.terms.rewrite(term, &mut |terms, node| {
-            let Node::Value(function, order, at) = node else { return None };
+            let Node::Value(function, order, at) = node else {
+                return None;
+            };
             let (_, time, named) = functions.iter().find(|(f, ..)| f == function)?;
             let mut slope = *named;
             for _ in 0..*order {
@@ -498,18 +518,28 @@ impl Statement {
     /// Whether the value of a term is real for certain, over complex numbers.
     pub fn is_real(&self, term: Term) -> bool {
         !self.complex
-            || self.terms.inside(term).into_iter().all(|inner| match self.terms.node(inner) {
-                Node::Symbol(symbol) => {
-                    !self.complex_symbols.contains(symbol)
-                        && self.definitions.get(symbol).is_none_or(|&meaning| self.is_real(meaning))
-                        && !matches!(self.quantity(*symbol), Some(Quantity::Fresh(_)))
-                }
-                Node::Imaginary | Node::RealPower(..) => false,
-                Node::Elementary(function, _) => {
-                    matches!(function, Elementary::Sin | Elementary::Cos | Elementary::Exp | Elementary::Arctan)
-                }
-                _ => true,
-            })
+            || self
+                .terms
+                .inside(term)
+                .into_iter()
+                .all(|inner| match self.terms.node(inner) {
+                    Node::Symbol(symbol) => {
+                        !self.complex_symbols.contains(symbol)
+                            && self
+                                .definitions
+                                .get(symbol)
+                                .is_none_or(|&meaning| self.is_real(meaning))
+                            && !matches!(self.quantity(*symbol), Some(Quantity::Fresh(_)))
+                    }
+                    Node::Imaginary | Node::RealPower(..) => false,
+                    Node::Elementary(function, _) => {
+                        matches!(
+                            function,
+                            Elementary::Sin | Elementary::Cos | Elementary::Exp | Elementary::Arctan
+                        )
+                    }
+                    _ => true,
+                })
     }
 }
 
@@ -517,7 +547,9 @@ impl Statement {
 fn domain_of(terms: &mut Terms, term: Term, complex: bool) -> Vec<(Property, Term)> {
     match terms.node(term).clone() {
         Node::Quotient(_, below) => vec![(Property::Nonzero, below)],
-        Node::Elementary(Elementary::Root(index), of) if !complex && index % 2 == 0 => vec![(Property::NonNegative, of)],
+        Node::Elementary(Elementary::Root(index), of) if !complex && index % 2 == 0 => {
+            vec![(Property::NonNegative, of)]
+        }
         Node::Elementary(Elementary::Ln, of) if complex => vec![(Property::Nonzero, of)],
         Node::Elementary(Elementary::Ln, of) => vec![(Property::Positive, of)],
         Node::Elementary(Elementary::Arcsin | Elementary::Arccos, of) if !complex => {

@@ -54,11 +54,7 @@ fn same<T>(statement: &Statement, with: &With<T>) -> Result<(), Refusal> {
 ///
 /// # Errors
 /// A [`Refusal`] that says which step, goal or given is not shown.
-pub fn prove(
-    statement: &Statement,
-    certificate: &With<Certificate>,
-    point: &With<Witness>,
-) -> Result<Proved, Refusal> {
+pub fn prove(statement: &Statement, certificate: &With<Certificate>, point: &With<Witness>) -> Result<Proved, Refusal> {
     same(statement, certificate)?;
     same(statement, point)?;
     follows(certificate)?;

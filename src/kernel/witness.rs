@@ -139,9 +139,10 @@ impl<'a> At<'a> {
             }
             let smooth = |inner: &Term| match self.statement.terms.node(*inner) {
                 Node::Imaginary | Node::RealPower(..) => !self.statement.terms.holds(*inner, *time),
-                Node::Elementary(Elementary::Root(_) | Elementary::Ln | Elementary::Arcsin | Elementary::Arccos, of) => {
-                    !self.statement.terms.holds(*of, *time) || self.positive_everywhere(*of, *time)
-                }
+                Node::Elementary(
+                    Elementary::Root(_) | Elementary::Ln | Elementary::Arcsin | Elementary::Arccos,
+                    of,
+                ) => !self.statement.terms.holds(*of, *time) || self.positive_everywhere(*of, *time),
                 Node::Quotient(_, below) => {
                     !self.statement.terms.holds(*below, *time) || self.positive_everywhere(*below, *time)
                 }
@@ -185,10 +186,16 @@ impl<'a> At<'a> {
         };
         let of_time = terms.symbol(time);
         let positive = |(monomial, value): &(super::polynomial::Monomial, dashu_ratio::RBig)| {
-            monomial.iter().all(|(generator, power)| *generator == of_time && power % 2 == 0)
+            monomial
+                .iter()
+                .all(|(generator, power)| *generator == of_time && power % 2 == 0)
                 && Rational(value.clone()) > Rational::zero()
         };
-        let constant = quotient.numerator.terms().iter().any(|(monomial, _)| monomial.is_empty());
+        let constant = quotient
+            .numerator
+            .terms()
+            .iter()
+            .any(|(monomial, _)| monomial.is_empty());
         quotient.divisors.is_empty() && constant && quotient.numerator.terms().iter().all(positive)
     }
 
@@ -331,7 +338,10 @@ impl<'a> At<'a> {
         let unit = self.statement.terms.add(Node::Imaginary);
         let mut parts = [Vec::new(), Vec::new()];
         for (monomial, value) in polynomial.terms() {
-            let power = monomial.iter().find(|(term, _)| *term == unit).map_or(0, |(_, power)| *power);
+            let power = monomial
+                .iter()
+                .find(|(term, _)| *term == unit)
+                .map_or(0, |(_, power)| *power);
             let rest = monomial.iter().copied().filter(|(term, _)| *term != unit).collect();
             let value = if power % 4 >= 2 { -value.clone() } else { value.clone() };
             parts[power as usize % 2].push((rest, value));
@@ -360,7 +370,10 @@ impl<'a> At<'a> {
             Property::NonNegative => real >= 0 && real < 2 && imaginary == 0,
             Property::Integer => {
                 let quotient = self.numerator(sampled)?;
-                let value = quotient.numerator.as_constant().filter(|_| quotient.divisors.is_empty());
+                let value = quotient
+                    .numerator
+                    .as_constant()
+                    .filter(|_| quotient.divisors.is_empty());
                 match value {
                     Some(value) => *value.0.denominator() == dashu_int::UBig::ONE,
                     None => return refused("not known to be an integer"),
@@ -405,7 +418,9 @@ impl<'a> At<'a> {
         for flight in self.flights() {
             let running = self.statement.fresh("t");
             let at = self.statement.terms.symbol(running);
-            let Some((_, term, _)) = self.statement.instance(number, Some(at), flight - base, Some((running, flight)))
+            let Some((_, term, _)) = self
+                .statement
+                .instance(number, Some(at), flight - base, Some((running, flight)))
             else {
                 return refused("the law does not extend to a flight of the statement");
             };
@@ -483,7 +498,9 @@ impl<'a> At<'a> {
         for end in [first, last] {
             let slope = self.statement.derivative(given.term, end);
             let closed = self.property(Property::Nonzero, slope)?;
-            let free = symbols.values().all(|&symbol| !self.statement.terms.holds(slope, symbol));
+            let free = symbols
+                .values()
+                .all(|&symbol| !self.statement.terms.holds(slope, symbol));
             if !closed || !free || low == high {
                 return refused("a recursion that cannot be solved for its ends");
             }
@@ -514,7 +531,9 @@ impl<'a> At<'a> {
     /// The function and its period, where a law says nothing else.
     fn period_of(&mut self, term: Term, time: Symbol) -> Option<(Function, Term)> {
         let term = self.statement.written_out(term);
-        let quotient = Expansion::new(BTreeSet::new(), self.effort).of(&self.statement.terms, term).ok()?;
+        let quotient = Expansion::new(BTreeSet::new(), self.effort)
+            .of(&self.statement.terms, term)
+            .ok()?;
         let [(a, x), (b, y)] = quotient.numerator.terms() else {
             return None;
         };
@@ -545,22 +564,46 @@ impl<'a> At<'a> {
     /// Times in the table are different, modulo the period of a function that has one: then there is a smooth function
     /// with these values (Hermite interpolation; for periodic ones, trigonometric).
     fn check_table(&mut self) -> Outcome<()> {
+        for (function, ..) in &self.witness.table {
+            let (mut next, mut seen) = (Some(*function), BTreeSet::new());
+            while let Some(function) = next {
+                if !seen.insert(function) {
+                    return refused("a function that is a derivative of its own has only single values");
+                }
+                next = self.statement.derivatives.get(&function).copied();
+            }
+        }
         let mut laws: Vec<(Function, Term)> = Vec::new();
         for given in self.statement.givens.clone() {
-            let Some(Law { time: Some(time), flight: None, .. }) = given.law else {
+            let Some(Law {
+                time: Some(time),
+                flight: None,
+                ..
+            }) = given.law
+            else {
                 continue;
             };
             let term = self.statement.written_out(given.term);
-            let tabled = self.statement.terms.inside(term).into_iter().any(|inner| match self.statement.terms.node(inner) {
-                Node::Value(function, ..) => self.chain(*function).iter().any(|f| self.is_tabled(*f)),
-                _ => false,
-            });
+            let tabled =
+                self.statement
+                    .terms
+                    .inside(term)
+                    .into_iter()
+                    .any(|inner| match self.statement.terms.node(inner) {
+                        Node::Value(function, ..) => self.chain(*function).iter().any(|f| self.is_tabled(*f)),
+                        _ => false,
+                    });
             if !tabled {
                 continue;
             }
             match self.period_of(given.term, time) {
                 Some(law) => laws.push(law),
-                None => return refused(format!("({}) binds a function that has only single values", given.label)),
+                None => {
+                    return refused(format!(
+                        "({}) binds a function that has only single values",
+                        given.label
+                    ));
+                }
             }
         }
         for (function, period) in laws {
@@ -573,7 +616,10 @@ impl<'a> At<'a> {
             while let Some(function) = of {
                 if let Some(known) = self.periods.get(&function).copied() {
                     let known = self.translate(known, None)?;
-                    let [sum, difference] = [self.statement.terms.sum(vec![known, translated]), self.statement.terms.difference(known, translated)];
+                    let [sum, difference] = [
+                        self.statement.terms.sum(vec![known, translated]),
+                        self.statement.terms.difference(known, translated),
+                    ];
                     if !self.vanishes_identically(sum)? && !self.vanishes_identically(difference)? {
                         return refused("a function has two periods");
                     }
@@ -623,13 +669,20 @@ impl<'a> At<'a> {
             return refused("two times of the table may be the same");
         }
         let chain = self.chain(function);
-        let period = self.periods.iter().find(|(f, _)| chain.contains(f)).map(|(_, period)| *period);
+        let period = self
+            .periods
+            .iter()
+            .find(|(f, _)| chain.contains(f))
+            .map(|(_, period)| *period);
         if let Some(period) = period {
             let period = self.translate(period, None)?;
             let period = self.sampled(period);
             let turns = self.statement.terms.quotient(apart, period);
             let quotient = self.numerator(turns)?;
-            let turns = quotient.numerator.as_constant().filter(|_| quotient.divisors.is_empty());
+            let turns = quotient
+                .numerator
+                .as_constant()
+                .filter(|_| quotient.divisors.is_empty());
             if turns.is_none_or(|turns| *turns.0.denominator() == dashu_int::UBig::ONE) {
                 return refused("two times of the table may be the same but for whole periods");
             }

@@ -48,13 +48,20 @@ pub fn expand(session: &mut Session, met: &BTreeSet<Term>) -> bool {
 
 /// An argument as a combination of atoms with rational coefficients, modulo what the premises say.
 fn combination(session: &mut Session, argument: Term) -> Option<Vec<(Atom, RBig)>> {
-    let quotient = session.checker.expansion.of(session.checker.statement.terms(), argument).ok()?;
+    let quotient = session
+        .checker
+        .expansion
+        .of(session.checker.statement.terms(), argument)
+        .ok()?;
     let numerator = if quotient.divisors.is_empty() {
         session.normal_form(&quotient.numerator)?
     } else {
         quotient.numerator
     };
-    let terms = numerator.terms().iter().map(|(monomial, value)| ((monomial.clone(), quotient.divisors.clone()), value.clone()));
+    let terms = numerator
+        .terms()
+        .iter()
+        .map(|(monomial, value)| ((monomial.clone(), quotient.divisors.clone()), value.clone()));
     Some(terms.collect())
 }
 
@@ -63,7 +70,9 @@ fn expand_family(session: &mut Session, family: Family, arguments: &BTreeSet<Ter
     let mut combinations: Vec<(Term, Vec<(Atom, RBig)>)> = Vec::new();
     let mut denominators: Vec<(Atom, UBig)> = Vec::new();
     for &argument in arguments {
-        let Some(parts) = combination(session, argument) else { continue };
+        let Some(parts) = combination(session, argument) else {
+            continue;
+        };
         for (atom, value) in &parts {
             let below = value.denominator().clone();
             match denominators.iter_mut().find(|(known, _)| known == atom) {
@@ -78,11 +87,19 @@ fn expand_family(session: &mut Session, family: Family, arguments: &BTreeSet<Ter
     for (atom, below) in denominators {
         let is_pi = family == Family::Circular && atom.1.is_empty() && atom.0.as_slice() == [(pi, 1)];
         // the sine of pi/n is a polynomial in its cosine for even n
-        let below = if is_pi && &below % UBig::from(2_u8) != UBig::ZERO { below * UBig::from(2_u8) } else { below };
+        let below = if is_pi && &below % UBig::from(2_u8) != UBig::ZERO {
+            below * UBig::from(2_u8)
+        } else {
+            below
+        };
         let term = atom_term(session, &atom);
         let number = Rational(RBig::from_parts(IBig::ONE, below.clone()));
         let factor = session.terms().number(number);
-        let base = if below == UBig::ONE { term } else { session.terms().product(vec![factor, term]) };
+        let base = if below == UBig::ONE {
+            term
+        } else {
+            session.terms().product(vec![factor, term])
+        };
         if is_pi {
             let Ok(count) = i64::try_from(&below) else { continue };
             if count > LARGEST_MULTIPLE {
@@ -105,7 +122,11 @@ fn expand_family(session: &mut Session, family: Family, arguments: &BTreeSet<Ter
                 continue;
             };
             let count = value * RBig::from(below);
-            let count = if *count.denominator() == UBig::ONE { i64::try_from(count.numerator()).ok() } else { None };
+            let count = if *count.denominator() == UBig::ONE {
+                i64::try_from(count.numerator()).ok()
+            } else {
+                None
+            };
             match count.filter(|count| count.abs() <= LARGEST_MULTIPLE) {
                 Some(count) => pieces.push(multiple(session, family, base, count)),
                 None => fits = false,
@@ -126,7 +147,11 @@ fn atom_term(session: &mut Session, atom: &Atom) -> Term {
     let mut factors = Vec::new();
     for &(term, power) in &atom.0 {
         let exponent = i32::try_from(power).unwrap_or(i32::MAX);
-        factors.push(if power == 1 { term } else { session.terms().add(Node::Power(term, exponent)) });
+        factors.push(if power == 1 {
+            term
+        } else {
+            session.terms().add(Node::Power(term, exponent))
+        });
     }
     let above = session.terms().product(factors);
     if atom.1.is_empty() {
@@ -136,7 +161,11 @@ fn atom_term(session: &mut Session, atom: &Atom) -> Term {
     for (polynomial, power) in &atom.1 {
         let term = polynomial_term(session, polynomial);
         let exponent = i32::try_from(*power).unwrap_or(i32::MAX);
-        below.push(if *power == 1 { term } else { session.terms().add(Node::Power(term, exponent)) });
+        below.push(if *power == 1 {
+            term
+        } else {
+            session.terms().add(Node::Power(term, exponent))
+        });
     }
     let below = session.terms().product(below);
     session.terms().quotient(above, below)
@@ -152,7 +181,11 @@ pub fn polynomial_term(session: &mut Session, polynomial: &Polynomial) -> Term {
         }
         for &(term, power) in monomial {
             let exponent = i32::try_from(power).unwrap_or(i32::MAX);
-            factors.push(if power == 1 { term } else { session.terms().add(Node::Power(term, exponent)) });
+            factors.push(if power == 1 {
+                term
+            } else {
+                session.terms().add(Node::Power(term, exponent))
+            });
         }
         parts.push(session.terms().product(factors));
     }
@@ -194,7 +227,10 @@ fn multiple(session: &mut Session, family: Family, base: Term, count: i64) -> Te
         }
         _ => {
             let half = count / 2;
-            let (low, high) = (multiple(session, family, base, half), multiple(session, family, base, count - half));
+            let (low, high) = (
+                multiple(session, family, base, half),
+                multiple(session, family, base, count - half),
+            );
             of_sum(session, family, term, [low, high]);
         }
     }
@@ -249,7 +285,11 @@ fn sum(session: &mut Session, family: Family, argument: Term, pieces: &[Term]) {
         [first, ..] => *first,
     };
     for (count, piece) in pieces.iter().enumerate().skip(1) {
-        let next = if count + 1 == pieces.len() { whole } else { session.terms().sum(pieces[..=count].to_vec()) };
+        let next = if count + 1 == pieces.len() {
+            whole
+        } else {
+            session.terms().sum(pieces[..=count].to_vec())
+        };
         of_sum(session, family, next, [so_far, *piece]);
         so_far = next;
     }
@@ -259,7 +299,10 @@ fn sum(session: &mut Session, family: Family, argument: Term, pieces: &[Term]) {
     // equal by themselves, or by what the premises say
     if session.show_equal(argument, so_far).is_some() {
         for &function in functions(family) {
-            let (left, right) = (session.terms().elementary(function, argument), session.terms().elementary(function, so_far));
+            let (left, right) = (
+                session.terms().elementary(function, argument),
+                session.terms().elementary(function, so_far),
+            );
             let _ = session.step(Inference::Congruence { left, right });
         }
     }
@@ -275,7 +318,10 @@ fn pi_over(session: &mut Session, pi: Term, base: Term, count: i64) {
     let turned = multiple(session, Family::Circular, base, count);
     if turned != pi && session.show_equal(turned, pi).is_some() {
         for function in [Elementary::Sin, Elementary::Cos] {
-            let (left, right) = (session.terms().elementary(function, turned), session.terms().elementary(function, pi));
+            let (left, right) = (
+                session.terms().elementary(function, turned),
+                session.terms().elementary(function, pi),
+            );
             let _ = session.step(Inference::Congruence { left, right });
         }
     }
@@ -285,13 +331,19 @@ fn pi_over(session: &mut Session, pi: Term, base: Term, count: i64) {
     // T_n(c) + 1 is 0; it is the square of the minimal polynomial, up to factors that are not 0 at cos(pi/n)
     let minimal = minimal_polynomial(count, &c);
     let chebyshev = chebyshev(count, &c).plus(&Polynomial::integer(1));
-    let Some(known) = session.show_with_family(&chebyshev) else { return };
+    let Some(known) = session.show_with_family(&chebyshev) else {
+        return;
+    };
     let mut square = minimal.times(&minimal);
     let mut power = 2;
-    let mut rest = crate::algebra::exact_quotient(&chebyshev, &square, &mut session.budget).ok().flatten();
+    let mut rest = crate::algebra::exact_quotient(&chebyshev, &square, &mut session.budget)
+        .ok()
+        .flatten();
     if rest.is_none() {
         (square, power) = (minimal.clone(), 1);
-        rest = crate::algebra::exact_quotient(&chebyshev, &square, &mut session.budget).ok().flatten();
+        rest = crate::algebra::exact_quotient(&chebyshev, &square, &mut session.budget)
+            .ok()
+            .flatten();
     }
     let Some(rest) = rest else { return };
     let (factors, scale) = match rest.as_constant() {
@@ -356,7 +408,9 @@ fn minimal_polynomial(count: i64, cosine: &Polynomial) -> Polynomial {
         }
         a == 1
     };
-    let roots = (1..=count).filter(coprime).map(|j| 2.0 * (std::f64::consts::PI * j as f64 / count as f64).cos());
+    let roots = (1..=count)
+        .filter(coprime)
+        .map(|j| 2.0 * (std::f64::consts::PI * j as f64 / count as f64).cos());
     let mut coefficients = vec![1.0_f64];
     for root in roots {
         let mut next = vec![0.0; coefficients.len() + 1];
@@ -371,4 +425,3 @@ fn minimal_polynomial(count: i64, cosine: &Polynomial) -> Polynomial {
         sum.times(&twice).plus(&Polynomial::integer(value.round() as i64))
     })
 }
-

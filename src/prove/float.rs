@@ -17,7 +17,11 @@ fn over((a, b): Complex, (c, d): Complex) -> Complex {
 
 fn exp((a, b): Complex) -> Complex {
     let size = a.exp();
-    if b == 0.0 { (size, 0.0) } else { (size * b.cos(), size * b.sin()) }
+    if b == 0.0 {
+        (size, 0.0)
+    } else {
+        (size * b.cos(), size * b.sin())
+    }
 }
 
 fn ln((a, b): Complex) -> Complex {
@@ -25,7 +29,13 @@ fn ln((a, b): Complex) -> Complex {
 }
 
 /// The value of a term; NaN where it has none, or where `real` and a function leaves the reals.
-pub fn value(terms: &Terms, term: Term, symbols: &HashMap<Symbol, Complex>, real: bool, known: &mut HashMap<Term, Complex>) -> Complex {
+pub fn value(
+    terms: &Terms,
+    term: Term,
+    symbols: &HashMap<Symbol, Complex>,
+    real: bool,
+    known: &mut HashMap<Term, Complex>,
+) -> Complex {
     const NONE: Complex = (f64::NAN, f64::NAN);
     for inner in terms.inside(term) {
         if known.contains_key(&inner) {

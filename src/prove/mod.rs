@@ -68,8 +68,15 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
 }
 
 fn follows_from(sheet: &Sheet, position: usize) -> String {
-    let premises = sheet.entries.get(position).map(|entry| entry.follows_from.as_slice()).unwrap_or_default();
-    let labels = premises.iter().filter_map(|&n| sheet.entries.get(n)).map(|entry| format!("({})", entry.label));
+    let premises = sheet
+        .entries
+        .get(position)
+        .map(|entry| entry.follows_from.as_slice())
+        .unwrap_or_default();
+    let labels = premises
+        .iter()
+        .filter_map(|&n| sheet.entries.get(n))
+        .map(|entry| format!("({})", entry.label));
     let labels: Vec<String> = labels.collect();
     match labels.is_empty() {
         true => "an identity".to_string(),

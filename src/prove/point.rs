@@ -12,7 +12,7 @@ use super::values::{self, Usable};
 use crate::algebra::{coefficients_in, degree_in, primitive};
 use crate::kernel::{
     Certificate, Elementary, Expansion, Function, FunctionOf, Inference, Law, Node, Polynomial, Property, Quantity,
-    Statement, Symbol, Term, Witness, With,
+    Statement, Symbol, Term, With, Witness,
 };
 use crate::number::{Field, Rational, Sequence};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -83,7 +83,9 @@ pub fn search(
             open: equations.clone(),
             solved: Vec::new(),
         };
-        let Some(system) = search.put_in_functions(system) else { continue };
+        let Some(system) = search.put_in_functions(system) else {
+            continue;
+        };
         search.solve(system);
         if search.found.is_some() {
             return search.found;
@@ -108,8 +110,14 @@ fn equations(statement: &mut Statement) -> Option<(Vec<Term>, Vec<Usable>)> {
         if !adds {
             continue;
         }
-        if matches!(step, Inference::Given(_) | Inference::Law { .. } | Inference::Along { .. })
-            && session.checker.facts.get(fact).is_some_and(|fact| fact.property == Property::Zero)
+        if matches!(
+            step,
+            Inference::Given(_) | Inference::Law { .. } | Inference::Along { .. }
+        ) && session
+            .checker
+            .facts
+            .get(fact)
+            .is_some_and(|fact| fact.property == Property::Zero)
         {
             let polynomial = session.polynomial(fact);
             if !polynomial.is_zero() {
@@ -118,7 +126,10 @@ fn equations(statement: &mut Statement) -> Option<(Vec<Term>, Vec<Usable>)> {
         }
         fact += 1;
     }
-    let found: Vec<Term> = found.into_iter().map(|term| session.checker.statement.written_out(term)).collect();
+    let found: Vec<Term> = found
+        .into_iter()
+        .map(|term| session.checker.statement.written_out(term))
+        .collect();
     Some((found, laws))
 }
 
@@ -126,9 +137,18 @@ fn equations(statement: &mut Statement) -> Option<(Vec<Term>, Vec<Usable>)> {
 fn periods(statement: &mut Statement) -> Vec<(Function, Term)> {
     let mut found = Vec::new();
     for given in statement.givens().to_vec() {
-        let Some(Law { time: Some(time), flight: None, .. }) = given.law else { continue };
+        let Some(Law {
+            time: Some(time),
+            flight: None,
+            ..
+        }) = given.law
+        else {
+            continue;
+        };
         let term = statement.written_out(given.term);
-        let Some(form) = numerator(statement, term) else { continue };
+        let Some(form) = numerator(statement, term) else {
+            continue;
+        };
         let [(a, x), (b, y)] = form.terms() else { continue };
         let single = |monomial: &crate::kernel::Monomial| match monomial.as_slice() {
             [(generator, 1)] => match statement.terms().node(*generator) {
@@ -137,7 +157,9 @@ fn periods(statement: &mut Statement) -> Vec<(Function, Term)> {
             },
             _ => None,
         };
-        let (Some((f, u)), Some((g, v))) = (single(a), single(b)) else { continue };
+        let (Some((f, u)), Some((g, v))) = (single(a), single(b)) else {
+            continue;
+        };
         if f != g || *x != -y.clone() {
             continue;
         }
@@ -154,7 +176,9 @@ fn periods(statement: &mut Statement) -> Vec<(Function, Term)> {
 }
 
 fn numerator(statement: &Statement, term: Term) -> Option<Polynomial> {
-    let quotient = Expansion::new(BTreeSet::new(), 3_000_000).of(statement.terms(), term).ok()?;
+    let quotient = Expansion::new(BTreeSet::new(), 3_000_000)
+        .of(statement.terms(), term)
+        .ok()?;
     Some(quotient.numerator)
 }
 
@@ -166,11 +190,17 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
     let running = statement.terms_mut().symbol(time);
     for law in laws {
         let term = statement.terms_mut().substitute(law.term(), law.time(), running);
-        let Some(form) = numerator(statement, term) else { continue };
+        let Some(form) = numerator(statement, term) else {
+            continue;
+        };
         let own = values::values_of(statement, term);
         for (monomial, lead) in form.terms() {
-            let [(generator, 1)] = monomial.as_slice() else { continue };
-            let Node::Value(function, order, at) = *statement.terms().node(*generator) else { continue };
+            let [(generator, 1)] = monomial.as_slice() else {
+                continue;
+            };
+            let Node::Value(function, order, at) = *statement.terms().node(*generator) else {
+                continue;
+            };
             let family = family(statement, function);
             let once = own.iter().filter(|(f, ..)| family.contains(f)).count() == 1;
             if at != running || !once || named.iter().any(|(f, ..)| *f == function) || order > 0 {
@@ -193,7 +223,11 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
     let simple: BTreeSet<Function> = simple_periodic(statement, laws);
     let open: Vec<Function> = bound
         .into_iter()
-        .filter(|function| !covered.contains(function) && is_line(function) && !(periodic.contains(function) && simple.contains(function)))
+        .filter(|function| {
+            !covered.contains(function)
+                && is_line(function)
+                && !(periodic.contains(function) && simple.contains(function))
+        })
         .collect();
     if open.is_empty() {
         return vec![named];
@@ -207,11 +241,18 @@ fn simple_periodic(statement: &mut Statement, laws: &[Usable]) -> BTreeSet<Funct
     let periodic = periods(statement);
     let mut counted: BTreeMap<Function, usize> = BTreeMap::new();
     for law in laws.iter().filter(|law| law.is_given()) {
-        for (function, ..) in values::values_of(statement, law.term()).into_iter().collect::<BTreeSet<_>>() {
+        for (function, ..) in values::values_of(statement, law.term())
+            .into_iter()
+            .collect::<BTreeSet<_>>()
+        {
             *counted.entry(function).or_default() += 1;
         }
     }
-    periodic.into_iter().map(|(function, _)| function).filter(|function| counted.get(function).is_none_or(|&n| n <= 2)).collect()
+    periodic
+        .into_iter()
+        .map(|(function, _)| function)
+        .filter(|function| counted.get(function).is_none_or(|&n| n <= 2))
+        .collect()
 }
 
 /// A function with all that are connected with it by derivatives.
@@ -244,9 +285,13 @@ fn complete(statement: &mut Statement, named: &mut Vec<(Function, Symbol, Term)>
                     named.push((inner, time, slope));
                 }
                 (None, Some(term)) => {
-                    let Some(form) = numerator(statement, term) else { continue };
+                    let Some(form) = numerator(statement, term) else {
+                        continue;
+                    };
                     let mut session = Session::new(statement, Vec::new(), 1000);
-                    let Some(integral) = values::antiderivative_of(&mut session, &form, time) else { continue };
+                    let Some(integral) = values::antiderivative_of(&mut session, &form, time) else {
+                        continue;
+                    };
                     let constant = statement.fresh("c");
                     let constant = statement.terms_mut().symbol(constant);
                     let integral = statement.terms_mut().sum(vec![integral, constant]);
@@ -286,7 +331,10 @@ fn candidates(
     let mut shapes = vec![one, t, terms.integer(0), terms.add(Node::Power(t, 2))];
     for rate in rates {
         let angle = terms.product(vec![rate, t]);
-        let (sine, cosine) = (terms.elementary(Elementary::Sin, angle), terms.elementary(Elementary::Cos, angle));
+        let (sine, cosine) = (
+            terms.elementary(Elementary::Sin, angle),
+            terms.elementary(Elementary::Cos, angle),
+        );
         shapes.extend([sine, cosine]);
         shapes.push(terms.elementary(Elementary::Exp, angle));
         let negative = terms.negative(angle);
@@ -321,14 +369,26 @@ fn candidates(
 
 /// Of these functions one that is no derivative of another.
 fn top(statement: &Statement, of: &[Function]) -> Option<Function> {
-    let derived: BTreeSet<Function> = statement.derivatives().iter().filter(|(f, _)| of.contains(f)).map(|(_, g)| *g).collect();
-    of.iter().find(|function| !derived.contains(function)).or(of.first()).copied()
+    let derived: BTreeSet<Function> = statement
+        .derivatives()
+        .iter()
+        .filter(|(f, _)| of.contains(f))
+        .map(|(_, g)| *g)
+        .collect();
+    of.iter()
+        .find(|function| !derived.contains(function))
+        .or(of.first())
+        .copied()
 }
 
 impl Search<'_> {
     /// Puts the named functions in. Values of other functions become symbols once their times are solved for.
     fn put_in_functions(&mut self, system: System) -> Option<System> {
-        let open = system.open.into_iter().map(|term| self.named(term)).collect::<Option<Vec<Term>>>()?;
+        let open = system
+            .open
+            .into_iter()
+            .map(|term| self.named(term))
+            .collect::<Option<Vec<Term>>>()?;
         Some(System { open, ..system })
     }
 
@@ -359,7 +419,9 @@ impl Search<'_> {
                 continue;
             }
             self.make_table(&mut system);
-            system.open.retain(|&term| numerator(&self.statement, term).is_none_or(|form| !form.is_zero()));
+            system
+                .open
+                .retain(|&term| numerator(&self.statement, term).is_none_or(|form| !form.is_zero()));
             for &term in &system.open {
                 if numerator(&self.statement, term).is_some_and(|form| form.as_constant().is_some()) {
                     return;
@@ -435,11 +497,16 @@ impl Search<'_> {
     fn is_generic_only(&self, term: Term) -> bool {
         let generic = self.statement.generic();
         !generic.is_empty()
-            && self.statement.terms().inside(term).iter().all(|&inner| match self.statement.terms().node(inner) {
-                Node::Symbol(symbol) => generic.contains(symbol),
-                Node::Value(..) => false,
-                _ => true,
-            })
+            && self
+                .statement
+                .terms()
+                .inside(term)
+                .iter()
+                .all(|&inner| match self.statement.terms().node(inner) {
+                    Node::Symbol(symbol) => generic.contains(symbol),
+                    Node::Value(..) => false,
+                    _ => true,
+                })
     }
 
     fn put_in(&mut self, system: &mut System, number: usize, symbol: Symbol, solution: Term) {
@@ -462,12 +529,18 @@ impl Search<'_> {
         let mut found = Vec::new();
         for generator in form.generators() {
             let coefficients = coefficients_in(form, generator);
-            let others: Vec<Term> = form.generators().into_iter().filter(|term| *term != generator).collect();
+            let others: Vec<Term> = form
+                .generators()
+                .into_iter()
+                .filter(|term| *term != generator)
+                .collect();
             let mut session_statement = std::mem::take(&mut self.statement);
             let mut session = Session::new(&mut session_statement, Vec::new(), 1000);
             match session.node(generator) {
                 Node::Symbol(symbol) => {
-                    let inside = others.iter().any(|&term| session.checker.statement.terms().holds(term, symbol));
+                    let inside = others
+                        .iter()
+                        .any(|&term| session.checker.statement.terms().holds(term, symbol));
                     let rank = preference(session.checker.statement, symbol);
                     if inside || rank == u8::MAX {
                     } else if let [rest, lead] = coefficients.as_slice() {
@@ -480,7 +553,12 @@ impl Search<'_> {
                         };
                         let constant = lead.as_constant().is_some();
                         let lead_size = if constant { 0 } else { 1 };
-                        found.push(((lead_size, rank, lead.terms().len()), symbol, solution, (!constant).then(|| lead.clone())));
+                        found.push((
+                            (lead_size, rank, lead.terms().len()),
+                            symbol,
+                            solution,
+                            (!constant).then(|| lead.clone()),
+                        ));
                     } else if let [c, b, a] = coefficients.as_slice()
                         && session.checker.statement.generic().is_empty()
                     {
@@ -491,7 +569,11 @@ impl Search<'_> {
                         let product = terms.product(vec![four, a, c]);
                         let radicand = terms.difference(square, product);
                         let root = terms.elementary(Elementary::Root(2), radicand);
-                        let root = if self.random.draw() % 2 == 0 { root } else { terms.negative(root) };
+                        let root = if self.random.draw() % 2 == 0 {
+                            root
+                        } else {
+                            terms.negative(root)
+                        };
                         let (above, below) = (terms.difference(root, b), terms.product(vec![two, a]));
                         let solution = terms.quotient(above, below);
                         found.push(((3, rank, form.terms().len()), symbol, solution, None));
@@ -499,7 +581,9 @@ impl Search<'_> {
                         && coefficients[1..coefficients.len() - 1].iter().all(Polynomial::is_zero)
                         && session.checker.statement.generic().is_empty()
                     {
-                        let (Some(rest), Some(lead)) = (coefficients.first(), coefficients.last()) else { continue };
+                        let (Some(rest), Some(lead)) = (coefficients.first(), coefficients.last()) else {
+                            continue;
+                        };
                         let above = polynomial_term(&mut session, &rest.negated());
                         let below = polynomial_term(&mut session, lead);
                         let index = u32::try_from(coefficients.len() - 1).unwrap_or(2);
@@ -509,7 +593,9 @@ impl Search<'_> {
                         found.push(((4, rank, form.terms().len()), symbol, solution, None));
                     }
                 }
-                Node::Elementary(function, of) if coefficients.len() == 2 && session.checker.statement.generic().is_empty() => {
+                Node::Elementary(function, of)
+                    if coefficients.len() == 2 && session.checker.statement.generic().is_empty() =>
+                {
                     if let Some((symbol, solution)) = undone(&mut session, function, of, &coefficients, &others) {
                         let rank = preference(session.checker.statement, symbol);
                         if rank != u8::MAX {
@@ -531,7 +617,13 @@ impl Search<'_> {
             wanted.extend(values::values_of(&self.statement, term));
         }
         let goals: Vec<Term> = self.statement.goal().iter().map(|(_, term)| *term).collect();
-        let others: Vec<Term> = self.statement.givens().iter().filter(|given| given.law.is_none()).map(|given| given.term).collect();
+        let others: Vec<Term> = self
+            .statement
+            .givens()
+            .iter()
+            .filter(|given| given.law.is_none())
+            .map(|given| given.term)
+            .collect();
         for term in goals.into_iter().chain(others) {
             let term = self.statement.written_out(term);
             let Some(term) = self.named(term) else { continue };
@@ -540,7 +632,11 @@ impl Search<'_> {
         }
         for (function, order, at) in wanted {
             if self.lookup(function, order, at).is_none() {
-                let name = format!("{}({})", self.statement.terms().function_name(function), self.statement.terms().len());
+                let name = format!(
+                    "{}({})",
+                    self.statement.terms().function_name(function),
+                    self.statement.terms().len()
+                );
                 let symbol = self.statement.fresh(&name);
                 self.table.push((function, order, at, symbol));
             }
@@ -582,8 +678,17 @@ impl Search<'_> {
 
     /// The symbol for a value at a time that is the same, but for whole periods.
     fn lookup(&mut self, function: Function, order: u32, at: Term) -> Option<Symbol> {
-        let period = self.periods.iter().find(|(f, _)| *f == function).map(|(_, period)| *period);
-        for (_, _, time, symbol) in self.table.clone().into_iter().filter(|(f, n, ..)| (*f, *n) == (function, order)) {
+        let period = self
+            .periods
+            .iter()
+            .find(|(f, _)| *f == function)
+            .map(|(_, period)| *period);
+        for (_, _, time, symbol) in self
+            .table
+            .clone()
+            .into_iter()
+            .filter(|(f, n, ..)| (*f, *n) == (function, order))
+        {
             let apart = self.statement.terms_mut().difference(at, time);
             let form = numerator(&self.statement, apart)?;
             if form.is_zero() {
@@ -591,7 +696,9 @@ impl Search<'_> {
             }
             if let Some(period) = period {
                 let turns = self.statement.terms_mut().quotient(apart, period);
-                let Ok(quotient) = Expansion::new(BTreeSet::new(), 100_000).of(self.statement.terms(), turns) else { continue };
+                let Ok(quotient) = Expansion::new(BTreeSet::new(), 100_000).of(self.statement.terms(), turns) else {
+                    continue;
+                };
                 let whole = match quotient.divisors.as_slice() {
                     [] => quotient.numerator.as_constant(),
                     [(divisor, 1)] => ratio(&quotient.numerator, divisor),
@@ -616,9 +723,16 @@ impl Search<'_> {
             .collect();
         let open = system.open.clone();
         let mut asked = 0;
-        let samples = if open.is_empty() { MOST_SAMPLES / 2 } else { 3 * MOST_SAMPLES };
+        let samples = if open.is_empty() {
+            MOST_SAMPLES / 2
+        } else {
+            3 * MOST_SAMPLES
+        };
         for attempt in 0..samples * usize::try_from(self.effort.min(8)).unwrap_or(1) {
-            let chosen: Vec<(Symbol, Term)> = free.iter().map(|symbol| (*symbol, self.number_for(*symbol, attempt))).collect();
+            let chosen: Vec<(Symbol, Term)> = free
+                .iter()
+                .map(|symbol| (*symbol, self.number_for(*symbol, attempt)))
+                .collect();
             if !self.fits(&chosen, &conditions, &open, &goals) {
                 continue;
             }
@@ -652,8 +766,10 @@ impl Search<'_> {
             .filter(|given| given.law.is_none() && given.property != Property::Zero)
             .map(|given| (given.property, given.term))
             .collect();
-        let mut conditions: Vec<(Property, Term)> =
-            givens.into_iter().filter_map(|(property, term)| Some((property, self.translated(term, system)?))).collect();
+        let mut conditions: Vec<(Property, Term)> = givens
+            .into_iter()
+            .filter_map(|(property, term)| Some((property, self.translated(term, system)?)))
+            .collect();
         for (_, term) in &system.solved {
             for condition in self.statement.domain(*term) {
                 conditions.push(condition);
@@ -699,7 +815,11 @@ impl Search<'_> {
         }
         let own: BTreeSet<Symbol> = self.functions.iter().map(|(_, time, _)| *time).collect();
         let goal_runs = |symbol: &Symbol, search: &Self| {
-            search.statement.goal().iter().any(|(_, term)| search.statement.terms().holds(*term, *symbol))
+            search
+                .statement
+                .goal()
+                .iter()
+                .any(|(_, term)| search.statement.terms().holds(*term, *symbol))
         };
         met.into_iter()
             .filter(|symbol| !solved.contains(symbol) && !own.contains(symbol))
@@ -712,8 +832,15 @@ impl Search<'_> {
     fn number_for(&mut self, symbol: Symbol, attempt: usize) -> Term {
         let givens = self.statement.givens();
         let term_is = |term: Term| matches!(self.statement.terms().node(term), Node::Symbol(known) if *known == symbol);
-        let declared = |property: Property| givens.iter().any(|given| given.property == property && term_is(given.term));
-        let (positive, integer) = (declared(Property::Positive) || declared(Property::NonNegative), declared(Property::Integer));
+        let declared = |property: Property| {
+            givens
+                .iter()
+                .any(|given| given.property == property && term_is(given.term))
+        };
+        let (positive, integer) = (
+            declared(Property::Positive) || declared(Property::NonNegative),
+            declared(Property::Integer),
+        );
         let spread = 3 + attempt / 40;
         let mut pick = |most: usize| (self.random.draw() % most.max(1) as u64) as i64;
         let closed = attempt % 5 == 4;
@@ -737,7 +864,12 @@ impl Search<'_> {
 
     fn speaks_of_circles(&self) -> bool {
         let terms = self.statement.terms();
-        (0..terms.len()).any(|n| matches!(terms.node(Term(n as u32)), Node::Elementary(Elementary::Sin | Elementary::Cos, _)))
+        (0..terms.len()).any(|n| {
+            matches!(
+                terms.node(Term(n as u32)),
+                Node::Elementary(Elementary::Sin | Elementary::Cos, _)
+            )
+        })
     }
 
     /// Whether a choice of numbers meets, in floating point, what it must.
@@ -773,10 +905,12 @@ impl Search<'_> {
         }
         match self.wanted {
             Wanted::Premises => true,
-            Wanted::Failure => goals.iter().any(|(property, term)| {
-                let value = of(*term);
-                value.0.is_finite() && !holds(*property, value)
-            }) || goals.iter().any(|(_, term)| !of(*term).0.is_finite()),
+            Wanted::Failure => {
+                goals.iter().any(|(property, term)| {
+                    let value = of(*term);
+                    value.0.is_finite() && !holds(*property, value)
+                }) || goals.iter().any(|(_, term)| !of(*term).0.is_finite())
+            }
         }
     }
 
@@ -788,7 +922,12 @@ impl Search<'_> {
             .into_iter()
             .map(|(function, order, time, symbol)| {
                 let value = self.statement.terms_mut().symbol(symbol);
-                (function, order, self.with_solved(time, system), self.with_solved(value, system))
+                (
+                    function,
+                    order,
+                    self.with_solved(time, system),
+                    self.with_solved(value, system),
+                )
             })
             .collect();
         let mut witness = Witness {
@@ -869,15 +1008,29 @@ fn undone(
     others: &[Term],
 ) -> Option<(Symbol, Term)> {
     let form = session.numerator(of)?;
-    let symbols: Vec<Term> = form.generators().into_iter().filter(|&term| matches!(session.node(term), Node::Symbol(_))).collect();
+    let symbols: Vec<Term> = form
+        .generators()
+        .into_iter()
+        .filter(|&term| matches!(session.node(term), Node::Symbol(_)))
+        .collect();
     let generator = symbols.into_iter().find(|&term| {
-        let Node::Symbol(symbol) = session.node(term) else { return false };
+        let Node::Symbol(symbol) = session.node(term) else {
+            return false;
+        };
         degree_in(&form, term) == 1
-            && !others.iter().any(|&other| session.checker.statement.terms().holds(other, symbol))
+            && !others
+                .iter()
+                .any(|&other| session.checker.statement.terms().holds(other, symbol))
             && preference(session.checker.statement, symbol) != u8::MAX
     })?;
-    let Node::Symbol(symbol) = session.node(generator) else { return None };
-    let quotient = session.checker.expansion.of(session.checker.statement.terms(), of).ok()?;
+    let Node::Symbol(symbol) = session.node(generator) else {
+        return None;
+    };
+    let quotient = session
+        .checker
+        .expansion
+        .of(session.checker.statement.terms(), of)
+        .ok()?;
     if !quotient.divisors.is_empty() {
         return None;
     }

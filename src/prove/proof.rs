@@ -17,7 +17,11 @@ const PASSES: usize = 4;
 /// Looks for a certificate of every goal.
 pub fn search(statement: &Statement, budget: u64) -> Option<With<Certificate>> {
     let whole = large_bases(statement);
-    let attempts: Vec<Vec<Term>> = if whole.is_empty() { vec![Vec::new()] } else { vec![whole, Vec::new()] };
+    let attempts: Vec<Vec<Term>> = if whole.is_empty() {
+        vec![Vec::new()]
+    } else {
+        vec![whole, Vec::new()]
+    };
     for whole in attempts {
         let mut own = statement.clone();
         let mut session = Session::new(&mut own, whole.clone(), budget);
@@ -57,7 +61,10 @@ fn large_bases(statement: &Statement) -> Vec<Term> {
         for inner in terms.inside(*term) {
             if let Node::Power(base, exponent) = terms.node(inner)
                 && let Node::Sum(parts) = terms.node(*base)
-                && parts.len().saturating_mul(usize::try_from(*exponent).unwrap_or(usize::MAX)) > LARGEST_EXPANSION
+                && parts
+                    .len()
+                    .saturating_mul(usize::try_from(*exponent).unwrap_or(usize::MAX))
+                    > LARGEST_EXPANSION
             {
                 whole.insert(*base);
             }
@@ -189,13 +196,16 @@ fn single_functions(session: &mut Session, met: &BTreeSet<Term>) {
 
 /// Differentiates the equations of maps, where derivatives along them are spoken of.
 fn along(session: &mut Session, goals: &[Polynomial]) {
-    let spoken = session.generators(goals).into_iter().any(|term| match session.node(term) {
-        Node::Symbol(symbol) => matches!(
-            session.checker.statement.quantity(symbol),
-            Some(Quantity::Partial { .. })
-        ),
-        _ => false,
-    });
+    let spoken = session
+        .generators(goals)
+        .into_iter()
+        .any(|term| match session.node(term) {
+            Node::Symbol(symbol) => matches!(
+                session.checker.statement.quantity(symbol),
+                Some(Quantity::Partial { .. })
+            ),
+            _ => false,
+        });
     if !spoken {
         return;
     }

@@ -77,7 +77,11 @@ impl<'a> Session<'a> {
     }
 
     pub fn polynomial(&self, fact: usize) -> Polynomial {
-        self.checker.facts.get(fact).map(|fact| fact.polynomial.clone()).unwrap_or_default()
+        self.checker
+            .facts
+            .get(fact)
+            .map(|fact| fact.polynomial.clone())
+            .unwrap_or_default()
     }
 
     /// The facts that say that something vanishes.
@@ -134,7 +138,11 @@ impl<'a> Session<'a> {
     pub fn closed_nonzero(&mut self, polynomial: &Polynomial) -> Option<(usize, i64)> {
         let sign = i64::from(sign(self.checker.statement.terms(), polynomial)?);
         let positive = polynomial.scaled(&Rational::from_integer(sign));
-        let known = self.checker.facts.iter().position(|fact| fact.property == Property::Positive && fact.polynomial == positive);
+        let known = self
+            .checker
+            .facts
+            .iter()
+            .position(|fact| fact.property == Property::Positive && fact.polynomial == positive);
         let number = match known {
             Some(number) => number,
             None => self.step(Inference::Axiom(Axiom::Enclosure(positive))).ok()?,
@@ -161,16 +169,25 @@ impl<'a> Session<'a> {
             }
             let coefficients = coefficients_in(&polynomial, generator);
             let degree = u32::try_from(coefficients.len() - 1).ok()?;
-            let Some(lead) = coefficients.last().cloned() else { continue };
+            let Some(lead) = coefficients.last().cloned() else {
+                continue;
+            };
             // a power is reduced by a number only, or every reduction would need the coefficient
             if degree > 1 && lead.as_constant().is_none() {
                 continue;
             }
-            let rank = (degree, lead.as_constant().is_none(), self.late(generator), lead.terms().len());
+            let rank = (
+                degree,
+                lead.as_constant().is_none(),
+                self.late(generator),
+                lead.terms().len(),
+            );
             if best.as_ref().is_some_and(|(known, _)| *known <= rank) {
                 continue;
             }
-            let Some((_, lead)) = self.nonzero_product(&lead) else { continue };
+            let Some((_, lead)) = self.nonzero_product(&lead) else {
+                continue;
+            };
             best = Some((
                 rank,
                 Pivot {
@@ -189,7 +206,11 @@ impl<'a> Session<'a> {
     /// Takes every fact that vanishes into the triangle that fits there, short ones first.
     pub fn triangulate_all(&mut self) {
         let held: BTreeSet<usize> = self.triangle.iter().map(|pivot| pivot.fact).collect();
-        let mut open: Vec<usize> = self.zeros().into_iter().filter(|fact| !held.contains(fact) && self.tried.insert(*fact)).collect();
+        let mut open: Vec<usize> = self
+            .zeros()
+            .into_iter()
+            .filter(|fact| !held.contains(fact) && self.tried.insert(*fact))
+            .collect();
         open.extend(std::mem::take(&mut self.left_over));
         for _ in 0..3 {
             open.sort_by_key(|&fact| self.polynomial(fact).terms().len());
@@ -398,9 +419,11 @@ impl<'a> Session<'a> {
 
     /// Shows that a reduced polynomial vanishes by the ideal of the facts.
     fn show_rest(&mut self, rest: &Polynomial) -> Option<usize> {
-        if let Some(known) = self.checker.facts.iter().position(|fact| {
-            fact.property == Property::Zero && !rest.is_zero() && fact.polynomial.is_multiple_of(rest)
-        }) {
+        if let Some(known) =
+            self.checker.facts.iter().position(|fact| {
+                fact.property == Property::Zero && !rest.is_zero() && fact.polynomial.is_multiple_of(rest)
+            })
+        {
             return Some(known);
         }
         let (zeros, nonzeros) = self.relevant(rest);
@@ -413,11 +436,19 @@ impl<'a> Session<'a> {
         all.push(rest.clone());
         let order = Order::triangular(&all);
         let most = self.budget.left() / 3;
-        let found = self
-            .budget
-            .attempt(most, |steps| radical_member(rest, &polynomials, &factors, &order, steps))??;
-        let factors = nonzeros.iter().copied().zip(found.exponents).filter(|(_, power)| *power > 0);
-        let terms = found.cofactors.into_iter().zip(zeros).filter(|(cofactor, _)| !cofactor.is_zero());
+        let found = self.budget.attempt(most, |steps| {
+            radical_member(rest, &polynomials, &factors, &order, steps)
+        })??;
+        let factors = nonzeros
+            .iter()
+            .copied()
+            .zip(found.exponents)
+            .filter(|(_, power)| *power > 0);
+        let terms = found
+            .cofactors
+            .into_iter()
+            .zip(zeros)
+            .filter(|(cofactor, _)| !cofactor.is_zero());
         let step = Inference::Zero {
             target: rest.clone(),
             power: found.power,
@@ -433,7 +464,9 @@ impl<'a> Session<'a> {
         let reduced = |of: Vec<usize>, session: &mut Self| -> Vec<usize> {
             let mut kept: Vec<usize> = Vec::new();
             for fact in of {
-                let Some(number) = session.reduced_fact(fact) else { continue };
+                let Some(number) = session.reduced_fact(fact) else {
+                    continue;
+                };
                 let polynomial = session.polynomial(number);
                 let known = |&other: &usize| session.polynomial(other).is_multiple_of(&polynomial);
                 if polynomial.as_constant().is_none() && !kept.iter().any(known) {
@@ -442,11 +475,27 @@ impl<'a> Session<'a> {
             }
             kept
         };
-        let pivots: BTreeSet<usize> = self.triangle.iter().filter(|p| p.degree == 1).map(|pivot| pivot.fact).collect();
-        let powers: Vec<usize> = self.triangle.iter().filter(|p| p.degree > 1).map(|pivot| pivot.fact).collect();
+        let pivots: BTreeSet<usize> = self
+            .triangle
+            .iter()
+            .filter(|p| p.degree == 1)
+            .map(|pivot| pivot.fact)
+            .collect();
+        let powers: Vec<usize> = self
+            .triangle
+            .iter()
+            .filter(|p| p.degree > 1)
+            .map(|pivot| pivot.fact)
+            .collect();
         let zeros: Vec<usize> = self.zeros().into_iter().filter(|fact| !pivots.contains(fact)).collect();
         let mut zeros = reduced(zeros, self);
-        zeros.extend(powers.iter().filter(|fact| !zeros.contains(fact)).copied().collect::<Vec<_>>());
+        zeros.extend(
+            powers
+                .iter()
+                .filter(|fact| !zeros.contains(fact))
+                .copied()
+                .collect::<Vec<_>>(),
+        );
         let nonzeros = self.nonzeros();
         let nonzeros = reduced(nonzeros, self);
         let mut met: BTreeSet<Term> = polynomial.generators().into_iter().collect();
@@ -462,7 +511,13 @@ impl<'a> Session<'a> {
                 break;
             }
         }
-        let inside = |fact: &usize, session: &Self| session.polynomial(*fact).generators().iter().all(|term| met.contains(term));
+        let inside = |fact: &usize, session: &Self| {
+            session
+                .polynomial(*fact)
+                .generators()
+                .iter()
+                .all(|term| met.contains(term))
+        };
         let zeros = zeros.into_iter().filter(|fact| inside(fact, self)).collect();
         let nonzeros = nonzeros.into_iter().filter(|fact| inside(fact, self)).collect();
         (zeros, nonzeros)
@@ -470,7 +525,11 @@ impl<'a> Session<'a> {
 
     /// The numerator of a term.
     pub fn numerator(&mut self, term: Term) -> Option<Polynomial> {
-        self.checker.expansion.of(self.checker.statement.terms(), term).ok().map(|quotient| quotient.numerator)
+        self.checker
+            .expansion
+            .of(self.checker.statement.terms(), term)
+            .ok()
+            .map(|quotient| quotient.numerator)
     }
 
     /// Shows that the difference of two terms vanishes.
@@ -482,7 +541,11 @@ impl<'a> Session<'a> {
 
     /// The values of generators that the triangle leaves free, and of those it determines, modulo a prime.
     pub fn main_generators(&self) -> BTreeMap<Term, usize> {
-        self.triangle.iter().enumerate().map(|(number, pivot)| (pivot.generator, number)).collect()
+        self.triangle
+            .iter()
+            .enumerate()
+            .map(|(number, pivot)| (pivot.generator, number))
+            .collect()
     }
 
     /// The node of a term.

@@ -4,8 +4,8 @@ use super::angles::polynomial_term;
 use super::session::Session;
 use crate::algebra::{coefficients_in, degree_in};
 use crate::kernel::{
-    Elementary, Function, FunctionOf, Inference, LawSource, Node, Polynomial, Property, Quantity, Statement,
-    Symbol, Term,
+    Elementary, Function, FunctionOf, Inference, LawSource, Node, Polynomial, Property, Quantity, Statement, Symbol,
+    Term,
 };
 use crate::number::{Field, Rational};
 use num_traits::Zero;
@@ -44,10 +44,13 @@ impl Usable {
 /// The values of unknown functions in a term.
 pub fn values_of(statement: &Statement, term: Term) -> Vec<(Function, u32, Term)> {
     let terms = statement.terms();
-    let inside = terms.inside(term).into_iter().filter_map(|inner| match terms.node(inner) {
-        Node::Value(function, order, at) => Some((*function, *order, *at)),
-        _ => None,
-    });
+    let inside = terms
+        .inside(term)
+        .into_iter()
+        .filter_map(|inner| match terms.node(inner) {
+            Node::Value(function, order, at) => Some((*function, *order, *at)),
+            _ => None,
+        });
     inside.collect()
 }
 
@@ -142,7 +145,9 @@ fn given_laws(session: &mut Session, goals: &[Polynomial]) -> Vec<Usable> {
     let mut laws = Vec::new();
     for given in 0..session.checker.statement.givens().len() {
         let entry = session.checker.statement.givens()[given].clone();
-        let Some(law) = entry.law.filter(|_| entry.property == Property::Zero) else { continue };
+        let Some(law) = entry.law.filter(|_| entry.property == Property::Zero) else {
+            continue;
+        };
         let Some(time) = law.time else { continue };
         let base = law.flight.unwrap_or(0);
         let shifts: Vec<i32> = match (law.every_impact, law.flight) {
@@ -175,7 +180,9 @@ fn at_arguments(session: &mut Session, laws: &[Usable], goals: &[Polynomial]) {
     let known = values(session, goals);
     for law in laws {
         let own: Vec<(Function, u32, Term)> = values_in(session, law.term, law.time);
-        let recurrent = own.iter().any(|(f, n, u)| own.iter().any(|(g, m, v)| (f, n) == (g, m) && u != v));
+        let recurrent = own
+            .iter()
+            .any(|(f, n, u)| own.iter().any(|(g, m, v)| (f, n) == (g, m) && u != v));
         let mut times: BTreeSet<Term> = BTreeSet::new();
         if let Some(flight) = law.flight {
             for index in [flight, flight + 1] {
@@ -215,7 +222,12 @@ fn reflects(session: &mut Session, inner: Term, time: Symbol) -> bool {
 }
 
 fn running(session: &Session) -> Option<Symbol> {
-    let at = session.checker.statement.quantities().iter().position(|known| *known == Quantity::Running)?;
+    let at = session
+        .checker
+        .statement
+        .quantities()
+        .iter()
+        .position(|known| *known == Quantity::Running)?;
     u32::try_from(at).ok().map(Symbol)
 }
 
@@ -233,10 +245,13 @@ fn instance(session: &mut Session, law: &Usable, at: Term) -> Option<usize> {
 
 fn values_in(session: &Session, term: Term, time: Symbol) -> Vec<(Function, u32, Term)> {
     let terms = session.checker.statement.terms();
-    let inside = terms.inside(term).into_iter().filter_map(|inner| match terms.node(inner) {
-        Node::Value(function, order, at) if terms.holds(*at, time) => Some((*function, *order, *at)),
-        _ => None,
-    });
+    let inside = terms
+        .inside(term)
+        .into_iter()
+        .filter_map(|inner| match terms.node(inner) {
+            Node::Value(function, order, at) if terms.holds(*at, time) => Some((*function, *order, *at)),
+            _ => None,
+        });
     inside.collect()
 }
 
@@ -252,7 +267,12 @@ fn solved(session: &mut Session, inner: Term, time: Symbol, at: Term) -> Option<
     }
     let coefficients = coefficients_in(&form, of_time);
     let slope = coefficients.get(1)?.as_constant()?;
-    if slope.is_zero() || form.generators().iter().any(|&term| term != of_time && session.checker.statement.terms().holds(term, time)) {
+    if slope.is_zero()
+        || form
+            .generators()
+            .iter()
+            .any(|&term| term != of_time && session.checker.statement.terms().holds(term, time))
+    {
         return None;
     }
     let rest = polynomial_term(session, &coefficients[0]);
@@ -272,14 +292,18 @@ fn derivatives(session: &mut Session, laws: &[Usable], goals: &[Polynomial]) -> 
             let own = values_in(session, current.term, current.time);
             let next: BTreeSet<(Function, u32)> = own
                 .iter()
-                .map(|&(function, order, at)| match session.checker.statement.value(function, order + 1, at) {
-                    value => match session.node(value) {
-                        Node::Value(function, order, _) => (function, order),
-                        _ => (function, order + 1),
+                .map(
+                    |&(function, order, at)| match session.checker.statement.value(function, order + 1, at) {
+                        value => match session.node(value) {
+                            Node::Value(function, order, _) => (function, order),
+                            _ => (function, order + 1),
+                        },
                     },
-                })
+                )
                 .collect();
-            let wanted = known.iter().any(|(f, n, _)| next.contains(&(*f, *n)) || next.iter().any(|(g, m)| g == f && m < n) || reaches(session, &next, *f));
+            let wanted = known.iter().any(|(f, n, _)| {
+                next.contains(&(*f, *n)) || next.iter().any(|(g, m)| g == f && m < n) || reaches(session, &next, *f)
+            });
             if !wanted || own.is_empty() {
                 break;
             }
@@ -328,12 +352,16 @@ fn merge(session: &mut Session, goals: &[Polynomial]) {
     let mut groups: BTreeMap<(Function, u32), Vec<(Term, Polynomial)>> = BTreeMap::new();
     for (function, order, at) in values(session, goals) {
         let Some(form) = session.numerator(at) else { continue };
-        let Some(form) = session.normal_form(&form) else { continue };
+        let Some(form) = session.normal_form(&form) else {
+            continue;
+        };
         groups.entry((function, order)).or_default().push((at, form));
     }
     for ((function, order), members) in groups {
         for (n, (a, form)) in members.iter().enumerate() {
-            let Some((b, _)) = members[..n].iter().find(|(_, other)| other == form) else { continue };
+            let Some((b, _)) = members[..n].iter().find(|(_, other)| other == form) else {
+                continue;
+            };
             if session.show_equal(*a, *b).is_some() {
                 let left = session.terms().add(Node::Value(function, order, *a));
                 let right = session.terms().add(Node::Value(function, order, *b));
@@ -353,7 +381,9 @@ fn whole_periods(session: &mut Session, laws: &[Usable], goals: &[Polynomial]) {
                     continue;
                 }
                 let apart = session.terms().difference(u, v);
-                let Some(period) = polynomial(session, apart).and_then(|form| session.normal_form(&form)) else { continue };
+                let Some(period) = polynomial(session, apart).and_then(|form| session.normal_form(&form)) else {
+                    continue;
+                };
                 if !period.is_zero() {
                     chains(session, law, (function, order), [u, v], &period, goals);
                 }
@@ -362,7 +392,14 @@ fn whole_periods(session: &mut Session, laws: &[Usable], goals: &[Polynomial]) {
     }
 }
 
-fn chains(session: &mut Session, law: &Usable, of: (Function, u32), [u, _]: [Term; 2], period: &Polynomial, goals: &[Polynomial]) {
+fn chains(
+    session: &mut Session,
+    law: &Usable,
+    of: (Function, u32),
+    [u, _]: [Term; 2],
+    period: &Polynomial,
+    goals: &[Polynomial],
+) {
     let members: Vec<Term> = values(session, goals)
         .into_iter()
         .filter(|(f, n, _)| (*f, *n) == of)
@@ -375,7 +412,9 @@ fn chains(session: &mut Session, law: &Usable, of: (Function, u32), [u, _]: [Ter
     let mut added = false;
     for (n, a) in members.iter().enumerate() {
         for (m, b) in members.iter().enumerate() {
-            let (Some(fa), Some(fb)) = (&forms[n], &forms[m]) else { continue };
+            let (Some(fa), Some(fb)) = (&forms[n], &forms[m]) else {
+                continue;
+            };
             let difference = fa.minus(fb);
             let turns = (1..=MOST_PERIODS).find(|&turns| difference == period.scaled(&Rational::from_integer(turns)));
             let Some(turns) = turns else { continue };
@@ -384,7 +423,11 @@ fn chains(session: &mut Session, law: &Usable, of: (Function, u32), [u, _]: [Ter
             for turn in 1..=turns {
                 let factor = session.terms().integer(turn);
                 let moved = session.terms().product(vec![factor, period_term]);
-                let at = if turn == turns { *a } else { session.terms().sum(vec![*b, moved]) };
+                let at = if turn == turns {
+                    *a
+                } else {
+                    session.terms().sum(vec![*b, moved])
+                };
                 if let Some(time) = solved(session, u, law.time, at) {
                     added |= instance(session, law, time).is_some();
                 }
@@ -420,22 +463,35 @@ fn integral(session: &mut Session, law: &Usable, goals: &[Polynomial]) -> Option
     let time = session.terms().symbol(law.time);
     let form = polynomial(session, law.term)?;
     // function(t) = formula: a value at t itself, times a number
-    let (function, order, lead) = form.terms().iter().find_map(|(monomial, value)| match monomial.as_slice() {
-        [(generator, 1)] => match session.node(*generator) {
-            Node::Value(function, order, at) if at == time => {
-                let others = form.terms().iter().filter(|(m, _)| m.iter().any(|(g, _)| g == generator)).count();
-                (others == 1 && has_integral(session, function, order)).then(|| (function, order, value.clone()))
-            }
+    let (function, order, lead) = form
+        .terms()
+        .iter()
+        .find_map(|(monomial, value)| match monomial.as_slice() {
+            [(generator, 1)] => match session.node(*generator) {
+                Node::Value(function, order, at) if at == time => {
+                    let others = form
+                        .terms()
+                        .iter()
+                        .filter(|(m, _)| m.iter().any(|(g, _)| g == generator))
+                        .count();
+                    (others == 1 && has_integral(session, function, order)).then(|| (function, order, value.clone()))
+                }
+                _ => None,
+            },
             _ => None,
-        },
-        _ => None,
-    })?;
+        })?;
     let (outer, outer_order) = antiderivative(session, function, order)?;
-    if law.flight.is_none() && !values(session, goals).iter().any(|(f, n, _)| leads_to(session, (*f, *n), (outer, outer_order))) {
+    if law.flight.is_none()
+        && !values(session, goals)
+            .iter()
+            .any(|(f, n, _)| leads_to(session, (*f, *n), (outer, outer_order)))
+    {
         return None;
     }
     let value = session.checker.statement.value(function, order, time);
-    let rest = form.scaled(&Rational(dashu_ratio::RBig::ONE / lead)).minus(&Polynomial::generator(value));
+    let rest = form
+        .scaled(&Rational(dashu_ratio::RBig::ONE / lead))
+        .minus(&Polynomial::generator(value));
     let formula = antiderivative_of(session, &rest.negated(), law.time)?;
     let fresh = session.checker.statement.fresh("t");
     let running = session.terms().symbol(fresh);
@@ -483,7 +539,12 @@ fn antiderivative(session: &Session, function: Function, order: u32) -> Option<(
     if order > 0 {
         return Some((function, order - 1));
     }
-    let found = session.checker.statement.derivatives().iter().find(|(_, next)| **next == function);
+    let found = session
+        .checker
+        .statement
+        .derivatives()
+        .iter()
+        .find(|(_, next)| **next == function);
     found.map(|(outer, _)| (*outer, 0))
 }
 
@@ -505,8 +566,10 @@ pub fn antiderivative_of(session: &mut Session, form: &Polynomial, time: Symbol)
     let of_time = session.terms().symbol(time);
     let mut parts = Vec::new();
     for (monomial, value) in form.terms() {
-        let (moving, fixed): (Vec<(Term, u32)>, Vec<(Term, u32)>) =
-            monomial.iter().copied().partition(|(term, _)| session.checker.statement.terms().holds(*term, time));
+        let (moving, fixed): (Vec<(Term, u32)>, Vec<(Term, u32)>) = monomial
+            .iter()
+            .copied()
+            .partition(|(term, _)| session.checker.statement.terms().holds(*term, time));
         let constant = Polynomial::from_terms([(fixed.into_iter().collect(), value.clone())]);
         let constant = polynomial_term(session, &constant);
         let integral = match moving.as_slice() {
@@ -547,7 +610,12 @@ fn integral_of(session: &mut Session, term: Term, time: Symbol) -> Option<Term> 
     };
     let slope = session.checker.statement.derivative(inner, time);
     let form = polynomial(session, slope)?;
-    if form.is_zero() || form.generators().iter().any(|&g| session.checker.statement.terms().holds(g, time)) {
+    if form.is_zero()
+        || form
+            .generators()
+            .iter()
+            .any(|&g| session.checker.statement.terms().holds(g, time))
+    {
         return None;
     }
     if form == Polynomial::integer(1) {
