@@ -63,8 +63,8 @@ impl Vocabulary {
     }
 
     fn check_tree(&self, tree: &Tree, about: &str) -> Result<(), Fault> {
-        match self.undeclared(tree, &|_| false) {
-            Some(found) => Err(Fault::new(format!("{about}: {}", found.message))),
+        match self.undeclared(tree, &|_| false).first() {
+            Some(found) => Err(Fault::new(format!("{about}: {}{}", found.message, found.known))),
             None => Ok(()),
         }
     }

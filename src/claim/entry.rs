@@ -103,22 +103,26 @@ impl Entry {
     ) -> Result<(), Fault> {
         if self.role == Role::Claim && self.stated.is_empty() {
             let name = self.own.last().map(|local| local.name.clone()).unwrap_or_default();
-            let problem = format!(
-                "{}; nothing is left to decide: each left side is a symbol that is declared nowhere",
-                vocabulary.unknown(&name)
-            );
-            return Err(self.tex.fault(0, problem).of(&self.label));
+            let unknown = vocabulary.unknown(&name, 0);
+            let problem = "nothing is left to decide: each left side is a symbol that is declared nowhere";
+            let message = format!("{}; {problem}{}", unknown.message, unknown.known);
+            return Err(self.tex.fault(0, message).of(&self.label));
         }
-        let mut borrowed = Vec::new();
+        let (mut borrowed, mut faults, mut messages) = (Vec::new(), Vec::new(), HashSet::new());
         let mine = |name: &Name| is_defined(name, &self.own) || is_defined(name, shared);
         let borrows = self.role != Role::Claim;
         for (tree, source) in self.trees(vocabulary) {
             let extra = |name: &Name| mine(name) || (borrows && elsewhere.contains(name));
-            if let Some(found) = vocabulary.undeclared(tree, &extra) {
-                return Err(source.fault(found.at, found.message).of(&self.label));
+            for found in vocabulary.undeclared(tree, &extra) {
+                if messages.insert(found.message.clone()) {
+                    // The names that are known are the same for all.
+                    let known = if faults.is_empty() { found.known } else { String::new() };
+                    faults.push(source.fault(found.at, found.message + &known));
+                }
             }
             any(tree, &mut |node| {
                 if let Tree::Symbol(name, at) = node
+                    && elsewhere.contains(name)
                     && !mine(name)
                     && !vocabulary.knows(name)
                 {
@@ -126,6 +130,9 @@ impl Entry {
                 }
                 false
             });
+        }
+        if let Some(fault) = faults.into_iter().reduce(Fault::and) {
+            return Err(fault.of(&self.label));
         }
         self.check_order(vocabulary)?;
         for (equation, source) in &self.with {

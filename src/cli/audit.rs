@@ -111,7 +111,8 @@ fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options) -> Result<A
         fault,
     })?;
     mention_refuted(sheet, rows.iter_mut().map(|(decision, _)| decision));
-    for fault in sheet.entries.iter().filter_map(|entry| entry.unread.as_ref()) {
+    let unread = sheet.entries.iter().filter(|entry| entry.expect != Verdict::Unread);
+    for fault in unread.filter_map(|entry| entry.unread.as_ref()) {
         super::note(&format!("{name}: {fault}"));
     }
     Ok(Answer {
