@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 
 /// The product.
 pub fn times(a: &Polynomial, b: &Polynomial, steps: &mut Steps) -> Result<Polynomial> {
-    steps.take(a.terms().len() as u64 * b.terms().len() as u64)?;
+    steps.take(1 + a.terms().len() as u64 * b.terms().len() as u64)?;
     // the kernel multiplies quickly by a constant on the right
     Ok(if a.as_constant().is_some() {
         b.times(a)
@@ -24,7 +24,10 @@ pub fn times(a: &Polynomial, b: &Polynomial, steps: &mut Steps) -> Result<Polyno
 /// A power.
 pub fn power(p: &Polynomial, exponent: u32, steps: &mut Steps) -> Result<Polynomial> {
     if let [(monomial, coefficient)] = p.terms() {
-        let raised: Monomial = monomial.iter().map(|&(term, e)| (term, e * exponent)).collect();
+        let raised: Monomial = monomial
+            .iter()
+            .map(|&(term, e)| (term, e.saturating_mul(exponent)))
+            .collect();
         let raised = if exponent == 0 { Monomial::new() } else { raised };
         return Ok(Polynomial::from_terms([(raised, coefficient.pow(exponent as isize))]));
     }
@@ -305,15 +308,6 @@ pub fn pseudo_divide(
         from_coefficients_in(&quotient, generator),
         remainder,
     )))
-}
-
-/// A constant.
-pub(super) fn rational(value: RBig) -> Polynomial {
-    if value.is_zero() {
-        Polynomial::default()
-    } else {
-        Polynomial::constant(&Rational(value))
-    }
 }
 
 /// Whether it is a constant, 0 included.

@@ -167,7 +167,7 @@ impl Order {
             key[slot] = if place == start {
                 exponents[place]
             } else {
-                exponents[place] + key[slot + 1]
+                exponents[place].saturating_add(key[slot + 1])
             };
         }
         key

@@ -206,6 +206,37 @@ impl Statement {
         premises
     }
 
+    /// Takes over the terms that a copy was extended by; `false` where it is no extension of this.
+    pub fn adopt(&mut self, copy: &Self) -> bool {
+        let extends = copy.terms.extends(&self.terms)
+            && copy.quantities.starts_with(&self.quantities)
+            && copy.functions.starts_with(&self.functions);
+        if extends {
+            self.terms = copy.terms.clone();
+            self.quantities.clone_from(&copy.quantities);
+            self.functions.clone_from(&copy.functions);
+        }
+        extends
+    }
+
+    /// A term with unknown functions replaced by terms in a symbol of their own.
+    pub fn with_functions(&mut self, term: Term, functions: &[(Function, Symbol, Term)]) -> Term {
+        let declared = self.derivatives.clone();
+        self.terms.rewrite(term, &mut |terms, node| {
+            let Node::Value(function, order, at) = node else {
+                return None;
+            };
+            let (_, time, named) = functions.iter().find(|(f, ..)| f == function)?;
+            let mut slope = *named;
+            for _ in 0..*order {
+                slope = derivative(terms, slope, &declared, &mut |terms, symbol| {
+                    terms.integer(i64::from(symbol == *time))
+                });
+            }
+            Some(terms.substitute(slope, *time, *at))
+        })
+    }
+
     /// The statement with some of what is given.
     pub fn with_givens(&self, kept: &dyn Fn(&Given) -> bool) -> Self {
         let mut fewer = self.clone();

@@ -108,17 +108,7 @@ fn show(session: &mut Session, property: Property, polynomial: &Polynomial) -> O
 
 /// Brings in all that is given, and what is known of the functions that occur.
 pub fn prepare(session: &mut Session, goals: &[Polynomial]) -> Option<()> {
-    for number in 0..session.checker.statement.givens().len() {
-        if session.checker.statement.givens()[number].law.is_none() {
-            let _ = session.step(Inference::Given(number));
-        }
-    }
-    let definitions: Vec<crate::kernel::Symbol> = session.checker.statement.definitions().keys().copied().collect();
-    for symbol in definitions {
-        let term = session.terms().symbol(symbol);
-        session.axiom(Axiom::Unfold(term));
-    }
-    along(session, goals);
+    bring_in(session, goals);
     session.triangulate_all();
     for _ in 0..PASSES {
         let count = session.checker.facts.len();
@@ -140,6 +130,32 @@ pub fn prepare(session: &mut Session, goals: &[Polynomial]) -> Option<()> {
         }
     }
     Some(())
+}
+
+/// Brings in what premises and laws say, and nothing of elementary functions. Gives the laws.
+pub fn prepare_premises(session: &mut Session, goals: &[Polynomial]) -> Vec<values::Usable> {
+    bring_in(session, goals);
+    session.triangulate_all();
+    let mut laws = Vec::new();
+    for _ in 0..2 {
+        laws = values::instantiate(session, goals);
+        session.triangulate_all();
+    }
+    laws
+}
+
+fn bring_in(session: &mut Session, goals: &[Polynomial]) {
+    for number in 0..session.checker.statement.givens().len() {
+        if session.checker.statement.givens()[number].law.is_none() {
+            let _ = session.step(Inference::Given(number));
+        }
+    }
+    let definitions: Vec<crate::kernel::Symbol> = session.checker.statement.definitions().keys().copied().collect();
+    for symbol in definitions {
+        let term = session.terms().symbol(symbol);
+        session.axiom(Axiom::Unfold(term));
+    }
+    along(session, goals);
 }
 
 /// What is known of roots, logarithms, powers and inverse functions by themselves.

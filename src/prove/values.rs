@@ -4,7 +4,8 @@ use super::angles::polynomial_term;
 use super::session::Session;
 use crate::algebra::{coefficients_in, degree_in};
 use crate::kernel::{
-    Elementary, Function, FunctionOf, Inference, LawSource, Node, Polynomial, Property, Quantity, Symbol, Term,
+    Elementary, Function, FunctionOf, Inference, LawSource, Node, Polynomial, Property, Quantity, Statement, Symbol,
+    Term,
 };
 use crate::number::{Field, Rational};
 use num_traits::Zero;
@@ -25,9 +26,36 @@ pub struct Usable {
     flight: Option<i32>,
 }
 
-/// Adds instances of the laws at the times that the facts and the goals speak of. Whether anything was added.
-pub fn instantiate(session: &mut Session, goals: &[Polynomial]) -> bool {
-    let before = session.checker.facts.len();
+impl Usable {
+    pub fn term(&self) -> Term {
+        self.term
+    }
+
+    pub fn time(&self) -> Symbol {
+        self.time
+    }
+
+    /// Whether it is a premise, rather than derived.
+    pub fn is_given(&self) -> bool {
+        matches!(self.source, LawSource::Given { .. })
+    }
+}
+
+/// The values of unknown functions in a term.
+pub fn values_of(statement: &Statement, term: Term) -> Vec<(Function, u32, Term)> {
+    let terms = statement.terms();
+    let inside = terms
+        .inside(term)
+        .into_iter()
+        .filter_map(|inner| match terms.node(inner) {
+            Node::Value(function, order, at) => Some((*function, *order, *at)),
+            _ => None,
+        });
+    inside.collect()
+}
+
+/// Adds instances of the laws at the times that the facts and the goals speak of. Gives the laws.
+pub fn instantiate(session: &mut Session, goals: &[Polynomial]) -> Vec<Usable> {
     sequences(session, goals);
     let mut laws = given_laws(session, goals);
     integrate(session, &mut laws, goals);
@@ -44,7 +72,7 @@ pub fn instantiate(session: &mut Session, goals: &[Polynomial]) -> bool {
     }
     merge(session, goals);
     whole_periods(session, &laws, goals);
-    session.checker.facts.len() > before
+    laws
 }
 
 /// The values of unknown functions among the generators: function, order, argument.
@@ -534,7 +562,7 @@ fn leads_to(session: &Session, (function, order): (Function, u32), to: (Function
 
 /// An antiderivative of a sum of powers of the time, sines, cosines and exponentials of affine arguments, and values of
 /// functions that are declared derivatives.
-fn antiderivative_of(session: &mut Session, form: &Polynomial, time: Symbol) -> Option<Term> {
+pub fn antiderivative_of(session: &mut Session, form: &Polynomial, time: Symbol) -> Option<Term> {
     let of_time = session.terms().symbol(time);
     let mut parts = Vec::new();
     for (monomial, value) in form.terms() {
