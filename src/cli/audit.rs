@@ -33,7 +33,7 @@ const PROMISES: &str = "\
 A claim is true when both sides agree for all values of its symbols for which its premises and
 assumptions hold and everything written in premises and claim is defined. Symbols are real unless
 [symbols] says otherwise.
-  proved     A proof was accepted by a small kernel that shares nothing with the search, and so
+  proved     A proof was accepted by a small kernel that uses nothing of the search, and so
              was a point at which the premises hold. The column `provided` lists what it excludes.
   refuted    Exact values of the symbols were accepted at which every premise holds and the two
              sides differ, or the claim is nowhere defined.
