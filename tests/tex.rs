@@ -3,9 +3,9 @@
 mod common;
 
 use common::formulas::{PAPER, names};
-use common::trees::{Hashed, flat, tree};
+use common::trees::{Hashed, equation, flat, tree};
 use proptest::prelude::*;
-use vibro_audit::tex::{Equation, Reason, Tree, evaluate, read, read_expression};
+use vibro_audit::tex::{Equation, Reason, Tree, evaluate, read, read_conditions, read_expression};
 
 fn equations(tex: &str) -> Vec<Equation> {
     read(tex, &names()).unwrap_or_else(|error| panic!("{error}\n{}", error.caret(tex)))
@@ -76,6 +76,9 @@ fn assert_safe(tex: &str) {
             assert!(error.caret(tex).ends_with('^'));
         }
     }
+    if let Err(error) = read_conditions(tex, &names()) {
+        assert!(error.caret(tex).ends_with('^'));
+    }
     if let Ok(tree) = read_expression(tex, &names()) {
         let printed = tree.to_string();
         match read_expression(&printed, &names()) {
@@ -102,6 +105,15 @@ fn deep_input_is_an_error_and_no_overflow() {
         "a/",
         "a-b c(",
         "Tr(DP(",
+        "|",
+        "|-",
+        r"\left|",
+        r"\sqrt[3]{",
+        "x^{a",
+        "x^{-|",
+        r"x^{1/",
+        r"\sin^{a}(",
+        "1/2(",
     ] {
         for count in [90, 99, 101, 300, 99_000 / unit.len(), 100_000] {
             let tex = unit.repeat(count);
@@ -110,6 +122,9 @@ fn deep_input_is_an_error_and_no_overflow() {
                 Some('(') => ")",
                 Some('[') => "]",
                 Some('{') => "}",
+                _ if unit == r"\left|" => r"\right|",
+                _ if unit == "x^{a" => "}",
+                Some('|') => "|",
                 _ => "",
             };
             let closed = format!("{tex}a{}", close.repeat(count));
@@ -119,6 +134,45 @@ fn deep_input_is_an_error_and_no_overflow() {
             }
         }
     }
+}
+
+#[test]
+fn long_input_is_read_or_refused_soon() {
+    let start = std::time::Instant::now();
+    for (unit, count) in [
+        ("+a", 49_000),
+        ("+a", 100_000),
+        ("+|a|", 24_000),
+        ("|a|", 33_000),
+        ("+a^{b}", 16_000),
+        ("a^{b c d e f g h}", 5_000),
+        ("<a", 40_000),
+        ("x,", 49_000),
+        ("a^{9^{9^{9^9}}}", 5_000),
+        ("(|a|)", 19_000),
+        ("a/2b", 24_000),
+    ] {
+        let tex = format!("a{}", unit.repeat(count));
+        let read =
+            read(&tex, &names()).map(|equations| equations.iter().map(|equation| equation.to_string().len()).sum());
+        let expression = read_expression(&tex, &names()).map(|tree| tree.to_string().len());
+        assert!(read.is_err() || expression.is_err(), "{unit}");
+        for length in [read, expression].into_iter().flatten() {
+            assert!(length < 1_000_000, "{unit}: {length}");
+        }
+    }
+    // Nothing here is computed or searched: a megabyte is read and printed.
+    assert!(start.elapsed().as_secs() < 60, "{:?}", start.elapsed());
+}
+
+#[test]
+fn towers_of_powers_are_read_and_not_computed() {
+    let tree = read_expression("x^{9^{9^9}}", &names()).expect("a formula");
+    assert_eq!(tree.to_string(), "x^{9^{9^9}}");
+    let Tree::RealPower(_, exponent, _) = tree else {
+        panic!("{tree}");
+    };
+    assert!(matches!(*exponent, Tree::RealPower(..)));
 }
 
 /// Pairs of spellings that mean the same, in the formulas of the paper.
@@ -205,6 +259,28 @@ const SOUP: &[&str] = &[
     "_k",
     "_{k+1}",
     "^2",
+    "^n",
+    "^{a b}",
+    "^{ab}",
+    "^{2/3}",
+    "^{-",
+    "e",
+    "1e3",
+    "|",
+    "|",
+    r"\left|",
+    r"\right|",
+    r"\lvert",
+    r"\rvert",
+    r"\sqrt[3]",
+    r"\le",
+    "<",
+    r"\neq",
+    r"\in",
+    r"\mathbb{Z}",
+    r"\infty",
+    r"\operatorname{sgn}",
+    r"\mathrm{T}",
     "^{-1}",
     "^-",
     "^{1/2}",
@@ -245,6 +321,12 @@ proptest! {
         let again = read_expression(&printed, &names());
         prop_assert_eq!(again.as_ref(), Ok(&tree), "{}", printed);
         prop_assert_eq!(again.map(|tree| tree.to_string()), Ok(printed));
+    }
+
+    #[test]
+    fn equations_print_as_tex_that_reads_back(equation in equation()) {
+        let printed = equation.to_string();
+        prop_assert_eq!(read(&printed, &names()), Ok(vec![equation]), "{}", printed);
     }
 
     #[test]

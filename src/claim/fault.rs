@@ -14,6 +14,9 @@ pub struct Source {
     verbatim: bool,
 }
 
+/// Inequalities are read, and not yet decided.
+pub(super) const NO_INEQUALITIES: &str = "inequalities are not decided: only equations are";
+
 /// Characters shown on either side of the place of a fault.
 const MOST_SHOWN: usize = 160;
 

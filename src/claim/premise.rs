@@ -174,6 +174,7 @@ impl Local {
         let zero = Tree::Number(<Rational as num_traits::Zero>::zero());
         Equation {
             left: self.tree.clone(),
+            relation: Default::default(),
             right: zero,
             at: Default::default(),
             end: Default::default(),

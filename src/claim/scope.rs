@@ -102,7 +102,10 @@ impl Scope<Fraction> for Reading<'_> {
         super::jacobian::invariant(kind, &matrix).ok_or_else(|| Meaningless::NotSquare(of.to_string()))
     }
 
-    fn root(&mut self, radicand: Fraction) -> Result<Fraction, Meaningless> {
+    fn root(&mut self, radicand: Fraction, index: u32) -> Result<Fraction, Meaningless> {
+        if index != 2 {
+            return Err(crate::tex::Unsupported::Root.into());
+        }
         if let Some(root) = super::root::of_square(&radicand) {
             return Ok(root);
         }

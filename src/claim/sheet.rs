@@ -1,10 +1,10 @@
 //! Audit sheets: what a person wrote down of a paper, read and checked for sense before anything is decided.
 
-use super::fault::{Fault, Source};
+use super::fault::{Fault, NO_INEQUALITIES, Source};
 use super::symbols::{MapEntry, Symbols};
 use super::verdict::Verdict;
 use super::vocabulary::Vocabulary;
-use crate::tex::{Equation, read};
+use crate::tex::{Equation, Relation, read};
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -258,5 +258,10 @@ fn read_entry(
 }
 
 fn read_tex(source: &Source, vocabulary: &Vocabulary) -> Result<Vec<Equation>, Fault> {
-    read(&source.tex, &vocabulary.names).map_err(|error| source.fault(error.at, error.reason.to_string()))
+    let equations =
+        read(&source.tex, &vocabulary.names).map_err(|error| source.fault(error.at, error.reason.to_string()))?;
+    match equations.iter().find(|equation| equation.relation != Relation::Equal) {
+        Some(other) => Err(source.fault(other.at.0, NO_INEQUALITIES)),
+        None => Ok(equations),
+    }
 }

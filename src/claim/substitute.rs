@@ -27,7 +27,8 @@ pub fn rewrite(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
         Tree::Product(factors) => Tree::Product(factors.iter().map(again).collect()),
         Tree::Quotient(above, below, at) => Tree::Quotient(boxed(above), boxed(below), *at),
         Tree::Power(base, exponent, at) => Tree::Power(boxed(base), *exponent, *at),
-        Tree::Root(inner, at) => Tree::Root(boxed(inner), *at),
+        Tree::RealPower(base, exponent, at) => Tree::RealPower(boxed(base), boxed(exponent), *at),
+        Tree::Root(inner, index, at) => Tree::Root(boxed(inner), *index, *at),
         Tree::PlusMinus(inner) => Tree::PlusMinus(boxed(inner)),
         Tree::MinusPlus(inner) => Tree::MinusPlus(boxed(inner)),
     }
@@ -50,11 +51,11 @@ pub fn any(tree: &Tree, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
             Tree::Call(_, inner, _)
             | Tree::Negate(inner)
             | Tree::Power(inner, ..)
-            | Tree::Root(inner, _)
+            | Tree::Root(inner, ..)
             | Tree::PlusMinus(inner)
             | Tree::MinusPlus(inner) => any(inner, test),
             Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| any(part, test)),
-            Tree::Quotient(above, below, _) => any(above, test) || any(below, test),
+            Tree::Quotient(above, below, _) | Tree::RealPower(above, below, _) => any(above, test) || any(below, test),
         }
 }
 

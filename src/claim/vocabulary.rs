@@ -1,8 +1,8 @@
 //! What the names of a sheet stand for: its `[symbols]`.
 
-use super::fault::Fault;
+use super::fault::{Fault, NO_INEQUALITIES};
 use super::symbols::{MapEntry, Symbols};
-use crate::tex::{At, Equation, Name, Names, Tree, read, read_expression};
+use crate::tex::{At, Equation, Name, Names, Relation, Tree, read, read_expression};
 
 /// A matrix of partial derivatives.
 #[derive(Clone, Debug)]
@@ -265,7 +265,11 @@ impl Vocabulary {
     }
 
     fn equations(&self, tex: &str) -> Result<Vec<Equation>, Fault> {
-        read(tex, &self.names).map_err(|error| Fault::new(format!("`{tex}`: {error}")))
+        let equations = read(tex, &self.names).map_err(|error| Fault::new(format!("`{tex}`: {error}")))?;
+        match equations.iter().all(|equation| equation.relation == Relation::Equal) {
+            true => Ok(equations),
+            false => Err(Fault::new(format!("`{tex}`: {NO_INEQUALITIES}"))),
+        }
     }
 
     /// Every name that may be written, for a message that helps.

@@ -64,7 +64,13 @@ impl Compiler<'_> {
             Tree::Product(factors) => Node::Product(self.trees(factors)?),
             Tree::Quotient(above, below, _) => Node::Quotient(boxed(self.tree(above)?), boxed(self.tree(below)?)),
             Tree::Power(base, exponent, _) => Node::Power(boxed(self.tree(base)?), *exponent),
-            Tree::Root(radicand, _) => Node::Root(boxed(self.tree(radicand)?)),
+            Tree::Root(radicand, 2, _) => Node::Root(boxed(self.tree(radicand)?)),
+            Tree::Root(..) => return Err(Unwitnessed::Kind("roots other than square roots have no witness yet")),
+            Tree::RealPower(..) => {
+                return Err(Unwitnessed::Kind(
+                    "powers whose exponent is no integer have no witness yet",
+                ));
+            }
             Tree::PlusMinus(body) => Node::Signed(boxed(self.tree(body)?), true),
             Tree::MinusPlus(body) => Node::Signed(boxed(self.tree(body)?), false),
         })

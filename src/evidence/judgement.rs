@@ -155,7 +155,7 @@ fn is_beyond_points(equation: &crate::tex::Equation) -> bool {
 
 fn beyond_points(tree: &Tree) -> bool {
     match tree {
-        Tree::Root(..) => true,
+        Tree::Root(..) | Tree::RealPower(..) => true,
         Tree::Number(value) => value.to_string().len() > LONGEST_NUMBER,
         Tree::Power(base, exponent, _) => exponent.unsigned_abs() > HIGHEST_POWER || beyond_points(base),
         Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => false,

@@ -11,6 +11,9 @@ use crate::number::Rational;
 /// The most digits of a number: exact arithmetic on longer ones would take noticeable time.
 const LONGEST: usize = 1000;
 
+/// The highest index of a root.
+const HIGHEST_INDEX: u32 = 1000;
+
 const PARTNER: &str = "write \\frac{\\partial a}{\\partial b} with one name above and one below";
 
 impl<'a> Reader<'a> {
@@ -30,6 +33,10 @@ impl<'a> Reader<'a> {
             }
             Kind::Invariant(kind) => self.invariant(kind, 1),
             Kind::Number => self.number(token),
+            Kind::Open(Bracket::Bar) => {
+                let tree = self.absolute_value(token)?;
+                self.carried(tree, Form::Bracketed)
+            }
             Kind::Open(_) => {
                 let tree = self.bracketed()?;
                 self.carried(tree, Form::Bracketed)
@@ -45,7 +52,7 @@ impl<'a> Reader<'a> {
     fn carried(&mut self, tree: Box<Tree>, form: Form) -> Result<Part, Fault> {
         let at = self.here();
         let power = self.power()?;
-        match (power, form) {
+        match (&power, form) {
             (None, _) => Ok(Part { tree, form }),
             (Some(_), Form::Literal | Form::Plain | Form::Bracketed) => Ok(raise(tree, power)),
             (Some(_), _) => {
@@ -61,8 +68,40 @@ impl<'a> Reader<'a> {
             return Err(Fault::ambiguous(token.at, "this digit", instead));
         }
         self.next += 1;
+        self.no_scale(token)?;
         let tree = Box::new(Tree::Number(value(token)?));
         self.carried(tree, Form::Literal)
+    }
+
+    /// Refuses `1e3` and `2.5e-3`: a programmer means a power of ten, TeX prints a product or a difference.
+    fn no_scale(&self, number: Token<'a>) -> Result<(), Fault> {
+        let close = |ahead: usize| {
+            let before = match ahead.checked_sub(1) {
+                Some(before) => self.look(before)?,
+                None => number,
+            };
+            self.look(ahead).filter(|token| token.at == before.end)
+        };
+        let Some(letter) = close(0).filter(|token| matches!(token.text, "e" | "E")) else {
+            return Ok(());
+        };
+        let sign = close(1).filter(|token| matches!(token.kind, Kind::Plus | Kind::Minus));
+        let digits = close(1 + usize::from(sign.is_some())).filter(|token| token.kind == Kind::Number);
+        let Some(digits) = digits else {
+            return Ok(());
+        };
+        let (number_text, letter, digits) = (number.text, letter.text, digits.text);
+        let [written, scaled, product] = match sign.map(|sign| sign.kind) {
+            Some(Kind::Minus) => ["-", "-", " - "],
+            Some(_) => ["+", "", " + "],
+            None => ["", "", " \\cdot "],
+        };
+        Err(Fault::two_readings(
+            number.at,
+            &format!("`{number_text}{letter}{written}{digits}`"),
+            &format!("{number_text} \\cdot 10^{{{scaled}{digits}}}"),
+            &format!("{number_text} {letter}{product}{digits}"),
+        ))
     }
 
     /// `{..}`: braces do not print, so what they hold must stand for itself.
@@ -131,17 +170,28 @@ impl<'a> Reader<'a> {
 
     fn root(&mut self, token: Token<'a>) -> Result<Part, Fault> {
         self.next += 1;
-        let index = |reader: &Self, ahead: usize| reader.look(ahead).map(|token| token.text);
-        if self.peek_kind() == Some(Kind::Open(Bracket::Square)) {
-            match (index(self, 1), index(self, 2)) {
-                (Some("2"), Some("]")) => self.next += 3,
-                _ => {
-                    return Err(Fault::unsupported(token.at, "this root", "only square roots are read"));
-                }
+        let index = match self.peek_kind() {
+            Some(Kind::Open(Bracket::Square)) => self.index()?,
+            _ => 2,
+        };
+        let radicand = self.argument()?;
+        self.carried(Box::new(Tree::Root(radicand, index, At(token.at))), Form::Plain)
+    }
+
+    /// The index of a root, between the brackets that stand next.
+    fn index(&mut self) -> Result<u32, Fault> {
+        let at = self.here();
+        let index = self.look(1).and_then(|token| token.text.parse().ok());
+        match (index, self.look(2).map(|token| token.kind)) {
+            (Some(index), Some(Kind::Close(Bracket::Square))) if (2..=HIGHEST_INDEX).contains(&index) => {
+                self.next += 3;
+                Ok(index)
+            }
+            _ => {
+                let instead = "the index of a root is a number from 2 to 1000; write x^{1/n} for any other";
+                Err(Fault::unsupported(at, "this root", instead))
             }
         }
-        let radicand = self.argument()?;
-        self.carried(Box::new(Tree::Root(radicand, At(token.at))), Form::Plain)
     }
 
     /// `\frac{\partial a}{\partial b}` or `\frac{\partial}{\partial b} a`, after its command.
@@ -251,12 +301,25 @@ mod tests {
             (r"\sqrt{a + b}", "(sqrt (+ a b))"),
             (r"\sqrt 2", "(sqrt 2)"),
             (r"\sqrt[2]{x}^3", "(^ (sqrt x) 3)"),
+            (r"\sqrt[3]{x} \sqrt[1000]2", "(* (root x 3) (root 2 1000))"),
+            ("2 e - 3", "(+ (* 2 e) (- 3))"),
+            ("2e^3", "(* 2 (^ e 3))"),
+            (r"1 e \cdot 3", "(* 1 e 3)"),
         ]);
         refuse(&[
             (r"\frac123", "write { }"),
             (r"\sqrt23", "write { }"),
             (r"\sqrt x_k", "only a name"),
-            (r"\sqrt[3]{x}", "only square roots"),
+            (r"\sqrt[n]{x}", "from 2 to 1000"),
+            (r"\sqrt[1]{x}", "from 2 to 1000"),
+            (r"\sqrt[1001]{x}", "from 2 to 1000"),
+            (r"\sqrt[3{x}", "from 2 to 1000"),
+            ("1e3", r"`1e3` can be read as 1 \cdot 10^{3} or as 1 e \cdot 3"),
+            (
+                "a + 2.5e-3",
+                r"column 5: `2.5e-3` can be read as 2.5 \cdot 10^{-3} or as 2.5 e - 3",
+            ),
+            ("2E+4 x", r"2 \cdot 10^{4} or as 2 E + 4"),
             (r"\frac{}{2}{3}", "an argument"),
             (r"\frac{1}", "an argument"),
             (r"\frac1.5", "a digit"),

@@ -1,9 +1,11 @@
 //! Brackets that print, braces that do not, and their partners.
 
-use super::Tree;
+use super::command::ABSOLUTE;
 use super::error::{Fault, Reason};
 use super::reader::Reader;
+use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
+use super::{At, Tree};
 
 impl<'a> Reader<'a> {
     /// The content of the visible bracket that stands next, and its place.
@@ -15,12 +17,23 @@ impl<'a> Reader<'a> {
         self.close(open, kind).map(|()| tree)
     }
 
-    /// Takes an opening bracket, of any kind.
+    /// The absolute value whose opening bar stands next.
+    pub(super) fn absolute_value(&mut self, open: Token<'a>) -> Result<Box<Tree>, Fault> {
+        self.next += 1;
+        let argument = self.sum()?;
+        self.close(open, Bracket::Bar)?;
+        Ok(Box::new(Tree::Call(base(ABSOLUTE), argument, At(open.at))))
+    }
+
+    /// Takes an opening bracket of any kind but a bar.
     pub(super) fn open(&mut self) -> Option<(Token<'a>, Bracket)> {
         let token = self.peek()?;
         let Kind::Open(kind) = token.kind else {
             return None;
         };
+        if kind == Bracket::Bar {
+            return None;
+        }
         self.next += 1;
         Some((token, kind))
     }
@@ -37,7 +50,7 @@ impl<'a> Reader<'a> {
                 let (open, close) = (format!("`{}`", open.text), format!("`{}`", token.text));
                 Err(Fault::new(token.at, Reason::Mismatched { open, close }))
             }
-            Some(token) if matches!(token.kind, Kind::Sub | Kind::Sup | Kind::Comma | Kind::Equals) => {
+            Some(token) if matches!(token.kind, Kind::Sub | Kind::Sup | Kind::Comma | Kind::Relation(_)) => {
                 let wanted = format!("a closing bracket for `{}`", open.text);
                 Err(Fault::unexpected(token.at, token.text, &wanted))
             }

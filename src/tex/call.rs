@@ -34,7 +34,7 @@ impl<'a> Reader<'a> {
     pub(super) fn symbol(&mut self, mut name: Name, at: usize) -> Result<Part, Fault> {
         let power = self.scripts(&mut name)?;
         match self.peek_kind() {
-            Some(Kind::Open(kind)) if self.names.is_function(&name) => {
+            Some(Kind::Open(kind)) if kind != Bracket::Bar && self.names.is_function(&name) => {
                 self.argument_bracket(kind)?;
                 let argument = self.bracketed()?;
                 self.call(Box::new(Tree::Call(name, argument, At(at))), power)
@@ -75,14 +75,18 @@ impl<'a> Reader<'a> {
             Some(Kind::Sup | Kind::Sub | Kind::Prime) => self.power()?,
             _ => None,
         };
-        let Some(Kind::Open(kind)) = self.peek_kind() else {
-            let argument = self.bare_argument()?;
-            let power = power.map(Exponent::before_argument).transpose()?;
-            return Ok(raise(elementary_call(function, argument, at), power));
-        };
-        self.argument_bracket(kind)?;
-        let argument = self.bracketed()?;
-        self.call(elementary_call(function, argument, at), power)
+        match self.peek_kind() {
+            Some(Kind::Open(kind)) if kind != Bracket::Bar => {
+                self.argument_bracket(kind)?;
+                let argument = self.bracketed()?;
+                self.call(elementary_call(function, argument, at), power)
+            }
+            _ => {
+                let argument = self.bare_argument()?;
+                let power = power.map(Exponent::before_argument).transpose()?;
+                Ok(raise(elementary_call(function, argument, at), power))
+            }
+        }
     }
 
     /// The argument of `\cos\theta`: it must be plain that it is no more than one symbol, number or fraction.
@@ -263,6 +267,22 @@ mod tests {
             ("2sin^2[x]", r"(* 2 (^ <\sin x> 2))"),
             ("gsin(x)", r"(* g <\sin x>)"),
             (r"\arctan(x) \ln(y)", r"(* <\arctan x> <\ln y>)"),
+            (
+                r"\operatorname{arsinh}(x) \operatorname{sgn}(y)",
+                r"(* <\operatorname{arsinh} x> <\operatorname{sgn} y>)",
+            ),
+            (
+                r"\coth(x) \cot(x) \sec(x) \csc(x)",
+                r"(* <\coth x> <\cot x> <\sec x> <\csc x>)",
+            ),
+            (
+                r"\operatorname{arcosh}^2(x) + artanh(x)",
+                r"(+ (^ <\operatorname{arcosh} x> 2) <\operatorname{artanh} x>)",
+            ),
+            (r"\sin^{1/3}(x)", r"(^^ <\sin x> (/ 1 3))"),
+            ("f^{2/3}(t)", "(^^ <f t> (/ 2 3))"),
+            (r"\ln|x|", r"<\ln <\operatorname{abs} x>>"),
+            ("f|x|", r"(* f <\operatorname{abs} x>)"),
         ]);
         for tex in [
             r"\sin \pi t",
@@ -275,6 +295,11 @@ mod tests {
             refuse(&[(tex, "write brackets around the argument")]);
         }
         refuse(&[
+            (r"\sin^n(x)", "behind brackets around the call"),
+            (r"f^n(t)", "behind brackets around the call"),
+            (r"f^{-a}(t)", "behind brackets around the call"),
+            (r"\sin 2x", "write brackets around the argument"),
+            (r"\sin 2\pi t", "write brackets around the argument"),
             (r"\cos", "the argument of the function"),
             (r"\cos -x", "the argument of the function"),
             (r"\cos\sin x", "the argument of the function"),

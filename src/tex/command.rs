@@ -1,7 +1,14 @@
 //! The TeX commands that are known, and what each does to the reading.
 
-use super::Invariant;
 use super::token::{Bracket, Kind};
+use super::{Invariant, Relation};
+
+/// Which end of a pair of brackets.
+#[derive(Clone, Copy)]
+pub(super) enum Side {
+    Opening,
+    Closing,
+}
 
 /// What a command does.
 pub(super) enum Command {
@@ -15,8 +22,12 @@ pub(super) enum Command {
     SkipGroup,
     /// It is a wide blank, with its width in the braces after it.
     Space,
-    /// A bracket must follow.
-    Sized,
+    /// A bracket must follow; a bar after it opens or closes.
+    Sized(Side),
+    /// It is dropped; a bar after it opens or closes.
+    Side(Side),
+    /// A set of numbers follows.
+    Blackboard,
     Font,
     Text,
     Begin,
@@ -71,11 +82,22 @@ const LETTERS: &[&str] = &[
     "\\jmath",
 ];
 
+/// The name of the absolute value as a function.
+pub(super) const ABSOLUTE: &str = "\\abs";
+
 /// Functions that are known without a declaration, longest first where one starts another.
 const FUNCTIONS: &[&str] = &[
-    "\\arccos", "\\arcsin", "\\arctan", "\\sinh", "\\cosh", "\\tanh", "\\sin", "\\cos", "\\tan", "\\exp", "\\log",
-    "\\ln",
+    "\\arccos", "\\arcsin", "\\arctan", "\\arcosh", "\\arsinh", "\\artanh", "\\sinh", "\\cosh", "\\tanh", "\\coth",
+    "\\sin", "\\cos", "\\tan", "\\cot", "\\sec", "\\csc", "\\exp", "\\log", "\\ln", "\\sgn", ABSOLUTE,
 ];
+
+/// Those of them that LaTeX has no command for.
+const OPERATOR_NAMES: &[&str] = &["\\arcosh", "\\arsinh", "\\artanh", "\\sgn", ABSOLUTE];
+
+/// The word that `\operatorname` takes to print the function `base`, where LaTeX has no command for it.
+pub(super) fn operator_name(base: &str) -> Option<&str> {
+    OPERATOR_NAMES.contains(&base).then(|| base.trim_start_matches('\\'))
+}
 
 const SKIPPED: &[&str] = &[
     "\\,",
@@ -99,14 +121,6 @@ const SKIPPED: &[&str] = &[
     "\\notag",
     "\\limits",
     "\\nolimits",
-    "\\bigl",
-    "\\bigr",
-    "\\Bigl",
-    "\\Bigr",
-    "\\biggl",
-    "\\biggr",
-    "\\Biggl",
-    "\\Biggr",
     "\\big",
     "\\Big",
     "\\bigg",
@@ -160,7 +174,11 @@ fn structure(text: &str) -> Option<Command> {
         "\\quad" | "\\qquad" | "\\enspace" => Command::Token(Kind::Quad),
         "\\hspace" => Command::Space,
         "\\label" | "\\tag" | "\\phantom" | "\\hphantom" | "\\vphantom" => Command::SkipGroup,
-        "\\left" | "\\right" => Command::Sized,
+        "\\left" => Command::Sized(Side::Opening),
+        "\\right" => Command::Sized(Side::Closing),
+        "\\bigl" | "\\Bigl" | "\\biggl" | "\\Biggl" => Command::Side(Side::Opening),
+        "\\bigr" | "\\Bigr" | "\\biggr" | "\\Biggr" => Command::Side(Side::Closing),
+        "\\mathbb" => Command::Blackboard,
         "\\mathrm" | "\\mathbf" | "\\mathit" | "\\mathsf" | "\\mathnormal" | "\\boldsymbol" | "\\bm" | "\\rm"
         | "\\bf" | "\\it" => Command::Font,
         "\\text" | "\\textrm" | "\\textit" | "\\textbf" | "\\mbox" | "\\operatorname" => Command::Text,
@@ -189,7 +207,17 @@ fn sign(text: &str) -> Option<Command> {
         "\\div" => Kind::Slash,
         "\\pm" => Kind::PlusMinus,
         "\\mp" => Kind::MinusPlus,
-        "\\equiv" | "\\coloneqq" => Kind::Equals,
+        "\\equiv" | "\\coloneqq" => Kind::Relation(Relation::Equal),
+        "\\ne" | "\\neq" => Kind::Relation(Relation::NotEqual),
+        "\\lt" => Kind::Relation(Relation::Less),
+        "\\gt" => Kind::Relation(Relation::Greater),
+        "\\le" | "\\leq" | "\\leqslant" | "\\leqq" => Kind::Relation(Relation::LessOrEqual),
+        "\\ge" | "\\geq" | "\\geqslant" | "\\geqq" => Kind::Relation(Relation::GreaterOrEqual),
+        "\\in" => Kind::Element,
+        "\\infty" => Kind::Infinity,
+        "\\vert" | "\\mid" => Kind::Bar,
+        "\\lvert" => Kind::Open(Bracket::Bar),
+        "\\rvert" => Kind::Close(Bracket::Bar),
         "\\{" | "\\lbrace" => Kind::Open(Bracket::Curly),
         "\\}" | "\\rbrace" => Kind::Close(Bracket::Curly),
         "\\lbrack" => Kind::Open(Bracket::Square),
@@ -202,9 +230,15 @@ fn hint(text: &str) -> &'static str {
     match text {
         "\\over" => ": write \\frac{..}{..}",
         "\\bigg/" | "\\middle" => ": write / alone",
-        "\\vert" | "\\lvert" | "\\rvert" | "\\mid" | "\\|" => ": absolute values are not supported",
-        "\\leq" | "\\geq" | "\\le" | "\\ge" | "\\lt" | "\\gt" | "\\neq" | "\\ne" | "\\approx" | "\\sim" | "\\simeq"
-        | "\\mapsto" | "\\longmapsto" | "\\to" | "\\rightarrow" | "\\in" => ": only equations are read",
+        "\\|" | "\\Vert" | "\\lVert" | "\\rVert" => ": norms are not supported; an absolute value has single bars",
+        "\\approx" | "\\sim" | "\\simeq" | "\\cong" | "\\propto" | "\\ll" | "\\gg" => {
+            ": it has no exact meaning; write =, \\neq, <, >, \\leq or \\geq"
+        }
+        "\\mapsto" | "\\longmapsto" | "\\to" | "\\rightarrow" | "\\longrightarrow" => {
+            ": write what is claimed as an equation or inequality"
+        }
+        "\\not" => ": write \\neq",
+        "\\notin" | "\\subset" | "\\subseteq" => ": only \\in is read, and only in a condition",
         _ => "",
     }
 }

@@ -1,5 +1,6 @@
 //! A whole display: its equations, an expression or a name.
 
+use super::bars::pair_bars;
 use super::error::{Fault, Reason};
 use super::lexer::lex;
 use super::reader::Reader;
@@ -9,12 +10,13 @@ use super::{At, Equation, Name, Names, ReadError, Tree};
 
 /// The longest formula that is read, in bytes.
 const LONGEST: usize = 100_000;
-/// Reads the equations of a display, in order; a chain `a = b = c` gives `a = b` and `b = c`.
+
+/// Reads the equations and inequalities of a display, in order; a chain `a = b < c` gives `a = b` and `b < c`.
 pub fn read(tex: &str, names: &Names) -> Result<Vec<Equation>, ReadError> {
     read_equations(tex, names).map_err(|fault| fault.located(tex))
 }
 
-/// Reads an expression, without an `=`.
+/// Reads an expression, without a relation.
 pub fn read_expression(tex: &str, names: &Names) -> Result<Tree, ReadError> {
     let read = || {
         let mut reader = single(tex, names)?;
@@ -56,12 +58,16 @@ fn is_number_of_display(tokens: &[Token<'_>]) -> bool {
     kinds == [open, Kind::Number, close] || kinds == [open, Kind::Number, Kind::Letter, close]
 }
 
-fn divided(tex: &str) -> Result<Vec<Vec<Token<'_>>>, Fault> {
+pub(super) fn divided(tex: &str) -> Result<Vec<Vec<Token<'_>>>, Fault> {
     let (bytes, most) = (tex.len(), LONGEST);
     if bytes > most {
         return Err(Fault::new(0, Reason::TooLong { bytes, most }));
     }
-    statements(lex(tex)?)
+    let mut statements = statements(lex(tex)?)?;
+    for tokens in &mut statements {
+        pair_bars(tokens)?;
+    }
+    Ok(statements)
 }
 
 fn single<'a>(tex: &'a str, names: &'a Names) -> Result<Reader<'a>, Fault> {
@@ -76,42 +82,53 @@ fn single<'a>(tex: &'a str, names: &'a Names) -> Result<Reader<'a>, Fault> {
 }
 
 impl Reader<'_> {
-    fn finish(&self, wanted: &str) -> Result<(), Fault> {
+    pub(super) fn finish(&self, wanted: &str) -> Result<(), Fault> {
         match self.peek() {
             None => Ok(()),
             Some(token) if matches!(token.kind, Kind::Close(_) | Kind::BraceClose) => {
                 let close = format!("`{}`", token.text);
                 Err(Fault::new(token.at, Reason::Unopened { close }))
             }
+            Some(token) if token.kind == Kind::Element => {
+                let instead = ": a set stands only in a condition";
+                Err(Fault::unreadable(token.at, token.text, instead))
+            }
             Some(_) => Err(self.instead_of(wanted)),
         }
     }
 
-    /// `a = b = c`, appended to `equations`.
+    /// `a = b < c`, appended to `equations`.
     fn chain(&mut self, equations: &mut Vec<Equation>) -> Result<(), Fault> {
-        let mut at = self.here();
-        let mut left = *self.sum()?;
-        if self.peek().is_none() {
-            return Err(Fault::new(at, Reason::NoEquation));
+        let at = self.here();
+        let left = *self.sum()?;
+        match self.peek() {
+            None => Err(Fault::new(at, Reason::NoEquation)),
+            Some(_) => self.links(at, left, equations),
         }
-        while self.take(Kind::Equals).is_some() {
+    }
+
+    /// What follows the first side of a chain, which starts at byte `at`.
+    pub(super) fn links(&mut self, mut at: usize, mut left: Tree, equations: &mut Vec<Equation>) -> Result<(), Fault> {
+        while let Some(Kind::Relation(relation)) = self.peek_kind() {
+            self.next += 1;
             let start = self.here();
             let right = *self.sum()?;
             let end = self.look_back();
             let left = std::mem::replace(&mut left, right.clone());
             equations.push(Equation {
                 left,
+                relation,
                 right,
                 at: At(at),
                 end: At(end),
             });
             at = start;
         }
-        self.finish("`=`, an operator or the end of the equation")
+        self.finish("a relation, an operator or the end of the equation")
     }
 
     /// Where the token before the next one ends.
-    fn look_back(&self) -> usize {
+    pub(super) fn look_back(&self) -> usize {
         let before = self.next.checked_sub(1).and_then(|last| self.tokens.get(last));
         before.map_or(0, |token| token.end)
     }
@@ -134,6 +151,12 @@ mod tests {
             (r"a = b, \quad (23)", 1),
             (r"a = b \qquad (20a)", 1),
             ("x = 2.", 1),
+            (r"0 \le u < \frac{\pi}{2}", 2),
+            (r"a \leqslant b \\ \geq c \ne d", 3),
+            (
+                r"a \lt b, c \gt d, e ≤ f, g ≥ h, i ≠ j, k \geqslant l, m \neq n, o \ge p, q > r",
+                9,
+            ),
         ] {
             assert_eq!(count(tex).map_err(|error| error.to_string()), Ok(wanted), "{tex}");
         }
@@ -148,9 +171,17 @@ mod tests {
             "x = 0,26",
             "a = b \\\\ c",
             "a == b",
+            "a <= b",
+            "a <",
+            r"a \approx b",
+            r"a \to b",
+            r"x \in \mathbb{R}",
         ] {
             assert!(count(tex).is_err(), "{tex}");
         }
+        let chain = read(r"0 \le u < v \neq w", &names()).unwrap();
+        let printed: Vec<String> = chain.iter().map(ToString::to_string).collect();
+        assert_eq!(printed, [r"0 \leq u", "u < v", r"v \neq w"]);
         let equations = read("a = b = c + d.", &names()).unwrap();
         let places: Vec<_> = equations
             .iter()
@@ -176,6 +207,12 @@ mod tests {
             r"\cos",
             r"\text{cos}",
             "a/",
+            "|",
+            r"\left|",
+            r"\sqrt[3]{",
+            "x^{(",
+            "x^{1+",
+            "-|a",
         ] {
             let deep = unit.repeat(99_000 / unit.len());
             assert!(read(&deep, &names).is_err(), "{unit}");

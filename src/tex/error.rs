@@ -11,9 +11,12 @@ pub enum Reason {
     /// Nested deeper than the stack of the walks over the tree allows.
     #[error("nested deeper than {most} levels")]
     TooDeep { most: usize },
-    /// Nothing, or an expression without `=`.
-    #[error("no equation here: write `left = right`")]
+    /// Nothing, or an expression without a relation.
+    #[error("no equation here: write `left = right`, or an inequality")]
     NoEquation,
+    /// No condition, or an expression alone.
+    #[error("no condition here: write `x > 0`, `x \\in [0, 1]` or `n \\in \\mathbb{{Z}}`")]
+    NoCondition,
     /// A sign or command that has no meaning here.
     #[error("cannot read {found} here{instead}")]
     Unreadable { found: String, instead: &'static str },
@@ -32,6 +35,13 @@ pub enum Reason {
     /// Something that authors mean different things by.
     #[error("{found} can be read in more than one way: {instead}")]
     Ambiguous { found: String, instead: &'static str },
+    /// Something with exactly two readings.
+    #[error("{found} can be read as {first} or as {second}: write the one that is meant")]
+    TwoReadings {
+        found: String,
+        first: String,
+        second: String,
+    },
     /// Something with a clear meaning that is not supported.
     #[error("{found} cannot be read: {instead}")]
     Unsupported { found: String, instead: &'static str },
@@ -97,6 +107,11 @@ impl Fault {
         Self::new(at, Reason::Ambiguous { found, instead })
     }
 
+    pub(super) fn two_readings(at: usize, found: &str, first: &str, second: &str) -> Self {
+        let (found, first, second) = (found.to_owned(), shortened(first, 120), shortened(second, 120));
+        Self::new(at, Reason::TwoReadings { found, first, second })
+    }
+
     pub(super) fn unsupported(at: usize, found: &str, instead: &'static str) -> Self {
         let found = found.to_owned();
         Self::new(at, Reason::Unsupported { found, instead })
@@ -125,11 +140,16 @@ impl Fault {
 
 /// `text` between backticks, shortened: a message is no place for a whole formula.
 fn quoted(text: &str) -> String {
-    let mut shown: String = text.chars().take(24).collect();
+    format!("`{}`", shortened(text, 24))
+}
+
+/// At most the first `most` characters of `text`.
+fn shortened(text: &str, most: usize) -> String {
+    let mut shown: String = text.chars().take(most).collect();
     if shown.len() < text.len() {
         shown.push('…');
     }
-    format!("`{shown}`")
+    shown
 }
 
 #[cfg(test)]

@@ -31,10 +31,16 @@ pub trait Scope<F: Field> {
         Err(Unsupported::Invariant(of.clone()).into())
     }
 
-    /// The square root.
-    fn root(&mut self, radicand: F) -> Result<F, Self::Error> {
-        let _ = radicand;
+    /// The root of this index, 2 or more.
+    fn root(&mut self, radicand: F, index: u32) -> Result<F, Self::Error> {
+        let _ = (radicand, index);
         Err(Unsupported::Root.into())
+    }
+
+    /// A power whose exponent is not an integer literal.
+    fn real_power(&mut self, base: F, exponent: F) -> Result<F, Self::Error> {
+        let _ = (base, exponent);
+        Err(Unsupported::RealPower.into())
     }
 
     /// A printed number in the field.
@@ -68,9 +74,12 @@ pub enum Unsupported {
     /// A trace or determinant of this matrix.
     #[error("{0} is no known matrix")]
     Invariant(Name),
-    /// A square root.
-    #[error("a square root has no value here")]
+    /// A root.
+    #[error("a root has no value here")]
     Root,
+    /// A power with an exponent that is no integer.
+    #[error("a power whose exponent is no integer has no value here")]
+    RealPower,
     /// A number whose denominator is zero in the field.
     #[error("{0} has no value here")]
     Number(Rational),
@@ -130,7 +139,8 @@ pub fn evaluate<F: Field, S: Scope<F>>(tree: &Tree, scope: &mut S) -> Result<F, 
         Tree::Product(factors) => product(factors, scope),
         Tree::Quotient(above, below, at) => quotient(above, below, at.0, scope),
         Tree::Power(base, exponent, at) => power(base, *exponent, at.0, scope),
-        Tree::Root(radicand, at) => root(radicand, *at, scope),
+        Tree::RealPower(base, exponent, at) => real_power(base, exponent, *at, scope),
+        Tree::Root(radicand, index, at) => root(radicand, *index, *at, scope),
         Tree::PlusMinus(body) => signed(body, true, scope),
         Tree::MinusPlus(body) => signed(body, false, scope),
     }
@@ -190,11 +200,21 @@ fn power<F: Field, S: Scope<F>>(base: &Tree, exponent: i32, at: usize, scope: &m
 }
 
 #[inline(never)]
-fn root<F: Field, S: Scope<F>>(radicand: &Tree, at: At, scope: &mut S) -> Value<F, S::Error> {
+fn root<F: Field, S: Scope<F>>(radicand: &Tree, index: u32, at: At, scope: &mut S) -> Value<F, S::Error> {
     let radicand = evaluate(radicand, scope)?;
     let at = at.0;
     scope
-        .root(radicand)
+        .root(radicand, index)
+        .map_err(|error| EvaluationError::Scope { error, at })
+}
+
+#[inline(never)]
+fn real_power<F: Field, S: Scope<F>>(base: &Tree, exponent: &Tree, at: At, scope: &mut S) -> Value<F, S::Error> {
+    let base = evaluate(base, scope)?;
+    let exponent = evaluate(exponent, scope)?;
+    let at = at.0;
+    scope
+        .real_power(base, exponent)
         .map_err(|error| EvaluationError::Scope { error, at })
 }
 
@@ -217,7 +237,8 @@ fn place(tree: &Tree) -> usize {
         | Tree::Invariant { at, .. }
         | Tree::Quotient(_, _, at)
         | Tree::Power(_, _, at)
-        | Tree::Root(_, at) => at.0,
+        | Tree::RealPower(_, _, at)
+        | Tree::Root(_, _, at) => at.0,
         Tree::Negate(body) | Tree::PlusMinus(body) | Tree::MinusPlus(body) => place(body),
         Tree::Sum(parts) | Tree::Product(parts) => parts
             .iter()
@@ -232,7 +253,7 @@ mod tests {
     use super::super::{read_expression, read_name};
     use super::*;
 
-    /// A scope that knows it all: symbols are 3, functions double, roots of squares below 100.
+    /// A scope that knows it all: symbols are 3, functions double, integer roots below 10.
     struct Known(Option<bool>);
 
     impl Scope<Rational> for Known {
@@ -245,10 +266,11 @@ mod tests {
             let value = evaluate(argument, self).map_err(|_| Unsupported::Root)?;
             Ok(value * Rational::from_integer(2))
         }
-        fn root(&mut self, radicand: Rational) -> Result<Rational, Unsupported> {
-            let squares = (0..10).map(Rational::from_integer);
-            let fits = |root: &Rational| root.clone() * root.clone() == radicand;
-            squares.into_iter().find(fits).ok_or(Unsupported::Root)
+        fn root(&mut self, radicand: Rational, index: u32) -> Result<Rational, Unsupported> {
+            let whole = (0..10).map(Rational::from_integer);
+            let index = i32::try_from(index).map_err(|_| Unsupported::Root)?;
+            let fits = |root: &Rational| root.to_power(index) == radicand;
+            whole.into_iter().find(fits).ok_or(Unsupported::Root)
         }
         fn upper_sign(&self) -> Option<bool> {
             self.0

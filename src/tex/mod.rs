@@ -13,15 +13,17 @@
 //! let mut scope = BTreeMap::from([(read_name("r_B", &names)?, half.clone()), (read_name("r_T", &names)?, half)]);
 //! assert_eq!(evaluate(&equations[0].right, &mut scope)?, Rational::from_ratio(4, 3));
 //!
-//! let error = read("a = b \\leq c", &names).unwrap_err();
-//! assert_eq!(error.caret("a = b \\leq c"), "a = b \\leq c\n      ^");
+//! let error = read("a = b \\approx c", &names).unwrap_err();
+//! assert_eq!(error.caret("a = b \\approx c"), "a = b \\approx c\n      ^");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod atom;
+mod bars;
 mod bracket;
 mod call;
 mod command;
+mod conditions;
 mod display;
 mod error;
 mod evaluate;
@@ -40,9 +42,10 @@ mod symbol;
 mod token;
 mod tree;
 
+pub use conditions::read_conditions;
 pub use display::{read, read_expression, read_name};
 pub use error::{ReadError, Reason};
 pub use evaluate::{EvaluationError, Scope, Unsupported, evaluate};
 pub use names::Names;
 pub use place::Place;
-pub use tree::{At, Equation, Invariant, Name, Tree};
+pub use tree::{At, Condition, Equation, Invariant, Name, Relation, Tree};

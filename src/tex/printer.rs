@@ -1,12 +1,16 @@
 //! Tree -> TeX that reads back to the same tree, given the same [`Names`](super::Names).
 
-use super::{Equation, Invariant, Name, Tree};
+use super::command::{ABSOLUTE, operator_name};
+use super::{Equation, Invariant, Name, Relation, Tree};
 use crate::number::Rational;
 use std::fmt;
 
 impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let plain = self.base.clone();
+        let plain = match operator_name(&self.base) {
+            Some(word) => format!("\\operatorname{{{word}}}"),
+            None => self.base.clone(),
+        };
         let accented = self
             .accents
             .iter()
@@ -18,13 +22,11 @@ impl fmt::Display for Name {
         for _ in 0..self.primes {
             f.write_str("'")?;
         }
-        match self.mark.len() {
-            0 => Ok(()),
-            // A single letter would be a symbolic power.
-            1 if self.mark.starts_with(|c: char| c.is_ascii_alphabetic()) => {
-                write!(f, "^{{\\text{{{}}}}}", self.mark)
-            }
-            _ => write!(f, "^{}", script(&self.mark)),
+        match self.mark.chars().next() {
+            None => Ok(()),
+            // Without \text, letters are a power, or might be.
+            Some(letter) if letter.is_ascii_alphabetic() => write!(f, "^{{\\text{{{}}}}}", self.mark),
+            Some(_) => write!(f, "^{}", script(&self.mark)),
         }
     }
 }
@@ -43,9 +45,22 @@ fn script(text: &str) -> String {
     }
 }
 
+impl fmt::Display for Relation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Equal => "=",
+            Self::NotEqual => "\\neq",
+            Self::Less => "<",
+            Self::LessOrEqual => "\\leq",
+            Self::Greater => ">",
+            Self::GreaterOrEqual => "\\geq",
+        })
+    }
+}
+
 impl fmt::Display for Equation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} = {}", self.left, self.right)
+        write!(f, "{} {} {}", self.left, self.relation, self.right)
     }
 }
 
@@ -122,7 +137,7 @@ fn needs_dot(before: &Tree, next: &Tree, text: &str) -> bool {
 /// Whether a bracket behind `tree` might read as its argument: the printer does not know which names are functions.
 fn may_call(tree: &Tree) -> bool {
     match tree {
-        Tree::Power(base, ..) => matches!(**base, Tree::Symbol(..)),
+        Tree::Power(base, ..) | Tree::RealPower(base, ..) => matches!(**base, Tree::Symbol(..)),
         _ => matches!(tree, Tree::Symbol(..)),
     }
 }
@@ -131,12 +146,15 @@ fn factor(tree: &Tree) -> String {
     match tree {
         Tree::Number(value) => number(value),
         Tree::Symbol(name, _) => name.to_string(),
+        Tree::Call(name, argument, _) if is_absolute(name) => format!("\\left|{}\\right|", sum(argument)),
         Tree::Call(name, argument, _) => format!("{name}({})", sum(argument)),
         Tree::Partial { of, by, .. } => format!("\\frac{{\\partial {of}}}{{\\partial {by}}}"),
         Tree::Invariant { kind, of, .. } => format!("{}({of})", invariant(*kind)),
         Tree::Quotient(above, below, _) => format!("\\frac{{{}}}{{{}}}", sum(above), sum(below)),
-        Tree::Root(radicand, _) => format!("\\sqrt{{{}}}", sum(radicand)),
+        Tree::Root(radicand, 2, _) => format!("\\sqrt{{{}}}", sum(radicand)),
+        Tree::Root(radicand, index, _) => format!("\\sqrt[{index}]{{{}}}", sum(radicand)),
         Tree::Power(base, exponent, _) => power(base, *exponent),
+        Tree::RealPower(base, exponent, _) => real_power(base, exponent),
         Tree::Negate(_) | Tree::Sum(_) | Tree::Product(_) | Tree::PlusMinus(_) | Tree::MinusPlus(_) => bracketed(tree),
     }
 }
@@ -146,6 +164,7 @@ fn power(base: &Tree, exponent: i32) -> String {
     let before_argument = !exponent.starts_with("{-");
     match base {
         Tree::Number(_) | Tree::Root(..) => format!("{}^{exponent}", factor(base)),
+        Tree::Call(name, ..) if is_absolute(name) => format!("{}^{exponent}", factor(base)),
         Tree::Symbol(name, _) if name.mark.is_empty() && name.primes == 0 => {
             format!("{name}^{exponent}")
         }
@@ -154,6 +173,26 @@ fn power(base: &Tree, exponent: i32) -> String {
         }
         base => format!("{}^{exponent}", bracketed(base)),
     }
+}
+
+fn real_power(base: &Tree, exponent: &Tree) -> String {
+    let mut text = sum(exponent);
+    if matches!(base, Tree::Symbol(..)) && text.len() > 1 && text.bytes().all(|byte| byte.is_ascii_alphabetic()) {
+        // Without the sign such a run of letters is a mark, or might be.
+        text.insert(0, '+');
+    }
+    let exponent = script(&text);
+    match base {
+        Tree::Number(_) | Tree::Root(..) => format!("{}^{exponent}", factor(base)),
+        Tree::Call(name, ..) if is_absolute(name) => format!("{}^{exponent}", factor(base)),
+        Tree::Symbol(name, _) if name.mark.is_empty() && name.primes == 0 => format!("{name}^{exponent}"),
+        base => format!("{}^{exponent}", bracketed(base)),
+    }
+}
+
+/// Whether this is the absolute value, which prints as bars.
+fn is_absolute(name: &Name) -> bool {
+    name.base == ABSOLUTE
 }
 
 /// `tree` between brackets that differ from those within.
@@ -193,7 +232,7 @@ mod tests {
             (r"\dot Z_{1+k}", r"\dot{Z}_{k+1}"),
             ("r_{B}T_{1}", "r_B T_1"),
             (r"a-(b-(c+d))", "a - [b - (c + d)]"),
-            (r"1/2 T_1", r"\frac{1}{2} T_1"),
+            (r"1/2 \cdot T_1", r"\frac{1}{2} T_1"),
             ("2 \\cdot 3 \\cdot x_1 \\cdot 2", r"2 \cdot 3 x_1 \cdot 2"),
             (r"2 \cdot \frac12", r"2 \cdot \frac{1}{2}"),
             (r"r_B\cdot(a+b)(c+d)", r"r_B \cdot (a + b) (c + d)"),
@@ -205,6 +244,17 @@ mod tests {
             (r"\partial a/\partial b", r"\frac{\partial a}{\partial b}"),
             (r"[\operatorname{tr}(DP)]^2 - 4\det DP", "[Tr(DP)]^2 - 4 Det(DP)"),
             (r"-(\pm (-a))", r"-[\pm (-a)]"),
+            (r"|a - b|^2", r"\left|a - b\right|^2"),
+            (r"f \lvert x \rvert^n", r"f \left|x\right|^n"),
+            (r"\sqrt[3]{x}^{1/3}", r"\sqrt[3]{x}^{\frac{1}{3}}"),
+            ("x^{a b}", "x^{a b}"),
+            ("x^{+eta}", "x^{+eta}"),
+            ("e^{eta}", "e^{+eta}"),
+            ("e^{-a t}", "e^{-a t}"),
+            ("(Z_k^-)^n", "(Z_k^-)^n"),
+            (r"(\cos(x))^{-n}", r"[\cos(x)]^{-n}"),
+            ("x^n (a + b)", r"x^n \cdot (a + b)"),
+            (r"\operatorname{sgn}(x)^2", r"\operatorname{sgn}^2(x)"),
         ] {
             let tree = read_expression(tex, &names()).unwrap();
             assert_eq!(tree.to_string(), wanted, "{tex}");

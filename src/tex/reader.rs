@@ -195,8 +195,12 @@ impl<'a> Reader<'a> {
             let tree = self.beside(factor)?;
             self.skip_empty();
             if token.kind == Kind::Slash {
-                self.divisor(by, &tree, token.at, divided)?;
-                factors = vec![Tree::Quotient(product(factors), tree, At(token.at))];
+                let above = product(factors);
+                self.divisor(by, token.at, divided)?;
+                if self.peek_kind().is_some_and(starts_factor) {
+                    return Err(self.two_quotients(above, tree, token.at));
+                }
+                factors = vec![Tree::Quotient(above, tree, At(token.at))];
                 divided = true;
             } else {
                 factors.push(*tree);
@@ -208,8 +212,8 @@ impl<'a> Reader<'a> {
         Ok(Part { tree, form })
     }
 
-    /// Refuses a divisor that does not show where it ends: `a/b c`.
-    fn divisor(&mut self, form: Form, tree: &Tree, at: usize, again: bool) -> Result<(), Fault> {
+    /// Refuses a divisor that holds a slash itself, and too many slashes in a term.
+    fn divisor(&mut self, form: Form, at: usize, again: bool) -> Result<(), Fault> {
         if again {
             self.divisions += 1;
             let most = DEEPEST;
@@ -217,16 +221,28 @@ impl<'a> Reader<'a> {
                 return Err(Fault::new(at, Reason::TooDeep { most }));
             }
         }
-        let whole = matches!(tree, Tree::Number(value) if value.0.is_int()) && form == Form::Literal;
-        let instead = "write \\frac{..}{..}, or brackets around the divisor";
-        match self.peek_kind() {
+        match form {
             // `x/\partial a/\partial b`
-            _ if form == Form::Open => Err(Fault::ambiguous(at, "a slash in a divisor", instead)),
-            Some(kind) if starts_factor(kind) && !whole => {
-                Err(Fault::ambiguous(at, "a factor right after a divisor", instead))
+            Form::Open => {
+                let instead = "write \\frac{..}{..}, or brackets around the divisor";
+                Err(Fault::ambiguous(at, "a slash in a divisor", instead))
             }
             _ => Ok(()),
         }
+    }
+
+    /// The fault of a factor right after a divisor, `above/below next`: it may belong to the divisor or not.
+    #[inline(never)]
+    fn two_quotients(&mut self, above: Box<Tree>, below: Box<Tree>, at: usize) -> Fault {
+        let next = match self.factor() {
+            Ok(next) => *next.tree,
+            Err(fault) => return fault,
+        };
+        let quotient = |below| Tree::Quotient(above.clone(), below, At(at));
+        let outside = Tree::Product(vec![quotient(below.clone()), next.clone()]);
+        let inside = quotient(Box::new(Tree::Product(vec![*below, next])));
+        let found = "a factor right after a divisor";
+        Fault::two_readings(at, found, &outside.to_string(), &inside.to_string())
     }
 }
 
@@ -287,22 +303,35 @@ mod tests {
             ("a(b c)", "(* a (* b c))"),
             ("a/b/c", "(/ (/ a b) c)"),
             (r"a b \div c \cdot d", "(* (/ (* a b) c) d)"),
-            ("1/2 T_1", "(* (/ 1 2) T_1)"),
-            ("1/2(a + b)", "(* (/ 1 2) (+ a b))"),
+            (r"\frac12(a + b)", "(* (/ 1 2) (+ a b))"),
+            (r"1/2 \cdot T_1", "(* (/ 1 2) T_1)"),
+            ("(1/2) T_1", "(* (/ 1 2) T_1)"),
             ("-a/b", "(- (/ a b))"),
             (r"2\frac{a}{b}", "(* 2 (/ a b))"),
             (r"2 \cdot 3", "(* 2 3)"),
             (r"{a b} c", "(* (* a b) c)"),
         ]);
         refuse(&[
-            ("a/b c", r"write \frac"),
-            ("1/r_B(a)", r"write \frac"),
-            ("1/0.5 x", r"write \frac"),
-            ("1/(2) x", r"write \frac"),
-            ("1/2^2 x", r"write \frac"),
+            (
+                "a/b c",
+                r"column 2: a factor right after a divisor can be read as \frac{a}{b} c or as \frac{a}{b c}",
+            ),
+            (
+                r"x + h/2\pi",
+                r"column 6: a factor right after a divisor can be read as \frac{h}{2} \pi or as \frac{h}{2 \pi}",
+            ),
+            ("1/2a", r"\frac{1}{2} a or as \frac{1}{2 a}"),
+            ("a b/2c d", r"\frac{a b}{2} c or as \frac{a b}{2 c}"),
+            ("1/2 T_1", r"\frac{1}{2} T_1 or as \frac{1}{2 T_1}"),
+            ("1/2(a + b)", r"\frac{1}{2} (a + b) or as \frac{1}{2 (a + b)}"),
+            ("a/(b) c", r"\frac{a}{b} c or as"),
+            ("1/r_B(a)", r"\frac{1}{r_B} a or as"),
+            ("1/0.5 x", r"or as \frac{1}{0.5 x}"),
+            ("1/2^2 x", r"or as \frac{1}{2^2 x}"),
+            ("1/2 3", r"\frac{1}{2} \cdot 3 or as \frac{1}{2 \cdot 3}"),
+            ("a/b (c", "`(` is not closed"),
             (r"x/\partial a/\partial b", r"write \frac"),
             ("2 3", r"write \cdot"),
-            ("1/2 3", r"write \cdot"),
             (r"2\frac{1}{2}", r"write \cdot"),
             ("x.5", r"write \cdot"),
             ("a \\over b", r"write \frac"),

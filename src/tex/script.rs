@@ -3,6 +3,7 @@
 use super::error::{Fault, Reason};
 use super::reader::Reader;
 use super::subscript::{canonical, plain, subscript_text};
+use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
 use super::{At, Name, Tree};
 use crate::number::{Field, Rational};
@@ -11,6 +12,12 @@ use num_traits::Zero;
 /// The largest exponent that is read.
 const HIGHEST: i32 = 1000;
 
+/// The most tokens of a mark.
+const LONGEST_MARK: usize = 64;
+
+/// The most digits of an exponent that is a multiple of one half; a longer number is not read anywhere.
+const MOST_DIGITS: usize = 1000;
+
 /// What a superscript means.
 pub(super) enum Superscript {
     Mark(String),
@@ -18,35 +25,53 @@ pub(super) enum Superscript {
     Power(Exponent),
 }
 
-/// A multiple of one half, held doubled.
-#[derive(Clone, Copy)]
+/// What something is raised to.
 pub(super) struct Exponent {
-    twice: i32,
+    value: Value,
     at: usize,
+}
+
+enum Value {
+    /// A multiple of one half, held doubled.
+    Half(i32),
+    Real(Box<Tree>),
 }
 
 impl Exponent {
     /// `tree` to this power.
     pub(super) fn of(self, tree: Box<Tree>) -> Tree {
         let at = At(self.at);
-        match (self.twice % 2 == 0, self.twice) {
-            (true, twice) => Tree::Power(tree, twice / 2, at),
-            (false, 1) => Tree::Root(tree, at),
-            (false, twice) => {
-                let root = Tree::Root(tree, at);
+        match self.value {
+            Value::Real(exponent) => Tree::RealPower(tree, exponent, at),
+            Value::Half(twice) if twice % 2 == 0 => Tree::Power(tree, twice / 2, at),
+            Value::Half(1) => Tree::Root(tree, 2, at),
+            Value::Half(twice) => {
+                let root = Tree::Root(tree, 2, at);
                 Tree::Power(Box::new(root), twice, at)
             }
         }
     }
 
-    /// Before an argument a negative power might mean the inverse function.
+    /// Before an argument a negative power might mean the inverse function, a symbolic one an iterate.
     pub(super) fn before_argument(self) -> Result<Self, Fault> {
-        match self.twice < 0 {
-            true => {
+        let positive = |tree: &Tree| match tree {
+            Tree::Number(_) => true,
+            Tree::Quotient(above, below, _) => {
+                matches!((&**above, &**below), (Tree::Number(_), Tree::Number(_)))
+            }
+            _ => false,
+        };
+        match &self.value {
+            Value::Half(twice) if *twice < 0 => {
                 let instead = "write the power behind brackets around the call, or the inverse function's own name";
                 Err(Fault::ambiguous(self.at, "a negative power of a function", instead))
             }
-            false => Ok(self),
+            Value::Real(exponent) if !positive(exponent) => {
+                let instead =
+                    "write it behind brackets around the call, [f(t)]^n, if no iterate or derivative is meant";
+                Err(Fault::ambiguous(self.at, "a symbolic power of a function", instead))
+            }
+            _ => Ok(self),
         }
     }
 }
@@ -67,7 +92,7 @@ impl<'a> Reader<'a> {
                     self.next += 1;
                     name.primes = more_primes(name.primes, 1, token.at)?;
                 }
-                Kind::Sup => match self.superscript()? {
+                Kind::Sup => match self.superscript(Some(name))? {
                     Superscript::Mark(mark) => name.mark = mark,
                     Superscript::Primes(n) => name.primes = more_primes(name.primes, n, token.at)?,
                     Superscript::Power(exponent) => power = Some(exponent),
@@ -87,7 +112,7 @@ impl<'a> Reader<'a> {
         match token.kind {
             Kind::Sub => Err(Fault::unsupported(token.at, "a subscript on an expression", instead)),
             Kind::Prime => Err(Fault::unsupported(token.at, "a prime on an expression", instead)),
-            Kind::Sup => match self.superscript()? {
+            Kind::Sup => match self.superscript(None)? {
                 Superscript::Power(exponent) => match self.peek() {
                     Some(next) if matches!(next.kind, Kind::Sub | Kind::Sup | Kind::Prime) => {
                         Err(double(next.at, "a second script"))
@@ -101,7 +126,7 @@ impl<'a> Reader<'a> {
     }
 
     fn subscript(&mut self) -> Result<String, Fault> {
-        let (at, content) = self.script_tokens()?;
+        let (at, content) = self.script_tokens(usize::MAX)?;
         let text = subscript_text(&content)?;
         let brackets = |open| text.matches(open).count();
         if brackets('(') != brackets(')') {
@@ -113,10 +138,16 @@ impl<'a> Reader<'a> {
         }
     }
 
-    pub(super) fn superscript(&mut self) -> Result<Superscript, Fault> {
+    /// The superscript that stands next, on a name or on an expression.
+    fn superscript(&mut self, on: Option<&Name>) -> Result<Superscript, Fault> {
         let braced = self.look(1).is_some_and(|token| token.kind == Kind::BraceOpen);
-        let (at, content) = self.script_tokens()?;
-        let meaning = meaning(at, &content)?;
+        let start = self.next;
+        let (at, content) = self.script_tokens(LONGEST_MARK)?;
+        let Some(meaning) = self.meaning(at, &content, on)? else {
+            self.next = start + 1;
+            let value = Value::Real(self.exponent()?);
+            return Ok(Superscript::Power(Exponent { value, at }));
+        };
         if let (Superscript::Mark(_), false, Some(next)) = (&meaning, braced, self.peek())
             && next.kind == Kind::Number
         {
@@ -126,8 +157,63 @@ impl<'a> Reader<'a> {
         Ok(meaning)
     }
 
-    /// The tokens of the script whose `_` or `^` stands next: one, or those between braces.
-    fn script_tokens(&mut self) -> Result<(usize, Vec<Token<'a>>), Fault> {
+    /// An exponent that is no number: a letter, or an expression between braces.
+    fn exponent(&mut self) -> Result<Box<Tree>, Fault> {
+        let Some(token) = self.peek() else {
+            return Err(self.instead_of("an exponent"));
+        };
+        self.next += 1;
+        match token.kind {
+            Kind::Letter => Ok(Box::new(Tree::Symbol(base(token.text), At(token.at)))),
+            _ => {
+                let tree = self.sum()?;
+                self.close_brace(token.at).map(|()| tree)
+            }
+        }
+    }
+
+    /// What the tokens of a superscript mean; `None` if they are an expression.
+    fn meaning(&self, at: usize, content: &[Token<'_>], on: Option<&Name>) -> Result<Option<Superscript>, Fault> {
+        let kinds: Vec<Kind> = content.iter().map(|token| token.kind).collect();
+        let text = || content.iter().map(plain).collect::<String>();
+        let mark = || Ok(Some(Superscript::Mark(text())));
+        // The base of the exponential function carries no marks.
+        let name = on.filter(|name| **name != base("e"));
+        match (kinds.as_slice(), name) {
+            ([], _) => Err(Fault::unexpected(at, "nothing", "a superscript")),
+            ([Kind::Minus | Kind::Plus | Kind::Star] | [Kind::Word], _) => mark(),
+            ([Kind::Open(Bracket::Round), Kind::Number, Kind::Close(Bracket::Round)], _) => mark(),
+            ([Kind::Prime, rest @ ..], _) if rest.iter().all(|kind| *kind == Kind::Prime) => {
+                let primes = u8::try_from(kinds.len()).unwrap_or(u8::MAX);
+                Ok(Some(Superscript::Primes(more_primes(0, primes, at)?)))
+            }
+            ([Kind::Letter], Some(name)) if content.iter().all(|token| token.styled) => {
+                Err(two_superscripts(at, name, &format!("\\text{{{}}}", text()), &text()))
+            }
+            ([Kind::Letter, Kind::Letter, ..], Some(name)) if is_run(content) => {
+                let text = text();
+                if text.len() > 2 && self.names.word_at_start(&text) != Some(&text) {
+                    return mark();
+                }
+                let power = match self.names.word_at_start(&text) == Some(&text) {
+                    true => format!("+{text}"),
+                    false => text.chars().map(String::from).collect::<Vec<_>>().join(" "),
+                };
+                Err(two_superscripts(at, name, &format!("\\text{{{text}}}"), &power))
+            }
+            ([Kind::Open(Bracket::Round), inner @ .., Kind::Close(Bracket::Round)], Some(_)) if is_closed(inner) => {
+                let instead = "write ^{n} for a power; an index in brackets is read only if it is a number";
+                Err(Fault::ambiguous(at, "a superscript in brackets", instead))
+            }
+            ([Kind::Minus, ..], _) => literal(at, content.get(1..).unwrap_or(&[]), true),
+            ([Kind::Plus, ..], _) => literal(at, content.get(1..).unwrap_or(&[]), false),
+            _ => literal(at, content, false),
+        }
+    }
+
+    /// The tokens of the script whose `_` or `^` stands next: one, or those between braces, of more than `most` only
+    /// the first.
+    fn script_tokens(&mut self, most: usize) -> Result<(usize, Vec<Token<'a>>), Fault> {
         let script = self.here();
         self.next += 1;
         let Some(token) = self.peek() else {
@@ -136,7 +222,7 @@ impl<'a> Reader<'a> {
         match token.kind {
             Kind::BraceOpen => {
                 let at = token.at;
-                self.braced_tokens(at).map(|tokens| (at, tokens))
+                self.braced_tokens(at, most).map(|tokens| (at, tokens))
             }
             Kind::Number => {
                 let digit = self.first_digit(token)?;
@@ -154,7 +240,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn braced_tokens(&mut self, open: usize) -> Result<Vec<Token<'a>>, Fault> {
+    /// The tokens between braces; of more than `most` only the first.
+    fn braced_tokens(&mut self, open: usize, most: usize) -> Result<Vec<Token<'a>>, Fault> {
         let (mut tokens, mut depth) = (Vec::new(), 0usize);
         while let Some(token) = self.peek() {
             self.next += 1;
@@ -168,6 +255,9 @@ impl<'a> Reader<'a> {
                 Kind::BraceClose if depth == 0 => return Ok(tokens),
                 Kind::BraceOpen | Kind::BraceClose => {}
                 _ => tokens.push(token),
+            }
+            if tokens.len() > most {
+                return Ok(tokens);
             }
         }
         Err(Fault::unclosed(open, "{"))
@@ -207,31 +297,36 @@ fn more_primes(primes: u8, more: u8, at: usize) -> Result<u8, Fault> {
     primes.checked_add(more).ok_or(Fault::new(at, Reason::TooDeep { most }))
 }
 
-/// What the tokens of a superscript mean.
-fn meaning(at: usize, content: &[Token<'_>]) -> Result<Superscript, Fault> {
-    let kinds: Vec<Kind> = content.iter().map(|token| token.kind).collect();
-    let text = || content.iter().map(plain).collect::<String>();
-    match kinds.as_slice() {
-        [] => Err(Fault::unexpected(at, "nothing", "a superscript")),
-        [Kind::Minus | Kind::Plus | Kind::Star] | [Kind::Word] => Ok(Superscript::Mark(text())),
-        [Kind::Open(Bracket::Round), Kind::Number, Kind::Close(Bracket::Round)] => Ok(Superscript::Mark(text())),
-        [Kind::Prime, rest @ ..] if rest.iter().all(|kind| *kind == Kind::Prime) => {
-            let primes = u8::try_from(kinds.len()).unwrap_or(u8::MAX);
-            Ok(Superscript::Primes(more_primes(0, primes, at)?))
+/// The fault of a superscript that is a mark of `name` or a power of it.
+fn two_superscripts(at: usize, name: &Name, mark: &str, power: &str) -> Fault {
+    let [mark, power] = [mark, power].map(|script| format!("{name}^{{{script}}}"));
+    Fault::two_readings(at, "this superscript", &mark, &power)
+}
+
+/// Whether these are Latin letters without a gap.
+fn is_run(content: &[Token<'_>]) -> bool {
+    let latin = |token: &Token<'_>| token.kind == Kind::Letter && !token.text.starts_with('\\');
+    let close = content.windows(2).all(|pair| matches!(pair, [a, b] if a.end == b.at));
+    close && content.iter().all(latin)
+}
+
+/// Whether no bracket closes that did not open among these.
+fn is_closed(kinds: &[Kind]) -> bool {
+    let mut depth = 0usize;
+    kinds.iter().all(|kind| {
+        match kind {
+            Kind::Open(_) => depth += 1,
+            Kind::Close(_) if depth == 0 => return false,
+            Kind::Close(_) => depth -= 1,
+            _ => {}
         }
-        [Kind::Letter, Kind::Letter, ..] if content.iter().all(is_latin) => Ok(Superscript::Mark(text())),
-        [Kind::Minus, ..] => exponent(at, content.get(1..).unwrap_or(&[]), true),
-        [Kind::Plus, ..] => exponent(at, content.get(1..).unwrap_or(&[]), false),
-        _ => exponent(at, content, false),
-    }
+        true
+    })
 }
 
-fn is_latin(token: &Token<'_>) -> bool {
-    token.kind == Kind::Letter && !token.text.starts_with('\\')
-}
-
-fn exponent(at: usize, content: &[Token<'_>], negative: bool) -> Result<Superscript, Fault> {
-    let number = |text: &str| Rational::from_decimal(text).filter(|_| text.len() < 20);
+/// A power that is a multiple of one half, as a number; `None` for any other.
+fn literal(at: usize, content: &[Token<'_>], negative: bool) -> Result<Option<Superscript>, Fault> {
+    let number = |text: &str| Rational::from_decimal(text).filter(|_| text.len() <= MOST_DIGITS);
     let kinds: Vec<Kind> = content.iter().map(|token| token.kind).collect();
     let texts: Vec<&str> = content.iter().map(|token| token.text).collect();
     let parts = match (kinds.as_slice(), texts.as_slice()) {
@@ -241,26 +336,27 @@ fn exponent(at: usize, content: &[Token<'_>], negative: bool) -> Result<Superscr
         ([Kind::Fraction, Kind::Number], [_, both]) if both.len() == 2 => both.split_at_checked(1),
         _ => None,
     };
-    let instead = "only numbers are read as powers, without brackets";
-    let symbolic = || Fault::unsupported(at, "a symbolic power", instead);
-    let (above, below) = parts.ok_or_else(symbolic)?;
-    let values = number(above).zip(number(below));
-    let range = || Fault::unsupported(at, "this power", "powers are multiples of 1/2 up to 1000");
-    let twice = values
-        .and_then(|(above, below)| doubled(&above, &below))
-        .ok_or_else(range)?;
-    let twice = if negative { -twice } else { twice };
-    Ok(Superscript::Power(Exponent { twice, at }))
+    let values = parts.and_then(|(above, below)| number(above).zip(number(below)));
+    let Some(twice) = values.and_then(|(above, below)| doubled(&above, &below)) else {
+        return Ok(None);
+    };
+    let Some(twice) = twice.filter(|twice| twice.abs() <= 2 * HIGHEST) else {
+        let instead = "integer powers are read up to 1000";
+        return Err(Fault::unsupported(at, "this power", instead));
+    };
+    let value = Value::Half(if negative { -twice } else { twice });
+    Ok(Some(Superscript::Power(Exponent { value, at })))
 }
 
-/// `2 above / below`, where that is an integer within bounds.
-fn doubled(above: &Rational, below: &Rational) -> Option<i32> {
+/// `2 above / below` where that is an integer; within, `None` where it does not fit.
+fn doubled(above: &Rational, below: &Rational) -> Option<Option<i32>> {
     if below.is_zero() {
         return None;
     }
     let half = below.clone() / Rational::from_integer(2);
-    let twice = (above.clone() / half).to_integer()?;
-    i32::try_from(twice).ok().filter(|twice| twice.abs() <= 2 * HIGHEST)
+    let twice = above.clone() / half;
+    let small = |twice: &Rational| i32::try_from(twice.to_integer()?).ok();
+    twice.0.is_int().then(|| small(&twice))
 }
 
 #[cfg(test)]
@@ -286,15 +382,54 @@ mod tests {
             ("(Z_k^-)^2", "(^ Z_k^- 2)"),
             ("2^3", "(^ 2 3)"),
         ]);
+        check(&[
+            ("x^{1/3}", "(^^ x (/ 1 3))"),
+            (r"x^{-\frac13}", "(^^ x (- (/ 1 3)))"),
+            ("x^{0.4}", "(^^ x 2/5)"),
+            ("x^n", "(^^ x n)"),
+            ("x_k^T", "(^^ x_k T)"),
+            ("x^n_k", "(^^ x_k n)"),
+            (r"x^\alpha", r"(^^ x \alpha)"),
+            ("x^{a+1}", "(^^ x (+ a 1))"),
+            ("x^{-n}", "(^^ x (- n))"),
+            ("x^{2n}", "(^^ x (* 2 n))"),
+            ("x^{a b}", "(^^ x (* a b))"),
+            ("x^{+a}", "(^^ x a)"),
+            ("x^{+eta}", "(^^ x eta)"),
+            ("x^{n_1}", "(^^ x n_1)"),
+            (r"e^{-\zeta t}", r"(^^ e (- (* \zeta t)))"),
+            ("e^{st}", "(^^ e (* s t))"),
+            (r"\mathrm{e}^{eta}", "(^^ e eta)"),
+            ("e^{(a + b)}", "(^^ e (+ a b))"),
+            ("e^{x^2}", "(^^ e (^ x 2))"),
+            ("2^{n}", "(^^ 2 n)"),
+            ("2^{(n)}", "(^^ 2 n)"),
+            ("(a+b)^{mn}", "(^^ (+ a b) (* m n))"),
+            (r"(a+b)^{\frac{2}{3}}", "(^^ (+ a b) (/ 2 3))"),
+            ("x^{(a)(b)}", "(^^ x (* a b))"),
+            ("x^{9^{9^9}}", "(^^ x (^^ 9 (^ 9 9)))"),
+            (r"\sqrt{x}^n", "(^^ (sqrt x) n)"),
+        ]);
         refuse(&[
-            ("x^n", "symbolic power"),
-            (r"x^{\alpha}", "symbolic power"),
-            ("x^{(n+1)}", "symbolic power"),
-            ("x^{2n}", "symbolic power"),
+            (
+                "x^{ab}",
+                r"column 3: this superscript can be read as x^{\text{ab}} or as x^{a b}",
+            ),
+            ("x_k^{eta}", r"x_k^{\text{eta}} or as x_k^{+eta}"),
+            (r"A^\mathrm{T}", r"A^{\text{T}} or as A^{T}"),
+            (r"A^{\rm T}", r"A^{\text{T}} or as A^{T}"),
+            ("x^{(n)}", "a superscript in brackets"),
+            ("x^{(n+1)}", "a superscript in brackets"),
+            ("x^{1/2a}", r"\frac{1}{2} a or as \frac{1}{2 a}"),
             ("x^{1001}", "up to 1000"),
-            ("x^{1/3}", "multiples of 1/2"),
-            ("x^{1/0}", "multiples of 1/2"),
-            ("x^{99999999999999999999999}", "multiples of 1/2"),
+            ("x^{2001/2}", "up to 1000"),
+            ("x^{99999999999999999999999}", "up to 1000"),
+            ("x^n^m", "second superscript"),
+            ("(x)^n_k", "second script"),
+            ("x^{n", "`{` is not closed"),
+            ("x^{n)}", "found `)` where `}`"),
+            ("x^{n=1}", "found `=` where `}`"),
+            ("{x^n}^m", "write brackets"),
             ("x^12", "write { }"),
             ("x^2^3", "second superscript"),
             ("(x)^2^3", "second script"),
@@ -319,8 +454,8 @@ mod tests {
             ("Z^{-}_k", "Z_k^-"),
             (r"\mathbf{H}_k^*", "H_k^*"),
             (r"H_k^{\ast}", "H_k^*"),
-            ("U_k^{imp}", "U_k^{imp}"),
-            (r"U_k^{\mathrm{imp}}", "U_k^{imp}"),
+            ("U_k^{imp}", r"U_k^{\text{imp}}"),
+            (r"U_k^{\mathrm{imp}}", r"U_k^{\text{imp}}"),
             (r"U^{\text{T}}", r"U^{\text{T}}"),
             ("U^{(1)}", "U^{(1)}"),
             ("F_1'(t)", "<F_1' t>"),

@@ -62,7 +62,9 @@ fn nested(tree: &Tree) -> String {
         Tree::Product(factors) => all("*", factors),
         Tree::Quotient(above, below, _) => format!("(/ {} {})", nested(above), nested(below)),
         Tree::Power(base, exponent, _) => format!("(^ {} {exponent})", nested(base)),
-        Tree::Root(radicand, _) => format!("(sqrt {})", nested(radicand)),
+        Tree::RealPower(base, exponent, _) => format!("(^^ {} {})", nested(base), nested(exponent)),
+        Tree::Root(radicand, 2, _) => format!("(sqrt {})", nested(radicand)),
+        Tree::Root(radicand, index, _) => format!("(root {} {index})", nested(radicand)),
         Tree::PlusMinus(body) => format!("(+- {})", nested(body)),
         Tree::MinusPlus(body) => format!("(-+ {})", nested(body)),
     }

@@ -11,8 +11,8 @@ struct Piece<'a> {
     tokens: Vec<Token<'a>>,
     /// Divided from the piece before by more than a row or a blank.
     hard: bool,
-    /// Holds an `=` outside brackets.
-    equals: bool,
+    /// Holds a relation, such as `=`, outside brackets.
+    related: bool,
 }
 
 /// The tokens of each equation, in order; none is empty.
@@ -21,7 +21,7 @@ pub(super) fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Vec<Token<'_>>>, 
     for piece in pieces(tokens) {
         match whole.last_mut() {
             Some(before) if continues(before, &piece)? => {
-                before.equals |= piece.equals;
+                before.related |= piece.related;
                 before.tokens.extend(piece.tokens);
             }
             _ => whole.push(piece),
@@ -34,7 +34,7 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
     let fresh = |hard| Piece {
         tokens: Vec::new(),
         hard,
-        equals: false,
+        related: false,
     };
     let (mut done, mut piece, mut depth) = (Vec::new(), fresh(true), 0usize);
     for token in tokens {
@@ -43,7 +43,7 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
             Kind::Close(_) | Kind::BraceClose => depth = depth.saturating_sub(1),
             // Within brackets a new row is a blank.
             Kind::Row | Kind::Quad if depth > 0 => continue,
-            Kind::Equals => piece.equals |= depth == 0,
+            kind if is_relation(kind) => piece.related |= depth == 0,
             Kind::Comma | Kind::Stop | Kind::And | Kind::Row | Kind::Quad if depth == 0 => {
                 let hard = !matches!(token.kind, Kind::Row | Kind::Quad);
                 if piece.tokens.is_empty() {
@@ -70,16 +70,16 @@ fn continues(before: &Piece<'_>, piece: &Piece<'_>) -> Result<bool, Fault> {
     }
     let first = first_token(&piece.tokens);
     let operator = first.is_some_and(|token| is_operator(token.kind));
-    if ends_open(&before.tokens) || first.is_some_and(|token| token.kind == Kind::Equals) {
+    if ends_open(&before.tokens) || first.is_some_and(|token| is_relation(token.kind)) {
         return Ok(true);
     }
     match first {
-        Some(token) if operator && piece.equals && token.kind != Kind::Minus => {
-            let instead = "end the equation before it with a comma, or give the row no `=`";
-            let found = format!("a row that starts with {} and has an `=`", token.text);
+        Some(token) if operator && piece.related && token.kind != Kind::Minus => {
+            let instead = "end the equation before it with a comma, or give the row no relation";
+            let found = format!("a row that starts with {} and has a relation", token.text);
             Err(Fault::ambiguous(token.at, &found, instead))
         }
-        _ => Ok(operator && !piece.equals),
+        _ => Ok(operator && !piece.related),
     }
 }
 
@@ -99,12 +99,16 @@ fn first_token<'a>(tokens: &[Token<'a>]) -> Option<Token<'a>> {
 fn ends_open(tokens: &[Token<'_>]) -> bool {
     match tokens {
         [.., before, last] => {
-            let waits = is_operator(last.kind) || last.kind == Kind::Equals;
+            let waits = is_operator(last.kind) || is_relation(last.kind);
             waits && !matches!(before.kind, Kind::Sup | Kind::Sub)
         }
-        [only] => is_operator(only.kind) || only.kind == Kind::Equals,
+        [only] => is_operator(only.kind) || is_relation(only.kind),
         [] => false,
     }
+}
+
+fn is_relation(kind: Kind) -> bool {
+    matches!(kind, Kind::Relation(_) | Kind::Element)
 }
 
 fn is_operator(kind: Kind) -> bool {

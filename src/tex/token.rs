@@ -1,6 +1,6 @@
 //! What the reader sees of the source.
 
-use super::Invariant;
+use super::{Invariant, Relation};
 
 /// The kinds of visible brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -8,6 +8,15 @@ pub(super) enum Bracket {
     Round,
     Square,
     Curly,
+    /// The bars of an absolute value.
+    Bar,
+}
+
+/// The sets of numbers that a condition may name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Set {
+    Real,
+    Integer,
 }
 
 /// What a token is.
@@ -40,7 +49,13 @@ pub(super) enum Kind {
     Times,
     Star,
     Slash,
-    Equals,
+    Relation(Relation),
+    /// A bar that does not show whether it opens or closes.
+    Bar,
+    /// `\in`.
+    Element,
+    Set(Set),
+    Infinity,
     Comma,
     Stop,
     Row,
@@ -58,4 +73,6 @@ pub(super) struct Token<'a> {
     pub end: usize,
     /// The rest of a number whose first digit went to a script or an argument, as the 2 of `\frac12`.
     pub split: bool,
+    /// A single letter in a font of its own, as in `\mathrm{T}`.
+    pub styled: bool,
 }

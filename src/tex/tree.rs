@@ -45,7 +45,7 @@ pub enum Tree {
     /// A number as printed; `0.26` is 13/50 exactly. Never negative.
     Number(Rational),
     Symbol(Name, At),
-    /// A function's value: `F_1(t_{k+1})`, `\dot{Z}^-(t_k)`, `\cos(\pi t)`.
+    /// A function's value: `F_1(t_{k+1})`, `\dot{Z}^-(t_k)`, `\cos(\pi t)`. The absolute value is the function `\abs`.
     Call(Name, Box<Tree>, At),
     /// `\frac{\partial of}{\partial by}`.
     Partial {
@@ -67,19 +67,44 @@ pub enum Tree {
     Quotient(Box<Tree>, Box<Tree>, At),
     /// An integer power.
     Power(Box<Tree>, i32, At),
-    /// The square root.
-    Root(Box<Tree>, At),
+    /// A power whose exponent is no multiple of 1/2 written as a number: `x^{1/3}`, `x^a`, `e^{-\zeta t}`. The letter
+    /// `e` is a symbol like any other.
+    RealPower(Box<Tree>, Box<Tree>, At),
+    /// The root of this index, from 2 to 1000: `\sqrt{x}`, `\sqrt[3]{x}`.
+    Root(Box<Tree>, u32, At),
     /// `\pm`: plus under the upper sign, minus under the lower.
     PlusMinus(Box<Tree>),
     /// `\mp`.
     MinusPlus(Box<Tree>),
 }
 
-/// `left = right`, and where in the TeX it starts and ends.
+/// How the two sides of an [`Equation`] compare.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub enum Relation {
+    #[default]
+    Equal,
+    NotEqual,
+    Less,
+    LessOrEqual,
+    Greater,
+    GreaterOrEqual,
+}
+
+/// An equation or inequality, and where in the TeX it starts and ends.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Equation {
     pub left: Tree,
+    pub relation: Relation,
     pub right: Tree,
     pub at: At,
     pub end: At,
+}
+
+/// What a sheet assumes of its symbols.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Condition {
+    /// An equation or inequality.
+    Relation(Equation),
+    /// `n \in \mathbb{Z}`: the expression is an integer.
+    Integer(Tree),
 }

@@ -427,7 +427,10 @@ impl Scope<Value> for Point {
         })
     }
 
-    fn root(&mut self, radicand: Value) -> Result<Value, Unsupported> {
+    fn root(&mut self, radicand: Value, index: u32) -> Result<Value, Unsupported> {
+        if index != 2 {
+            return Err(Unsupported::Root);
+        }
         let root = |whole: dashu_int::UBig| {
             let root = whole.sqrt_exact();
             root.ok_or(Unsupported::Root)

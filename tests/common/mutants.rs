@@ -196,9 +196,14 @@ pub fn edits(tree: &Tree) -> Vec<Tree> {
                     .map(|base| Tree::Power(boxed(base), *exponent, at)),
             );
         }
-        Tree::Root(body, _) => {
+        Tree::RealPower(base, exponent, _) => {
+            found.push((**base).clone());
+            let with = |exponent| Tree::RealPower(base.clone(), boxed(exponent), at);
+            found.extend(edits(exponent).into_iter().map(with));
+        }
+        Tree::Root(body, index, _) => {
             found.push((**body).clone());
-            found.extend(edits(body).into_iter().map(|body| Tree::Root(boxed(body), at)));
+            found.extend(edits(body).into_iter().map(|body| Tree::Root(boxed(body), *index, at)));
         }
         Tree::PlusMinus(body) | Tree::MinusPlus(body) => {
             let other = if matches!(tree, Tree::PlusMinus(_)) {
@@ -291,11 +296,11 @@ pub fn is_backward(tree: &Tree) -> bool {
         Tree::Partial { of, by, .. } => later(of) <= later(by),
         Tree::Negate(body)
         | Tree::Power(body, ..)
-        | Tree::Root(body, _)
+        | Tree::Root(body, ..)
         | Tree::PlusMinus(body)
         | Tree::MinusPlus(body) => is_backward(body),
         Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(is_backward),
-        Tree::Quotient(above, below, _) => is_backward(above) || is_backward(below),
+        Tree::Quotient(above, below, _) | Tree::RealPower(above, below, _) => is_backward(above) || is_backward(below),
         Tree::Number(_) | Tree::Symbol(..) | Tree::Call(..) | Tree::Invariant { .. } => false,
     }
 }

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
 use vibro_audit::number::{Field, Rational};
-use vibro_audit::tex::{At, Invariant, Name, Scope, Tree, Unsupported, evaluate};
+use vibro_audit::tex::{At, Equation, Invariant, Name, Relation, Scope, Tree, Unsupported, evaluate};
 
 fn word(choices: &'static [&'static str]) -> impl Strategy<Value = String> {
     prop::sample::select(choices).prop_map(str::to_owned)
@@ -15,7 +15,7 @@ fn word(choices: &'static [&'static str]) -> impl Strategy<Value = String> {
 pub fn name() -> impl Strategy<Value = Name> {
     let accents = prop::sample::select(vec![vec![], vec![], vec!["\\dot"], vec!["\\overline", "\\ddot"]]);
     (
-        word(&["a", "b", "T", "r", "f", "F", "Z", "\\epsilon", "\\phi", "eta"]),
+        word(&["a", "b", "T", "r", "e", "f", "F", "Z", "\\epsilon", "\\phi", "eta"]),
         accents,
         word(&[
             "", "", "k", "k+1", "1", "B", "1,2", "in", "\\phi k", "k_1", "*", "\\lambda",
@@ -45,7 +45,10 @@ fn function() -> impl Strategy<Value = Name> {
         subscript: subscript.into(),
         ..scripts
     });
-    let elementary = word(&["\\cos", "\\sin", "\\exp"]).prop_map(|base| Name {
+    let elementary = word(&[
+        "\\cos", "\\sin", "\\exp", "\\coth", "\\arcosh", "\\sgn", "\\abs", "\\abs",
+    ])
+    .prop_map(|base| Name {
         base,
         ..Name::default()
     });
@@ -74,6 +77,36 @@ fn leaf() -> impl Strategy<Value = Tree> {
     ]
 }
 
+/// Whether the reader takes an exponent for a number, which makes a power of another kind where it is a multiple of 1/2.
+fn is_literal(exponent: &Tree) -> bool {
+    let number = |tree: &Tree| matches!(tree, Tree::Number(_));
+    match exponent {
+        Tree::Number(_) => true,
+        Tree::Quotient(above, below, _) => number(above) && number(below),
+        Tree::Negate(body) => is_literal(body),
+        _ => false,
+    }
+}
+
+/// Any equation or inequality that a reader might make.
+pub fn equation() -> impl Strategy<Value = Equation> {
+    let relation = prop::sample::select(vec![
+        Relation::Equal,
+        Relation::NotEqual,
+        Relation::Less,
+        Relation::LessOrEqual,
+        Relation::Greater,
+        Relation::GreaterOrEqual,
+    ]);
+    (tree(), relation, tree()).prop_map(|(left, relation, right)| Equation {
+        left,
+        relation,
+        right,
+        at: At::default(),
+        end: At::default(),
+    })
+}
+
 /// Any tree that a reader might make.
 pub fn tree() -> impl Strategy<Value = Tree> {
     leaf().prop_recursive(5, 40, 3, |inner| {
@@ -84,7 +117,9 @@ pub fn tree() -> impl Strategy<Value = Tree> {
             2 => boxed().prop_map(Tree::Negate),
             2 => (boxed(), boxed()).prop_map(|(above, below)| Tree::Quotient(above, below, At::default())),
             2 => (boxed(), -3i32..13).prop_map(|(base, exponent)| Tree::Power(base, exponent, At::default())),
-            1 => boxed().prop_map(|radicand| Tree::Root(radicand, At::default())),
+            1 => (boxed(), prop::sample::select(vec![2u32, 2, 3, 1000])).prop_map(|(radicand, index)| Tree::Root(radicand, index, At::default())),
+            2 => (boxed(), boxed()).prop_filter("no multiple of 1/2 written as a number", |(_, exponent)| !is_literal(exponent))
+                .prop_map(|(base, exponent)| Tree::RealPower(base, exponent, At::default())),
             1 => boxed().prop_map(Tree::PlusMinus),
             1 => boxed().prop_map(Tree::MinusPlus),
             2 => (function(), boxed()).prop_map(|(name, argument)| Tree::Call(name, argument, At::default())),
@@ -119,8 +154,11 @@ impl Scope<Rational> for Hashed {
     fn invariant(&mut self, kind: Invariant, of: &Name) -> Result<Rational, Unsupported> {
         Ok(hashed((kind, of)))
     }
-    fn root(&mut self, radicand: Rational) -> Result<Rational, Unsupported> {
-        Ok(radicand * Rational::from_integer(3))
+    fn root(&mut self, radicand: Rational, index: u32) -> Result<Rational, Unsupported> {
+        Ok(radicand * Rational::from_integer(i64::from(index) + 1))
+    }
+    fn real_power(&mut self, base: Rational, exponent: Rational) -> Result<Rational, Unsupported> {
+        Ok(base * Rational::from_integer(5) - exponent)
     }
     fn upper_sign(&self) -> Option<bool> {
         Some(true)
@@ -146,7 +184,8 @@ pub fn flat(tree: &Tree) -> Tree {
         Tree::MinusPlus(body) => Tree::MinusPlus(boxed(body)),
         Tree::Quotient(above, below, at) => Tree::Quotient(boxed(above), boxed(below), *at),
         Tree::Power(base, exponent, at) => Tree::Power(boxed(base), *exponent, *at),
-        Tree::Root(radicand, at) => Tree::Root(boxed(radicand), *at),
+        Tree::RealPower(base, exponent, at) => Tree::RealPower(boxed(base), boxed(exponent), *at),
+        Tree::Root(radicand, index, at) => Tree::Root(boxed(radicand), *index, *at),
         Tree::Call(name, argument, at) => Tree::Call(name.clone(), boxed(argument), *at),
         leaf => leaf.clone(),
     }

@@ -105,8 +105,11 @@ impl<T: Analytic> Scope<T> for Values<T> {
         value.ok_or_else(|| Unsupported::Invariant(of.clone()))
     }
 
-    fn root(&mut self, radicand: T) -> Result<T, Unsupported> {
-        Ok(Analytic::sqrt(&radicand))
+    fn root(&mut self, radicand: T, index: u32) -> Result<T, Unsupported> {
+        match index {
+            2 => Ok(Analytic::sqrt(&radicand)),
+            _ => Err(Unsupported::Root),
+        }
     }
 
     fn upper_sign(&self) -> Option<bool> {
