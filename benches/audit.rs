@@ -5,20 +5,24 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use vibro_audit::claim::{self, Sheet, Verdict};
 use vibro_audit::evidence::witness;
+use vibro_audit::prove::{self, Options};
 use vibro_audit::tex::read;
 
 fn audit(criterion: &mut Criterion) {
     let vocabulary = claim::vocabulary().expect("the embedded vocabulary");
     let printed = claim::paper().expect("the embedded sheet");
     let wrong = printed.find("22").expect("an equation of the paper");
-    assert_eq!(printed.decide(wrong).expect("a decision").verdict, Verdict::Refuted);
-    criterion.bench_function("refute (22), printed", |b| b.iter(|| printed.decide(black_box(wrong))));
+    let options = Options::default();
+    assert_eq!(prove::decide(&printed, wrong, &options).verdict, Verdict::Refuted);
+    criterion.bench_function("refute (22), printed", |b| {
+        b.iter(|| prove::decide(&printed, black_box(wrong), &options))
+    });
     let tex = &printed.entries[wrong].tex.tex;
     criterion.bench_function("read the TeX of (22)", |b| {
         b.iter(|| read(black_box(tex), &vocabulary.names))
     });
     criterion.bench_function("read and decide the paper", |b| {
-        b.iter(|| Sheet::read(black_box(claim::EQUATIONS), &vocabulary).map(|sheet| sheet.audit()))
+        b.iter(|| Sheet::read(black_box(claim::EQUATIONS), &vocabulary).map(|sheet| prove::audit(&sheet, &options)))
     });
     criterion.bench_function("evidence for (22), six points", |b| {
         b.iter(|| witness(&printed, black_box(wrong), Verdict::Refuted, 6))

@@ -10,15 +10,15 @@ pub mod model;
 pub mod number;
 pub mod orbit;
 
-// The algebra, and what holds formulas and numbers against each other.
-#[cfg(feature = "audit")]
-pub mod algebra;
+// Formulas and their proofs, and what holds formulas and numbers against each other.
 #[cfg(feature = "audit")]
 pub mod claim;
 #[cfg(feature = "audit")]
 pub mod evidence;
 #[cfg(feature = "audit")]
 pub mod kernel;
+#[cfg(feature = "audit")]
+pub mod prove;
 #[cfg(feature = "audit")]
 pub mod reference;
 #[cfg(feature = "audit")]

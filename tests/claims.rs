@@ -69,10 +69,8 @@ fn a_claim_that_rests_on_a_refuted_one() {
         )
         + &entry("4", "claim", "T_2 = T_1 - d", "follows_from = [\"2\", \"1\"]");
     let bench = Bench::new();
-    let decisions = vibro_audit::claim::Sheet::read(&text, &bench.vocabulary)
-        .unwrap()
-        .audit()
-        .unwrap();
+    let sheet = vibro_audit::claim::Sheet::read(&text, &bench.vocabulary).unwrap();
+    let decisions = vibro_audit::prove::audit(&sheet, &vibro_audit::prove::Options::default());
     let shown: Vec<(String, String)> = decisions
         .iter()
         .map(|decision| (decision.label.clone(), decision.verdict.to_string()))

@@ -6,10 +6,11 @@ mod paper;
 
 use paper::{sheet, vocabulary};
 use std::time::Duration;
-use vibro_audit::claim::{Decision, Fault, Sheet, Verdict};
+use vibro_audit::claim::{Fault, Sheet, Verdict};
+use vibro_audit::prove::{self, Decision, Options};
 
 fn audit(text: &str) -> Result<Vec<Decision>, Fault> {
-    Sheet::read(text, &vocabulary())?.audit()
+    Ok(prove::audit(&Sheet::read(text, &vocabulary())?, &Options::default()))
 }
 
 fn decide(premises: &[&str], tex: &str, with: &[&str]) -> Result<Verdict, Fault> {

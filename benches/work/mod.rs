@@ -3,13 +3,14 @@
 #![allow(dead_code)] // whoever includes this file times some of them
 
 use std::hint::black_box;
-use vibro_audit::claim::{self, Decision, Sheet};
+use vibro_audit::claim::{self, Sheet};
 use vibro_audit::impact::{Event, Kind, Simulation, Start};
 use vibro_audit::model::{Motion, MotionError, Side};
 use vibro_audit::number::{Analytic, Interval, Wide};
 use vibro_audit::orbit::{
     Balance, Condition, Conditioned, Orbit, Parameters, Proved, Root, nearest, nearest_event, one_to_one,
 };
+use vibro_audit::prove::{self, Decision, Options};
 
 /// The paper's device at pi/6, where g = 0.1245·9.8/(2·5), with these walls.
 pub fn motion(d: f64, r_b: f64, r_t: f64) -> Motion<f64> {
@@ -142,5 +143,6 @@ pub fn proof() -> impl FnMut() -> Decision {
     let vocabulary = claim::vocabulary().expect("the embedded vocabulary");
     let sheet = Sheet::read(&mended(), &vocabulary).expect("the mended sheet");
     let position = sheet.find("22").expect("an equation of the paper");
-    move || sheet.decide(black_box(position)).expect("a decision")
+    let options = Options::default();
+    move || prove::decide(&sheet, black_box(position), &options)
 }

@@ -1,25 +1,18 @@
 //! Whether a vocabulary makes sense: every name in it declared, nothing defined by itself.
 
-use super::atom::Atoms;
+use super::circle::circle;
+use super::definition::{Local, circular};
 use super::fault::Fault;
-use super::jacobian::Jacobians;
-use super::meaning::Meaning;
-use super::premise::message;
-use super::reading::Reading;
-use super::vocabulary::Vocabulary;
-use crate::number::Field;
+use super::vocabulary::{Map, Vocabulary};
 use crate::tex::{Name, Tree};
+use std::collections::HashMap;
 
 impl Vocabulary {
-    /// Reads everything that the vocabulary says, used or not.
+    /// Checks everything that the vocabulary says, used or not.
     ///
     /// # Errors
     /// A [`Fault`] that quotes what makes no sense.
     pub fn check(&self) -> Result<(), Fault> {
-        let mut atoms = Atoms::new(&self.index);
-        let jacobians = Jacobians::new(self, &mut atoms).map_err(Fault::new)?;
-        let blank = Meaning::default();
-        let mut reading = Reading::new(self, &jacobians, &mut atoms, &blank, &[]);
         for (name, _) in &self.periods {
             if !self.names.functions.contains(name) {
                 return Err(Fault::new(format!(
@@ -37,43 +30,109 @@ impl Vocabulary {
             .chain(&self.periods)
             .map(|(name, tree)| (name, tree));
         for (name, tree) in defined.chain(derivatives) {
-            reading
-                .tree(tree)
-                .map_err(|error| Fault::new(format!("`{name}`: {}", message(&error))))?;
+            self.check_tree(tree, &format!("`{name}`"))?;
         }
-        for (list, names) in [("generic", &self.generic), ("positive", &self.positive)] {
-            for name in names {
-                if !reading.knows(name) {
-                    return Err(Fault::new(format!("`{name}` in `{list}` is not declared")));
-                }
+        let abbreviations = self.abbreviations.iter().map(|(name, tree)| Local {
+            name: name.clone(),
+            tree: tree.clone(),
+        });
+        if let Some(name) = circular(&abbreviations.collect::<Vec<_>>()) {
+            return Err(Fault::new(format!("`{name}` is defined by itself")));
+        }
+        for name in &self.generic {
+            if !self.knows(name) {
+                return Err(Fault::new(format!("`{name}` in `generic` is not declared")));
+            }
+        }
+        for letter in &self.indices {
+            if letter.to_string().chars().count() != 1 {
+                return Err(Fault::new(format!("`{letter}` in `indices` must be one letter")));
             }
         }
         for relation in &self.relations {
-            let about = |problem: String| Fault::new(format!("relation `{relation}`: {problem}"));
+            let about = format!("relation `{relation}`");
             if !is_square(&relation.left) {
-                return Err(about(
-                    "its left side must be the square of a symbol or of a function".to_string(),
-                ));
+                let problem = "its left side must be the square of a symbol or of a function";
+                return Err(Fault::new(format!("{about}: {problem}")));
             }
             for side in [&relation.left, &relation.right] {
-                reading.tree(side).map_err(|error| about(message(&error)))?;
+                self.check_tree(side, &about)?;
             }
         }
-        for (name, _) in &self.maps {
-            self.check_map(name, &jacobians)?;
-        }
-        Ok(())
+        self.check_maps()
     }
 
-    fn check_map(&self, name: &Name, jacobians: &Jacobians) -> Result<(), Fault> {
-        let one = |_| crate::algebra::Fraction::from_integer(1);
-        let matrix = jacobians.matrix(name, &mut Atoms::new(&self.index), &one);
-        let problem = "is a product of itself, or its factors do not fit together";
-        matrix
-            .map(|_| ())
-            .ok_or_else(|| Fault::new(format!("map `{name}` {problem}")))
+    fn check_tree(&self, tree: &Tree, about: &str) -> Result<(), Fault> {
+        match self.undeclared(tree, &|_| false) {
+            Some(found) => Err(Fault::new(format!("{about}: {}", found.message))),
+            None => Ok(()),
+        }
+    }
+
+    fn check_maps(&self) -> Result<(), Fault> {
+        for (name, map) in &self.maps {
+            let problem = match map {
+                Map::Product(_) => continue,
+                Map::Premises { of, by } => {
+                    let counts = self.step(map).map(|(to, from)| [to.len(), from.len()]);
+                    (counts != Some([of.len(), by.len()])).then_some("`of` and `by` must list times and states")
+                }
+                Map::Equations(equations) => {
+                    for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
+                        self.check_tree(side, &format!("map `{name}`"))?;
+                    }
+                    let fits = self.step(map).is_some();
+                    (!fits).then_some("its equations must take the states at one impact to the next")
+                }
+            };
+            if let Some(problem) = problem {
+                return Err(Fault::new(format!("map `{name}`: {problem}")));
+            }
+        }
+        let position = |name: &Name| self.maps.iter().position(|(known, _)| known == name);
+        let factors = |map: &Map| match map {
+            Map::Product(factors) => factors.iter().filter_map(position).collect(),
+            _ => Vec::new(),
+        };
+        let uses: Vec<Vec<usize>> = self.maps.iter().map(|(_, map)| factors(map)).collect();
+        if let Some((name, _)) = circle(&uses).and_then(|n| self.maps.get(n)) {
+            return Err(Fault::new(format!("map `{name}` is a product of itself")));
+        }
+        let mut shapes = HashMap::new();
+        match self
+            .maps
+            .iter()
+            .find(|(name, _)| self.shape(name, &mut shapes).is_none())
+        {
+            Some((name, _)) => Err(Fault::new(format!("map `{name}`: its factors do not fit together"))),
+            None => Ok(()),
+        }
+    }
+
+    /// Rows and columns of a map that is no product of itself; `None` where factors do not fit together.
+    fn shape<'a>(&'a self, name: &'a Name, shapes: &mut HashMap<&'a Name, Shape>) -> Shape {
+        if let Some(known) = shapes.get(name) {
+            return *known;
+        }
+        let (_, map) = self.maps.iter().find(|(known, _)| known == name)?;
+        let shape = match map {
+            Map::Product(factors) => {
+                let mut factors = factors.iter();
+                let first = factors.next().and_then(|factor| self.shape(factor, shapes));
+                factors.fold(first, |product, factor| {
+                    let ((rows, columns), next) = (product?, self.shape(factor, shapes)?);
+                    (next.0 == columns).then_some((rows, next.1))
+                })
+            }
+            _ => self.step(map).map(|(to, from)| (to.len(), from.len())),
+        };
+        shapes.insert(name, shape);
+        shape
     }
 }
+
+/// Rows and columns, where there are any.
+type Shape = Option<(usize, usize)>;
 
 fn is_square(tree: &Tree) -> bool {
     match tree {

@@ -14,9 +14,6 @@ pub struct Source {
     verbatim: bool,
 }
 
-/// Inequalities are read, and not yet decided.
-pub(super) const NO_INEQUALITIES: &str = "inequalities are not decided: only equations are";
-
 /// Characters shown on either side of the place of a fault.
 const MOST_SHOWN: usize = 160;
 
@@ -32,6 +29,11 @@ impl Source {
             column,
             verbatim: offset.is_some(),
         }
+    }
+
+    /// Line and column where the TeX starts in the file, from 1.
+    pub fn place(&self) -> (usize, usize) {
+        (self.line, self.column)
     }
 
     /// A fault at byte `at` of the TeX.
@@ -97,6 +99,15 @@ impl Fault {
     /// The fault, said of the equation `label` where none is named yet.
     pub fn of(mut self, label: &str) -> Self {
         self.label.get_or_insert_with(|| label.to_string());
+        self
+    }
+
+    /// Two faults of one equation: the place is that of the first.
+    pub(super) fn and(mut self, other: Self) -> Self {
+        let place = other
+            .place
+            .map(|(line, column)| format!("line {line}, column {column}: "));
+        self.message = format!("{}; {}{}", self.message, place.unwrap_or_default(), other.message);
         self
     }
 

@@ -1,42 +1,27 @@
-//! Sheets of claims: read, decided, explained.
+//! What is asked: sheets of claims, their symbols with what these stand for, and the premises of each claim.
 
-mod angle;
-mod atom;
-mod audit;
-mod certificate;
 mod check;
-mod counterexample;
-mod derivatives;
-mod explain;
+mod circle;
+mod declared;
+mod definition;
+mod entry;
 mod fault;
-mod functions;
-mod jacobian;
-mod meaning;
-mod motion;
+mod nearest;
 mod paper;
-mod parting;
-mod point;
 mod premise;
-mod problem;
-mod proof;
-mod reading;
-mod root;
-mod scope;
 mod sheet;
-mod solving;
 mod substitute;
-mod surd;
 mod symbols;
-mod times;
 mod verdict;
 mod vocabulary;
 
-pub use audit::Decision;
-pub use counterexample::Counterexample;
-pub use fault::Fault;
+pub use definition::{Local, pair_of};
+pub use entry::{Entry, Role};
+pub use fault::{Fault, Source};
+pub use nearest::nearest;
 pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
-pub use premise::{Statement, Statements};
-pub use reading::Local;
-pub use sheet::{Entry, Role, Sheet, read_symbols};
+pub use premise::{Premise, Statements};
+pub use sheet::{Sheet, read_symbols};
+pub use substitute::{any, any_side, flies, rewrite, rewrite_equation};
 pub use verdict::Verdict;
-pub use vocabulary::{Map, Vocabulary, index_of};
+pub use vocabulary::{Map, Vocabulary, index_of, subscript_of};

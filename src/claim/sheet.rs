@@ -1,51 +1,25 @@
 //! Audit sheets: what a person wrote down of a paper, read and checked for sense before anything is decided.
 
-use super::fault::{Fault, NO_INEQUALITIES, Source};
+use super::circle::circle;
+use super::declared::is_defined;
+use super::entry::{Entry, Role};
+use super::fault::{Fault, Source};
+use super::nearest::nearest;
+use super::premise::shared;
 use super::symbols::{MapEntry, Symbols};
 use super::verdict::Verdict;
 use super::vocabulary::Vocabulary;
-use crate::tex::{Equation, Relation, read};
+use crate::tex::{Equation, Name, read, read_conditions};
 use serde::Deserialize;
-use std::collections::{BTreeMap, BTreeSet};
-
+use std::collections::{BTreeMap, HashMap, HashSet};
 use toml::Spanned;
 
-/// A sheet, every formula read.
+/// A sheet, every formula read that can be.
 #[derive(Clone, Debug)]
 pub struct Sheet {
     pub title: Option<String>,
     pub vocabulary: Vocabulary,
     pub entries: Vec<Entry>,
-}
-
-/// What a formula is to its sheet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Role {
-    /// To be decided.
-    Claim,
-    /// Taken as true.
-    Premise,
-    /// Kept as printed; read only where a claim rests on it.
-    Definition,
-}
-
-/// One `[[equation]]`.
-#[derive(Clone, Debug)]
-pub struct Entry {
-    pub label: String,
-    pub role: Role,
-    /// The TeX as it stands in the sheet.
-    pub tex: Source,
-    /// What is read of it; nothing of a definition that nothing rests on.
-    pub equations: Vec<Equation>,
-    /// Local definitions, with their sources.
-    pub local: Vec<(Equation, Source)>,
-    /// Substitutions in the premises, with their sources.
-    pub with: Vec<(Equation, Source)>,
-    /// The entries it follows from, by position in the sheet.
-    pub follows_from: Vec<usize>,
-    pub expect: Verdict,
 }
 
 #[derive(Deserialize)]
@@ -67,6 +41,8 @@ struct RawEntry {
     local: Vec<Spanned<String>>,
     #[serde(default)]
     with: Vec<Spanned<String>>,
+    #[serde(default)]
+    assume: Vec<Spanned<String>>,
     follows_from: Option<Vec<Spanned<String>>>,
     #[serde(default)]
     expect: Verdict,
@@ -91,8 +67,9 @@ impl Sheet {
     /// Reads a sheet. Without `[symbols]` of its own it speaks `vocabulary`.
     ///
     /// # Errors
-    /// A [`Fault`]: malformed TOML or TeX, a label given twice, a premise that does not exist, a claim without
-    /// premises or with itself among them, a sheet without an equation.
+    /// A [`Fault`]: malformed TOML, wrong `[symbols]`, a label that is empty or given twice, a premise that does not
+    /// exist, a claim with itself among its premises, a sheet without an equation or without a claim. A formula that
+    /// cannot be read is no fault of the sheet: its entry says so.
     pub fn read(text: &str, vocabulary: &Vocabulary) -> Result<Self, Fault> {
         let raw: RawSheet = parse(text)?;
         if raw.equation.is_empty() {
@@ -106,16 +83,14 @@ impl Sheet {
             })?,
         };
         let positions = positions(text, &raw.equation)?;
-        let needed: BTreeSet<&str> = raw
-            .equation
-            .iter()
-            .filter(|e| e.role == Role::Claim)
-            .flat_map(|e| e.follows_from.iter().flatten().map(|label| label.get_ref().as_str()))
-            .collect();
+        let needed = needed(&raw.equation, &positions);
         let mut entries = Vec::new();
         for entry in &raw.equation {
             let label = entry.label.get_ref();
-            let wanted = entry.role != Role::Definition || needed.contains(label.as_str());
+            let wanted = entry.role != Role::Definition
+                || positions
+                    .get(label.as_str())
+                    .is_some_and(|position| needed.contains(position));
             let read = read_entry(text, entry, &positions, &vocabulary, wanted);
             entries.push(read.map_err(|fault| fault.of(label))?);
         }
@@ -123,13 +98,129 @@ impl Sheet {
             let problem = "the sheet has no claim: give an equation that is to be decided `role = \"claim\"`";
             return Err(Fault::new(problem).at(&Source::new(text, &Spanned::new(0..0, String::new()))));
         }
-        let sheet = Self {
+        let mut sheet = Self {
             title: raw.title,
             vocabulary,
             entries,
         };
         sheet.refuse_circles()?;
+        sheet.part_definitions();
+        sheet.check_names();
         Ok(sheet)
+    }
+
+    /// Parts what each entry defines from what it states: definitions first, for the others may use them.
+    fn part_definitions(&mut self) {
+        for definitions in [true, false] {
+            for position in 0..self.entries.len() {
+                let Some(entry) = self.entries.get(position) else {
+                    continue;
+                };
+                if (entry.role == Role::Definition) != definitions || entry.unread.is_some() {
+                    continue;
+                }
+                let shared = if definitions {
+                    Ok(Vec::new())
+                } else {
+                    shared(self, entry)
+                };
+                let vocabulary = &self.vocabulary;
+                if let Some(entry) = self.entries.get_mut(position) {
+                    let parted = shared.and_then(|shared| entry.part(vocabulary, &shared));
+                    entry.unread = parted.err();
+                }
+            }
+        }
+    }
+
+    /// Checks that each name of each formula stands for something.
+    fn check_names(&mut self) {
+        let elsewhere: HashSet<Name> = self
+            .entries
+            .iter()
+            .filter(|e| e.role == Role::Definition)
+            .flat_map(Entry::gives)
+            .collect();
+        for position in 0..self.entries.len() {
+            let Some(entry) = self.entries.get(position) else {
+                continue;
+            };
+            // Names that a formula may define which cannot be read are not held against those who use them.
+            let below = self.definitions_below(entry);
+            if entry.unread.is_some() || below.iter().any(|definition| definition.unread.is_some()) {
+                continue;
+            }
+            let shared = shared(self, entry);
+            let vocabulary = &self.vocabulary;
+            if let Some(entry) = self.entries.get_mut(position) {
+                let checked = shared.and_then(|shared| entry.check(vocabulary, &shared, &elsewhere));
+                entry.unread = checked.err();
+            }
+        }
+    }
+
+    /// The definitions that an entry follows from, over other definitions too.
+    pub(super) fn definitions_below(&self, entry: &Entry) -> Vec<&Entry> {
+        let (mut found, mut seen) = (Vec::new(), HashSet::new());
+        let mut next: Vec<usize> = entry.follows_from.iter().rev().copied().collect();
+        while let Some(position) = next.pop() {
+            let Some(below) = self
+                .entries
+                .get(position)
+                .filter(|below| below.role == Role::Definition)
+            else {
+                continue;
+            };
+            if seen.insert(position) {
+                next.extend(below.follows_from.iter().rev());
+                found.push(below);
+            }
+        }
+        found
+    }
+
+    /// The positions of the entries by their labels.
+    pub fn positions(&self) -> HashMap<&str, usize> {
+        let labels = self.entries.iter().map(|entry| entry.label.as_str());
+        labels.enumerate().map(|(position, label)| (label, position)).collect()
+    }
+
+    /// The label of the definition that gives a name.
+    pub(super) fn definition_of(&self, name: &Name) -> Option<&str> {
+        let definitions = self.entries.iter().filter(|entry| entry.role == Role::Definition);
+        let mut giving = definitions.filter(|entry| is_defined(name, &entry.own));
+        giving.next().map(|entry| entry.label.as_str())
+    }
+
+    /// Whether the entry at a position is to be decided.
+    pub fn is_claim(&self, position: usize) -> bool {
+        self.entries
+            .get(position)
+            .is_some_and(|entry| entry.role == Role::Claim)
+    }
+
+    /// The positions of the entries that a table of verdicts has a row for: the claims, and whatever cannot be read.
+    pub fn rows(&self) -> Vec<usize> {
+        let unread = |n: &usize| self.entries.get(*n).is_some_and(|entry| entry.unread.is_some());
+        (0..self.entries.len())
+            .filter(|n| self.is_claim(*n) || unread(n))
+            .collect()
+    }
+
+    /// The labels of the entries that the claim at a position follows from and that cannot be read.
+    pub fn unread_below(&self, position: usize) -> Vec<&str> {
+        let Some(claim) = self.entries.get(position) else {
+            return Vec::new();
+        };
+        let premises = claim.follows_from.iter().filter_map(|&n| self.entries.get(n));
+        let mut unread: Vec<&str> = Vec::new();
+        let below = premises.flat_map(|premise| [vec![premise], self.definitions_below(premise)].concat());
+        for entry in below.filter(|entry| entry.unread.is_some()) {
+            if !unread.contains(&entry.label.as_str()) {
+                unread.push(&entry.label);
+            }
+        }
+        unread
     }
 
     /// The position of the entry with this label.
@@ -138,24 +229,16 @@ impl Sheet {
     }
 
     fn refuse_circles(&self) -> Result<(), Fault> {
-        let claims = |at: usize| {
-            let entry = self.entries.get(at).filter(|entry| entry.role == Role::Claim);
-            entry.map(|entry| entry.follows_from.as_slice()).unwrap_or_default()
+        let uses = |entry: &Entry| match entry.role {
+            Role::Claim => entry.follows_from.clone(),
+            _ => Vec::new(),
         };
-        for (start, entry) in self.entries.iter().enumerate() {
-            let mut reached: Vec<usize> = claims(start).to_vec();
-            let mut next = 0;
-            while let Some(&at) = reached.get(next) {
-                if at == start {
-                    let problem = "leads back to itself through `follows_from`: a claim cannot be its own premise";
-                    return Err(Fault::new(problem).of(&entry.label).at(&entry.tex));
-                }
-                let more: Vec<usize> = claims(at).iter().filter(|n| !reached.contains(n)).copied().collect();
-                reached.extend(more);
-                next += 1;
-            }
-        }
-        Ok(())
+        let uses: Vec<Vec<usize>> = self.entries.iter().map(uses).collect();
+        let Some(entry) = circle(&uses).and_then(|position| self.entries.get(position)) else {
+            return Ok(());
+        };
+        let problem = "leads back to itself through `follows_from`: a claim cannot be its own premise";
+        Err(Fault::new(problem).of(&entry.label).at(&entry.tex))
     }
 }
 
@@ -204,6 +287,30 @@ fn positions<'a>(text: &str, entries: &'a [RawEntry]) -> Result<BTreeMap<&'a str
     Ok(positions)
 }
 
+/// What claims and premises follow from, over definitions too.
+fn needed(entries: &[RawEntry], positions: &BTreeMap<&str, usize>) -> HashSet<usize> {
+    let below = |entry: &RawEntry| -> Vec<usize> {
+        let labels = entry.follows_from.iter().flatten();
+        labels
+            .filter_map(|label| positions.get(label.get_ref().as_str()).copied())
+            .collect()
+    };
+    let mut needed = HashSet::new();
+    let mut next: Vec<usize> = entries
+        .iter()
+        .filter(|e| e.role != Role::Definition)
+        .flat_map(below)
+        .collect();
+    while let Some(position) = next.pop() {
+        if needed.insert(position)
+            && let Some(entry) = entries.get(position).filter(|entry| entry.role == Role::Definition)
+        {
+            next.extend(below(entry));
+        }
+    }
+    needed
+}
+
 fn read_entry(
     text: &str,
     raw: &RawEntry,
@@ -211,57 +318,88 @@ fn read_entry(
     vocabulary: &Vocabulary,
     wanted: bool,
 ) -> Result<Entry, Fault> {
-    let tex = Source::new(text, &raw.tex);
-    let equations = if wanted {
-        read_tex(&tex, vocabulary)?
-    } else {
-        Vec::new()
-    };
-    let sourced = |list: &[Spanned<String>]| -> Result<Vec<(Equation, Source)>, Fault> {
-        let sources = list.iter().map(|text_of| Source::new(text, text_of));
-        let read = sources.map(|source| {
-            let equations = read_tex(&source, vocabulary)?;
-            Ok(equations
-                .into_iter()
-                .map(|equation| (equation, source.clone()))
-                .collect::<Vec<_>>())
-        });
-        Ok(read.collect::<Result<Vec<_>, Fault>>()?.concat())
-    };
     let mut follows_from = Vec::new();
+    let mut seen = HashSet::new();
     for label in raw.follows_from.iter().flatten() {
         let Some(&position) = positions.get(label.get_ref().as_str()) else {
-            let known = positions.keys().copied().collect::<Vec<_>>().join(", ");
-            let problem = format!(
-                "follows from `{}`, which is no label here (there are: {known})",
-                label.get_ref()
-            );
-            return Err(Fault::new(problem).at(&Source::new(text, label)));
+            return Err(no_label(label.get_ref(), positions).at(&Source::new(text, label)));
         };
-        if !follows_from.contains(&position) {
+        if seen.insert(position) {
             follows_from.push(position);
         }
     }
-    if raw.role == Role::Claim && follows_from.is_empty() {
-        return Err(Fault::new("a claim must say in `follows_from` what it follows from").at(&tex));
+    let tex = Source::new(text, &raw.tex);
+    let mut faults = Vec::new();
+    let mut keep = |read: Result<Vec<Equation>, Fault>| {
+        read.unwrap_or_else(|fault| {
+            faults.push(fault);
+            Vec::new()
+        })
+    };
+    let equations = if wanted {
+        keep(read_tex(&tex, vocabulary))
+    } else {
+        Vec::new()
+    };
+    let mut sourced = |list: &[Spanned<String>]| -> Vec<(Equation, Source)> {
+        let sources = list.iter().filter(|_| wanted).map(|value| Source::new(text, value));
+        let read = sources.map(|source| {
+            let equations = keep(read_tex(&source, vocabulary));
+            equations.into_iter().map(move |equation| (equation, source.clone()))
+        });
+        read.flatten().collect()
+    };
+    let (local, with) = (sourced(&raw.local), sourced(&raw.with));
+    let mut assume = Vec::new();
+    for value in raw.assume.iter().filter(|_| wanted) {
+        let source = Source::new(text, value);
+        match read_conditions(&source.tex, &vocabulary.names) {
+            Ok(conditions) => assume.extend(conditions.into_iter().map(|condition| (condition, source.clone()))),
+            Err(error) => faults.push(source.fault(error.at, error.reason.to_string())),
+        }
     }
     Ok(Entry {
         label: raw.label.get_ref().clone(),
         role: raw.role,
         equations,
-        local: sourced(&raw.local)?,
-        with: sourced(&raw.with)?,
+        local,
+        with,
+        assume,
         follows_from,
         expect: raw.expect,
+        unread: faults
+            .into_iter()
+            .reduce(Fault::and)
+            .map(|fault| fault.of(raw.label.get_ref())),
         tex,
+        own: Vec::new(),
+        stated: Vec::new(),
+        given: Vec::new(),
+        borrowed: Vec::new(),
     })
 }
 
+/// Labels shown in a message.
+const MOST_LABELS: usize = 40;
+
+fn no_label(found: &str, positions: &BTreeMap<&str, usize>) -> Fault {
+    let mut known: Vec<(&usize, &str)> = positions.iter().map(|(label, position)| (position, *label)).collect();
+    known.sort_unstable();
+    let shown: Vec<&str> = known.iter().take(MOST_LABELS).map(|(_, label)| *label).collect();
+    let more = known.len().saturating_sub(MOST_LABELS);
+    let more = if more > 0 {
+        format!(" and {more} more")
+    } else {
+        String::new()
+    };
+    let meant = nearest(found, known.iter().map(|(_, label)| *label));
+    let meant = meant.map_or(String::new(), |label| format!("did you mean `{label}`? "));
+    Fault::new(format!(
+        "follows from `{found}`, which is no label here ({meant}there are: {}{more})",
+        shown.join(", ")
+    ))
+}
+
 fn read_tex(source: &Source, vocabulary: &Vocabulary) -> Result<Vec<Equation>, Fault> {
-    let equations =
-        read(&source.tex, &vocabulary.names).map_err(|error| source.fault(error.at, error.reason.to_string()))?;
-    match equations.iter().find(|equation| equation.relation != Relation::Equal) {
-        Some(other) => Err(source.fault(other.at.0, NO_INEQUALITIES)),
-        None => Ok(equations),
-    }
+    read(&source.tex, &vocabulary.names).map_err(|error| source.fault(error.at, error.reason.to_string()))
 }

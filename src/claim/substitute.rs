@@ -1,7 +1,8 @@
 //! Substitutions in a tree, and what a tree mentions.
 
 use super::vocabulary::{Vocabulary, index_of, subscript_of};
-use crate::tex::{At, Equation, Name, Tree};
+use crate::number::Rational;
+use crate::tex::{At, Condition, Equation, Name, Relation, Tree};
 use std::collections::BTreeSet;
 
 /// The tree with each symbol for which `new` has a tree replaced by it.
@@ -45,18 +46,22 @@ pub fn rewrite_equation(equation: &Equation, new: &dyn Fn(&Name) -> Option<Tree>
 
 /// Whether any node of the tree passes the test.
 pub fn any(tree: &Tree, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
-    test(tree)
-        || match tree {
-            Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => false,
-            Tree::Call(_, inner, _)
-            | Tree::Negate(inner)
-            | Tree::Power(inner, ..)
-            | Tree::Root(inner, ..)
-            | Tree::PlusMinus(inner)
-            | Tree::MinusPlus(inner) => any(inner, test),
-            Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| any(part, test)),
-            Tree::Quotient(above, below, _) | Tree::RealPower(above, below, _) => any(above, test) || any(below, test),
-        }
+    test(tree) || below(tree, &mut |part| any(part, test).then_some(())).is_some()
+}
+
+/// What the test finds first among the parts directly below a node.
+pub(super) fn below<'t, T>(tree: &'t Tree, test: &mut dyn FnMut(&'t Tree) -> Option<T>) -> Option<T> {
+    match tree {
+        Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => None,
+        Tree::Call(_, inner, _)
+        | Tree::Negate(inner)
+        | Tree::Power(inner, ..)
+        | Tree::Root(inner, ..)
+        | Tree::PlusMinus(inner)
+        | Tree::MinusPlus(inner) => test(inner),
+        Tree::Sum(parts) | Tree::Product(parts) => parts.iter().find_map(test),
+        Tree::Quotient(above, below, _) | Tree::RealPower(above, below, _) => test(above).or_else(|| test(below)),
+    }
 }
 
 /// Whether any node of either side passes the test.
@@ -64,14 +69,44 @@ pub fn any_side(equation: &Equation, test: &mut dyn FnMut(&Tree) -> bool) -> boo
     any(&equation.left, test) || any(&equation.right, test)
 }
 
-/// The size of an equation.
-pub fn nodes(equation: &Equation) -> usize {
+/// What the test finds first, at the node or below it.
+pub(super) fn find<T>(tree: &Tree, test: &mut dyn FnMut(&Tree) -> Option<T>) -> Option<T> {
+    let mut found = None;
+    any(tree, &mut |node| {
+        found = test(node);
+        found.is_some()
+    });
+    found
+}
+
+/// The number of nodes of a tree.
+pub(super) fn nodes_of(tree: &Tree) -> usize {
     let mut count = 0;
-    any_side(equation, &mut |_| {
+    any(tree, &mut |_| {
         count += 1;
         false
     });
     count
+}
+
+/// The condition with what stands in it rewritten, as sides of an equation.
+pub(super) fn rewrite_condition(condition: &Condition, new: &dyn Fn(&Equation) -> Equation) -> Condition {
+    match condition {
+        Condition::Relation(relation) => Condition::Relation(new(relation)),
+        Condition::Integer(tree) => Condition::Integer(rewrite_alone(tree, new)),
+    }
+}
+
+/// The tree rewritten as a side of an equation would be.
+pub(super) fn rewrite_alone(tree: &Tree, new: &dyn Fn(&Equation) -> Equation) -> Tree {
+    let equation = Equation {
+        left: tree.clone(),
+        relation: Relation::Equal,
+        right: Tree::Number(<Rational as num_traits::Zero>::zero()),
+        at: At::default(),
+        end: At::default(),
+    };
+    new(&equation).left
 }
 
 /// Whether an equation is said of a running time: by its symbol, or by a function without a bracket.
@@ -107,7 +142,7 @@ pub fn tree_runs(tree: &Tree, vocabulary: &Vocabulary) -> bool {
 
 impl Vocabulary {
     /// The impact that an indexed time or state belongs to.
-    fn impact(&self, name: &Name) -> Option<i32> {
+    pub fn impact(&self, name: &Name) -> Option<i32> {
         let bare = name.bare();
         let indexed = self.times.contains(&bare) || self.states.contains(&bare);
         if indexed {
@@ -125,7 +160,7 @@ impl Vocabulary {
     }
 
     /// The impacts that an equation speaks of.
-    pub(super) fn impacts(&self, equation: &Equation) -> BTreeSet<i32> {
+    pub fn impacts(&self, equation: &Equation) -> BTreeSet<i32> {
         let mut met = BTreeSet::new();
         self.collect_impacts(&equation.left, &mut met);
         self.collect_impacts(&equation.right, &mut met);
@@ -148,12 +183,12 @@ impl Vocabulary {
     }
 
     /// The equation with its abbreviations written out.
-    pub(super) fn expanded(&self, equation: &Equation) -> Equation {
+    pub fn expanded(&self, equation: &Equation) -> Equation {
         rewrite_equation(equation, &|name| self.abbreviated(name).cloned())
     }
 
     /// The equation said of impacts `by` further on.
-    pub(super) fn shifted(&self, equation: &Equation, by: i32) -> Equation {
+    pub fn shifted(&self, equation: &Equation, by: i32) -> Equation {
         if by == 0 {
             return equation.clone();
         }
@@ -171,7 +206,7 @@ impl Vocabulary {
 
     /// The equation with symbols replaced, all at once. A time of an impact takes the states at that impact along,
     /// unless these are replaced by something else.
-    pub(super) fn substituted(&self, equation: &Equation, pairs: &[(Name, Tree)]) -> Equation {
+    pub fn substituted(&self, equation: &Equation, pairs: &[(Name, Tree)]) -> Equation {
         let find = |name: &Name| pairs.iter().find(|(from, _)| from == name).map(|(_, to)| to.clone());
         let timed = any_side(equation, &mut |node| match node {
             Tree::Symbol(name, _) => self.times.contains(&name.bare()) && find(name).is_some(),

@@ -9,9 +9,14 @@ use std::collections::BTreeMap;
 #[serde(deny_unknown_fields, default)]
 pub struct Symbols {
     pub parameters: Vec<String>,
-    pub generic: Option<Vec<String>>,
+    pub generic: Vec<String>,
     pub positive: Vec<String>,
     pub at_most_one: Vec<String>,
+    pub nonnegative: Vec<String>,
+    pub nonzero: Vec<String>,
+    pub integers: Vec<String>,
+    pub complex: Vec<String>,
+    pub indices: Vec<String>,
     pub times: Vec<String>,
     pub states: Vec<String>,
     pub continuous: Vec<String>,
@@ -20,6 +25,21 @@ pub struct Symbols {
     pub abbreviations: Pairs,
     pub relations: Pairs,
     pub maps: BTreeMap<String, MapEntry>,
+}
+
+impl Symbols {
+    /// The lists that say of which kind a symbol is, by their keys. What stands in one need not stand among the
+    /// parameters too.
+    pub(super) fn kinds(&self) -> [(&'static str, &[String]); 6] {
+        [
+            ("positive", &self.positive),
+            ("at_most_one", &self.at_most_one),
+            ("nonnegative", &self.nonnegative),
+            ("nonzero", &self.nonzero),
+            ("integers", &self.integers),
+            ("complex", &self.complex),
+        ]
+    }
 }
 
 /// Left and right sides, as a table or as a list of equations.

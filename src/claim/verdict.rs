@@ -7,14 +7,17 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// It does, by exact algebra.
+    /// It does, by a proof that the kernel accepts.
     #[default]
     Proved,
-    /// It does not: there is a counterexample, or it is nowhere defined.
+    /// It does not: the kernel accepts a point at which the premises hold and the claim fails, or the claim is nowhere
+    /// defined.
     Refuted,
-    /// Not decided within the limits. Never a pass, and never to be expected.
+    /// Neither was found within the limits. Never a pass, and never to be expected.
     #[serde(skip)]
     Undecided,
+    /// The formula, or a name in it, cannot be read.
+    Unread,
 }
 
 impl fmt::Display for Verdict {
@@ -23,6 +26,7 @@ impl fmt::Display for Verdict {
             Self::Proved => "proved",
             Self::Refuted => "refuted",
             Self::Undecided => "undecided",
+            Self::Unread => "unread",
         })
     }
 }

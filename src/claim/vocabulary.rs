@@ -1,8 +1,9 @@
 //! What the names of a sheet stand for: its `[symbols]`.
 
-use super::fault::{Fault, NO_INEQUALITIES};
+use super::fault::Fault;
 use super::symbols::{MapEntry, Symbols};
 use crate::tex::{At, Equation, Name, Names, Relation, Tree, read, read_expression};
+use std::collections::HashSet;
 
 /// A matrix of partial derivatives.
 #[derive(Clone, Debug)]
@@ -18,15 +19,23 @@ pub enum Map {
 /// The meaning of every name that needs no premise.
 #[derive(Clone, Debug, Default)]
 pub struct Vocabulary {
-    /// Symbols with one value throughout.
+    /// Symbols with one value throughout, real unless they are listed in `complex`.
     pub parameters: Vec<Name>,
-    /// Parameters and abbreviations that premises are solved for last.
+    /// Symbols that may be taken to avoid sets that are thin in them alone.
     pub generic: Vec<Name>,
     /// Symbols that are positive, and those among them that do not exceed 1.
     pub positive: Vec<Name>,
     pub at_most_one: Vec<Name>,
+    /// Symbols that are not negative, that are not 0, that are integers, that are complex.
+    pub nonnegative: Vec<Name>,
+    pub nonzero: Vec<Name>,
+    pub integers: Vec<Name>,
+    pub complex: Vec<Name>,
     /// The letter that numbers impacts: `k`.
     pub index: String,
+    /// Letters that run over all integers: a premise holds for each value of these. An index that is not among them
+    /// has one value throughout.
+    pub indices: Vec<Name>,
     /// Families of times, without index; the first is that of the impacts.
     pub times: Vec<Name>,
     /// The running time of a flight.
@@ -47,6 +56,8 @@ pub struct Vocabulary {
     pub maps: Vec<(Name, Map)>,
     /// What the reader of formulas needs to know of all this.
     pub names: Names,
+    /// Parameters, abbreviations and indices.
+    singles: HashSet<Name>,
 }
 
 /// The impact number of a subscript such as `k+1`, for the index letter `k`.
@@ -72,7 +83,7 @@ pub fn subscript_of(index: i32, letter: &str) -> String {
 
 impl Name {
     /// The name without subscript, mark and primes.
-    pub(super) fn bare(&self) -> Self {
+    pub fn bare(&self) -> Self {
         Self {
             base: self.base.clone(),
             accents: self.accents.clone(),
@@ -81,7 +92,7 @@ impl Name {
     }
 
     /// The name of the derivative by time: one dot more.
-    pub(super) fn dotted(&self) -> Self {
+    pub fn dotted(&self) -> Self {
         let mut name = self.clone();
         match name.accents.last_mut() {
             Some(last) if last == r"\dot" => *last = r"\ddot".to_string(),
@@ -103,6 +114,7 @@ impl Vocabulary {
             ..Self::default()
         };
         vocabulary.parameters = vocabulary.list(&symbols.parameters)?;
+        vocabulary.indices = vocabulary.list(&symbols.indices)?;
         vocabulary.states = vocabulary.list(&symbols.states)?;
         vocabulary.continuous = vocabulary.list(&symbols.continuous)?;
         vocabulary.read_times(symbols)?;
@@ -126,19 +138,50 @@ impl Vocabulary {
                 .relations
                 .extend(vocabulary.equations(&format!("{square} = {value}"))?);
         }
-        vocabulary.generic = match &symbols.generic {
-            Some(generic) => vocabulary.list(generic)?,
-            None => {
-                let abbreviations = vocabulary.abbreviations.iter().map(|(name, _)| name.clone());
-                vocabulary.parameters.iter().cloned().chain(abbreviations).collect()
-            }
-        };
-        vocabulary.at_most_one = vocabulary.list(&symbols.at_most_one)?;
-        vocabulary.positive = vocabulary.list(&symbols.positive)?;
-        vocabulary.positive.extend(vocabulary.at_most_one.clone());
+        vocabulary.generic = vocabulary.list(&symbols.generic)?;
+        vocabulary.read_kinds(symbols)?;
         vocabulary.read_maps(symbols)?;
         vocabulary.refuse_twice()?;
+        let abbreviations = vocabulary.abbreviations.iter().map(|(name, _)| name);
+        let singles = vocabulary
+            .parameters
+            .iter()
+            .chain(abbreviations)
+            .chain(&vocabulary.indices);
+        vocabulary.singles = singles.cloned().collect();
         Ok(vocabulary)
+    }
+
+    /// The lists that say of which kind a symbol is.
+    fn read_kinds(&mut self, symbols: &Symbols) -> Result<(), Fault> {
+        let kinds = symbols.kinds();
+        let mut lists = kinds.map(|_| Vec::new());
+        for ((_, texts), list) in kinds.iter().zip(&mut lists) {
+            *list = self.list(texts)?;
+        }
+        let others: HashSet<&Name> = lists.iter().take(5).flatten().collect();
+        let [.., complex] = &lists;
+        if let Some(name) = complex.iter().find(|name| others.contains(name)) {
+            let problem = "is complex and of a kind that is real: list it in `complex` alone, or in `nonzero` alone";
+            return Err(Fault::new(format!("`{name}` {problem}")));
+        }
+        let known: HashSet<Name> = self.parameters.iter().cloned().collect();
+        let mut new: Vec<Name> = Vec::new();
+        for name in lists.iter().flatten() {
+            let elsewhere = self.abbreviations.iter().any(|(known, _)| known == name)
+                || self.is_indexed(name)
+                || self.running.as_ref() == Some(name);
+            if !known.contains(name) && !elsewhere && !new.contains(name) {
+                new.push(name.clone());
+            }
+        }
+        self.parameters.extend(new);
+        let [positive, at_most_one, nonnegative, nonzero, integers, complex] = lists;
+        (self.nonnegative, self.nonzero, self.integers, self.complex) = (nonnegative, nonzero, integers, complex);
+        self.positive = positive;
+        self.positive.extend(at_most_one.iter().cloned());
+        self.at_most_one = at_most_one;
+        Ok(())
     }
 
     fn read_times(&mut self, symbols: &Symbols) -> Result<(), Fault> {
@@ -160,8 +203,9 @@ impl Vocabulary {
             }
         }
         if self.index.is_empty() {
-            let letter = self.states.iter().find_map(|name| name.subscript.chars().next());
-            self.index = letter.unwrap_or('k').to_string();
+            let of_states = self.states.iter().find_map(|name| name.subscript.chars().next());
+            let running = self.indices.first().map(|name| name.base.clone());
+            self.index = of_states.map(String::from).or(running).unwrap_or("k".to_string());
         }
         Ok(())
     }
@@ -235,18 +279,12 @@ impl Vocabulary {
     fn refuse_twice(&self) -> Result<(), Fault> {
         let functions = self.functions.iter().map(|(name, _)| name);
         let abbreviations = self.abbreviations.iter().map(|(name, _)| name);
-        let mut seen: Vec<&Name> = Vec::new();
-        for name in self
-            .parameters
-            .iter()
-            .chain(functions)
-            .chain(abbreviations)
-            .chain(&self.states)
-        {
-            if seen.contains(&name) {
+        let mut seen: HashSet<&Name> = HashSet::new();
+        let singles = self.parameters.iter().chain(&self.indices).chain(functions);
+        for name in singles.chain(abbreviations).chain(&self.states) {
+            if !seen.insert(name) {
                 return Err(Fault::new(format!("`{name}` is declared twice")));
             }
-            seen.push(name);
         }
         Ok(())
     }
@@ -268,30 +306,13 @@ impl Vocabulary {
         let equations = read(tex, &self.names).map_err(|error| Fault::new(format!("`{tex}`: {error}")))?;
         match equations.iter().all(|equation| equation.relation == Relation::Equal) {
             true => Ok(equations),
-            false => Err(Fault::new(format!("`{tex}`: {NO_INEQUALITIES}"))),
+            false => Err(Fault::new(format!("`{tex}`: an equation must stand here"))),
         }
     }
 
-    /// Every name that may be written, for a message that helps.
-    pub fn known(&self) -> String {
-        let functions = self.functions.iter().map(|(name, _)| format!("{name}(t)"));
-        let abbreviations = self.abbreviations.iter().map(|(name, _)| name.to_string());
-        let indexed = self.times.iter().chain(&self.states).map(|name| {
-            let subscript = self.index.clone();
-            Name {
-                subscript,
-                ..name.clone()
-            }
-            .to_string()
-        });
-        let all = self
-            .parameters
-            .iter()
-            .map(Name::to_string)
-            .chain(abbreviations)
-            .chain(indexed)
-            .chain(functions);
-        all.collect::<Vec<_>>().join(", ")
+    /// Whether a name stands for one value throughout, for an expression, or for an index.
+    pub(super) fn is_single(&self, name: &Name) -> bool {
+        self.singles.contains(name)
     }
 }
 
@@ -310,14 +331,9 @@ fn first_names(symbols: &Symbols) -> Result<Names, Fault> {
     for pair in pairs {
         texts.extend(pair.pairs()?.into_iter().map(|(name, _)| name));
     }
-    texts.extend(
-        symbols
-            .parameters
-            .iter()
-            .chain(&symbols.times)
-            .chain(&symbols.states)
-            .cloned(),
-    );
+    let kinds = symbols.kinds().into_iter().flat_map(|(_, list)| list);
+    let plain = symbols.parameters.iter().chain(&symbols.times).chain(&symbols.states);
+    texts.extend(plain.chain(kinds).cloned());
     texts.extend(symbols.maps.keys().cloned());
     let word = |text: &String| -> String { text.trim().chars().take_while(char::is_ascii_alphabetic).collect() };
     let words = texts.iter().map(word).filter(|word| word.len() > 1).collect();

@@ -1,13 +1,15 @@
-//! `vibro-audit audit [SHEET] [--explain LABEL]`.
+//! `vibro-audit audit [SHEET] [--explain LABEL] [--effort N] [--template]`.
 
 use super::{Answer, Content, Exit, Failure, Options, Source};
-use crate::claim::{self, Decision, Fault, Sheet};
+use crate::claim::{self, Fault, Sheet, Verdict};
 use crate::evidence::{Evidence, witness};
+use crate::prove::{self, Decision, mention_refuted};
 use crate::report::{Cell, Table};
 use rayon::prelude::*;
 
 /// Decide for each formula of a sheet whether it follows from its premises
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = PROMISES)]
 pub struct Arguments {
     /// The sheet, a TOML file or `-` for stdin; without it, the paper's own appendix
     #[arg(value_name = "SHEET")]
@@ -15,16 +17,60 @@ pub struct Arguments {
     /// Print the proof or the counterexample of this equation alone
     #[arg(long, value_name = "LABEL")]
     explain: Option<String>,
+    /// How far to search for proofs and counterexamples, as a multiple of the usual limit in steps
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=MOST_EFFORT))]
+    effort: u64,
+    /// Print a sheet to start from, with every key explained
+    #[arg(long, conflicts_with_all = ["sheet", "explain", "effort"])]
+    template: bool,
 }
 
+/// The largest `--effort`.
+const MOST_EFFORT: u64 = 1_000_000;
+
+/// What the verdicts promise.
+const PROMISES: &str = "\
+A claim is true when both sides agree for all values of its symbols for which its premises and
+assumptions hold and everything written in premises and claim is defined. Symbols are real unless
+[symbols] says otherwise.
+  proved     A proof was accepted by a small kernel that shares nothing with the search, and so
+             was a point at which the premises hold. The column `provided` lists what it excludes.
+  refuted    Exact values of the symbols were accepted at which every premise holds and the two
+             sides differ, or the claim is nowhere defined.
+  undecided  Neither was found within the limit, which --effort raises. It is never a pass.
+  unread     The formula, or a name in it, cannot be read: `place` and `reason` say where and why.
+Exit status: 0 all as expected; 1 a verdict is not, or evidence speaks against one; 2 unread.";
+
+/// A sheet to start from.
+const TEMPLATE: &str = include_str!("../../golden/template.toml");
+
 /// The columns that scripts rely on.
-const COLUMNS: [&str; 6] = ["label", "verdict", "expected", "digits", "counterexample", "reason"];
+const COLUMNS: [&str; 9] = [
+    "label",
+    "verdict",
+    "expected",
+    "digits",
+    "counterexample",
+    "reason",
+    "provided",
+    "place",
+    "repair",
+];
 
 /// Random points at which each claim is tried.
 const POINTS: usize = 6;
 
+/// A decision, and the evidence beside it where there is a claim to be tried.
+type Row = (Decision, Option<Evidence>);
+
 /// Runs the command.
 pub fn run(arguments: &Arguments, _options: &Options) -> Result<Answer, Failure> {
+    if arguments.template {
+        return Ok(Answer {
+            content: Content::Text(TEMPLATE.to_string()),
+            exit: Exit::AsExpected,
+        });
+    }
     let name = arguments
         .sheet
         .as_ref()
@@ -39,9 +85,12 @@ pub fn run(arguments: &Arguments, _options: &Options) -> Result<Answer, Failure>
         None => claim::EQUATIONS.to_string(),
     };
     let sheet = Sheet::read(&text, &vocabulary).map_err(in_sheet)?;
+    let options = prove::Options {
+        effort: arguments.effort,
+    };
     match &arguments.explain {
-        Some(label) => explain(&sheet, label).map_err(in_sheet),
-        None => decide_sheet(&sheet, &name),
+        Some(label) => explain(&sheet, label, &options).map_err(in_sheet),
+        None => decide_sheet(&sheet, &name, &options),
     }
 }
 
@@ -53,88 +102,118 @@ pub(super) fn verdicts(text: &str, name: &str) -> Result<Answer, Failure> {
     };
     let vocabulary = claim::vocabulary().map_err(in_sheet)?;
     let sheet = Sheet::read(text, &vocabulary).map_err(in_sheet)?;
-    decide_sheet(&sheet, name)
+    decide_sheet(&sheet, name, &prove::Options::default())
 }
 
-fn decide_sheet(sheet: &Sheet, name: &str) -> Result<Answer, Failure> {
-    let mut decided = decide_all(sheet).map_err(|fault| Failure::Sheet {
+fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options) -> Result<Answer, Failure> {
+    let mut rows = decide_all(sheet, options).map_err(|fault| Failure::Sheet {
         name: name.to_owned(),
         fault,
     })?;
-    sheet.mention_refuted(decided.iter_mut().map(|(decision, _)| decision));
-    table(&decided)
+    mention_refuted(sheet, rows.iter_mut().map(|(decision, _)| decision));
+    for fault in sheet.entries.iter().filter_map(|entry| entry.unread.as_ref()) {
+        super::note(&format!("{name}: {fault}"));
+    }
+    Ok(Answer {
+        exit: exit(&rows),
+        content: Content::Table(table(&rows)?),
+    })
 }
 
 /// Decides each claim and looks for witnesses, on all cores; in the order of the sheet.
-fn decide_all(sheet: &Sheet) -> Result<Vec<(Decision, Evidence)>, Fault> {
-    let claims: Vec<usize> = (0..sheet.entries.len()).filter(|&n| sheet.is_claim(n)).collect();
-    claims.par_iter().map(|&position| decide(sheet, position)).collect()
+fn decide_all(sheet: &Sheet, options: &prove::Options) -> Result<Vec<Row>, Fault> {
+    let rows = sheet.rows();
+    rows.par_iter()
+        .map(|&position| decide(sheet, position, options))
+        .collect()
 }
 
-fn decide(sheet: &Sheet, position: usize) -> Result<(Decision, Evidence), Fault> {
-    let decision = sheet.decide(position)?;
-    let evidence = witness(sheet, position, decision.verdict, POINTS)?;
+fn decide(sheet: &Sheet, position: usize, options: &prove::Options) -> Result<Row, Fault> {
+    let decision = prove::decide(sheet, position, options);
+    let read = decision.verdict != Verdict::Unread && sheet.unread_below(position).is_empty();
+    let evidence = read
+        .then(|| witness(sheet, position, decision.verdict, POINTS))
+        .transpose()?;
     Ok((decision, evidence))
 }
 
-fn table(decided: &[(Decision, Evidence)]) -> Result<Answer, Failure> {
+/// 2 where something cannot be read that was expected to be, 1 where a verdict is not as expected or evidence speaks
+/// against it.
+fn exit(rows: &[Row]) -> Exit {
+    let unread = |(decision, _): &Row| decision.verdict == Verdict::Unread && !decision.is_expected();
+    let as_expected = |(decision, evidence): &Row| {
+        decision.is_expected() && evidence.as_ref().is_none_or(|evidence| evidence.against.is_none())
+    };
+    if rows.iter().any(unread) {
+        Exit::Unusable
+    } else {
+        Exit::from_verdict(rows.iter().all(as_expected))
+    }
+}
+
+fn table(rows: &[Row]) -> Result<Table, Failure> {
     let mut table = Table::new(COLUMNS);
-    let mut as_expected = true;
-    for (decision, evidence) in decided {
+    for (decision, evidence) in rows {
         let mut reason = decision.reason.clone();
-        if let Some(against) = &evidence.against {
-            reason = format!("EVIDENCE AGAINST THE VERDICT: {against}; {reason}");
+        if let Some(evidence) = evidence {
+            if let Some(against) = &evidence.against {
+                reason = format!("EVIDENCE AGAINST THE VERDICT: {against}; {reason}");
+            }
+            // How the maps flown agree is for `--explain`: a table is read for what is amiss.
+            let flown = evidence.flown.as_ref().map(ToString::to_string);
+            for note in evidence.notes.iter().filter(|note| Some(*note) != flown.as_ref()) {
+                reason = format!("{reason}; {note}");
+            }
         }
-        // How the maps flown agree is for `--explain`: a table is read for what is amiss.
-        let flown = evidence.flown.as_ref().map(ToString::to_string);
-        for note in evidence.notes.iter().filter(|note| Some(*note) != flown.as_ref()) {
-            reason = format!("{reason}; {note}");
-        }
-        as_expected &= decision.is_expected() && evidence.against.is_none();
+        let digits = evidence.as_ref().and_then(|evidence| evidence.digits);
+        let place = decision.place.map(|(line, column)| format!("{line}:{column}"));
         table.push(vec![
             Cell::from(decision.label.clone()),
             Cell::from(decision.verdict.to_string()),
             Cell::from(decision.expected.to_string()),
-            Cell::from(evidence.digits.map(|digits| (digits * 10.0).round().max(0.0) / 10.0)),
+            Cell::from(digits.map(|digits| (digits * 10.0).round().max(0.0) / 10.0)),
             Cell::from(decision.counterexample.as_ref().map(ToString::to_string)),
             Cell::from(reason),
+            Cell::from((!decision.provided.is_empty()).then(|| decision.provided.join("; "))),
+            Cell::from(place),
+            Cell::from(None::<String>),
         ])?;
     }
-    Ok(Answer {
-        content: Content::Table(table),
-        exit: Exit::from_verdict(as_expected),
-    })
+    Ok(table)
 }
 
-fn explain(sheet: &Sheet, label: &str) -> Result<Answer, Fault> {
-    let Some(position) = sheet.find(label).filter(|&n| sheet.is_claim(n)) else {
-        let claims = (0..sheet.entries.len())
-            .filter(|&n| sheet.is_claim(n))
-            .filter_map(|n| sheet.entries.get(n));
-        let known: Vec<&str> = claims.map(|entry| entry.label.as_str()).collect();
+fn explain(sheet: &Sheet, label: &str, options: &prove::Options) -> Result<Answer, Fault> {
+    let rows = sheet.rows();
+    let Some(position) = sheet.find(label).filter(|position| rows.contains(position)) else {
+        let entries = rows.iter().filter_map(|&n| sheet.entries.get(n));
+        let known: Vec<&str> = entries.map(|entry| entry.label.as_str()).collect();
         return Err(Fault::new(format!(
             "no claim `{label}` (there are: {})",
             known.join(", ")
         )));
     };
-    let (mut decision, evidence) = decide(sheet, position)?;
-    let others = decide_all(sheet)?;
-    let mut others: Vec<Decision> = others.into_iter().map(|(decision, _)| decision).collect();
-    sheet.mention_refuted(others.iter_mut());
-    if let Some(told) = others.into_iter().find(|other| other.label == decision.label) {
-        decision = told;
+    let (decision, evidence) = decide(sheet, position, options)?;
+    // Whether what it rests on is refuted takes the verdicts of all.
+    let others = prove::audit(sheet, options);
+    let decision = others
+        .into_iter()
+        .find(|other| other.label == label)
+        .unwrap_or(decision);
+    let mut text = prove::explain(sheet, position, &decision, options);
+    if let Some(fault) = sheet.entries.get(position).and_then(|entry| entry.unread.as_ref()) {
+        text.push_str(&format!("{fault}\n"));
     }
-    let mut text = sheet.explain(position, &decision)?;
-    text.push_str(&told(&evidence));
-    let as_expected = decision.is_expected() && evidence.against.is_none();
+    if let Some(evidence) = &evidence {
+        text.push_str(&in_words(evidence));
+    }
     Ok(Answer {
         content: Content::Text(text),
-        exit: Exit::from_verdict(as_expected),
+        exit: exit(&[(decision, evidence)]),
     })
 }
 
 /// The evidence in words.
-fn told(evidence: &Evidence) -> String {
+fn in_words(evidence: &Evidence) -> String {
     let mut lines = vec!["\nevidence, which shares no code with the above".to_string()];
     match (evidence.digits, evidence.median) {
         (Some(digits), Some(median)) => lines.push(format!(

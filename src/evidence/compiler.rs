@@ -117,7 +117,7 @@ impl<'a> Compiler<'a> {
     fn has_integer_values(&self, tree: &Tree) -> bool {
         match tree {
             Tree::Number(value) => !value.to_string().contains('/'),
-            Tree::Symbol(name, _) => super::domain::integers(self.vocabulary).contains(name),
+            Tree::Symbol(name, _) => self.vocabulary.integers.contains(name) || super::domain::is_index(self.vocabulary, name),
             Tree::Negate(body) | Tree::PlusMinus(body) | Tree::MinusPlus(body) => self.has_integer_values(body),
             Tree::Power(body, exponent, _) => *exponent >= 0 && self.has_integer_values(body),
             Tree::Sum(parts) | Tree::Product(parts) => parts.iter().all(|part| self.has_integer_values(part)),

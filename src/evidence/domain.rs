@@ -42,29 +42,9 @@ pub struct Kind {
     pub generic: bool,
 }
 
-pub fn integers(vocabulary: &Vocabulary) -> &[Name] {
-    let _ = vocabulary;
-    &[]
-}
-
-pub fn complex(vocabulary: &Vocabulary) -> &[Name] {
-    let _ = vocabulary;
-    &[]
-}
-
-fn nonnegative(vocabulary: &Vocabulary) -> &[Name] {
-    let _ = vocabulary;
-    &[]
-}
-
-fn nonzero(vocabulary: &Vocabulary) -> &[Name] {
-    let _ = vocabulary;
-    &[]
-}
-
 /// Whether the name numbers impacts or members of a sequence, standing for itself.
 pub fn is_index(vocabulary: &Vocabulary, name: &Name) -> bool {
-    name.to_string() == vocabulary.index
+    name.to_string() == vocabulary.index || vocabulary.indices.contains(name)
 }
 
 /// What each slot may hold.
@@ -77,11 +57,11 @@ pub fn kinds(vocabulary: &Vocabulary, space: &Space) -> Vec<Kind> {
         let listed = |list: &[Name]| list.iter().any(|known| known == name || (indexed && bare(known) == *name));
         Kind {
             positive: listed(&vocabulary.positive),
-            nonnegative: listed(nonnegative(vocabulary)),
-            nonzero: listed(nonzero(vocabulary)),
+            nonnegative: listed(&vocabulary.nonnegative),
+            nonzero: listed(&vocabulary.nonzero),
             at_most_one: listed(&vocabulary.at_most_one),
-            integer: listed(integers(vocabulary)) || is_index(vocabulary, name),
-            complex: listed(complex(vocabulary)),
+            integer: listed(&vocabulary.integers) || is_index(vocabulary, name),
+            complex: listed(&vocabulary.complex),
             generic: listed(&vocabulary.generic),
         }
     };
@@ -97,8 +77,8 @@ pub fn listed(compiler: &mut Compiler, kinds: &[Kind]) -> Result<Vec<Condition>,
     }
     let lists = [
         (vocabulary.positive.as_slice(), Relation::Greater),
-        (nonnegative(vocabulary), Relation::GreaterOrEqual),
-        (nonzero(vocabulary), Relation::NotEqual),
+        (vocabulary.nonnegative.as_slice(), Relation::GreaterOrEqual),
+        (vocabulary.nonzero.as_slice(), Relation::NotEqual),
         (vocabulary.at_most_one.as_slice(), Relation::LessOrEqual),
     ];
     let one = compiler.formulas.integer(1);

@@ -88,7 +88,7 @@ const FEW: usize = 6;
 /// # Errors
 /// The [`Fault`] of a claim or premise that makes no sense.
 pub fn witness(sheet: &Sheet, position: usize, verdict: Verdict, points: usize) -> Result<Evidence, Fault> {
-    let statements = sheet.statements(position)?;
+    let statements = Statements::gather(sheet, position)?;
     let system = match System::new(&statements, &sheet.vocabulary, Forcing::Any) {
         Ok(system) => system,
         Err(reason) => return Ok(without_points(no_witness(&reason))),

@@ -7,8 +7,8 @@ use super::formula::{Formula, Formulas, Op, Program, Work};
 use super::maps::{Maps, read_maps};
 use super::space::{Slot, Space};
 use super::value::Function;
-use crate::claim::{Local, Statements, Vocabulary};
-use crate::tex::{At, Equation, Name, Relation, Tree};
+use crate::claim::{Local, Premise, Statements, Vocabulary};
+use crate::tex::{At, Condition as Assumption, Equation, Name, Relation, Tree};
 use std::collections::{BTreeSet, HashMap};
 
 /// How many harmonics stand for any function: with the constants of integration there are as many coefficients as
@@ -59,6 +59,8 @@ pub struct System {
     /// What holds of derivatives, traces and determinants.
     pub late: Vec<Formula>,
     pub kinds: Vec<Kind>,
+    /// Slots that an assumption says are integers.
+    integers: Vec<usize>,
     /// Where symbols may lie.
     pub conditions: Vec<Condition>,
     /// For each inequality of the premises a row that it holds by what its slack leaves over.
@@ -104,6 +106,7 @@ impl System {
             step_rows: Vec::new(),
             late: Vec::new(),
             kinds: Vec::new(),
+            integers: Vec::new(),
             conditions: Vec::new(),
             slacks: Vec::new(),
             fixed: BTreeSet::new(),
@@ -143,7 +146,8 @@ impl System {
         }
         let mut laws = Vec::new();
         let mut of_matrices = Vec::new();
-        for premise in &statements.premises {
+        let premises = said(statements, vocabulary);
+        for premise in &premises {
             let flight = if statements.claim_runs { first } else { premise.first.unwrap_or(first) };
             if speaks_of_matrix(&premise.equation) {
                 of_matrices.push(premise);
@@ -160,6 +164,13 @@ impl System {
             for (left, right) in sides {
                 self.sort(left, right, premise.equation.relation, &mut laws)?;
             }
+        }
+        let claimed = statements.assume.iter().map(|condition| (condition, statements.locals.as_slice(), None));
+        let brought = premises.iter().flat_map(|premise| {
+            premise.assume.iter().map(|condition| (condition, premise.locals.as_slice(), premise.first))
+        });
+        for (condition, locals, at) in claimed.chain(brought) {
+            self.assume(condition, vocabulary, locals, at, &mut laws)?;
         }
         for equation in &vocabulary.relations {
             for (left, right) in self.sides(equation, vocabulary, &[], None, first)? {
@@ -225,6 +236,38 @@ impl System {
             sides.push((compiler.tree(&left)?, compiler.tree(&equation.right)?));
         }
         Ok(sides)
+    }
+
+    /// Takes in one assumption.
+    fn assume(
+        &mut self,
+        condition: &Assumption,
+        vocabulary: &Vocabulary,
+        locals: &[Local],
+        first: Option<i32>,
+        laws: &mut Vec<[Formula; 2]>,
+    ) -> Result<(), Unwitnessed> {
+        match condition {
+            Assumption::Relation(equation) => {
+                for (left, right) in self.sides(equation, vocabulary, locals, first, first.unwrap_or(0))? {
+                    self.sort(left, right, equation.relation, laws)?;
+                }
+            }
+            Assumption::Integer(tree) => {
+                let formula = self.compiler(vocabulary, locals).tree(tree)?;
+                match self.formulas.op(formula) {
+                    Op::Slot(slot) => self.integers.push(slot),
+                    _ => {
+                        let slot = self.space.slot(Slot::Slack(1000 + self.integers.len()));
+                        self.integers.push(slot);
+                        let integer = self.formulas.slot(slot);
+                        let row = self.formulas.subtract(formula, integer);
+                        self.rows.push(row);
+                    }
+                }
+            }
+        }
+        Ok(())
     }
 
     fn pair(&mut self, equation: &Equation, vocabulary: &Vocabulary, locals: &[Local]) -> Option<usize> {
@@ -745,6 +788,11 @@ impl System {
         let listed = domain::listed(&mut self.compiler(vocabulary, &[]), &kinds)?;
         self.conditions.extend(listed);
         self.kinds = domain::kinds(vocabulary, &self.space);
+        for slot in &self.integers {
+            if let Some(kind) = self.kinds.get_mut(*slot) {
+                kind.integer = true;
+            }
+        }
         for (number, slot) in self.space.slots.iter().enumerate() {
             let fixed = match slot {
                 Slot::Coefficient { course, .. } => {
@@ -810,6 +858,32 @@ fn partials(statements: &Statements) -> Vec<(Name, Name)> {
     }
     found.into_inner()
 }
+
+/// The premises at each flight that the claim speaks of; where an index runs, at each value of it that premises and
+/// claim name.
+fn said(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Premise> {
+    let premises = statements.said(vocabulary);
+    if !vocabulary.indices.iter().any(|index| index.to_string() == vocabulary.index) {
+        return premises;
+    }
+    let named: Vec<BTreeSet<i32>> = premises.iter().map(|premise| vocabulary.impacts(&premise.equation)).collect();
+    let claims = statements.claims.iter().flat_map(|claim| vocabulary.impacts(claim));
+    let all: BTreeSet<i32> = named.iter().flatten().copied().chain(claims).collect();
+    let (Some(&low), Some(&high)) = (all.first(), all.last()) else { return premises };
+    let mut instances = Vec::new();
+    for (premise, named) in premises.into_iter().zip(&named) {
+        match (named.first(), named.last()) {
+            (Some(first), Some(last)) => {
+                instances.extend((low - first..=high - last).take(MOST_INSTANCES).map(|by| premise.shifted(by, vocabulary)));
+            }
+            _ => instances.push(premise),
+        }
+    }
+    instances
+}
+
+/// Values of a running index at which a premise is taken.
+const MOST_INSTANCES: usize = 8;
 
 /// Whether a name stands for two values, as `\lambda_{1,2}` does.
 fn is_pair(name: &Name) -> bool {

@@ -1,7 +1,29 @@
 //! The kernel: the statement of a claim, and the certificates and witnesses that decide it.
+//!
+//! Nothing else can make a [`Proved`] or a [`Refuted`]. Trusted are the reader of TeX, the vocabulary, this folder, and
+//! of `number/` the exact [`Rational`](crate::number::Rational) and the enclosures [`Interval`](crate::number::Interval)
+//! over [`Wide`](crate::number::Wide) with their `sqrt`, `sincos`, `acos`, `atan2`, `bounded_exp` and `bounded_ln`.
+//! Whatever searches for a certificate is not trusted.
 
+mod build;
+mod certificate;
+mod check;
+mod enclosure;
+mod expand;
+mod implicit;
 mod polynomial;
+mod statement;
 mod term;
+mod verdict;
+mod witness;
 
+pub use build::{CLAIM_DOMAIN, DERIVATIVES_EXIST, Question, Unreadable, questions};
+pub use certificate::{Axiom, Certificate, Inference, LawSource, Summand};
+pub use check::{Checker, Fact};
+pub use enclosure::{enclose, sign, term_value};
+pub use expand::{Expansion, Quotient, Refusal, vanishes};
 pub use polynomial::{Monomial, Polynomial, product};
+pub use statement::{FunctionOf, Given, Law, Property, Quantity, Statement, Step};
 pub use term::{Elementary, Function, Node, Symbol, Term, Terms};
+pub use verdict::{Proved, Refuted, contradicts, follows, prove, refute, refute_nowhere};
+pub use witness::Witness;

@@ -1,6 +1,6 @@
 //! The keys a scene may have: one table of names, ranges and meanings.
 
-use super::nearest;
+use crate::claim::nearest;
 
 /// A key of a scene.
 #[derive(Debug, PartialEq)]

@@ -3,7 +3,8 @@
 use super::document::{Entry, Value};
 use super::error::{SceneError, SceneProblem};
 use super::key::{self, Allowed, Key, did_you_mean};
-use super::{Quantity, QuantityError, Scene, Want, nearest};
+use super::{Quantity, QuantityError, Scene, Want};
+use crate::claim::nearest;
 use std::cmp::Ordering;
 
 impl Scene {

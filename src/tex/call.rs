@@ -2,9 +2,9 @@
 
 use super::command::{elementary, elementary_at_start, invariant};
 use super::error::{Fault, Reason};
+use super::exponent::Exponent;
 use super::part::{Form, Part, starts_factor};
 use super::reader::Reader;
-use super::script::Exponent;
 use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
 use super::{At, Invariant, Name, Tree};

@@ -1,4 +1,4 @@
-//! The TeX commands that are known, and what each does to the reading.
+//! The TeX commands and characters that are known, and what each does to the reading.
 
 use super::token::{Bracket, Kind};
 use super::{Invariant, Relation};
@@ -224,6 +224,43 @@ fn sign(text: &str) -> Option<Command> {
         "\\rbrack" => Kind::Close(Bracket::Square),
         _ => return None,
     }))
+}
+
+/// The token that a single character makes.
+pub(super) fn character(c: char) -> Option<Kind> {
+    Some(match c {
+        '+' => Kind::Plus,
+        '-' | '−' => Kind::Minus,
+        '*' => Kind::Star,
+        '/' => Kind::Slash,
+        '=' => Kind::Relation(Relation::Equal),
+        '≠' => Kind::Relation(Relation::NotEqual),
+        '<' => Kind::Relation(Relation::Less),
+        '>' => Kind::Relation(Relation::Greater),
+        '≤' | '⩽' => Kind::Relation(Relation::LessOrEqual),
+        '≥' | '⩾' => Kind::Relation(Relation::GreaterOrEqual),
+        '|' => Kind::Bar,
+        ',' | ';' => Kind::Comma,
+        '.' => Kind::Stop,
+        '(' => Kind::Open(Bracket::Round),
+        ')' => Kind::Close(Bracket::Round),
+        '[' => Kind::Open(Bracket::Square),
+        ']' => Kind::Close(Bracket::Square),
+        '{' => Kind::BraceOpen,
+        '}' => Kind::BraceClose,
+        '_' => Kind::Sub,
+        '^' => Kind::Sup,
+        '\'' | '’' | '′' => Kind::Prime,
+        _ => return None,
+    })
+}
+
+/// What to say of a character that is not read, beyond "cannot read".
+pub(super) fn character_hint(c: char) -> &'static str {
+    match c {
+        _ if c.is_alphabetic() => ": letters outside ASCII are written as TeX commands",
+        _ => "",
+    }
 }
 
 fn hint(text: &str) -> &'static str {

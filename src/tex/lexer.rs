@@ -1,7 +1,7 @@
 //! TeX source -> tokens. What does not change the meaning (blanks, sizes, fonts, alignment) ends here.
 
 use super::Relation;
-use super::command::{Command, Side, command};
+use super::command::{Command, Side, character, character_hint, command};
 use super::error::{Fault, Reason};
 use super::token::{Bracket, Kind, Set, Token};
 
@@ -63,7 +63,8 @@ impl<'a> Lexer<'a> {
             c if c.is_ascii_alphabetic() => return self.push(Kind::Letter, 1),
             ':' if rest.starts_with(":=") => return self.push(Kind::Relation(Relation::Equal), 2),
             c => {
-                let kind = sign(c).ok_or_else(|| Fault::unreadable(self.at, c.encode_utf8(&mut [0; 4]), hint(c)))?;
+                let kind = character(c)
+                    .ok_or_else(|| Fault::unreadable(self.at, c.encode_utf8(&mut [0; 4]), character_hint(c)))?;
                 return self.push(kind, c.len_utf8());
             }
         }
@@ -321,41 +322,6 @@ fn number_length(rest: &str) -> usize {
     match point && digit_at(rest, whole + 1) {
         true => whole + 1 + digits(whole + 1),
         false => whole,
-    }
-}
-
-fn sign(c: char) -> Option<Kind> {
-    Some(match c {
-        '+' => Kind::Plus,
-        '-' | '−' => Kind::Minus,
-        '*' => Kind::Star,
-        '/' => Kind::Slash,
-        '=' => Kind::Relation(Relation::Equal),
-        '≠' => Kind::Relation(Relation::NotEqual),
-        '<' => Kind::Relation(Relation::Less),
-        '>' => Kind::Relation(Relation::Greater),
-        '≤' | '⩽' => Kind::Relation(Relation::LessOrEqual),
-        '≥' | '⩾' => Kind::Relation(Relation::GreaterOrEqual),
-        '|' => Kind::Bar,
-        ',' | ';' => Kind::Comma,
-        '.' => Kind::Stop,
-        '(' => Kind::Open(Bracket::Round),
-        ')' => Kind::Close(Bracket::Round),
-        '[' => Kind::Open(Bracket::Square),
-        ']' => Kind::Close(Bracket::Square),
-        '{' => Kind::BraceOpen,
-        '}' => Kind::BraceClose,
-        '_' => Kind::Sub,
-        '^' => Kind::Sup,
-        '\'' | '’' | '′' => Kind::Prime,
-        _ => return None,
-    })
-}
-
-fn hint(c: char) -> &'static str {
-    match c {
-        _ if c.is_alphabetic() => ": letters outside ASCII are written as TeX commands",
-        _ => "",
     }
 }
 

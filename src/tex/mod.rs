@@ -27,6 +27,7 @@ mod conditions;
 mod display;
 mod error;
 mod evaluate;
+mod exponent;
 mod lexer;
 mod names;
 mod part;

@@ -1,79 +1,21 @@
 //! What hangs on a name or a bracket: subscripts, primes, marks and powers.
 
+use super::Name;
 use super::error::{Fault, Reason};
+use super::exponent::Exponent;
 use super::reader::Reader;
 use super::subscript::{canonical, plain, subscript_text};
 use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
-use super::{At, Name, Tree};
-use crate::number::{Field, Rational};
-use num_traits::Zero;
-
-/// The largest exponent that is read.
-const HIGHEST: i32 = 1000;
 
 /// The most tokens of a mark.
 const LONGEST_MARK: usize = 64;
-
-/// The most digits of an exponent that is a multiple of one half; a longer number is not read anywhere.
-const MOST_DIGITS: usize = 1000;
 
 /// What a superscript means.
 pub(super) enum Superscript {
     Mark(String),
     Primes(u8),
     Power(Exponent),
-}
-
-/// What something is raised to.
-pub(super) struct Exponent {
-    value: Value,
-    at: usize,
-}
-
-enum Value {
-    /// A multiple of one half, held doubled.
-    Half(i32),
-    Real(Box<Tree>),
-}
-
-impl Exponent {
-    /// `tree` to this power.
-    pub(super) fn of(self, tree: Box<Tree>) -> Tree {
-        let at = At(self.at);
-        match self.value {
-            Value::Real(exponent) => Tree::RealPower(tree, exponent, at),
-            Value::Half(twice) if twice % 2 == 0 => Tree::Power(tree, twice / 2, at),
-            Value::Half(1) => Tree::Root(tree, 2, at),
-            Value::Half(twice) => {
-                let root = Tree::Root(tree, 2, at);
-                Tree::Power(Box::new(root), twice, at)
-            }
-        }
-    }
-
-    /// Before an argument a negative power might mean the inverse function, a symbolic one an iterate.
-    pub(super) fn before_argument(self) -> Result<Self, Fault> {
-        let positive = |tree: &Tree| match tree {
-            Tree::Number(_) => true,
-            Tree::Quotient(above, below, _) => {
-                matches!((&**above, &**below), (Tree::Number(_), Tree::Number(_)))
-            }
-            _ => false,
-        };
-        match &self.value {
-            Value::Half(twice) if *twice < 0 => {
-                let instead = "write the power behind brackets around the call, or the inverse function's own name";
-                Err(Fault::ambiguous(self.at, "a negative power of a function", instead))
-            }
-            Value::Real(exponent) if !positive(exponent) => {
-                let instead =
-                    "write it behind brackets around the call, [f(t)]^n, if no iterate or derivative is meant";
-                Err(Fault::ambiguous(self.at, "a symbolic power of a function", instead))
-            }
-            _ => Ok(self),
-        }
-    }
 }
 
 impl<'a> Reader<'a> {
@@ -145,8 +87,7 @@ impl<'a> Reader<'a> {
         let (at, content) = self.script_tokens(LONGEST_MARK)?;
         let Some(meaning) = self.meaning(at, &content, on)? else {
             self.next = start + 1;
-            let value = Value::Real(self.exponent()?);
-            return Ok(Superscript::Power(Exponent { value, at }));
+            return self.exponent(at).map(Superscript::Power);
         };
         if let (Superscript::Mark(_), false, Some(next)) = (&meaning, braced, self.peek())
             && next.kind == Kind::Number
@@ -155,21 +96,6 @@ impl<'a> Reader<'a> {
             return Err(Fault::ambiguous(at, "a number right after a mark", instead));
         }
         Ok(meaning)
-    }
-
-    /// An exponent that is no number: a letter, or an expression between braces.
-    fn exponent(&mut self) -> Result<Box<Tree>, Fault> {
-        let Some(token) = self.peek() else {
-            return Err(self.instead_of("an exponent"));
-        };
-        self.next += 1;
-        match token.kind {
-            Kind::Letter => Ok(Box::new(Tree::Symbol(base(token.text), At(token.at)))),
-            _ => {
-                let tree = self.sum()?;
-                self.close_brace(token.at).map(|()| tree)
-            }
-        }
     }
 
     /// What the tokens of a superscript mean; `None` if they are an expression.
@@ -205,9 +131,7 @@ impl<'a> Reader<'a> {
                 let instead = "write ^{n} for a power; an index in brackets is read only if it is a number";
                 Err(Fault::ambiguous(at, "a superscript in brackets", instead))
             }
-            ([Kind::Minus, ..], _) => literal(at, content.get(1..).unwrap_or(&[]), true),
-            ([Kind::Plus, ..], _) => literal(at, content.get(1..).unwrap_or(&[]), false),
-            _ => literal(at, content, false),
+            _ => Ok(Exponent::of_number(at, content)?.map(Superscript::Power)),
         }
     }
 
@@ -322,41 +246,6 @@ fn is_closed(kinds: &[Kind]) -> bool {
         }
         true
     })
-}
-
-/// A power that is a multiple of one half, as a number; `None` for any other.
-fn literal(at: usize, content: &[Token<'_>], negative: bool) -> Result<Option<Superscript>, Fault> {
-    let number = |text: &str| Rational::from_decimal(text).filter(|_| text.len() <= MOST_DIGITS);
-    let kinds: Vec<Kind> = content.iter().map(|token| token.kind).collect();
-    let texts: Vec<&str> = content.iter().map(|token| token.text).collect();
-    let parts = match (kinds.as_slice(), texts.as_slice()) {
-        ([Kind::Number], [above]) => Some((*above, "1")),
-        ([Kind::Number, Kind::Slash, Kind::Number], [above, _, below]) => Some((*above, *below)),
-        ([Kind::Fraction, Kind::Number, Kind::Number], [_, above, below]) => Some((*above, *below)),
-        ([Kind::Fraction, Kind::Number], [_, both]) if both.len() == 2 => both.split_at_checked(1),
-        _ => None,
-    };
-    let values = parts.and_then(|(above, below)| number(above).zip(number(below)));
-    let Some(twice) = values.and_then(|(above, below)| doubled(&above, &below)) else {
-        return Ok(None);
-    };
-    let Some(twice) = twice.filter(|twice| twice.abs() <= 2 * HIGHEST) else {
-        let instead = "integer powers are read up to 1000";
-        return Err(Fault::unsupported(at, "this power", instead));
-    };
-    let value = Value::Half(if negative { -twice } else { twice });
-    Ok(Some(Superscript::Power(Exponent { value, at })))
-}
-
-/// `2 above / below` where that is an integer; within, `None` where it does not fit.
-fn doubled(above: &Rational, below: &Rational) -> Option<Option<i32>> {
-    if below.is_zero() {
-        return None;
-    }
-    let half = below.clone() / Rational::from_integer(2);
-    let twice = above.clone() / half;
-    let small = |twice: &Rational| i32::try_from(twice.to_integer()?).ok();
-    twice.0.is_int().then(|| small(&twice))
 }
 
 #[cfg(test)]

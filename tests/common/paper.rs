@@ -1,6 +1,7 @@
 //! The claims of the paper that are true, as printed or mended, and sheets made of them.
 
-use vibro_audit::claim::{Decision, Fault, Role, Sheet, Vocabulary, read_symbols};
+use vibro_audit::claim::{Fault, Role, Sheet, Vocabulary, read_symbols};
+use vibro_audit::prove::{self, Decision, Options};
 use vibro_audit::tex::{Equation, read};
 
 pub const PAPER: &str = include_str!("../../golden/paper/equations.toml");
@@ -121,7 +122,7 @@ impl Bench {
             .iter()
             .rposition(|entry| entry.role == Role::Claim)
             .expect("a claim");
-        sheet.decide(last)
+        Ok(prove::decide(&sheet, last, &Options::default()))
     }
 }
 

@@ -4,29 +4,30 @@ use super::File;
 use super::source::{Token, tokens};
 
 const NUMBER: &[&str] = &["number"];
-const BOTH: &[&str] = &["number", "algebra", "tex", "claim", "model", "impact", "orbit"];
+const BOTH: &[&str] = &["number", "tex", "claim", "model", "impact", "orbit"];
+const PROOF: &[&str] = &["kernel", "prove"];
 
-/// The folders in order, and what each may use besides itself. The algebra side knows no ball, the dynamics side
-/// no TeX; what follows `reference` may use both and what stands before it.
+/// The folders in order, and what each may use besides itself. The formulas know no ball, the dynamics know no TeX;
+/// what follows `reference` may use both and what stands before it.
 fn allowed(folder: &str) -> Option<Vec<&'static str>> {
     let both = |more: &[&'static str]| [BOTH, more].concat();
     let allowed = match folder {
         "number" => vec![],
-        "algebra" | "model" => NUMBER.to_vec(),
-        "tex" => vec!["number", "algebra"],
-        "claim" => vec!["number", "algebra", "tex"],
+        "tex" | "model" => NUMBER.to_vec(),
+        "claim" => vec!["number", "tex"],
+        // What accepts a proof shares nothing with what looks for it.
+        "kernel" => vec!["number", "tex", "claim"],
+        "algebra" => vec!["number", "kernel"],
+        "prove" => vec!["number", "tex", "claim", "kernel", "algebra"],
         "impact" => vec!["number", "model"],
         "orbit" => vec!["number", "model", "impact"],
         "reference" => both(&[]),
-        // Proof and evidence share nothing: an error in the algebra must not repeat itself in its witness.
-        "evidence" => both(&["reference"])
-            .into_iter()
-            .filter(|&name| name != "algebra")
-            .collect(),
-        "accuracy" => both(&["reference", "evidence"]),
+        // Proof and evidence share nothing: an error of the one must not repeat itself in the other.
+        "evidence" => both(&["reference"]),
+        "accuracy" => [PROOF, &both(&["reference", "evidence"])].concat(),
         "scene" => both(&["reference", "evidence", "accuracy"]),
-        "report" => both(&["reference", "evidence", "accuracy", "scene"]),
-        "cli" => both(&["reference", "evidence", "accuracy", "scene", "report"]),
+        "report" => [PROOF, &both(&["reference", "evidence", "accuracy", "scene"])].concat(),
+        "cli" => [PROOF, &both(&["reference", "evidence", "accuracy", "scene", "report"])].concat(),
         _ => return None,
     };
     Some(allowed)
@@ -207,6 +208,13 @@ fn a_use_against_the_arrows_is_found_in_every_spelling() {
         ("src/claim.rs", "use crate::model::Motion;"),
         ("src/orbit/word.rs", "let x = crate::tex::read();"),
         ("src/evidence/dual.rs", "use crate::algebra::Poly;"),
+        ("src/evidence/dual.rs", "use crate::kernel::Term;"),
+        ("src/evidence/dual.rs", "use crate::prove::Decision;"),
+        ("src/kernel/term.rs", "use crate::algebra::Poly;"),
+        ("src/kernel/term.rs", "use crate::prove::Decision;"),
+        ("src/claim/sheet.rs", "use crate::kernel::Term;"),
+        ("src/algebra/poly.rs", "use crate::claim::Sheet;"),
+        ("src/scene/key.rs", "use crate::kernel::Term;"),
         ("src/report/csv.rs", "use crate::cli::Exit;"),
         ("src/cli/audit.rs", "use vibro_audit::nowhere::X;"),
         ("src/tex/read.rs", "use crate::*;"),
@@ -234,7 +242,7 @@ fn a_use_along_the_arrows_is_left_alone() {
         ),
         (
             "src/claim/proof.rs",
-            "use crate::{number::Field, tex::{Tree, Name}, algebra}; use super::Sheet;",
+            "use crate::{number::Field, tex::{Tree, Name}}; use super::Sheet;",
         ),
         (
             "src/claim/proof.rs",
@@ -255,6 +263,10 @@ fn a_use_along_the_arrows_is_left_alone() {
         (
             "src/evidence/dual.rs",
             "use crate::{tex::Tree, claim::Sheet, model::Motion, reference};",
+        ),
+        (
+            "src/prove/search.rs",
+            "use crate::{kernel::Term, algebra::Poly, claim::Sheet, tex::Tree, number::Rational};",
         ),
         ("src/number/mod.rs", "macro_rules! m { () => { $crate::tex::x } }"),
         ("src/lib.rs", "pub use crate::claim::Sheet;"),

@@ -1,0 +1,266 @@
+//! Which names are declared, and the first name of a formula that is not.
+
+use super::definition::{Local, pair_of};
+use super::nearest::nearest;
+use super::substitute::{any_side, below, find};
+use super::vocabulary::{Map, Vocabulary, index_of};
+use crate::tex::{Name, Tree};
+use std::collections::BTreeSet;
+
+/// Names shown in a message, and names among which the nearest is looked for.
+const MOST_SHOWN: usize = 40;
+const MOST_COMPARED: usize = 1000;
+
+/// A name that stands for nothing: where, and what to say of it.
+pub(super) struct Undeclared {
+    pub at: usize,
+    pub message: String,
+}
+
+impl Vocabulary {
+    /// Whether a name needs no definition: a parameter, an abbreviation, an index, a time or a state at an impact, the
+    /// running time, a function or one of its derivatives, a state in flight or one of its derivatives, a matrix,
+    /// `\pi`, and `e` and `i` where nothing else is declared by that name. A pair such as `\lambda_{1,2}` is known
+    /// where `\lambda` is.
+    pub fn knows(&self, name: &Name) -> bool {
+        self.declares(name) || is_constant(name) || pair_of(name).is_some_and(|single| self.declares(&single))
+    }
+
+    /// Whether the vocabulary declares this name.
+    pub fn declares(&self, name: &Name) -> bool {
+        self.is_single(name)
+            || self.running.as_ref() == Some(name)
+            || self.is_indexed(name)
+            || (name.mark.is_empty() && (self.is_function(name) || self.is_in_flight(name)))
+            || self.names.matrices.contains(name)
+    }
+
+    /// Whether this is the time of an impact, or a state there. A mark without an index, as in `\dot{x}^+`, belongs to
+    /// the impact of the index itself.
+    pub fn is_indexed(&self, name: &Name) -> bool {
+        let marked = matches!(name.mark.as_str(), "-" | "+");
+        let numbered = self.is_index(&name.subscript) || (name.subscript.is_empty() && marked);
+        let bare = name.bare();
+        let is_time = name.mark.is_empty() && self.times.contains(&bare);
+        let is_state = (name.mark.is_empty() || marked) && self.states.contains(&bare);
+        numbered && name.primes == 0 && (is_time || is_state)
+    }
+
+    /// Whether a subscript numbers an impact or a member of a sequence: `k+1`, or `0` where an index runs.
+    fn is_index(&self, subscript: &str) -> bool {
+        let runs = !self.indices.is_empty();
+        index_of(subscript, &self.index).is_some()
+            || self
+                .indices
+                .iter()
+                .any(|letter| index_of(subscript, &letter.base).is_some())
+            || (runs && subscript.parse::<u16>().is_ok())
+    }
+
+    /// Whether this is a declared function, or a derivative of one by primes.
+    pub fn is_function(&self, name: &Name) -> bool {
+        let plain = Name {
+            primes: 0,
+            ..name.clone()
+        };
+        self.functions.iter().any(|(function, _)| *function == plain)
+    }
+
+    /// Whether this is a state in flight, or its first or second derivative.
+    pub fn is_in_flight(&self, name: &Name) -> bool {
+        let plain = Name {
+            primes: 0,
+            mark: String::new(),
+            ..name.clone()
+        };
+        let derivatives = |state: &Name| [state.clone(), state.dotted(), state.dotted().dotted()];
+        self.states.iter().any(|state| derivatives(state).contains(&plain))
+    }
+
+    /// The first name of the formula that stands for nothing; `extra` are names that are known besides.
+    pub(super) fn undeclared(&self, tree: &Tree, extra: &dyn Fn(&Name) -> bool) -> Option<Undeclared> {
+        find(tree, &mut |node| self.undeclared_here(node, extra))
+    }
+
+    fn undeclared_here(&self, node: &Tree, extra: &dyn Fn(&Name) -> bool) -> Option<Undeclared> {
+        match node {
+            Tree::Symbol(name, _) if self.is_single(name) || extra(name) => None,
+            Tree::Symbol(name, at) if self.names.matrices.contains(name) => {
+                let message = format!("`{name}` is a matrix: write Tr({name}) or Det({name})");
+                Some(Undeclared { at: at.0, message })
+            }
+            Tree::Symbol(name, at) if !self.knows(name) => Some(Undeclared {
+                at: at.0,
+                message: self.unknown(name),
+            }),
+            Tree::Call(name, argument, at) => {
+                let elementary = name.base.starts_with('\\') && *name == base_alone(name);
+                let at_impact = matches!(argument.as_ref(), Tree::Symbol(time, _) if self.is_time_of_impact(time));
+                let message = match () {
+                    () if self.is_in_flight(name) && (name.mark.is_empty() || at_impact) => return None,
+                    () if self.is_function(name) || elementary => return None,
+                    () if self.is_in_flight(name) => {
+                        format!("`{name}` needs the time of an impact in its bracket")
+                    }
+                    () => format!("`{name}` is not a function here"),
+                };
+                Some(Undeclared { at: at.0, message })
+            }
+            Tree::Partial { of, by, at } => {
+                let unknown = [of, by].into_iter().find(|name| !self.knows(name) && !extra(name));
+                let message = match unknown {
+                    Some(name) => self.unknown(name),
+                    None if self.has_partial(of, by) => return None,
+                    None => format!("no map gives the derivative of `{of}` by `{by}`"),
+                };
+                Some(Undeclared { at: at.0, message })
+            }
+            _ => None,
+        }
+    }
+
+    fn is_time_of_impact(&self, name: &Name) -> bool {
+        self.times.contains(&name.bare()) && self.is_indexed(name)
+    }
+
+    /// The first symbol of the formula that may be complex, absolute values left out; `extra` are complex besides.
+    pub(super) fn complex_in<'t>(&self, tree: &'t Tree, extra: &dyn Fn(&Name) -> bool) -> Option<&'t Name> {
+        let is_unit = |name: &Name| name.base == "i" && is_constant(name) && !self.declares(name);
+        match tree {
+            Tree::Symbol(name, _) => {
+                let single = pair_of(name);
+                let listed = self.complex.contains(single.as_ref().unwrap_or(name));
+                (listed || is_unit(name) || extra(name)).then_some(name)
+            }
+            Tree::Call(name, ..) if name.base == r"\abs" => None,
+            _ => below(tree, &mut |part| self.complex_in(part, extra)),
+        }
+    }
+
+    /// What to say of a name that nothing declares.
+    pub(super) fn unknown(&self, name: &Name) -> String {
+        let found = name.to_string();
+        let all = self.all();
+        let plain: Vec<String> = all
+            .iter()
+            .take(MOST_COMPARED)
+            .map(|(name, _)| name.to_string())
+            .collect();
+        let meant = nearest(&found, plain.iter().map(String::as_str));
+        let meant = meant.map_or(String::new(), |name| format!("did you mean `{name}`? "));
+        let mut known: Vec<&str> = all.iter().take(MOST_SHOWN).map(|(_, shown)| shown.as_str()).collect();
+        let more = all.len().saturating_sub(MOST_SHOWN);
+        let more = (more > 0).then(|| format!("and {more} more"));
+        known.extend(more.as_deref());
+        let known = if known.is_empty() {
+            "nothing is declared".to_string()
+        } else {
+            format!("known: {}", known.join(", "))
+        };
+        format!("unknown symbol `{found}` ({meant}{known})")
+    }
+
+    /// Every declared name, and how it is shown in a message.
+    fn all(&self) -> Vec<(Name, String)> {
+        let plain = |name: &Name| (name.clone(), name.to_string());
+        let indexed = |name: &Name| {
+            let subscript = self.index.clone();
+            plain(&Name {
+                subscript,
+                ..name.clone()
+            })
+        };
+        let functions = self
+            .functions
+            .iter()
+            .map(|(name, _)| (name.clone(), format!("{name}(t)")));
+        let abbreviations = self.abbreviations.iter().map(|(name, _)| name);
+        let singles = self
+            .parameters
+            .iter()
+            .chain(abbreviations)
+            .chain(&self.indices)
+            .map(plain);
+        singles
+            .chain(self.times.iter().chain(&self.states).map(indexed))
+            .chain(functions)
+            .collect()
+    }
+
+    /// Whether a map has this derivative, or a chain of maps: 1 or 0 among the quantities that a map starts from.
+    fn has_partial(&self, of: &Name, by: &Name) -> bool {
+        let steps: Vec<(Vec<Name>, Vec<Name>)> = self.maps.iter().filter_map(|(_, map)| self.step(map)).collect();
+        let (of, mut reached) = (self.quantity(of), vec![self.quantity(by)]);
+        if steps
+            .iter()
+            .any(|(_, from)| from.contains(&of) && from.contains(&reached[0]))
+        {
+            return true;
+        }
+        for _ in 0..steps.len() {
+            for (to, from) in &steps {
+                if from.iter().any(|name| reached.contains(name)) {
+                    let new: Vec<Name> = to.iter().filter(|name| !reached.contains(name)).cloned().collect();
+                    reached.extend(new);
+                }
+            }
+        }
+        reached.iter().skip(1).any(|name| *name == of)
+    }
+
+    /// What a map leads to and what it starts from, times before states as declared: the quantities at the last and at
+    /// the first impact that its equations name. `None` for a product of maps, and where there are no two impacts.
+    pub fn step(&self, map: &Map) -> Option<(Vec<Name>, Vec<Name>)> {
+        let name = |tree: &Tree| match tree {
+            Tree::Symbol(name, _) if self.is_indexed(name) => Some(self.quantity(name)),
+            _ => None,
+        };
+        let equations = match map {
+            Map::Product(_) => return None,
+            Map::Premises { of, by } => {
+                let names = |trees: &[Tree]| trees.iter().filter_map(name).collect();
+                return Some((names(of), names(by)));
+            }
+            Map::Equations(equations) => equations,
+        };
+        let mut met: BTreeSet<(i32, usize, Name)> = BTreeSet::new();
+        for equation in equations.iter().map(|equation| self.expanded(equation)) {
+            any_side(&equation, &mut |node| {
+                if let Some(name) = name(node)
+                    && let Some(index) = self.impact(&name)
+                {
+                    let state = self.states.iter().position(|state| *state == name.bare());
+                    met.insert((index, state.map_or(0, |rank| rank + 1), name));
+                }
+                false
+            });
+        }
+        let (first, last) = (met.first()?.0, met.last()?.0);
+        let at = |index: i32| met.iter().filter(|m| m.0 == index).map(|m| m.2.clone()).collect();
+        (first < last).then(|| (at(last), at(first)))
+    }
+
+    /// The name of a quantity: a state without a mark is the value just before the impact.
+    fn quantity(&self, name: &Name) -> Name {
+        let unchanged = name.mark == "-" || self.continuous.contains(&name.bare());
+        let mark = if unchanged { String::new() } else { name.mark.clone() };
+        Name { mark, ..name.clone() }
+    }
+}
+
+/// Whether a name stands for a number that everybody knows: `\pi`, `e`, `i`.
+pub(super) fn is_constant(name: &Name) -> bool {
+    matches!(name.base.as_str(), r"\pi" | "e" | "i") && *name == base_alone(name)
+}
+
+fn base_alone(name: &Name) -> Name {
+    Name {
+        base: name.base.clone(),
+        ..Name::default()
+    }
+}
+
+/// Whether one of the definitions has this name.
+pub(super) fn is_defined(name: &Name, locals: &[Local]) -> bool {
+    locals.iter().any(|local| local.name == *name)
+}

@@ -1,0 +1,119 @@
+//! Symbols that a formula defines for itself.
+
+use super::circle::circle;
+use super::declared::is_constant;
+use super::substitute::{any, nodes_of, rewrite};
+use super::vocabulary::Vocabulary;
+use crate::tex::{Equation, Name, Relation, Tree};
+use std::collections::HashMap;
+
+/// A symbol that stands for an expression within one entry of a sheet.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Local {
+    pub name: Name,
+    pub tree: Tree,
+}
+
+/// The symbol `\lambda` of a pair such as `\lambda_{1,2}`.
+pub fn pair_of(name: &Name) -> Option<Name> {
+    (name.subscript == "1,2" || name.subscript == r"\pm").then(|| Name {
+        subscript: String::new(),
+        ..name.clone()
+    })
+}
+
+/// Nodes of the largest tree that definitions put into each other may make.
+const LARGEST: usize = 100_000;
+
+impl Vocabulary {
+    /// The definition that an equation is: a new name alone on its left.
+    pub(super) fn definition(&self, equation: &Equation) -> Option<Local> {
+        self.local(equation).filter(|local| !is_constant(&local.name))
+    }
+
+    /// The definition that an equation of `where` is: there `e` and `i` may be defined too.
+    pub(super) fn local(&self, equation: &Equation) -> Option<Local> {
+        let Tree::Symbol(name, _) = &equation.left else {
+            return None;
+        };
+        let new = !self.knows(name) || matches!(name.base.as_str(), "e" | "i");
+        let free = new && !self.declares(name) && pair_of(name).is_none();
+        (equation.relation == Relation::Equal && free).then(|| Local {
+            name: name.clone(),
+            tree: equation.right.clone(),
+        })
+    }
+}
+
+/// A name that is defined by itself, over one definition or more.
+pub(super) fn circular(locals: &[Local]) -> Option<&Name> {
+    let positions: HashMap<&Name, usize> = locals.iter().enumerate().map(|(n, local)| (&local.name, n)).collect();
+    let used = |local: &Local| {
+        let mut used = Vec::new();
+        any(&local.tree, &mut |node| {
+            if let Tree::Symbol(name, _) = node {
+                used.extend(positions.get(name));
+            }
+            false
+        });
+        used
+    };
+    let uses: Vec<Vec<usize>> = locals.iter().map(used).collect();
+    circle(&uses).and_then(|n| locals.get(n)).map(|local| &local.name)
+}
+
+/// The tree with definitions put in, which must not be circular; `None` where it would become too large.
+pub(super) fn inlined(tree: &Tree, own: &[Local]) -> Option<Tree> {
+    let mut tree = tree.clone();
+    for _ in own {
+        let mut size = 0_usize;
+        any(&tree, &mut |node| {
+            let put_in = match node {
+                Tree::Symbol(name, _) => own.iter().find(|local| local.name == *name),
+                _ => None,
+            };
+            size += put_in.map_or(1, |local| nodes_of(&local.tree));
+            false
+        });
+        if size > LARGEST {
+            return None;
+        }
+        let find = |name: &Name| own.iter().find(|local| local.name == *name);
+        tree = rewrite(&tree, &|name| find(name).map(|local| local.tree.clone()));
+    }
+    Some(tree)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tex::{At, Names, read};
+
+    fn locals(texts: &[&str]) -> Vec<Local> {
+        let vocabulary = Vocabulary::default();
+        let read = |tex: &&str| read(tex, &Names::default()).unwrap();
+        let equations = texts.iter().flat_map(read);
+        equations.filter_map(|equation| vocabulary.local(&equation)).collect()
+    }
+
+    #[test]
+    fn a_circle_of_definitions_is_named() {
+        let found = |texts: &[&str]| circular(&locals(texts)).map(ToString::to_string);
+        assert_eq!(
+            found(&["a = b + 1", "b = c", "c = 2 b", "d = a"]),
+            Some("b".to_string())
+        );
+        assert_eq!(found(&["a = a"]), Some("a".to_string()));
+        assert_eq!(found(&["a = b b", "b = c + c", "c = x"]), None);
+    }
+
+    #[test]
+    fn definitions_are_put_in_until_they_would_be_too_large() {
+        let own = locals(&["a = b + b", "b = c + c"]);
+        let a = Tree::Symbol(own[0].name.clone(), At(0));
+        assert_eq!(inlined(&a, &own).unwrap().to_string(), "(c + c) + (c + c)");
+        let doubling: Vec<String> = (0..60).map(|n| format!("x_{n} = x_{0} x_{0}", n + 1)).collect();
+        let own = locals(&doubling.iter().map(String::as_str).collect::<Vec<_>>());
+        assert_eq!(inlined(&Tree::Symbol(own[0].name.clone(), At(0)), &own), None);
+    }
+}

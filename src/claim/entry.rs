@@ -1,0 +1,213 @@
+//! One `[[equation]]` of a sheet: what it states, what it defines, and whether it can be read.
+
+use super::declared::is_defined;
+use super::definition::{Local, circular};
+use super::fault::{Fault, Source};
+use super::substitute::any;
+use super::verdict::Verdict;
+use super::vocabulary::{Vocabulary, index_of};
+use crate::tex::{Condition, Equation, Name, Relation, Tree};
+use serde::Deserialize;
+use std::collections::HashSet;
+
+/// What a formula is to its sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Role {
+    /// To be decided.
+    Claim,
+    /// Taken as true.
+    Premise,
+    /// Kept as printed; read only where something follows from it.
+    Definition,
+}
+
+/// One `[[equation]]`.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    pub label: String,
+    pub role: Role,
+    /// The TeX as it stands in the sheet.
+    pub tex: Source,
+    /// What is read of it; nothing of a definition that nothing follows from.
+    pub equations: Vec<Equation>,
+    /// The equations of `where`, with their sources.
+    pub local: Vec<(Equation, Source)>,
+    /// Substitutions in the premises, with their sources.
+    pub with: Vec<(Equation, Source)>,
+    /// The conditions of `assume`, with their sources.
+    pub assume: Vec<(Condition, Source)>,
+    /// The entries it follows from, by position in the sheet.
+    pub follows_from: Vec<usize>,
+    pub expect: Verdict,
+    /// Why the entry cannot be read: its TeX, or a name in it that nothing declares.
+    pub unread: Option<Fault>,
+    /// The symbols that the entry defines for itself: those of `where`, and in a claim or definition those alone on the
+    /// left of an equation.
+    pub(super) own: Vec<Local>,
+    /// What the entry states, definitions left out.
+    pub(super) stated: Vec<Equation>,
+    /// Equations of `where` that define nothing new: premises beside the others.
+    pub(super) given: Vec<(Equation, Source)>,
+    /// Names that some definition of the sheet must give, and where they stand.
+    pub(super) borrowed: Vec<(Name, usize)>,
+}
+
+impl Entry {
+    /// Parts what the entry defines from what it states; `shared` are definitions of entries that it follows from.
+    ///
+    /// # Errors
+    /// The [`Fault`] of a definition given twice or by itself.
+    pub(super) fn part(&mut self, vocabulary: &Vocabulary, shared: &[Local]) -> Result<(), Fault> {
+        let (mut own, mut given): (Vec<Local>, _) = (Vec::new(), Vec::new());
+        for (equation, source) in &self.local {
+            match vocabulary.local(equation) {
+                Some(local) if is_defined(&local.name, &own) => {
+                    let problem = format!("`{}` is defined twice", local.name);
+                    return Err(source.fault(equation.at.0, problem).of(&self.label));
+                }
+                Some(local) => own.push(local),
+                None => given.push((equation.clone(), source.clone())),
+            }
+        }
+        let mut stated = Vec::new();
+        for equation in &self.equations {
+            let new = vocabulary
+                .definition(equation)
+                .filter(|local| self.role != Role::Premise && !is_defined(&local.name, &own))
+                .filter(|local| !is_defined(&local.name, shared));
+            match new {
+                Some(local) => own.push(local),
+                None => stated.push(equation.clone()),
+            }
+        }
+        if let Some(name) = circular(&own) {
+            let problem = format!("`{name}` is defined by itself");
+            return Err(self.tex.fault(0, problem).of(&self.label));
+        }
+        (self.own, self.given, self.stated) = (own, given, stated);
+        Ok(())
+    }
+
+    /// Checks that each name stands for something: `shared` are the definitions that the entry may use, `elsewhere`
+    /// those of other entries, for which whatever follows from this entry has to account.
+    ///
+    /// # Errors
+    /// The [`Fault`] of the first name that stands for nothing, of a substitution that cannot be made, and of a claim
+    /// that states nothing.
+    pub(super) fn check(
+        &mut self,
+        vocabulary: &Vocabulary,
+        shared: &[Local],
+        elsewhere: &HashSet<Name>,
+    ) -> Result<(), Fault> {
+        if self.role == Role::Claim && self.stated.is_empty() {
+            let name = self.own.last().map(|local| local.name.clone()).unwrap_or_default();
+            let problem = format!(
+                "{}; nothing is left to decide: each left side is a symbol that is declared nowhere",
+                vocabulary.unknown(&name)
+            );
+            return Err(self.tex.fault(0, problem).of(&self.label));
+        }
+        let mut borrowed = Vec::new();
+        let mine = |name: &Name| is_defined(name, &self.own) || is_defined(name, shared);
+        let borrows = self.role != Role::Claim;
+        for (tree, source) in self.trees(vocabulary) {
+            let extra = |name: &Name| mine(name) || (borrows && elsewhere.contains(name));
+            if let Some(found) = vocabulary.undeclared(tree, &extra) {
+                return Err(source.fault(found.at, found.message).of(&self.label));
+            }
+            any(tree, &mut |node| {
+                if let Tree::Symbol(name, at) = node
+                    && !mine(name)
+                    && !vocabulary.knows(name)
+                {
+                    borrowed.push((name.clone(), at.0));
+                }
+                false
+            });
+        }
+        self.check_order(vocabulary)?;
+        for (equation, source) in &self.with {
+            if let Tree::Symbol(name, _) = &equation.left
+                && vocabulary.is_index_letter(name)
+                && index_of(&equation.right.to_string().replace(' ', ""), &vocabulary.index).is_none()
+            {
+                let problem = format!("`{name}` can be replaced by `{name}+1` and the like only");
+                return Err(source.fault(equation.at.0, problem).of(&self.label));
+            }
+        }
+        self.borrowed = borrowed;
+        Ok(())
+    }
+
+    /// Refuses an inequality between values that may be complex.
+    fn check_order(&self, vocabulary: &Vocabulary) -> Result<(), Fault> {
+        let conditions = self.assume.iter().filter_map(|(condition, source)| match condition {
+            Condition::Relation(relation) => Some((relation, source)),
+            Condition::Integer(_) => None,
+        });
+        let stated = self.equations.iter().map(|equation| (equation, &self.tex));
+        let ordered = |relation: Relation| !matches!(relation, Relation::Equal | Relation::NotEqual);
+        let mut complex: Option<HashSet<&Name>> = None;
+        for (equation, source) in stated
+            .chain(conditions)
+            .filter(|(equation, _)| ordered(equation.relation))
+        {
+            let defined = complex.get_or_insert_with(|| self.complex_definitions(vocabulary));
+            for side in [&equation.left, &equation.right] {
+                if let Some(name) = vocabulary.complex_in(side, &|name| defined.contains(name)) {
+                    let problem = format!("`{name}` is complex, and complex values have no order");
+                    return Err(source.fault(equation.at.0, problem).of(&self.label));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The symbols that the entry defines by an expression that may be complex.
+    fn complex_definitions(&self, vocabulary: &Vocabulary) -> HashSet<&Name> {
+        let mut complex = HashSet::new();
+        loop {
+            let new = self.own.iter().find(|local| {
+                let known = |name: &Name| complex.contains(name);
+                !complex.contains(&local.name) && vocabulary.complex_in(&local.tree, &known).is_some()
+            });
+            match new {
+                Some(local) => complex.insert(&local.name),
+                None => return complex,
+            };
+        }
+    }
+
+    /// The names that a definition gives to whatever follows from it.
+    pub(super) fn gives(&self) -> Vec<Name> {
+        self.own.iter().map(|local| local.name.clone()).collect()
+    }
+
+    /// Both sides of everything that the entry says, with their sources; a shift of the index, as `k = k+1`, left out.
+    fn trees(&self, vocabulary: &Vocabulary) -> Vec<(&Tree, &Source)> {
+        let stated = self.equations.iter().flat_map(|equation| sides(equation, &self.tex));
+        let local = self.local.iter().flat_map(|(equation, source)| sides(equation, source));
+        let is_shift = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if vocabulary.is_index_letter(name));
+        let with = self.with.iter().filter(|(equation, _)| !is_shift(&equation.left));
+        let with = with.flat_map(|(equation, source)| sides(equation, source));
+        let assume = self.assume.iter().flat_map(|(condition, source)| match condition {
+            Condition::Relation(relation) => sides(relation, source).to_vec(),
+            Condition::Integer(tree) => vec![(tree, source)],
+        });
+        stated.chain(local).chain(with).chain(assume).collect()
+    }
+}
+
+impl Vocabulary {
+    /// Whether this is the letter that numbers impacts, which `with` may shift.
+    pub(super) fn is_index_letter(&self, name: &Name) -> bool {
+        name.to_string() == self.index
+    }
+}
+
+/// Both sides of an equation with its source.
+fn sides<'a>(equation: &'a Equation, source: &'a Source) -> [(&'a Tree, &'a Source); 2] {
+    [(&equation.left, source), (&equation.right, source)]
+}

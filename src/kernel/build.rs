@@ -1,0 +1,1211 @@
+//! The statement of a claim built from its trees: what each name stands for, what is given, what is to be shown.
+
+use super::statement::{FunctionOf, Given, Law, Property, Quantity, Statement, Step};
+use super::term::{Elementary, Node, Symbol, Term};
+use crate::claim::{Local, Map, Statements, Vocabulary, index_of, pair_of};
+use crate::number::Rational;
+use crate::tex::{Condition, Equation, Invariant, Name, Relation, Tree};
+use std::collections::{BTreeSet, HashMap};
+
+/// What a claim asks of one of its equations: all of these must hold for it.
+#[derive(Clone, Debug)]
+pub struct Question {
+    pub equation: Equation,
+    /// Which sign stands for `\pm`, where the equation has one; the solutions of the premises for pairs.
+    pub instance: String,
+    pub statement: Statement,
+}
+
+/// Why no statement can be made.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{message}")]
+pub struct Unreadable {
+    pub message: String,
+    /// Where in the formula, and the label of the premise that has it; none for the claim.
+    pub at: usize,
+    pub premise: Option<String>,
+}
+
+/// The most terms that the trees of one claim and its premises may come to.
+const MOST_TERMS: usize = 400_000;
+
+/// The questions that a claim asks.
+///
+/// # Errors
+/// [`Unreadable`] where something has no meaning in this vocabulary.
+pub fn questions(statements: &Statements, vocabulary: &Vocabulary) -> Result<Vec<Question>, Unreadable> {
+    let mut questions = Vec::new();
+    for equation in &statements.claims {
+        let pair = match &equation.left {
+            Tree::Symbol(name, _) => pair_of(name),
+            _ => None,
+        };
+        match pair {
+            Some(name) => questions.extend(pair_questions(statements, vocabulary, equation, &name)?),
+            None => {
+                let signs: &[Option<bool>] = match has_sign(&equation.left) || has_sign(&equation.right) {
+                    true => &[Some(true), Some(false)],
+                    false => &[None],
+                };
+                for &upper in signs {
+                    let (mut builder, at) = Builder::given(statements, vocabulary)?;
+                    builder.upper = upper;
+                    let goal = builder.claim(equation, at)?;
+                    let statement = builder.finish(vec![goal])?;
+                    let instance = upper.map_or("", |upper| if upper { "upper sign" } else { "lower sign" });
+                    questions.push(question(equation, instance, statement));
+                }
+            }
+        }
+    }
+    Ok(questions)
+}
+
+fn question(equation: &Equation, instance: &str, statement: Statement) -> Question {
+    Question {
+        equation: equation.clone(),
+        instance: instance.to_string(),
+        statement,
+    }
+}
+
+/// `x_{1,2} = a \pm b`: every solution of the premises for x is one of the two values, and each value is a solution.
+fn pair_questions(
+    statements: &Statements,
+    vocabulary: &Vocabulary,
+    equation: &Equation,
+    name: &Name,
+) -> Result<Vec<Question>, Unreadable> {
+    let values = |builder: &mut Builder, at: usize| -> Result<[Term; 2], Unreadable> {
+        let mut of = |upper| {
+            builder.upper = Some(upper);
+            builder.in_claim(&equation.right, at)
+        };
+        Ok([of(true)?, of(false)?])
+    };
+    let mut questions = Vec::new();
+    let (mut builder, at) = Builder::given(statements, vocabulary)?;
+    let [first, second] = values(&mut builder, at)?;
+    let symbol = builder.in_claim(&Tree::Symbol(name.clone(), equation.at), at)?;
+    let Node::Symbol(pair) = *builder.statement.terms.node(symbol) else {
+        return Err(unreadable(
+            equation.at.0,
+            format!("`{name}` is no symbol that premises could be solved for"),
+        ));
+    };
+    builder.written.extend([first, second]);
+    let factors = [first, second].map(|value| builder.statement.terms.difference(symbol, value));
+    let product = builder.statement.terms.product(factors.to_vec());
+    let count = builder.statement.givens.len();
+    questions.push(question(
+        equation,
+        "every solution",
+        builder.finish(vec![(Property::Zero, product)])?,
+    ));
+    for sign in [0, 1] {
+        let (mut builder, at) = Builder::given(statements, vocabulary)?;
+        let values = values(&mut builder, at)?;
+        builder.written.extend(values);
+        let goals = builder.solution(pair, values[sign], count);
+        let instance = if sign == 0 {
+            "the upper value is a solution"
+        } else {
+            "the lower value is a solution"
+        };
+        questions.push(question(equation, instance, builder.finish(goals)?));
+    }
+    Ok(questions)
+}
+
+fn has_sign(tree: &Tree) -> bool {
+    crate::claim::any(tree, &mut |node| {
+        matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_))
+    })
+}
+
+fn unreadable(at: usize, message: impl Into<String>) -> Unreadable {
+    Unreadable {
+        message: message.into(),
+        at,
+        premise: None,
+    }
+}
+
+/// What a name may stand for within one equation.
+#[derive(Clone, Copy)]
+struct Scope<'a> {
+    locals: &'a [Local],
+    number: usize,
+    /// The impact whose flight the running time of the equation is in, and whether the equation speaks of that flight.
+    flight: i32,
+    in_flight: bool,
+}
+
+struct Builder<'a> {
+    vocabulary: &'a Vocabulary,
+    statement: Statement,
+    locals: &'a [Local],
+    scope: Scope<'a>,
+    upper: Option<bool>,
+    /// What stands for the running time.
+    running: Option<Term>,
+    /// Terms of the claim, whose domain is given.
+    written: Vec<Term>,
+    /// Conditions that the reading itself brings along: the base of a real power is not negative.
+    brought: Vec<(Property, Term)>,
+    open: Vec<Name>,
+    symbols: HashMap<(Name, usize), Term>,
+    real_only: bool,
+    opaque: bool,
+}
+
+impl<'a> Builder<'a> {
+    /// All that is given, before the claim is read; and the flight that the claim speaks of.
+    fn given(statements: &'a Statements, vocabulary: &'a Vocabulary) -> Result<(Self, usize), Unreadable> {
+        let none = Scope {
+            locals: &[],
+            number: 0,
+            flight: 0,
+            in_flight: false,
+        };
+        let mut builder = Self {
+            vocabulary,
+            statement: Statement {
+                states: vocabulary.states.clone(),
+                continuous: vocabulary.continuous.clone(),
+                letter: vocabulary.index.clone(),
+                ..Statement::default()
+            },
+            locals: &statements.locals,
+            scope: none,
+            upper: None,
+            running: None,
+            written: Vec::new(),
+            brought: Vec::new(),
+            open: Vec::new(),
+            symbols: HashMap::new(),
+            real_only: false,
+            opaque: false,
+        };
+        builder.opaque = builder.is_opaque(statements);
+        builder.declare_derivatives()?;
+        for (number, premise) in statements.premises.iter().enumerate() {
+            let named = |mut fault: Unreadable| {
+                fault.premise = Some(premise.label.clone());
+                fault
+            };
+            builder.scope = builder.scope_of(&premise.equation, &premise.locals, number + 2, None);
+            builder.brought.clear();
+            let (property, term) = builder.relation(&premise.equation).map_err(named)?;
+            let mut conditions = Vec::new();
+            for condition in &premise.assume {
+                conditions.push(builder.condition(condition).map_err(named)?);
+            }
+            builder.give(&premise.label, property, term, conditions);
+        }
+        let number = statements
+            .claims
+            .iter()
+            .map(|claim| builder.first_impact(claim))
+            .min()
+            .flatten();
+        builder.own_scope(number.unwrap_or(0), false);
+        for condition in &statements.assume {
+            let (property, term) = builder.condition(condition)?;
+            builder.written.push(term);
+            builder.push("the assumptions", property, term, None);
+        }
+        for relation in &vocabulary.relations {
+            let (property, term) = builder.relation(relation)?;
+            builder.push(&relation.to_string(), property, term, None);
+        }
+        builder.declare_periods()?;
+        builder.declare_maps()?;
+        Ok((builder, 1))
+    }
+
+    fn own_scope(&mut self, flight: i32, in_flight: bool) {
+        self.scope = Scope {
+            locals: self.locals,
+            number: 1,
+            flight,
+            in_flight,
+        };
+        self.brought.clear();
+    }
+
+    fn first_impact(&self, equation: &Equation) -> Option<i32> {
+        self.vocabulary.impacts(equation).first().copied()
+    }
+
+    fn scope_of(&self, equation: &Equation, locals: &'a [Local], number: usize, first: Option<i32>) -> Scope<'a> {
+        let first = self.first_impact(equation).or(first);
+        Scope {
+            locals,
+            number,
+            flight: first.unwrap_or(0),
+            in_flight: crate::claim::flies(equation, self.vocabulary),
+        }
+    }
+
+    /// Takes what was read as given: once, or as a law where it runs over times or indices.
+    fn give(&mut self, label: &str, property: Property, term: Term, mut conditions: Vec<(Property, Term)>) {
+        conditions.append(&mut self.brought);
+        let time = self.running_symbol().filter(|&time| {
+            let written = self.statement.written_out(term);
+            self.statement.terms.holds(written, time)
+        });
+        let every_impact = self.scope.in_flight || self.runs_over_indices(term);
+        if time.is_none() && !every_impact {
+            let mut all = self.statement.domain(term);
+            for (_, of) in &conditions {
+                all.extend(self.statement.domain(*of));
+            }
+            all.extend(conditions);
+            self.push(label, property, term, None);
+            for (property, of) in all {
+                self.push(&format!("the domain of ({label})"), property, of, None);
+            }
+            return;
+        }
+        let flight = (self.scope.in_flight && time.is_some()).then_some(self.scope.flight);
+        let law = Law {
+            time,
+            flight,
+            every_impact,
+            conditions,
+        };
+        self.push(label, property, term, Some(law));
+    }
+
+    fn push(&mut self, label: &str, property: Property, term: Term, law: Option<Law>) {
+        let known = |given: &Given| given.property == property && given.term == term && given.law == law;
+        if !self.statement.givens.iter().any(known) {
+            self.statement.givens.push(Given {
+                label: label.to_string(),
+                property,
+                term,
+                law,
+            });
+        }
+    }
+
+    fn runs_over_indices(&mut self, term: Term) -> bool {
+        if !self
+            .vocabulary
+            .indices
+            .iter()
+            .any(|letter| letter.to_string() == self.vocabulary.index)
+        {
+            return false;
+        }
+        let written = self.statement.written_out(term);
+        self.statement
+            .terms
+            .inside(written)
+            .into_iter()
+            .any(|inner| match self.statement.terms.node(inner) {
+                Node::Symbol(symbol) => matches!(
+                    self.statement.quantity(*symbol),
+                    Some(Quantity::State { .. } | Quantity::Time { .. })
+                ),
+                _ => false,
+            })
+    }
+
+    fn running_symbol(&mut self) -> Option<Symbol> {
+        let at = self
+            .statement
+            .quantities
+            .iter()
+            .position(|known| *known == Quantity::Running)?;
+        u32::try_from(at).ok().map(Symbol)
+    }
+
+    /// The goal of a claim.
+    fn claim(&mut self, equation: &Equation, _at: usize) -> Result<(Property, Term), Unreadable> {
+        let scope = self.scope_of(equation, self.locals, 1, Some(self.scope.flight));
+        self.own_scope(scope.flight, scope.in_flight);
+        if scope.in_flight {
+            self.statement.flight = Some(scope.flight);
+        }
+        let goal = self.relation(equation)?;
+        self.written.push(goal.1);
+        let brought = std::mem::take(&mut self.brought);
+        for (property, term) in brought {
+            self.push(CLAIM_DOMAIN, property, term, None);
+        }
+        Ok(goal)
+    }
+
+    fn in_claim(&mut self, tree: &Tree, _at: usize) -> Result<Term, Unreadable> {
+        self.own_scope(self.scope.flight, false);
+        let term = self.tree(tree)?;
+        let brought = std::mem::take(&mut self.brought);
+        for (property, term) in brought {
+            self.push(CLAIM_DOMAIN, property, term, None);
+        }
+        Ok(term)
+    }
+
+    /// What must hold for `value` to be a solution of the first `count` givens for `symbol`; those givens go.
+    fn solution(&mut self, symbol: Symbol, value: Term, count: usize) -> Vec<(Property, Term)> {
+        let mut goals = Vec::new();
+        let givens = std::mem::take(&mut self.statement.givens);
+        for (number, given) in givens.into_iter().enumerate() {
+            let term = self.statement.written_out(given.term);
+            if number >= count || !self.statement.terms.holds(term, symbol) || given.law.is_some() {
+                self.statement.givens.push(given);
+                continue;
+            }
+            goals.push((given.property, self.statement.terms.substitute(term, symbol, value)));
+        }
+        goals
+    }
+
+    /// What must vanish, be positive or the like for a relation to hold.
+    fn relation(&mut self, equation: &Equation) -> Result<(Property, Term), Unreadable> {
+        let (left, right) = (self.tree(&equation.left)?, self.tree(&equation.right)?);
+        let terms = &mut self.statement.terms;
+        Ok(match equation.relation {
+            Relation::Equal => (Property::Zero, terms.difference(left, right)),
+            Relation::NotEqual => (Property::Nonzero, terms.difference(left, right)),
+            Relation::Less => (Property::Positive, terms.difference(right, left)),
+            Relation::LessOrEqual => (Property::NonNegative, terms.difference(right, left)),
+            Relation::Greater => (Property::Positive, terms.difference(left, right)),
+            Relation::GreaterOrEqual => (Property::NonNegative, terms.difference(left, right)),
+        })
+    }
+
+    fn condition(&mut self, condition: &Condition) -> Result<(Property, Term), Unreadable> {
+        match condition {
+            Condition::Relation(equation) => self.relation(equation),
+            Condition::Integer(tree) => Ok((Property::Integer, self.tree(tree)?)),
+        }
+    }
+
+    /// The statement with these goals: the domain of the claim, and what is declared of every symbol met, are given.
+    fn finish(mut self, goal: Vec<(Property, Term)>) -> Result<Statement, Unreadable> {
+        self.declare_signs()?;
+        self.statement.complex = self.is_complex();
+        if self.statement.complex && self.real_only {
+            return Err(unreadable(
+                0,
+                "absolute values are not read where complex numbers take part",
+            ));
+        }
+        for term in std::mem::take(&mut self.written) {
+            for (property, of) in self.statement.domain(term) {
+                self.push(CLAIM_DOMAIN, property, of, None);
+            }
+        }
+        if self.statement.complex {
+            let ordered = |property: Property| matches!(property, Property::Positive | Property::NonNegative);
+            let givens = self.statement.givens.iter().map(|given| (given.property, given.term));
+            for (property, term) in givens.chain(goal.iter().copied()) {
+                if ordered(property) && !self.statement.is_real(term) {
+                    return Err(unreadable(0, "an inequality between complex numbers has no meaning"));
+                }
+            }
+        }
+        self.statement.goal = goal;
+        if self.statement.terms.len() > MOST_TERMS {
+            return Err(unreadable(
+                0,
+                format!("the claim and its premises come to more than {MOST_TERMS} terms"),
+            ));
+        }
+        Ok(self.statement)
+    }
+
+    fn is_complex(&mut self) -> bool {
+        let declared = |quantity: &Quantity| match quantity {
+            Quantity::Parameter(name) => self.vocabulary.complex.contains(name),
+            Quantity::State { state, .. } => self.vocabulary.complex.contains(state),
+            _ => false,
+        };
+        let complex = (0_u32..).map(Symbol).zip(&self.statement.quantities);
+        let complex: Vec<Symbol> = complex
+            .filter(|(_, quantity)| declared(quantity))
+            .map(|(symbol, _)| symbol)
+            .collect();
+        let given: Vec<Term> = self.statement.givens.iter().map(|given| given.term).collect();
+        let mut inside = BTreeSet::new();
+        for term in given.into_iter().chain(self.written.clone()) {
+            let term = self.statement.written_out(term);
+            inside.extend(self.statement.terms.inside(term));
+        }
+        let takes_part = |term: &Term| match self.statement.terms.node(*term) {
+            Node::Imaginary => true,
+            Node::Symbol(symbol) => complex.contains(symbol),
+            _ => false,
+        };
+        let result = inside.iter().any(takes_part);
+        self.statement.complex_symbols = complex;
+        result
+    }
+
+    /// What `[symbols]` says of each symbol that the claim or its premises speak of.
+    fn declare_signs(&mut self) -> Result<(), Unreadable> {
+        let vocabulary = self.vocabulary;
+        let lists = [
+            (&vocabulary.positive, Property::Positive),
+            (&vocabulary.nonnegative, Property::NonNegative),
+            (&vocabulary.nonzero, Property::Nonzero),
+            (&vocabulary.integers, Property::Integer),
+        ];
+        // an abbreviation that is declared positive is so whether or not it is written
+        for (name, _) in &vocabulary.abbreviations {
+            if lists.iter().any(|(list, _)| list.contains(name))
+                && !vocabulary.times.is_empty()
+                && !self.statement.times.is_empty()
+            {
+                self.own_scope(0, false);
+                self.tree(&Tree::Symbol(name.clone(), Default::default()))?;
+            }
+        }
+        for at in 0..self.statement.quantities.len() {
+            let symbol = Symbol(u32::try_from(at).unwrap_or(u32::MAX));
+            let name = match &self.statement.quantities[at] {
+                Quantity::Parameter(name) | Quantity::Local { name, scope: 0 } => name.clone(),
+                Quantity::State { state, .. } => state.clone(),
+                _ => continue,
+            };
+            let label = format!("[symbols] {name}");
+            let term = self.statement.terms.symbol(symbol);
+            for (list, property) in lists {
+                if list.contains(&name) {
+                    self.push(&label, property, term, None);
+                }
+            }
+            if vocabulary.at_most_one.contains(&name) {
+                let one = self.statement.terms.integer(1);
+                let rest = self.statement.terms.difference(one, term);
+                self.push(&label, Property::NonNegative, rest, None);
+            }
+            if vocabulary.generic.contains(&name) {
+                self.statement.generic.push(symbol);
+            }
+        }
+        Ok(())
+    }
+
+    fn declare_derivatives(&mut self) -> Result<(), Unreadable> {
+        for (name, derivative) in &self.vocabulary.functions {
+            if let Some(Tree::Symbol(next, _)) = derivative
+                && self.is_function(next)
+            {
+                let function = self.statement.function_of(FunctionOf::Line(name.clone()));
+                let next = self.statement.function_of(FunctionOf::Line(next.clone()));
+                self.statement.derivatives.insert(function, next);
+            }
+        }
+        // a derivative that is a formula is a law: f' = formula at every time
+        for (name, derivative) in &self.vocabulary.functions {
+            let Some(tree) = derivative
+                .as_ref()
+                .filter(|tree| !matches!(tree, Tree::Symbol(next, _) if self.is_function(next)))
+            else {
+                continue;
+            };
+            let time = self.running()?;
+            let right = self.tree(tree)?;
+            let function = self.statement.function_of(FunctionOf::Line(name.clone()));
+            let left = self.statement.value(function, 1, time);
+            let term = self.statement.terms.difference(left, right);
+            self.give(&format!("the derivative of {name}"), Property::Zero, term, Vec::new());
+        }
+        Ok(())
+    }
+
+    fn declare_periods(&mut self) -> Result<(), Unreadable> {
+        for (name, period) in &self.vocabulary.periods {
+            let (time, period) = (self.running()?, self.tree(period)?);
+            let later = self.statement.terms.sum(vec![time, period]);
+            let (now, then) = (self.value_of(name, 0, time)?, self.value_of(name, 0, later)?);
+            let term = self.statement.terms.difference(then, now);
+            self.give(&format!("the period of {name}"), Property::Zero, term, Vec::new());
+        }
+        Ok(())
+    }
+
+    /// The running time of the equation being read.
+    fn running(&mut self) -> Result<Term, Unreadable> {
+        if let Some(running) = self.running {
+            return Ok(running);
+        }
+        let printed = self
+            .vocabulary
+            .running
+            .as_ref()
+            .map_or("t".to_string(), Name::to_string);
+        let symbol = self.statement.symbol_of(Quantity::Running, || printed);
+        Ok(self.statement.terms.symbol(symbol))
+    }
+
+    fn is_function(&self, name: &Name) -> bool {
+        let plain = Name {
+            primes: 0,
+            ..name.clone()
+        };
+        self.vocabulary.functions.iter().any(|(function, _)| *function == plain)
+    }
+
+    /// The state, without dots, and the number of dots of a name of a motion.
+    fn motion(&self, name: &Name) -> Option<(Name, u32)> {
+        let bare = name.bare();
+        if !name.subscript.is_empty() {
+            return None;
+        }
+        for state in &self.vocabulary.states {
+            let mut dotted = state.clone();
+            for more in 0..3 {
+                if dotted == bare {
+                    let (root, dots) = undotted(state);
+                    return Some((root, dots + more));
+                }
+                dotted = dotted.dotted();
+            }
+        }
+        None
+    }
+
+    /// A function's derivative of some order, at a time.
+    fn value_of(&mut self, name: &Name, order: u32, at: Term) -> Result<Term, Unreadable> {
+        let plain = Name {
+            primes: 0,
+            mark: String::new(),
+            ..name.clone()
+        };
+        if let Some((state, dots)) = self.motion(&plain) {
+            return Ok(self.statement.in_flight(&state, self.scope.flight, dots + order, at));
+        }
+        let function = self.statement.function_of(FunctionOf::Line(plain));
+        Ok(self.statement.value(function, order, at))
+    }
+
+    fn trees(&mut self, trees: &[Tree]) -> Result<Vec<Term>, Unreadable> {
+        trees.iter().map(|tree| self.tree(tree)).collect()
+    }
+
+    /// The term of a tree.
+    fn tree(&mut self, tree: &Tree) -> Result<Term, Unreadable> {
+        if self.statement.terms.len() > MOST_TERMS {
+            return Err(unreadable(
+                0,
+                format!("the claim and its premises come to more than {MOST_TERMS} terms"),
+            ));
+        }
+        Ok(match tree {
+            Tree::Number(value) => self.statement.terms.number(value.clone()),
+            Tree::Symbol(name, at) => self.name(name, at.0)?,
+            Tree::Call(name, argument, at) => self.call(name, argument, at.0)?,
+            Tree::Partial { of, by, at } => self.partial(of, by, at.0)?,
+            Tree::Invariant { kind, of, at } => self.invariant(*kind, of, at.0)?,
+            Tree::Negate(body) => {
+                let body = self.tree(body)?;
+                self.statement.terms.negative(body)
+            }
+            Tree::Sum(parts) => {
+                let parts = self.trees(parts)?;
+                self.statement.terms.sum(parts)
+            }
+            Tree::Product(parts) => {
+                let parts = self.trees(parts)?;
+                self.statement.terms.product(parts)
+            }
+            Tree::Quotient(above, below, _) => {
+                let (above, below) = (self.tree(above)?, self.tree(below)?);
+                self.statement.terms.quotient(above, below)
+            }
+            Tree::Power(base, exponent, _) => {
+                let base = self.tree(base)?;
+                self.power(base, *exponent)
+            }
+            Tree::RealPower(base, exponent, at) => self.real_power(base, exponent, at.0)?,
+            Tree::Root(radicand, index, _) => {
+                let radicand = self.tree(radicand)?;
+                self.statement.terms.elementary(Elementary::Root(*index), radicand)
+            }
+            Tree::PlusMinus(body) => self.signed(body, true)?,
+            Tree::MinusPlus(body) => self.signed(body, false)?,
+        })
+    }
+
+    fn signed(&mut self, body: &Tree, plus_above: bool) -> Result<Term, Unreadable> {
+        let Some(upper) = self.upper else {
+            return Err(unreadable(0, r"`\pm` can stand in a claim only"));
+        };
+        let body = self.tree(body)?;
+        Ok(if upper == plus_above {
+            body
+        } else {
+            self.statement.terms.negative(body)
+        })
+    }
+
+    fn power(&mut self, base: Term, exponent: i32) -> Term {
+        let terms = &mut self.statement.terms;
+        match exponent {
+            1 => base,
+            2.. | 0 => terms.add(Node::Power(base, exponent)),
+            _ => {
+                let below = match exponent.checked_neg() {
+                    Some(1) => base,
+                    Some(positive) => terms.add(Node::Power(base, positive)),
+                    None => terms.add(Node::Power(base, i32::MAX)),
+                };
+                let one = terms.integer(1);
+                terms.quotient(one, below)
+            }
+        }
+    }
+
+    fn real_power(&mut self, base: &Tree, exponent: &Tree, at: usize) -> Result<Term, Unreadable> {
+        let exponent = self.tree(exponent)?;
+        if let Tree::Symbol(name, _) = base
+            && is_letter(name, "e")
+            && !self.is_declared(name)
+        {
+            return Ok(self.statement.terms.elementary(Elementary::Exp, exponent));
+        }
+        let base = self.tree(base)?;
+        let mut expansion = super::expand::Expansion::new(BTreeSet::new(), 1000);
+        let constant = expansion.of(&self.statement.terms, exponent).ok();
+        let constant = constant.filter(|quotient| quotient.divisors.is_empty());
+        if let Some(Rational(value)) = constant.and_then(|quotient| quotient.numerator.as_constant()) {
+            let index = u32::try_from(value.denominator()).ok().filter(|index| *index <= 1000);
+            let power = i32::try_from(value.numerator())
+                .ok()
+                .filter(|power| power.abs() <= 10_000);
+            let (Some(index), Some(power)) = (index, power) else {
+                return Err(unreadable(at, "this exponent is too large to be read"));
+            };
+            if index == 1 {
+                return Ok(self.power(base, power));
+            }
+            self.brought.push((Property::NonNegative, base));
+            let root = self.statement.terms.elementary(Elementary::Root(index), base);
+            return Ok(self.power(root, power));
+        }
+        if !self.is_integer(exponent) {
+            self.brought.push((Property::NonNegative, base));
+        }
+        Ok(self.statement.terms.add(Node::RealPower(base, exponent)))
+    }
+
+    /// Whether a term is a sum of products of integers and symbols declared to be integers.
+    fn is_integer(&self, term: Term) -> bool {
+        match self.statement.terms.node(term) {
+            Node::Number(value) => *value.0.denominator() == dashu_int::UBig::ONE,
+            Node::Symbol(symbol) => match self.statement.quantity(*symbol) {
+                Some(Quantity::Parameter(name)) => {
+                    self.vocabulary.integers.contains(name) || self.vocabulary.indices.contains(name)
+                }
+                _ => false,
+            },
+            Node::Sum(parts) | Node::Product(parts) => parts.iter().all(|&part| self.is_integer(part)),
+            Node::Power(base, _) => self.is_integer(*base),
+            _ => false,
+        }
+    }
+
+    fn is_declared(&self, name: &Name) -> bool {
+        self.scope.locals.iter().any(|local| local.name == *name)
+            || self.vocabulary.parameters.contains(name)
+            || self.vocabulary.abbreviations.iter().any(|(known, _)| known == name)
+    }
+
+    fn name(&mut self, name: &Name, at: usize) -> Result<Term, Unreadable> {
+        if let Some(local) = self.scope.locals.iter().find(|local| local.name == *name) {
+            return self.abbreviation(&local.name, &local.tree, self.scope.number, at);
+        }
+        if self.vocabulary.parameters.contains(name) || self.vocabulary.indices.contains(name) {
+            let symbol = self
+                .statement
+                .symbol_of(Quantity::Parameter(name.clone()), || name.to_string());
+            return Ok(self.statement.terms.symbol(symbol));
+        }
+        if let Some((name, tree)) = self.vocabulary.abbreviations.iter().find(|(known, _)| known == name) {
+            return self.abbreviation(name, tree, 0, at);
+        }
+        if let Some(symbol) = self.quantity(name) {
+            return Ok(self.statement.terms.symbol(symbol));
+        }
+        if self.vocabulary.running.as_ref() == Some(name) {
+            return self.running();
+        }
+        if name.mark.is_empty() && (self.is_function(name) || (name.primes == 0 && self.motion(name).is_some())) {
+            let time = self.running()?;
+            return self.value_of(name, u32::from(name.primes), time);
+        }
+        if is_letter(name, r"\pi") {
+            return Ok(self.statement.terms.add(Node::Pi));
+        }
+        if is_letter(name, "e") {
+            let one = self.statement.terms.integer(1);
+            return Ok(self.statement.terms.elementary(Elementary::Exp, one));
+        }
+        if is_letter(name, "i") {
+            return Ok(self.statement.terms.add(Node::Imaginary));
+        }
+        Err(unreadable(at, format!("unknown symbol `{name}`")))
+    }
+
+    /// The symbol of an abbreviation, defined by its tree.
+    fn abbreviation(&mut self, name: &Name, tree: &'a Tree, scope: usize, at: usize) -> Result<Term, Unreadable> {
+        if let Some(&known) = self.symbols.get(&(name.clone(), scope)) {
+            return Ok(known);
+        }
+        if self.open.contains(name) {
+            return Err(unreadable(at, format!("`{name}` is defined by itself")));
+        }
+        self.open.push(name.clone());
+        let meaning = self.tree(tree);
+        self.open.pop();
+        let meaning = meaning?;
+        let quantity = Quantity::Local {
+            name: name.clone(),
+            scope,
+        };
+        let symbol = self.statement.symbol_of(quantity, || name.to_string());
+        self.statement.definitions.insert(symbol, meaning);
+        let term = self.statement.terms.symbol(symbol);
+        self.symbols.insert((name.clone(), scope), term);
+        Ok(term)
+    }
+
+    /// The symbol of an indexed time or state.
+    fn quantity(&mut self, name: &Name) -> Option<Symbol> {
+        // a mark without an index, as in \dot{x}^+ = -r \dot{x}^-, is said of the impact k
+        let unnumbered = name.subscript.is_empty() && matches!(name.mark.as_str(), "-" | "+");
+        let index = match unnumbered {
+            true => 0,
+            false => index_of(&name.subscript, &self.vocabulary.index)?,
+        };
+        let (bare, letter) = (name.bare(), self.vocabulary.index.clone());
+        if name.primes > 0 {
+            return None;
+        }
+        if name.mark.is_empty() && self.vocabulary.times.contains(&bare) {
+            return Some(self.statement.time(&bare, index, &letter));
+        }
+        let is_state = self.vocabulary.states.contains(&bare) && matches!(name.mark.as_str(), "" | "-" | "+");
+        is_state.then(|| self.statement.state(&bare, index, name.mark == "+", &letter))
+    }
+
+    fn call(&mut self, name: &Name, argument: &Tree, at: usize) -> Result<Term, Unreadable> {
+        if self.is_function(name) {
+            let time = self.tree(argument)?;
+            return self.value_of(name, u32::from(name.primes), time);
+        }
+        if let Some((_, dots)) = self.motion(name) {
+            return self.motion_at(name, dots, argument, at);
+        }
+        let function = name.base.as_str();
+        if !function.starts_with('\\') || !is_letter(name, function) {
+            return Err(unreadable(at, format!("`{name}` is not a function here")));
+        }
+        let of = self.tree(argument)?;
+        self.elementary(function, of)
+            .ok_or_else(|| unreadable(at, format!("`{name}` is not read yet")))
+    }
+
+    /// The value of a state at a time: at the time of an impact, the value there.
+    fn motion_at(&mut self, name: &Name, dots: u32, argument: &Tree, at: usize) -> Result<Term, Unreadable> {
+        if let Tree::Symbol(time, _) = argument
+            && self.vocabulary.times.contains(&time.bare())
+            && let Some(index) = index_of(&time.subscript, &self.vocabulary.index)
+            && self.vocabulary.states.contains(&name.bare())
+        {
+            let departs =
+                name.mark == "+" || (name.mark.is_empty() && self.scope.in_flight && self.scope.flight == index);
+            let letter = self.vocabulary.index.clone();
+            let symbol = self.statement.state(&name.bare(), index, departs, &letter);
+            return Ok(self.statement.terms.symbol(symbol));
+        }
+        if !name.mark.is_empty() {
+            return Err(unreadable(
+                at,
+                format!("`{name}` needs the time of an impact in its bracket"),
+            ));
+        }
+        let _ = dots;
+        let time = self.tree(argument)?;
+        self.value_of(name, u32::from(name.primes), time)
+    }
+
+    /// An elementary function, made of those that are terms of their own.
+    fn elementary(&mut self, function: &str, of: Term) -> Option<Term> {
+        let terms = &mut self.statement.terms;
+        let ratio = |terms: &mut super::term::Terms, above, below| {
+            let above = terms.elementary(above, of);
+            let below = terms.elementary(below, of);
+            terms.quotient(above, below)
+        };
+        let one = terms.integer(1);
+        Some(match function {
+            r"\sin" => terms.elementary(Elementary::Sin, of),
+            r"\cos" => terms.elementary(Elementary::Cos, of),
+            r"\exp" => terms.elementary(Elementary::Exp, of),
+            r"\ln" | r"\log" => terms.elementary(Elementary::Ln, of),
+            r"\arcsin" => terms.elementary(Elementary::Arcsin, of),
+            r"\arccos" => terms.elementary(Elementary::Arccos, of),
+            r"\arctan" => terms.elementary(Elementary::Arctan, of),
+            r"\tan" => ratio(terms, Elementary::Sin, Elementary::Cos),
+            r"\cot" => ratio(terms, Elementary::Cos, Elementary::Sin),
+            r"\sec" | r"\csc" => {
+                let below = if function == r"\sec" {
+                    Elementary::Cos
+                } else {
+                    Elementary::Sin
+                };
+                let below = terms.elementary(below, of);
+                terms.quotient(one, below)
+            }
+            r"\sinh" | r"\cosh" | r"\tanh" | r"\coth" => {
+                let minus = terms.negative(of);
+                let (up, down) = (
+                    terms.elementary(Elementary::Exp, of),
+                    terms.elementary(Elementary::Exp, minus),
+                );
+                let (sum, difference, two) = (terms.sum(vec![up, down]), terms.difference(up, down), terms.integer(2));
+                match function {
+                    r"\sinh" => terms.quotient(difference, two),
+                    r"\cosh" => terms.quotient(sum, two),
+                    r"\tanh" => terms.quotient(difference, sum),
+                    _ => terms.quotient(sum, difference),
+                }
+            }
+            r"\arsinh" | r"\arcosh" => {
+                let square = terms.add(Node::Power(of, 2));
+                let radicand = match function {
+                    r"\arsinh" => terms.sum(vec![square, one]),
+                    _ => terms.difference(square, one),
+                };
+                let root = terms.elementary(Elementary::Root(2), radicand);
+                let sum = terms.sum(vec![of, root]);
+                terms.elementary(Elementary::Ln, sum)
+            }
+            r"\artanh" => {
+                let (above, below, two) = (terms.sum(vec![one, of]), terms.difference(one, of), terms.integer(2));
+                let quotient = terms.quotient(above, below);
+                let logarithm = terms.elementary(Elementary::Ln, quotient);
+                terms.quotient(logarithm, two)
+            }
+            r"\abs" => {
+                self.real_only = true;
+                let square = terms.add(Node::Power(of, 2));
+                terms.elementary(Elementary::Root(2), square)
+            }
+            _ => return None,
+        })
+    }
+
+    /// Whether trace and determinant are symbols only: no derivative is written, and no premise speaks of a map.
+    fn is_opaque(&self, statements: &Statements) -> bool {
+        let maps = &self.vocabulary.maps;
+        if maps.iter().any(|(_, map)| matches!(map, Map::Equations(_))) {
+            return false;
+        }
+        let mut trees = statements
+            .claims
+            .iter()
+            .chain(statements.premises.iter().map(|premise| &premise.equation));
+        let writes =
+            |equation: &Equation| crate::claim::any_side(equation, &mut |node| matches!(node, Tree::Partial { .. }));
+        if trees.any(writes) {
+            return false;
+        }
+        let steps = maps.iter().filter_map(|(_, map)| match map {
+            Map::Premises { of, .. } => Some(of),
+            _ => None,
+        });
+        let named: BTreeSet<i32> = steps
+            .flatten()
+            .filter_map(|tree| match tree {
+                Tree::Symbol(name, _) => index_of(&name.subscript, &self.vocabulary.index),
+                _ => None,
+            })
+            .collect();
+        !statements.premises.iter().any(|premise| {
+            self.vocabulary
+                .impacts(&premise.equation)
+                .iter()
+                .any(|index| named.contains(index))
+                || crate::claim::flies(&premise.equation, self.vocabulary)
+        })
+    }
+
+    fn partial(&mut self, of: &Name, by: &Name, at: usize) -> Result<Term, Unreadable> {
+        let none = || unreadable(at, format!("no map gives the derivative of `{of}` by `{by}`"));
+        let (above, below) = (self.quantity(of).ok_or_else(none)?, self.quantity(by).ok_or_else(none)?);
+        let steps = self.map_steps()?;
+        self.entry(above, below, &steps, steps.len()).ok_or_else(none)
+    }
+
+    /// The derivative of one quantity by another: 1 and 0 among those a map starts from, by the chain rule where
+    /// impacts lie between.
+    fn entry(&mut self, of: Symbol, by: Symbol, steps: &[(Name, Step)], left: usize) -> Option<Term> {
+        let here: Vec<&Step> = steps
+            .iter()
+            .map(|(_, step)| step)
+            .filter(|step| step.by.contains(&by))
+            .collect();
+        if here.iter().any(|step| step.by.contains(&of)) {
+            return Some(self.statement.terms.integer(i64::from(of == by)));
+        }
+        if here.iter().any(|step| step.of.contains(&of)) {
+            let partial = self.statement.partial(of, by);
+            return Some(self.statement.terms.symbol(partial));
+        }
+        if left == 0 {
+            return None;
+        }
+        for step in here {
+            let chained = step.of.iter().map(|&between| {
+                let inner = self.statement.partial(between, by);
+                let inner = self.statement.terms.symbol(inner);
+                let outer = self.entry(of, between, steps, left - 1)?;
+                Some(self.statement.terms.product(vec![outer, inner]))
+            });
+            if let Some(parts) = chained.collect::<Option<Vec<Term>>>() {
+                return Some(self.statement.terms.sum(parts));
+            }
+        }
+        None
+    }
+
+    fn invariant(&mut self, kind: Invariant, of: &Name, at: usize) -> Result<Term, Unreadable> {
+        if self.opaque {
+            let quantity = Quantity::Invariant { kind, of: of.clone() };
+            let word = if kind == Invariant::Trace { "Tr" } else { "Det" };
+            let symbol = self.statement.symbol_of(quantity, || format!("{word}({of})"));
+            return Ok(self.statement.terms.symbol(symbol));
+        }
+        let steps = self.map_steps()?;
+        let matrix = self
+            .matrix(of, &steps, self.vocabulary.maps.len())
+            .ok_or_else(|| unreadable(at, format!("`{of}` is no known matrix")))?;
+        if matrix.iter().any(|row| row.len() != matrix.len()) {
+            return Err(unreadable(
+                at,
+                format!("`{of}` is a matrix without equal numbers of rows and columns"),
+            ));
+        }
+        Ok(match kind {
+            Invariant::Trace => {
+                let diagonal = (0..matrix.len()).map(|n| matrix[n][n]).collect();
+                self.statement.terms.sum(diagonal)
+            }
+            Invariant::Determinant => determinant(&mut self.statement, &matrix),
+        })
+    }
+
+    fn matrix(&mut self, name: &Name, steps: &[(Name, Step)], left: usize) -> Option<Vec<Vec<Term>>> {
+        if let Some((_, step)) = steps.iter().find(|(known, _)| known == name) {
+            let row = |of: &Symbol, builder: &mut Self| -> Vec<Term> {
+                let partials = step.by.iter().map(|by| builder.statement.partial(*of, *by));
+                let partials: Vec<Symbol> = partials.collect();
+                partials
+                    .into_iter()
+                    .map(|partial| builder.statement.terms.symbol(partial))
+                    .collect()
+            };
+            return Some(step.of.iter().map(|of| row(of, self)).collect());
+        }
+        let (_, map) = self.vocabulary.maps.iter().find(|(known, _)| known == name)?;
+        let Map::Product(factors) = map else { return None };
+        if left == 0 {
+            return None;
+        }
+        let mut product: Option<Vec<Vec<Term>>> = None;
+        for factor in factors {
+            let next = self.matrix(factor, steps, left - 1)?;
+            product = Some(match product {
+                None => next,
+                Some(before) => self.matrix_product(&before, &next)?,
+            });
+        }
+        product
+    }
+
+    fn matrix_product(&mut self, a: &[Vec<Term>], b: &[Vec<Term>]) -> Option<Vec<Vec<Term>>> {
+        let columns = b.first()?.len();
+        if a.iter().any(|row| row.len() != b.len()) {
+            return None;
+        }
+        let terms = &mut self.statement.terms;
+        let mut entry = |row: &Vec<Term>, column: usize| {
+            let parts = row
+                .iter()
+                .zip(b)
+                .map(|(left, right)| terms.product(vec![*left, right[column]]));
+            let parts = parts.collect();
+            terms.sum(parts)
+        };
+        Some(
+            a.iter()
+                .map(|row| (0..columns).map(|column| entry(row, column)).collect())
+                .collect(),
+        )
+    }
+
+    /// The maps whose derivatives are symbols of their own: what they take to what.
+    fn map_steps(&mut self) -> Result<Vec<(Name, Step)>, Unreadable> {
+        let mut steps = Vec::new();
+        for (name, map) in &self.vocabulary.maps {
+            let step = match map {
+                Map::Product(_) => continue,
+                Map::Premises { of, by } => Step {
+                    of: self.quantities(of, name)?,
+                    by: self.quantities(by, name)?,
+                    equations: Vec::new(),
+                },
+                Map::Equations(equations) => self.explicit(equations, name)?,
+            };
+            steps.push((name.clone(), step));
+        }
+        Ok(steps)
+    }
+
+    fn quantities(&mut self, trees: &[Tree], map: &Name) -> Result<Vec<Symbol>, Unreadable> {
+        let fault = || unreadable(0, format!("map `{map}` must list times and states"));
+        let of = |tree: &Tree, builder: &mut Self| match tree {
+            Tree::Symbol(name, _) => builder.quantity(name).ok_or_else(fault),
+            _ => Err(fault()),
+        };
+        trees.iter().map(|tree| of(tree, self)).collect()
+    }
+
+    /// The map from the first impact that its equations name to the last: times before states, as declared.
+    fn explicit(&mut self, equations: &[Equation], map: &Name) -> Result<Step, Unreadable> {
+        let mut named = BTreeSet::new();
+        for equation in equations {
+            crate::claim::any_side(equation, &mut |node| {
+                if let Tree::Symbol(name, _) = node {
+                    named.insert(name.clone());
+                }
+                false
+            });
+        }
+        let mut order: Vec<(i32, usize, Symbol)> = Vec::new();
+        for name in named {
+            if let Some(symbol) = self.quantity(&name) {
+                let found = match self.statement.quantity(symbol) {
+                    Some(Quantity::Time { index, .. }) => (*index, 0),
+                    Some(Quantity::State { state, index, .. }) => {
+                        let rank = self.vocabulary.states.iter().position(|known| known == state);
+                        (*index, rank.unwrap_or(0) + 1)
+                    }
+                    _ => continue,
+                };
+                order.push((found.0, found.1, symbol));
+            }
+        }
+        order.sort();
+        order.dedup();
+        let (Some(first), Some(last)) = (order.first().map(|o| o.0), order.last().map(|o| o.0)) else {
+            return Err(unreadable(0, format!("map `{map}`: its equations name no states")));
+        };
+        if first == last {
+            let message = format!("map `{map}`: its equations must take the states at one impact to the next");
+            return Err(unreadable(0, message));
+        }
+        let side = |at| {
+            order
+                .iter()
+                .filter(|(index, ..)| *index == at)
+                .map(|(.., symbol)| *symbol)
+                .collect()
+        };
+        let mut rows = Vec::new();
+        for equation in equations {
+            let (_, term) = self.relation(equation)?;
+            rows.push((format!("the map {map}"), term));
+        }
+        Ok(Step {
+            of: side(last),
+            by: side(first),
+            equations: rows,
+        })
+    }
+
+    /// Takes the equations of maps as given, and finds those that determine each map.
+    fn declare_maps(&mut self) -> Result<(), Unreadable> {
+        if self.vocabulary.maps.is_empty() || self.opaque {
+            return Ok(());
+        }
+        for (_, mut step) in self.map_steps()? {
+            if step.equations.is_empty() {
+                step.equations = super::implicit::determining(&mut self.statement, &step);
+            } else {
+                for (label, term) in step.equations.clone() {
+                    self.give(&label, Property::Zero, term, Vec::new());
+                }
+            }
+            if step.equations.len() == step.of.len() && !step.of.is_empty() {
+                let term = super::implicit::slope_determinant(&mut self.statement, &step);
+                let names: Vec<&str> = step.of.iter().map(|of| self.statement.terms.symbol_name(*of)).collect();
+                let label = format!("{DERIVATIVES_EXIST} {}", names.join(", "));
+                self.push(&label, Property::Nonzero, term, None);
+            }
+            self.statement.steps.push(step);
+        }
+        Ok(())
+    }
+}
+
+/// The label of what must hold for the claim to be defined.
+pub const CLAIM_DOMAIN: &str = "the domain of the claim";
+
+/// How the given begins that derivatives along a map exist: what a proof excludes.
+pub const DERIVATIVES_EXIST: &str = "derivatives exist of";
+
+/// The determinant of a square matrix, by its first row.
+pub fn determinant(statement: &mut Statement, matrix: &[Vec<Term>]) -> Term {
+    let Some((first, rest)) = matrix.split_first() else {
+        return statement.terms.integer(1);
+    };
+    let mut sum = Vec::new();
+    for (column, entry) in first.iter().enumerate() {
+        let without = |row: &Vec<Term>| {
+            row.iter()
+                .enumerate()
+                .filter(|(n, _)| *n != column)
+                .map(|(_, t)| *t)
+                .collect()
+        };
+        let minor: Vec<Vec<Term>> = rest.iter().map(without).collect();
+        let minor = determinant(statement, &minor);
+        let product = statement.terms.product(vec![*entry, minor]);
+        sum.push(match column % 2 {
+            0 => product,
+            _ => statement.terms.negative(product),
+        });
+    }
+    statement.terms.sum(sum)
+}
+
+fn is_letter(name: &Name, letter: &str) -> bool {
+    *name
+        == Name {
+            base: letter.to_string(),
+            ..Name::default()
+        }
+}
+
+/// A state without its dots, and their number.
+fn undotted(state: &Name) -> (Name, u32) {
+    let mut root = state.clone();
+    let dots = match root.accents.last().map(String::as_str) {
+        Some(r"\dot") => 1,
+        Some(r"\ddot") => 2,
+        Some(r"\dddot") => 3,
+        _ => 0,
+    };
+    if dots > 0 {
+        root.accents.pop();
+    }
+    (root, dots)
+}

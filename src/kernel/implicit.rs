@@ -1,0 +1,174 @@
+//! Maps given implicitly: which of the givens determine a map, and when its derivatives exist.
+
+use super::expand::Expansion;
+use super::polynomial::Polynomial;
+use super::statement::{Property, Quantity, Statement, Step};
+use super::term::{Symbol, Term};
+use std::collections::BTreeSet;
+
+/// A Mersenne prime, 2^61 - 1.
+const PRIME: u128 = (1 << 61) - 1;
+
+/// The vanishing terms among the givens that determine the map: of those that speak of no other impact, the ones with
+/// a state before the others, each taken if it makes the rank of the slopes by what the map gives larger. What is left
+/// restricts the point, not the map.
+pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)> {
+    let mut candidates: Vec<(String, Term)> = Vec::new();
+    for number in 0..statement.givens.len() {
+        let given = statement.givens[number].clone();
+        if given.property != Property::Zero {
+            continue;
+        }
+        match &given.law {
+            None => candidates.push((given.label, given.term)),
+            Some(law) if law.flight.is_some() => {
+                let (flight, label) = (law.flight.unwrap_or(0), given.label);
+                let times: Vec<(i32, Symbol)> = statement.times.iter().map(|(n, t)| (*n, *t)).collect();
+                let ends = times.into_iter().filter(|(_, time)| step.of.contains(time));
+                for (index, time) in ends.collect::<Vec<_>>() {
+                    let time = statement.terms.symbol(time);
+                    if let Some((_, term, _)) = statement.instance(number, Some(time), index - 1 - flight, None) {
+                        candidates.push((label.clone(), term));
+                    }
+                }
+            }
+            Some(_) => {}
+        }
+    }
+    let moving = |symbol: &Symbol, statement: &Statement| {
+        matches!(
+            statement.quantity(*symbol),
+            Some(Quantity::Time { .. } | Quantity::State { .. })
+        )
+    };
+    let mut fitting: Vec<(bool, String, Term)> = Vec::new();
+    for (label, term) in candidates {
+        let written = statement.written_out(term);
+        let met: BTreeSet<Symbol> = statement
+            .terms
+            .inside(written)
+            .into_iter()
+            .filter_map(|inner| match statement.terms.node(inner) {
+                super::term::Node::Symbol(symbol) => Some(*symbol),
+                _ => None,
+            })
+            .collect();
+        let met: Vec<Symbol> = met.into_iter().filter(|symbol| moving(symbol, statement)).collect();
+        let inside = met
+            .iter()
+            .all(|symbol| step.of.contains(symbol) || step.by.contains(symbol));
+        let speaks = met.iter().any(|symbol| step.of.contains(symbol));
+        let partial = statement
+            .terms
+            .inside(written)
+            .into_iter()
+            .any(|inner| match statement.terms.node(inner) {
+                super::term::Node::Symbol(symbol) => {
+                    matches!(statement.quantity(*symbol), Some(Quantity::Partial { .. }))
+                }
+                _ => false,
+            });
+        if inside && speaks && !partial {
+            let state = met
+                .iter()
+                .any(|symbol| matches!(statement.quantity(*symbol), Some(Quantity::State { .. })));
+            fitting.push((!state, label, term));
+        }
+    }
+    fitting.sort_by_key(|(without_state, ..)| *without_state);
+    let (mut chosen, mut rows): (Vec<(String, Term)>, Vec<Vec<u128>>) = (Vec::new(), Vec::new());
+    for (_, label, term) in fitting {
+        if chosen.len() == step.of.len() {
+            break;
+        }
+        let slopes: Option<Vec<u128>> = step.of.iter().map(|&of| slope_at_random(statement, term, of)).collect();
+        let Some(slopes) = slopes else { continue };
+        rows.push(slopes);
+        if rank(&rows) == rows.len() {
+            chosen.push((label, term));
+        } else {
+            rows.pop();
+        }
+    }
+    chosen
+}
+
+/// The determinant of the slopes of the determining terms by what the map gives: where it is not 0, the map has
+/// derivatives (implicit function theorem).
+pub fn slope_determinant(statement: &mut Statement, step: &Step) -> Term {
+    let equations = step.equations.clone();
+    let matrix: Vec<Vec<Term>> = equations
+        .iter()
+        .map(|(_, term)| step.of.iter().map(|&of| statement.derivative(*term, of)).collect())
+        .collect();
+    super::build::determinant(statement, &matrix)
+}
+
+fn slope_at_random(statement: &mut Statement, term: Term, of: Symbol) -> Option<u128> {
+    let slope = statement.derivative(term, of);
+    let quotient = Expansion::new(BTreeSet::new(), 100_000)
+        .of(&statement.terms, slope)
+        .ok()?;
+    residue(&quotient.numerator)
+}
+
+/// The value of a polynomial modulo the prime, where each generator has a value that depends on its number alone.
+fn residue(polynomial: &Polynomial) -> Option<u128> {
+    let value = |generator: Term| {
+        let mixed = (u128::from(generator.0) + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        (mixed ^ (mixed >> 29)) % PRIME
+    };
+    polynomial.terms().iter().try_fold(0, |sum, (monomial, coefficient)| {
+        let (above, below) = (coefficient.numerator(), coefficient.denominator());
+        let modulus = dashu_int::IBig::from(PRIME);
+        let positive = |value: &dashu_int::IBig| u128::try_from((value % &modulus + &modulus) % &modulus).ok();
+        let (above, below) = (positive(above)?, positive(&dashu_int::IBig::from(below.clone()))?);
+        let product = monomial
+            .iter()
+            .fold(times(above, inverse(below)), |product, (generator, power)| {
+                times(product, raise(value(*generator), u128::from(*power)))
+            });
+        Some((sum + product) % PRIME)
+    })
+}
+
+fn times(a: u128, b: u128) -> u128 {
+    a * b % PRIME
+}
+
+fn raise(base: u128, mut exponent: u128) -> u128 {
+    let (mut result, mut square) = (1, base % PRIME);
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            result = times(result, square);
+        }
+        square = times(square, square);
+        exponent >>= 1;
+    }
+    result
+}
+
+fn inverse(value: u128) -> u128 {
+    raise(value, PRIME - 2)
+}
+
+/// The rank of a matrix modulo the prime.
+fn rank(rows: &[Vec<u128>]) -> usize {
+    let mut matrix = rows.to_vec();
+    let mut rank = 0;
+    for column in 0..matrix.first().map_or(0, Vec::len) {
+        let Some(pivot) = (rank..matrix.len()).find(|&row| matrix[row][column] != 0) else {
+            continue;
+        };
+        matrix.swap(rank, pivot);
+        let lead = matrix[rank].clone();
+        for row in matrix.iter_mut().skip(rank + 1) {
+            let factor = times(row[column], inverse(lead[column]));
+            for (entry, top) in row.iter_mut().zip(&lead) {
+                *entry = (*entry + PRIME - times(factor, *top)) % PRIME;
+            }
+        }
+        rank += 1;
+    }
+    rank
+}

@@ -1,0 +1,438 @@
+//! The statement of a claim: what is given, and what is to be shown, as terms.
+
+use super::expand::{Derivatives, derivative, value};
+use super::term::{Elementary, Function, Node, Symbol, Term, Terms};
+use crate::tex::{Invariant, Name};
+use std::collections::BTreeMap;
+
+/// A property of the value of a term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Property {
+    Zero,
+    Nonzero,
+    Positive,
+    NonNegative,
+    Integer,
+}
+
+/// What a symbol stands for.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    Parameter(Name),
+    /// The running time.
+    Running,
+    /// The time of an impact, or a state just before it or just after it.
+    Time {
+        family: Name,
+        index: i32,
+    },
+    State {
+        state: Name,
+        index: i32,
+        after: bool,
+    },
+    /// The derivative of one quantity by another along a map.
+    Partial {
+        of: Symbol,
+        by: Symbol,
+    },
+    /// The trace or determinant of a map of which no premise says anything.
+    Invariant {
+        kind: Invariant,
+        of: Name,
+    },
+    /// A symbol that is defined beside an equation; the number tells such symbols of different equations apart.
+    Local {
+        name: Name,
+        scope: usize,
+    },
+    /// A symbol that a certificate or a witness brings along.
+    Fresh(usize),
+}
+
+/// What an unknown function is a function of.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum FunctionOf {
+    /// A declared function of the real line.
+    Line(Name),
+    /// A state, without dots, in the flight that follows this impact.
+    Flight { state: Name, impact: i32 },
+}
+
+/// Over what a given holds, where it is no single statement.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Law {
+    /// The running time, where there is one.
+    pub time: Option<Symbol>,
+    /// The impact whose flight the running time is in; nothing for a law of the whole real line.
+    pub flight: Option<i32>,
+    /// Whether it holds with all impacts moved on by any number.
+    pub every_impact: bool,
+    /// What must hold of an instance for the law to say anything of it.
+    pub conditions: Vec<(Property, Term)>,
+}
+
+/// Something that is taken as true.
+#[derive(Clone, Debug)]
+pub struct Given {
+    pub label: String,
+    pub property: Property,
+    pub term: Term,
+    pub law: Option<Law>,
+}
+
+/// A map whose derivatives a statement speaks of.
+#[derive(Clone, Debug, Default)]
+pub struct Step {
+    pub of: Vec<Symbol>,
+    pub by: Vec<Symbol>,
+    /// The terms that vanish along the map and determine it, with the labels of the givens they come from.
+    pub equations: Vec<(String, Term)>,
+}
+
+/// A claim, ready to be decided: wherever all givens hold, the goal holds.
+#[derive(Clone, Debug, Default)]
+pub struct Statement {
+    pub terms: Terms,
+    /// Whether the symbols declared complex take part, so that all functions are principal branches.
+    pub complex: bool,
+    pub givens: Vec<Given>,
+    pub goal: Vec<(Property, Term)>,
+    /// What symbols stand for, by their number.
+    pub quantities: Vec<Quantity>,
+    /// What unknown functions are, by their number.
+    pub functions: Vec<FunctionOf>,
+    /// Symbols that are abbreviations.
+    pub definitions: BTreeMap<Symbol, Term>,
+    /// The declared derivatives of unknown functions.
+    pub derivatives: Derivatives,
+    /// Symbols that are declared complex, those declared generic.
+    pub complex_symbols: Vec<Symbol>,
+    pub generic: Vec<Symbol>,
+    pub steps: Vec<Step>,
+    /// The times of impacts by index; states that may be named; the states that an impact does not change.
+    pub times: BTreeMap<i32, Symbol>,
+    pub states: Vec<Name>,
+    pub continuous: Vec<Name>,
+    /// The flight that the running time of the claim is in.
+    pub flight: Option<i32>,
+    /// The letter that numbers impacts.
+    pub letter: String,
+}
+
+impl Statement {
+    /// What a symbol stands for.
+    pub fn quantity(&self, symbol: Symbol) -> Option<&Quantity> {
+        self.quantities.get(symbol.0 as usize)
+    }
+
+    /// The symbol of a quantity, new where it is not known yet.
+    pub fn symbol_of(&mut self, quantity: Quantity, printed: impl FnOnce() -> String) -> Symbol {
+        if let Some(at) = self.quantities.iter().position(|known| *known == quantity) {
+            return Symbol(u32::try_from(at).unwrap_or(u32::MAX));
+        }
+        self.quantities.push(quantity);
+        self.terms.new_symbol(printed())
+    }
+
+    /// The unknown function, new where it is not known yet.
+    pub fn function_of(&mut self, of: FunctionOf) -> Function {
+        if let Some(at) = self.functions.iter().position(|known| *known == of) {
+            return Function(u32::try_from(at).unwrap_or(u32::MAX));
+        }
+        let printed = match &of {
+            FunctionOf::Line(name) => name.to_string(),
+            FunctionOf::Flight { state, .. } => state.to_string(),
+        };
+        self.functions.push(of);
+        self.terms.new_function(printed)
+    }
+
+    /// A symbol that stands for nothing in the statement.
+    pub fn fresh(&mut self, printed: &str) -> Symbol {
+        let number = self.quantities.len();
+        self.symbol_of(Quantity::Fresh(number), || printed.to_string())
+    }
+
+    /// The term with all abbreviations written out.
+    pub fn written_out(&mut self, term: Term) -> Term {
+        let definitions = std::mem::take(&mut self.definitions);
+        let mut term = term;
+        // an abbreviation may stand in another one; none stands in itself
+        for _ in 0..=definitions.len() {
+            let again = self.terms.rewrite(term, &mut |_, node| match node {
+                Node::Symbol(symbol) => definitions.get(symbol).copied(),
+                _ => None,
+            });
+            if again == term {
+                break;
+            }
+            term = again;
+        }
+        self.definitions = definitions;
+        term
+    }
+
+    /// The symbol of a state, printed with its index and mark.
+    pub fn state(&mut self, state: &Name, index: i32, after: bool, letter: &str) -> Symbol {
+        let after = after && !self.continuous.contains(state);
+        let quantity = Quantity::State {
+            state: state.clone(),
+            index,
+            after,
+        };
+        let mut name = state.clone();
+        name.subscript = crate::claim::subscript_of(index, letter);
+        name.mark = if after { "+".into() } else { String::new() };
+        self.symbol_of(quantity, || name.to_string())
+    }
+
+    /// The symbol of the time of an impact.
+    pub fn time(&mut self, family: &Name, index: i32, letter: &str) -> Symbol {
+        let quantity = Quantity::Time {
+            family: family.clone(),
+            index,
+        };
+        let mut name = family.clone();
+        name.subscript = crate::claim::subscript_of(index, letter);
+        let symbol = self.symbol_of(quantity, || name.to_string());
+        self.times.entry(index).or_insert(symbol);
+        symbol
+    }
+
+    /// An instance of a law: its running time replaced by `time` and its impacts moved on by `shift`, with what must
+    /// hold for it; nothing where the law does not extend so far.
+    pub fn instance(
+        &mut self,
+        given: usize,
+        time: Option<Term>,
+        shift: i32,
+        running_in: Option<(Symbol, i32)>,
+    ) -> Option<(Property, Term, Vec<(Property, Term)>)> {
+        let Given {
+            property, term, law, ..
+        } = self.givens.get(given)?.clone();
+        let Some(law) = law else {
+            return (time.is_none() && shift == 0).then_some((property, term, Vec::new()));
+        };
+        if (shift != 0 && !law.every_impact) || law.time.is_some() != time.is_some() {
+            return None;
+        }
+        if let (Some(flight), Some(time)) = (law.flight, time) {
+            let flight = flight + shift;
+            let is = |index: i32, of: &Self| match (of.times.get(&index), of.terms.node(time)) {
+                (Some(known), Node::Symbol(symbol)) => known == symbol,
+                _ => false,
+            };
+            let running = match self.terms.node(time) {
+                Node::Symbol(symbol) => {
+                    running_in == Some((*symbol, flight))
+                        || (self.quantity(*symbol) == Some(&Quantity::Running) && self.flight == Some(flight))
+                }
+                _ => false,
+            };
+            if !running && !is(flight, self) && !is(flight + 1, self) {
+                return None;
+            }
+        }
+        let mut moved = |of: Term| {
+            let of = self.written_out(of);
+            self.moved(of, law.time.zip(time), shift)
+        };
+        let term = moved(term);
+        let conditions = law.conditions.iter().map(|(property, of)| (*property, moved(*of)));
+        let mut conditions: Vec<(Property, Term)> = conditions.collect();
+        for of in conditions.iter().map(|(_, of)| *of).chain([term]).collect::<Vec<_>>() {
+            conditions.extend(self.domain(of));
+        }
+        Some((property, term, conditions))
+    }
+
+    /// The term with its running time replaced and its impacts moved on.
+    pub fn moved(&mut self, term: Term, time: Option<(Symbol, Term)>, shift: i32) -> Term {
+        let mut terms = std::mem::take(&mut self.terms);
+        let result = terms.rewrite(term, &mut |terms, node| match node {
+            Node::Symbol(symbol) if time.is_some_and(|(running, _)| running == *symbol) => time.map(|(_, by)| by),
+            Node::Symbol(symbol) if shift != 0 => {
+                let quantity = match self.quantities.get(symbol.0 as usize)? {
+                    Quantity::Time { family, index } => Quantity::Time {
+                        family: family.clone(),
+                        index: index + shift,
+                    },
+                    Quantity::State { state, index, after } => Quantity::State {
+                        state: state.clone(),
+                        index: index + shift,
+                        after: *after,
+                    },
+                    _ => return None,
+                };
+                std::mem::swap(&mut self.terms, terms);
+                let symbol = self.of_quantity(quantity);
+                std::mem::swap(&mut self.terms, terms);
+                Some(terms.symbol(symbol))
+            }
+            Node::Value(function, order, at) => {
+                let FunctionOf::Flight { state, impact } = self.functions.get(function.0 as usize)?.clone() else {
+                    return None;
+                };
+                std::mem::swap(&mut self.terms, terms);
+                let moved = self.in_flight(&state, impact + shift, *order, *at);
+                std::mem::swap(&mut self.terms, terms);
+                Some(moved)
+            }
+            _ => None,
+        });
+        self.terms = terms;
+        result
+    }
+
+    fn of_quantity(&mut self, quantity: Quantity) -> Symbol {
+        // the letter is that of any index that is known
+        let letter = self.letter.clone();
+        match quantity {
+            Quantity::Time { family, index } => self.time(&family, index, &letter),
+            Quantity::State { state, index, after } => self.state(&state, index, after, &letter),
+            other => self.symbol_of(other, String::new),
+        }
+    }
+
+    /// The value of a state of this order in a flight: at the impacts that end it, the state there.
+    pub fn in_flight(&mut self, state: &Name, impact: i32, order: u32, at: Term) -> Term {
+        let named = (0..order).fold(state.clone(), |name, _| name.dotted());
+        if let Node::Symbol(symbol) = self.terms.node(at)
+            && self.states.contains(&named)
+        {
+            let symbol = *symbol;
+            let letter = self.letter.clone();
+            for (index, after) in [(impact, true), (impact + 1, false)] {
+                if self.times.get(&index) == Some(&symbol) {
+                    let symbol = self.state(&named, index, after, &letter);
+                    return self.terms.symbol(symbol);
+                }
+            }
+        }
+        let function = self.function_of(FunctionOf::Flight {
+            state: state.clone(),
+            impact,
+        });
+        self.terms.add(Node::Value(function, order, at))
+    }
+
+    /// What must hold for a term to have a value: no divisor is 0, roots and logarithms are of what they are defined for.
+    pub fn domain(&mut self, term: Term) -> Vec<(Property, Term)> {
+        let mut conditions = Vec::new();
+        let mut seen = std::collections::BTreeSet::new();
+        let mut open = vec![term];
+        while let Some(term) = open.pop() {
+            for inner in self.terms.inside(term) {
+                if !seen.insert(inner) {
+                    continue;
+                }
+                if let Node::Symbol(symbol) = self.terms.node(inner) {
+                    open.extend(self.definitions.get(symbol));
+                    continue;
+                }
+                for condition in domain_of(&mut self.terms, inner, self.complex) {
+                    if !conditions.contains(&condition) {
+                        conditions.push(condition);
+                    }
+                }
+            }
+        }
+        conditions
+    }
+
+    /// The derivative of a term by a symbol, all else held fixed; abbreviations are differentiated.
+    pub fn derivative(&mut self, term: Term, by: Symbol) -> Term {
+        let term = self.written_out(term);
+        derivative(&mut self.terms, term, &self.derivatives, &mut |terms, symbol| {
+            terms.integer(i64::from(symbol == by))
+        })
+    }
+
+    /// The derivative of a term along a map by one of the quantities that the map starts from.
+    pub fn along(&mut self, term: Term, step: &Step, by: Symbol) -> Term {
+        let term = self.written_out(term);
+        let mut terms = std::mem::take(&mut self.terms);
+        let declared = self.derivatives.clone();
+        let result = derivative(&mut terms, term, &declared, &mut |terms, symbol| {
+            if symbol == by {
+                return terms.integer(1);
+            }
+            let moves = matches!(
+                self.quantities.get(symbol.0 as usize),
+                Some(Quantity::Time { .. } | Quantity::State { .. })
+            );
+            if !moves || step.by.contains(&symbol) {
+                return terms.integer(0);
+            }
+            std::mem::swap(&mut self.terms, terms);
+            let partial = self.partial(symbol, by);
+            std::mem::swap(&mut self.terms, terms);
+            terms.symbol(partial)
+        });
+        self.terms = terms;
+        result
+    }
+
+    /// The symbol of a derivative along a map.
+    pub fn partial(&mut self, of: Symbol, by: Symbol) -> Symbol {
+        let printed = format!(
+            "\\frac{{\\partial {}}}{{\\partial {}}}",
+            self.terms.symbol_name(of),
+            self.terms.symbol_name(by)
+        );
+        self.symbol_of(Quantity::Partial { of, by }, || printed)
+    }
+
+    /// The value of an unknown function, under the name that is declared for its derivative.
+    pub fn value(&mut self, function: Function, order: u32, at: Term) -> Term {
+        value(&mut self.terms, &self.derivatives, function, order, at)
+    }
+
+    /// Whether the value of a term is real for certain, over complex numbers.
+    pub fn is_real(&self, term: Term) -> bool {
+        !self.complex
+            || self
+                .terms
+                .inside(term)
+                .into_iter()
+                .all(|inner| match self.terms.node(inner) {
+                    Node::Symbol(symbol) => {
+                        !self.complex_symbols.contains(symbol)
+                            && self
+                                .definitions
+                                .get(symbol)
+                                .is_none_or(|&meaning| self.is_real(meaning))
+                            && !matches!(self.quantity(*symbol), Some(Quantity::Fresh(_)))
+                    }
+                    Node::Imaginary | Node::RealPower(..) => false,
+                    Node::Elementary(function, _) => {
+                        matches!(
+                            function,
+                            Elementary::Sin | Elementary::Cos | Elementary::Exp | Elementary::Arctan
+                        )
+                    }
+                    _ => true,
+                })
+    }
+}
+
+/// What the outermost step of a term needs to have a value.
+fn domain_of(terms: &mut Terms, term: Term, complex: bool) -> Vec<(Property, Term)> {
+    match terms.node(term).clone() {
+        Node::Quotient(_, below) => vec![(Property::Nonzero, below)],
+        Node::Elementary(Elementary::Root(index), of) if !complex && index % 2 == 0 => {
+            vec![(Property::NonNegative, of)]
+        }
+        Node::Elementary(Elementary::Ln, of) if complex => vec![(Property::Nonzero, of)],
+        Node::Elementary(Elementary::Ln, of) => vec![(Property::Positive, of)],
+        Node::Elementary(Elementary::Arcsin | Elementary::Arccos, of) if !complex => {
+            let one = terms.integer(1);
+            let (above, below) = (terms.difference(one, of), terms.sum(vec![one, of]));
+            vec![(Property::NonNegative, above), (Property::NonNegative, below)]
+        }
+        Node::RealPower(base, _) if complex => vec![(Property::Nonzero, base)],
+        _ => Vec::new(),
+    }
+}

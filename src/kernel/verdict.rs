@@ -1,0 +1,127 @@
+//! The two verdicts that the kernel gives. Their fields are private: nothing else can make one.
+
+use super::build::DERIVATIVES_EXIST;
+use super::certificate::{Certificate, Inference};
+use super::check::Checker;
+use super::expand::Refusal;
+use super::statement::Statement;
+use super::witness::{At, Witness};
+
+/// Products of two terms of polynomials that the kernel adds up for one certificate or witness.
+pub const EFFORT: u64 = 20_000_000;
+
+/// A claim that follows: its certificate is accepted, and so is a point at which everything given holds.
+#[derive(Clone, Debug)]
+pub struct Proved {
+    provided: Vec<String>,
+}
+
+impl Proved {
+    /// What the proof excludes: derivatives along maps that must exist.
+    pub fn provided(&self) -> &[String] {
+        &self.provided
+    }
+}
+
+/// A claim that does not follow: a point at which everything given holds and the claim fails, or nowhere defined.
+#[derive(Clone, Debug)]
+pub struct Refuted {
+    nowhere: bool,
+}
+
+impl Refuted {
+    /// Whether the claim is defined nowhere.
+    pub fn is_nowhere_defined(&self) -> bool {
+        self.nowhere
+    }
+}
+
+/// Accepts a proof: every goal is known once the steps are followed, and the givens hold at the witness.
+///
+/// # Errors
+/// A [`Refusal`] that says which step, goal or given is not shown.
+pub fn prove(statement: &Statement, certificate: &Certificate, point: &Witness) -> Result<Proved, Refusal> {
+    let mut own = statement.clone();
+    follows(&mut own, certificate)?;
+    let mut own = statement.clone();
+    At::new(&mut own, point, EFFORT)?;
+    Ok(Proved {
+        provided: provided(statement, &certificate.steps),
+    })
+}
+
+/// Whether the goals follow by a certificate; that the givens do not contradict each other is not asked.
+///
+/// # Errors
+/// A [`Refusal`] that says which step or goal is not shown.
+pub fn follows(statement: &mut Statement, certificate: &Certificate) -> Result<(), Refusal> {
+    let goals = statement.goal.clone();
+    let mut checker = Checker::new(statement, certificate, EFFORT);
+    checker.follow(&certificate.steps)?;
+    for (property, term) in goals {
+        for (condition, of) in checker.statement.domain(term) {
+            if !checker.knows(condition, of)? {
+                return Err(Refusal::Other("the claim is not known to be defined".into()));
+            }
+        }
+        if !checker.knows(property, term)? {
+            return Err(Refusal::Other("the steps do not lead to the claim".into()));
+        }
+    }
+    Ok(())
+}
+
+/// Accepts a counterexample: the givens hold at the witness, and a goal fails.
+///
+/// # Errors
+/// A [`Refusal`] that says which given is not shown, or that the claim holds there.
+pub fn refute(statement: &Statement, witness: &Witness) -> Result<Refuted, Refusal> {
+    let mut own = statement.clone();
+    match At::new(&mut own, witness, EFFORT)?.fails()? {
+        true => Ok(Refuted { nowhere: false }),
+        false => Err(Refusal::Other("the claim holds at the witness".into())),
+    }
+}
+
+/// Accepts that a claim is defined nowhere: its domain contradicts the premises by the certificate, while these hold
+/// at the witness.
+///
+/// # Errors
+/// A [`Refusal`] that says which step or given is not shown.
+pub fn refute_nowhere(statement: &Statement, certificate: &Certificate, witness: &Witness) -> Result<Refuted, Refusal> {
+    contradicts(statement, certificate)?;
+    let mut premises = statement.clone();
+    premises
+        .givens
+        .retain(|given| given.label != super::build::CLAIM_DOMAIN);
+    At::new(&mut premises, witness, EFFORT)?;
+    Ok(Refuted { nowhere: true })
+}
+
+/// Whether the givens contradict each other by a certificate.
+///
+/// # Errors
+/// A [`Refusal`] that says which step is not shown.
+pub fn contradicts(statement: &Statement, certificate: &Certificate) -> Result<(), Refusal> {
+    let mut own = statement.clone();
+    let mut checker = Checker::new(&mut own, certificate, EFFORT);
+    checker.follow(&certificate.steps)?;
+    match checker.is_absurd() {
+        true => Ok(()),
+        false => Err(Refusal::Other("the steps lead to no contradiction".into())),
+    }
+}
+
+fn provided(statement: &Statement, steps: &[Inference]) -> Vec<String> {
+    let mut provided: Vec<String> = Vec::new();
+    for step in steps {
+        if let Inference::Given(number) = step
+            && let Some(given) = statement.givens.get(*number)
+            && given.label.starts_with(DERIVATIVES_EXIST)
+            && !provided.contains(&given.label)
+        {
+            provided.push(given.label.clone());
+        }
+    }
+    provided
+}

@@ -1,0 +1,777 @@
+//! Witnesses: a point at which everything given holds, and where the claim holds or fails.
+
+use super::certificate::Certificate;
+use super::check::Checker;
+use super::enclosure;
+use super::expand::{Expansion, Refusal, derivative, vanishes};
+use super::polynomial::Polynomial;
+use super::statement::{FunctionOf, Given, Law, Property, Quantity, Statement};
+use super::term::{Elementary, Function, Node, Symbol, Term};
+use crate::number::Rational;
+use num_traits::Zero;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// A point: values of symbols and functions.
+#[derive(Clone, Debug, Default)]
+pub struct Witness {
+    /// Values in terms of the symbols that `sample` gives: what the premises determine.
+    pub solved: Vec<(Symbol, Term)>,
+    /// Values of all other symbols, without symbols.
+    pub sample: Vec<(Symbol, Term)>,
+    /// Unknown functions, each a term in its symbol.
+    pub functions: Vec<(Function, Symbol, Term)>,
+    /// Values of unknown functions at single times: function, order of the derivative, time, value.
+    pub table: Vec<(Function, u32, Term, Term)>,
+    /// What shows that premises hold whose sides are equal numbers of different form.
+    pub certificate: Certificate,
+}
+
+type Outcome<T> = Result<T, Refusal>;
+
+fn refused<T>(why: impl Into<String>) -> Outcome<T> {
+    Err(Refusal::Other(why.into()))
+}
+
+/// The statement at a witness.
+pub struct At<'a> {
+    statement: &'a mut Statement,
+    witness: &'a Witness,
+    /// The periods of functions that only have values at single times.
+    periods: BTreeMap<Function, Term>,
+    effort: u64,
+    solved: HashMap<Symbol, Term>,
+    sample: HashMap<Symbol, Term>,
+    /// Polynomials that the certificate of the witness shows to vanish.
+    zeros: Vec<Polynomial>,
+}
+
+impl<'a> At<'a> {
+    /// The statement at a witness, every given of it checked.
+    ///
+    /// # Errors
+    /// A [`Refusal`] that says which given is not known to hold.
+    pub fn new(statement: &'a mut Statement, witness: &'a Witness, effort: u64) -> Outcome<Self> {
+        let mut at = Self {
+            solved: witness.solved.iter().copied().collect(),
+            sample: witness.sample.iter().copied().collect(),
+            periods: BTreeMap::new(),
+            zeros: Vec::new(),
+            statement,
+            witness,
+            effort,
+        };
+        at.check_values()?;
+        at.check_functions()?;
+        at.follow_certificate()?;
+        at.check_table()?;
+        at.check_flights()?;
+        for number in 0..at.statement.givens.len() {
+            let given = at.statement.givens[number].clone();
+            let holds = match &given.law {
+                None => at.holds(&given),
+                Some(law) => at.law_holds(number, &given, law),
+            };
+            holds.map_err(|refusal| match refusal {
+                Refusal::Other(why) => Refusal::Other(format!("({}): {why}", given.label)),
+                refusal => refusal,
+            })?;
+        }
+        Ok(at)
+    }
+
+    /// Values of the sample hold no symbols, real ones are real; solved values hold no solved symbols.
+    fn check_values(&mut self) -> Outcome<()> {
+        for (symbol, value) in self.witness.sample.iter().chain(&self.witness.solved) {
+            if self.statement.definitions.contains_key(symbol) {
+                return refused("an abbreviation has no value of its own");
+            }
+            let written = self.statement.written_out(*value);
+            if written != *value {
+                return refused("a value holds an abbreviation");
+            }
+        }
+        for (symbol, value) in &self.witness.sample {
+            if !self.statement.terms.is_closed(*value) || self.solved.contains_key(symbol) {
+                return refused("a value of the sample holds symbols, or is given twice");
+            }
+            let complex = self.statement.complex_symbols.contains(symbol);
+            let imaginary = |term: &Term| *self.statement.terms.node(*term) == Node::Imaginary;
+            if !complex && self.statement.terms.inside(*value).iter().any(imaginary) {
+                return refused("a real symbol has a complex value");
+            }
+            if !complex || !self.statement.terms.inside(*value).iter().any(imaginary) {
+                let mut known = HashMap::new();
+                type Enclosed = crate::number::Interval<crate::number::Wide<40>>;
+                let enclosed: Option<Enclosed> = enclosure::term_value(&self.statement.terms, *value, &mut known);
+                if enclosed.is_none() {
+                    return refused("a value of the sample is not defined");
+                }
+            }
+        }
+        for (symbol, value) in &self.witness.solved {
+            for inner in self.statement.terms.inside(*value) {
+                match self.statement.terms.node(inner) {
+                    Node::Symbol(other) if self.solved.contains_key(other) => {
+                        return refused("a solved value holds a solved symbol");
+                    }
+                    Node::Imaginary if !self.statement.complex_symbols.contains(symbol) => {
+                        return refused("a real symbol has a complex value");
+                    }
+                    _ => {}
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Functions that are named have values at all times, or are what their own law says; none is in the table too.
+    fn check_functions(&mut self) -> Outcome<()> {
+        for (function, time, term) in &self.witness.functions {
+            if self.witness.table.iter().any(|(other, ..)| other == function) {
+                return refused("a function is named and in the table");
+            }
+            if !matches!(self.statement.quantity(*time), Some(Quantity::Fresh(_))) {
+                return refused("a function is a term in a symbol of its own");
+            }
+            let written = self.statement.written_out(*term);
+            if written != *term {
+                return refused("a function holds an abbreviation");
+            }
+            let smooth = |inner: &Term| match self.statement.terms.node(*inner) {
+                Node::Imaginary | Node::RealPower(..) => !self.statement.terms.holds(*inner, *time),
+                Node::Elementary(
+                    Elementary::Root(_) | Elementary::Ln | Elementary::Arcsin | Elementary::Arccos,
+                    of,
+                ) => !self.statement.terms.holds(*of, *time) || self.positive_everywhere(*of, *time),
+                Node::Quotient(_, below) => {
+                    !self.statement.terms.holds(*below, *time) || self.positive_everywhere(*below, *time)
+                }
+                _ => true,
+            };
+            if !self.statement.terms.inside(*term).iter().all(smooth) {
+                return refused("a function is not smooth everywhere");
+            }
+        }
+        // a function and its declared derivative are named together
+        for (&function, &next) in &self.statement.derivatives.clone() {
+            let of = |wanted: Function| self.witness.functions.iter().find(|(f, ..)| *f == wanted).copied();
+            if let (Some((_, time, term)), Some((_, other, slope))) = (of(function), of(next)) {
+                let derived = self.statement.derivative(term, time);
+                let by = self.statement.terms.symbol(time);
+                let slope = self.statement.terms.substitute(slope, other, by);
+                let difference = self.statement.terms.difference(derived, slope);
+                if !self.vanishes_identically(difference)? {
+                    return refused("a function is not the derivative that it is declared to be");
+                }
+            } else if of(function).is_some() != of(next).is_some() {
+                let tabled = |wanted: Function| self.witness.table.iter().any(|(f, ..)| *f == wanted);
+                if tabled(function) || tabled(next) {
+                    return refused("a function is named and its derivative is in the table");
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a term is a polynomial in even powers of a symbol with positive coefficients, once the sample is put in.
+    fn positive_everywhere(&self, term: Term, time: Symbol) -> bool {
+        let mut terms = self.statement.terms.clone();
+        let sample = &self.sample;
+        let term = terms.rewrite(term, &mut |_, node| match node {
+            Node::Symbol(symbol) => sample.get(symbol).copied(),
+            _ => None,
+        });
+        let Ok(quotient) = Expansion::new(BTreeSet::new(), self.effort).of(&terms, term) else {
+            return false;
+        };
+        let of_time = terms.symbol(time);
+        let positive = |(monomial, value): &(super::polynomial::Monomial, dashu_ratio::RBig)| {
+            monomial
+                .iter()
+                .all(|(generator, power)| *generator == of_time && power % 2 == 0)
+                && Rational(value.clone()) > Rational::zero()
+        };
+        let constant = quotient
+            .numerator
+            .terms()
+            .iter()
+            .any(|(monomial, _)| monomial.is_empty());
+        quotient.divisors.is_empty() && constant && quotient.numerator.terms().iter().all(positive)
+    }
+
+    /// The facts of the certificate that comes along, of terms without symbols.
+    fn follow_certificate(&mut self) -> Outcome<()> {
+        let mut bare = Statement {
+            givens: Vec::new(),
+            goal: Vec::new(),
+            steps: Vec::new(),
+            ..self.statement.clone()
+        };
+        let mut checker = Checker::new(&mut bare, &self.witness.certificate, self.effort);
+        checker.follow(&self.witness.certificate.steps)?;
+        let zeros = checker.facts.iter().filter(|fact| fact.property == Property::Zero);
+        self.zeros = zeros.map(|fact| fact.polynomial.clone()).collect();
+        self.statement.terms = bare.terms;
+        Ok(())
+    }
+
+    /// A term with the solved symbols, the functions and the table put in. Values at the `running` time stay.
+    fn translate(&mut self, term: Term, running: Option<Symbol>) -> Outcome<Term> {
+        let written = self.statement.written_out(term);
+        let mut terms = std::mem::take(&mut self.statement.terms);
+        let mut failure = None;
+        let declared = self.statement.derivatives.clone();
+        let (witness, solved, periods) = (self.witness, &self.solved, &self.periods);
+        let result = terms.rewrite(written, &mut |terms, node| match node {
+            Node::Symbol(symbol) => solved.get(symbol).copied(),
+            Node::Value(function, order, at) => {
+                if let Some((_, time, named)) = witness.functions.iter().find(|(f, ..)| f == function) {
+                    let mut slope = *named;
+                    for _ in 0..*order {
+                        slope = derivative(terms, slope, &declared, &mut |terms, symbol| {
+                            terms.integer(i64::from(symbol == *time))
+                        });
+                    }
+                    return Some(terms.substitute(slope, *time, *at));
+                }
+                if running.is_some_and(|running| terms.holds(*at, running)) {
+                    return None;
+                }
+                let found = lookup(terms, witness, periods, *function, *order, *at);
+                if found.is_none() {
+                    failure = Some(*function);
+                }
+                found
+            }
+            _ => None,
+        });
+        // a named function may be made of others; the values of those are looked up in turn
+        let again = |terms: &super::term::Terms| {
+            terms.inside(result).iter().any(|&inner| match terms.node(inner) {
+                Node::Value(_, _, at) => !running.is_some_and(|running| terms.holds(*at, running)),
+                Node::Symbol(symbol) => solved.contains_key(symbol),
+                _ => false,
+            })
+        };
+        let more = failure.is_none() && again(&terms) && result != written;
+        self.statement.terms = terms;
+        match failure {
+            Some(function) => {
+                let name = self.statement.terms.function_name(function);
+                refused(format!("`{name}` has no value at one of its times"))
+            }
+            None if more => self.translate(result, running),
+            None => Ok(result),
+        }
+    }
+
+    /// A translated term with the sample put in.
+    fn sampled(&mut self, term: Term) -> Term {
+        let sample = &self.sample;
+        self.statement.terms.rewrite(term, &mut |_, node| match node {
+            Node::Symbol(symbol) => sample.get(symbol).copied(),
+            _ => None,
+        })
+    }
+
+    fn numerator(&mut self, term: Term) -> Outcome<super::expand::Quotient> {
+        Expansion::new(self.witness.certificate.whole.iter().copied().collect(), self.effort)
+            .of(&self.statement.terms, term)
+    }
+
+    fn vanishes_identically(&mut self, term: Term) -> Outcome<bool> {
+        let quotient = Expansion::new(BTreeSet::new(), self.effort).of(&self.statement.terms, term)?;
+        Ok(vanishes(&quotient.numerator))
+    }
+
+    /// The sign of a number: of its real and imaginary part; `None` where it is not certain. 0 needs the certificate.
+    fn number(&mut self, term: Term) -> Outcome<Option<[i8; 2]>> {
+        for (property, of) in self.statement.domain(term) {
+            let of = self.numerator(of)?;
+            if !of.divisors.is_empty() && property != Property::Nonzero {
+                // inner conditions come first in their own right; a sign takes the divisors along
+                let mut product = of.numerator.clone();
+                for (divisor, power) in &of.divisors {
+                    if power % 2 == 1 {
+                        product = product.times(divisor);
+                    }
+                }
+                self.in_domain(property, &product)?;
+            } else {
+                self.in_domain(property, &of.numerator)?;
+            }
+        }
+        let quotient = self.numerator(term)?;
+        let mut polynomial = quotient.numerator;
+        for (divisor, power) in &quotient.divisors {
+            if power % 2 == 1 {
+                polynomial = polynomial.times(divisor);
+            }
+        }
+        let [real, imaginary] = self.parts(&polynomial);
+        Ok(match (self.sign(&real), self.sign(&imaginary)) {
+            (Some(real), Some(imaginary)) => Some([real, imaginary]),
+            // one part that is not 0 is enough to tell that the number is not
+            (Some(real), None) if real != 0 => Some([real, 2]),
+            (None, Some(imaginary)) if imaginary != 0 => Some([2, imaginary]),
+            _ => None,
+        })
+    }
+
+    fn in_domain(&mut self, property: Property, polynomial: &Polynomial) -> Outcome<()> {
+        let [real, imaginary] = self.parts(polynomial);
+        let (real, imaginary) = (self.sign(&real), self.sign(&imaginary));
+        let fits = match property {
+            Property::Nonzero => real.is_some_and(|s| s != 0) || imaginary.is_some_and(|s| s != 0),
+            Property::Positive => real == Some(1) && imaginary == Some(0),
+            Property::NonNegative => real.is_some_and(|s| s >= 0) && imaginary == Some(0),
+            Property::Zero | Property::Integer => false,
+        };
+        match fits {
+            true => Ok(()),
+            false => refused("something written is not defined at the point"),
+        }
+    }
+
+    /// Real and imaginary part, where all generators but the imaginary unit are real.
+    fn parts(&mut self, polynomial: &Polynomial) -> [Polynomial; 2] {
+        let unit = self.statement.terms.add(Node::Imaginary);
+        let mut parts = [Vec::new(), Vec::new()];
+        for (monomial, value) in polynomial.terms() {
+            let power = monomial
+                .iter()
+                .find(|(term, _)| *term == unit)
+                .map_or(0, |(_, power)| *power);
+            let rest = monomial.iter().copied().filter(|(term, _)| *term != unit).collect();
+            let value = if power % 4 >= 2 { -value.clone() } else { value.clone() };
+            parts[power as usize % 2].push((rest, value));
+        }
+        parts.map(Polynomial::from_terms)
+    }
+
+    fn sign(&self, polynomial: &Polynomial) -> Option<i8> {
+        if vanishes(polynomial) || self.zeros.iter().any(|zero| zero.is_multiple_of(polynomial)) {
+            return Some(0);
+        }
+        enclosure::sign(&self.statement.terms, polynomial)
+    }
+
+    /// Whether a property holds of a term at the point.
+    fn property(&mut self, property: Property, term: Term) -> Outcome<bool> {
+        let translated = self.translate(term, None)?;
+        let sampled = self.sampled(translated);
+        let Some([real, imaginary]) = self.number(sampled)? else {
+            return refused("a value is too close to 0 to tell");
+        };
+        Ok(match property {
+            Property::Zero => [real, imaginary] == [0, 0],
+            Property::Nonzero => [real, imaginary] != [0, 0],
+            Property::Positive => [real, imaginary] == [1, 0],
+            Property::NonNegative => real >= 0 && real < 2 && imaginary == 0,
+            Property::Integer => {
+                let quotient = self.numerator(sampled)?;
+                let value = quotient
+                    .numerator
+                    .as_constant()
+                    .filter(|_| quotient.divisors.is_empty());
+                match value {
+                    Some(value) => *value.0.denominator() == dashu_int::UBig::ONE,
+                    None => return refused("not known to be an integer"),
+                }
+            }
+        })
+    }
+
+    fn holds(&mut self, given: &Given) -> Outcome<()> {
+        if given.property == Property::Zero && !self.statement.generic.is_empty() {
+            // the premises hold for all values of generic symbols nearby, so that nothing thin in them is the cause
+            let translated = self.translate(given.term, None)?;
+            if !self.vanishes_identically(translated)? {
+                return refused("the premise does not hold identically in the generic symbols");
+            }
+        }
+        match self.property(given.property, given.term)? {
+            true => Ok(()),
+            false => refused("it does not hold at the point"),
+        }
+    }
+
+    fn law_holds(&mut self, number: usize, given: &Given, law: &Law) -> Outcome<()> {
+        if given.property != Property::Zero {
+            return refused("a law that is an inequality");
+        }
+        if law.every_impact && law.flight.is_none() && law.time.is_none() {
+            return self.sequence_holds(number, given);
+        }
+        let Some(time) = law.time else {
+            return refused("a law without a time");
+        };
+        if law.flight.is_none() {
+            if let Some((function, period)) = self.period_of(given.term, time)
+                && self.periods.get(&function).is_some_and(|known| *known == period)
+            {
+                return Ok(());
+            }
+            return self.vanishes_at_all_times(given.term, time);
+        }
+        let base = law.flight.unwrap_or(0);
+        for flight in self.flights() {
+            let running = self.statement.fresh("t");
+            let at = self.statement.terms.symbol(running);
+            let Some((_, term, _)) = self
+                .statement
+                .instance(number, Some(at), flight - base, Some((running, flight)))
+            else {
+                return refused("the law does not extend to a flight of the statement");
+            };
+            self.vanishes_at_all_times(term, running)?;
+        }
+        Ok(())
+    }
+
+    fn vanishes_at_all_times(&mut self, term: Term, time: Symbol) -> Outcome<()> {
+        let translated = self.translate(term, Some(time))?;
+        if self.vanishes_identically(translated)? {
+            return Ok(());
+        }
+        if self.statement.generic.is_empty() {
+            let sampled = self.sampled(translated);
+            let quotient = self.numerator(sampled)?;
+            if vanishes(&quotient.numerator) || self.zeros.iter().any(|zero| zero.is_multiple_of(&quotient.numerator)) {
+                return Ok(());
+            }
+        }
+        refused("the law does not hold at all times")
+    }
+
+    /// The flights between the impacts that the statement speaks of.
+    fn flights(&self) -> Vec<i32> {
+        let mut impacts: BTreeSet<i32> = self.statement.times.keys().copied().collect();
+        for quantity in &self.statement.quantities {
+            if let Quantity::State { index, .. } = quantity {
+                impacts.insert(*index);
+            }
+        }
+        let named = self.statement.functions.iter().filter_map(|of| match of {
+            FunctionOf::Flight { impact, .. } => Some(*impact),
+            FunctionOf::Line(_) => None,
+        });
+        let (first, last) = (impacts.first().copied(), impacts.last().copied());
+        let between = first.zip(last).map_or(0..0, |(first, last)| first..last);
+        between.chain(named).collect::<BTreeSet<i32>>().into_iter().collect()
+    }
+
+    /// A recursion that can be solved for its first and its last state goes on in both directions from any values.
+    fn sequence_holds(&mut self, number: usize, given: &Given) -> Outcome<()> {
+        let all: Vec<usize> = (0..self.statement.givens.len())
+            .filter(|&n| {
+                let law = self.statement.givens[n].law.as_ref();
+                law.is_some_and(|law| law.every_impact && law.flight.is_none())
+            })
+            .collect();
+        let family = |at: &mut Self, term: Term| -> (BTreeSet<crate::tex::Name>, BTreeMap<i32, Symbol>) {
+            let term = at.statement.written_out(term);
+            let (mut names, mut symbols) = (BTreeSet::new(), BTreeMap::new());
+            for inner in at.statement.terms.inside(term) {
+                if let Node::Symbol(symbol) = at.statement.terms.node(inner)
+                    && let Some(Quantity::State { state, index, .. }) = at.statement.quantity(*symbol)
+                {
+                    names.insert(state.clone());
+                    symbols.insert(*index, *symbol);
+                }
+            }
+            (names, symbols)
+        };
+        let (own, symbols) = family(self, given.term);
+        for &other in all.iter().filter(|&&other| other != number) {
+            let term = self.statement.givens[other].term;
+            if !family(self, term).0.is_disjoint(&own) {
+                return refused("states are bound by several recursions");
+            }
+        }
+        if own.len() != 1 {
+            return refused("a recursion of several states");
+        }
+        let (Some((&low, &first)), Some((&high, &last))) = (symbols.first_key_value(), symbols.last_key_value()) else {
+            return refused("a recursion without states");
+        };
+        for end in [first, last] {
+            let slope = self.statement.derivative(given.term, end);
+            let closed = self.property(Property::Nonzero, slope)?;
+            let free = symbols
+                .values()
+                .all(|&symbol| !self.statement.terms.holds(slope, symbol));
+            if !closed || !free || low == high {
+                return refused("a recursion that cannot be solved for its ends");
+            }
+        }
+        let of = |quantity: &Quantity| match quantity {
+            Quantity::State { state, index, .. } if own.contains(state) => Some(*index),
+            _ => None,
+        };
+        let spoken: BTreeSet<i32> = self.statement.quantities.iter().filter_map(of).collect();
+        let (Some(&from), Some(&to)) = (spoken.first(), spoken.last()) else {
+            return Ok(());
+        };
+        for shift in (from - low)..=(to - high) {
+            let Some((property, term, _)) = self.statement.instance(number, None, shift, None) else {
+                return refused("the recursion does not extend so far");
+            };
+            let given = Given {
+                property,
+                term,
+                law: None,
+                ..given.clone()
+            };
+            self.holds(&given)?;
+        }
+        Ok(())
+    }
+
+    /// The function and its period, where a law says nothing else.
+    fn period_of(&mut self, term: Term, time: Symbol) -> Option<(Function, Term)> {
+        let term = self.statement.written_out(term);
+        let quotient = Expansion::new(BTreeSet::new(), self.effort)
+            .of(&self.statement.terms, term)
+            .ok()?;
+        let [(a, x), (b, y)] = quotient.numerator.terms() else {
+            return None;
+        };
+        let single = |monomial: &super::polynomial::Monomial| match monomial.as_slice() {
+            [(generator, 1)] => match self.statement.terms.node(*generator) {
+                Node::Value(function, 0, at) => Some((*function, *at)),
+                _ => None,
+            },
+            _ => None,
+        };
+        let ((f, u), (g, v)) = (single(a)?, single(b)?);
+        if f != g || *x != -y.clone() || !quotient.divisors.is_empty() {
+            return None;
+        }
+        let period = self.statement.terms.difference(u, v);
+        let slope = self.statement.derivative(u, time);
+        let one = self.statement.terms.integer(1);
+        let steady = self.statement.terms.difference(slope, one);
+        if !self.vanishes_identically(steady).ok()? {
+            return None;
+        }
+        // the running time cancels
+        let zero = self.statement.terms.integer(0);
+        let period = self.statement.terms.substitute(period, time, zero);
+        Some((f, period))
+    }
+
+    /// Times in the table are different, modulo the period of a function that has one: then there is a smooth function
+    /// with these values (Hermite interpolation; for periodic ones, trigonometric).
+    fn check_table(&mut self) -> Outcome<()> {
+        let mut laws: Vec<(Function, Term)> = Vec::new();
+        for given in self.statement.givens.clone() {
+            let Some(Law {
+                time: Some(time),
+                flight: None,
+                ..
+            }) = given.law
+            else {
+                continue;
+            };
+            let term = self.statement.written_out(given.term);
+            let tabled =
+                self.statement
+                    .terms
+                    .inside(term)
+                    .into_iter()
+                    .any(|inner| match self.statement.terms.node(inner) {
+                        Node::Value(function, ..) => self.chain(*function).iter().any(|f| self.is_tabled(*f)),
+                        _ => false,
+                    });
+            if !tabled {
+                continue;
+            }
+            match self.period_of(given.term, time) {
+                Some(law) => laws.push(law),
+                None => {
+                    return refused(format!(
+                        "({}) binds a function that has only single values",
+                        given.label
+                    ));
+                }
+            }
+        }
+        for (function, period) in laws {
+            let translated = self.translate(period, None)?;
+            if !self.property(Property::Nonzero, period)? {
+                return refused("a period is 0");
+            }
+            // a derivative has the period of its function
+            let mut of = Some(function);
+            while let Some(function) = of {
+                if let Some(known) = self.periods.get(&function).copied() {
+                    let known = self.translate(known, None)?;
+                    let [sum, difference] = [
+                        self.statement.terms.sum(vec![known, translated]),
+                        self.statement.terms.difference(known, translated),
+                    ];
+                    if !self.vanishes_identically(sum)? && !self.vanishes_identically(difference)? {
+                        return refused("a function has two periods");
+                    }
+                } else {
+                    self.periods.insert(function, period);
+                }
+                of = self.statement.derivatives.get(&function).copied();
+            }
+        }
+        let table = &self.witness.table;
+        for (n, (f, order, a, _)) in table.iter().enumerate() {
+            for (g, other, b, _) in table.iter().skip(n + 1) {
+                if !self.chain(*f).contains(g) || (a == b && (f, order) != (g, other)) {
+                    continue;
+                }
+                self.check_apart(*f, *a, *b)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn is_tabled(&self, function: Function) -> bool {
+        self.witness.table.iter().any(|(f, ..)| *f == function)
+    }
+
+    /// A function with all that it is a derivative of and all its derivatives.
+    fn chain(&self, function: Function) -> BTreeSet<Function> {
+        let mut chain = BTreeSet::from([function]);
+        loop {
+            let size = chain.len();
+            for (&f, &g) in &self.statement.derivatives {
+                if chain.contains(&f) || chain.contains(&g) {
+                    chain.extend([f, g]);
+                }
+            }
+            if chain.len() == size {
+                return chain;
+            }
+        }
+    }
+
+    fn check_apart(&mut self, function: Function, a: Term, b: Term) -> Outcome<()> {
+        let apart = self.statement.terms.difference(a, b);
+        let apart = self.translate(apart, None)?;
+        let apart = self.sampled(apart);
+        if !self.number(apart)?.is_some_and(|signs| signs != [0, 0]) {
+            return refused("two times of the table may be the same");
+        }
+        let chain = self.chain(function);
+        let period = self
+            .periods
+            .iter()
+            .find(|(f, _)| chain.contains(f))
+            .map(|(_, period)| *period);
+        if let Some(period) = period {
+            let period = self.translate(period, None)?;
+            let period = self.sampled(period);
+            let turns = self.statement.terms.quotient(apart, period);
+            let quotient = self.numerator(turns)?;
+            let turns = quotient
+                .numerator
+                .as_constant()
+                .filter(|_| quotient.divisors.is_empty());
+            if turns.is_none_or(|turns| *turns.0.denominator() == dashu_int::UBig::ONE) {
+                return refused("two times of the table may be the same but for whole periods");
+            }
+        }
+        Ok(())
+    }
+
+    /// A flight that is named has the states at its two ends.
+    fn check_flights(&mut self) -> Outcome<()> {
+        for (function, time, term) in self.witness.functions.clone() {
+            let Some(FunctionOf::Flight { state, impact }) = self.statement.functions.get(function.0 as usize).cloned()
+            else {
+                continue;
+            };
+            let mut slope = term;
+            let mut named = state.clone();
+            for _ in 0..3 {
+                for (index, after) in [(impact, true), (impact + 1, false)] {
+                    if !self.statement.states.contains(&named) {
+                        continue;
+                    }
+                    let letter = self.statement.letter.clone();
+                    let known = self.statement.quantities.len();
+                    let symbol = self.statement.state(&named, index, after, &letter);
+                    let is_new = self.statement.quantities.len() > known;
+                    let Some(&end) = self.statement.times.get(&index) else {
+                        continue;
+                    };
+                    if is_new && !self.solved.contains_key(&symbol) && !self.sample.contains_key(&symbol) {
+                        continue;
+                    }
+                    let (end, symbol) = (self.statement.terms.symbol(end), self.statement.terms.symbol(symbol));
+                    let value = self.statement.terms.substitute(slope, time, end);
+                    let difference = self.statement.terms.difference(value, symbol);
+                    let given = Given {
+                        label: "the ends of a flight".into(),
+                        property: Property::Zero,
+                        term: difference,
+                        law: None,
+                    };
+                    self.holds(&given)?;
+                }
+                slope = self.statement.derivative(slope, time);
+                named = named.dotted();
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether one of the goals fails at the point.
+    pub fn fails(&mut self) -> Outcome<bool> {
+        for (property, term) in self.statement.goal.clone() {
+            for (condition, of) in self.statement.domain(term) {
+                if !self.property(condition, of)? {
+                    // a solution that is not defined is none
+                    return Ok(true);
+                }
+            }
+            if !self.property(property, term)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+}
+
+/// The value in the table at a time that is identically the one sought, but for whole periods.
+fn lookup(
+    terms: &mut super::term::Terms,
+    witness: &Witness,
+    periods: &BTreeMap<Function, Term>,
+    function: Function,
+    order: u32,
+    at: Term,
+) -> Option<Term> {
+    let mut expansion = Expansion::new(BTreeSet::new(), 100_000);
+    for (_, _, time, value) in witness.table.iter().filter(|(f, n, ..)| (*f, *n) == (function, order)) {
+        let apart = terms.difference(at, *time);
+        if vanishes(&expansion.of(terms, apart).ok()?.numerator) {
+            return Some(*value);
+        }
+    }
+    let period = *periods.get(&function)?;
+    let solved: HashMap<Symbol, Term> = witness.solved.iter().copied().collect();
+    let period = terms.rewrite(period, &mut |_, node| match node {
+        Node::Symbol(symbol) => solved.get(symbol).copied(),
+        _ => None,
+    });
+    for (_, _, time, value) in witness.table.iter().filter(|(f, n, ..)| (*f, *n) == (function, order)) {
+        for turns in (-6..=6).filter(|turns| *turns != 0) {
+            let factor = terms.integer(turns);
+            let moved = terms.product(vec![factor, period]);
+            let time = terms.sum(vec![*time, moved]);
+            let apart = terms.difference(at, time);
+            if vanishes(&expansion.of(terms, apart).ok()?.numerator) {
+                return Some(*value);
+            }
+        }
+    }
+    None
+}

@@ -1,0 +1,89 @@
+//! What was decided of one claim, and why.
+
+use super::counterexample::Counterexample;
+use crate::claim::{Fault, Sheet, Statements, Verdict};
+use crate::tex::Equation;
+use std::collections::HashSet;
+
+/// What was decided of one claim, and why.
+#[derive(Clone, Debug, Default)]
+pub struct Decision {
+    pub label: String,
+    pub verdict: Verdict,
+    pub expected: Verdict,
+    pub counterexample: Option<Counterexample>,
+    pub reason: String,
+    /// What the proof excludes: sets that are thin in generic symbols, derivatives that must exist.
+    pub provided: Vec<String>,
+    /// The equation that was not proved, of the several that a label may have.
+    pub failed: Option<Equation>,
+    /// Line and column in the sheet: of what cannot be read, else of the formula.
+    pub place: Option<(usize, usize)>,
+}
+
+impl Decision {
+    /// Whether the verdict is the one that the sheet expects.
+    pub fn is_expected(&self) -> bool {
+        self.verdict == self.expected
+    }
+
+    /// The decision on the entry at a position before anything is known of it: undecided.
+    pub fn of(sheet: &Sheet, position: usize) -> Self {
+        let entry = sheet.entries.get(position);
+        Self {
+            label: entry.map(|entry| entry.label.clone()).unwrap_or_default(),
+            verdict: Verdict::Undecided,
+            expected: entry.map(|entry| entry.expect).unwrap_or_default(),
+            place: entry.map(|entry| entry.tex.place()),
+            ..Self::default()
+        }
+    }
+
+    /// What bears on the claim at a position, where there is anything to search for.
+    ///
+    /// # Errors
+    /// The decision, where the claim cannot be read, or something that it follows from.
+    pub fn without_search(sheet: &Sheet, position: usize) -> Result<Statements, Self> {
+        let decision = Self::of(sheet, position);
+        let unread = |fault: &Fault| Self {
+            verdict: Verdict::Unread,
+            reason: fault.message.clone(),
+            place: fault.place.or(decision.place),
+            ..decision.clone()
+        };
+        if let Some(fault) = sheet.entries.get(position).and_then(|entry| entry.unread.as_ref()) {
+            return Err(unread(fault));
+        }
+        let below = sheet.unread_below(position);
+        if !below.is_empty() {
+            let labels: Vec<String> = below.iter().map(|label| format!("({label})")).collect();
+            let reason = format!("rests on {}, which cannot be read", labels.join(", "));
+            return Err(Self { reason, ..decision });
+        }
+        Statements::gather(sheet, position).map_err(|fault| unread(&fault))
+    }
+}
+
+/// Says of each decision that rests on a refuted claim that it does.
+pub fn mention_refuted<'a>(sheet: &Sheet, decisions: impl Iterator<Item = &'a mut Decision>) {
+    let mut decisions: Vec<&mut Decision> = decisions.collect();
+    let refuted = decisions.iter().filter(|d| d.verdict == Verdict::Refuted);
+    let refuted: HashSet<String> = refuted.map(|d| d.label.clone()).collect();
+    let positions = sheet.positions();
+    for decision in &mut decisions {
+        let position = positions.get(decision.label.as_str());
+        let Some(entry) = position.and_then(|&n| sheet.entries.get(n)) else {
+            continue;
+        };
+        let premises = entry.follows_from.iter().filter_map(|&n| sheet.entries.get(n));
+        let wrong = premises.filter(|premise| refuted.contains(&premise.label));
+        let wrong: Vec<String> = wrong.map(|premise| format!("({})", premise.label)).collect();
+        if !wrong.is_empty() && decision.verdict != Verdict::Unread {
+            decision.reason = format!(
+                "{}; taken as given although refuted: {}",
+                decision.reason,
+                wrong.join(", ")
+            );
+        }
+    }
+}
