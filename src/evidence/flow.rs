@@ -352,7 +352,7 @@ mod tests {
     #[test]
     fn the_oscillator_swings_in_sixteen_and_in_forty_digits_and_back() {
         let formulas = oscillator();
-        for time in [0.5, 3.0, -7.25, 40.0] {
+        for time in [0.5_f64, 3.0, -7.25, 40.0] {
             assert!((at(&formulas, 0, &[1.0, 0.0], time) - (time - 0.5).cos()).abs() < 1e-14);
             assert!((at(&formulas, 1, &[1.0, 0.0], time) + (time - 0.5).sin()).abs() < 1e-14);
         }

@@ -616,3 +616,138 @@ fn show<N: Numbers>(system: &System, point: &Point<N::Of<f64>>, gap: &Gap) -> St
     parts.push(format!("right={}", complex(gap.right, &long)));
     parts.join("; ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claim::read_symbols;
+
+    fn paper() -> Sheet {
+        let vocabulary = read_symbols(include_str!("../../golden/paper/symbols.toml")).unwrap();
+        Sheet::read(include_str!("../../golden/paper/equations.toml"), &vocabulary).unwrap()
+    }
+
+    #[test]
+    fn every_claim_of_the_paper_has_a_witness() {
+        let sheet = paper();
+        for (position, entry) in sheet.entries.iter().enumerate() {
+            if entry.role != crate::claim::Role::Claim {
+                continue;
+            }
+            let evidence = witness(&sheet, position, entry.expect, 6).unwrap();
+            assert_eq!(evidence.against, None, "{}", entry.label);
+            assert_eq!(evidence.points, 6, "{}", entry.label);
+            let proved = entry.expect == Verdict::Proved;
+            assert_eq!(evidence.digits > Some(10.0), proved, "{} {evidence:?}", entry.label);
+        }
+    }
+
+    #[test]
+    fn a_wrong_verdict_is_contradicted() {
+        let sheet = paper();
+        for (label, wrong) in [
+            ("16", Verdict::Proved),
+            ("22", Verdict::Proved),
+            ("14", Verdict::Refuted),
+        ] {
+            let evidence = witness(&sheet, sheet.find(label).unwrap(), wrong, 6).unwrap();
+            assert!(evidence.against.is_some(), "{label} {evidence:?}");
+        }
+    }
+
+    fn of(tex: &str, premises: &[(&str, &str)], verdict: Verdict) -> Evidence {
+        let mut text = String::new();
+        for (label, tex) in premises {
+            text += &format!("[[equation]]\nlabel = \"{label}\"\nrole = \"premise\"\ntex = '''{tex}'''\n");
+        }
+        let labels: Vec<&str> = premises.iter().map(|(label, _)| *label).collect();
+        text +=
+            &format!("[[equation]]\nlabel = \"c\"\nrole = \"claim\"\ntex = '''{tex}'''\nfollows_from = {labels:?}\n");
+        let vocabulary = read_symbols(include_str!("../../golden/paper/symbols.toml")).unwrap();
+        let sheet = Sheet::read(&text, &vocabulary).unwrap();
+        witness(&sheet, sheet.find("c").unwrap(), verdict, 6).unwrap()
+    }
+
+    #[test]
+    fn what_holds_for_a_cosine_alone_is_said() {
+        let periodic = [("p", "f(t) = f(t + T)"), ("q", "T = T_1 + T_2")];
+        let evidence = of(r"F_1(t_{k+2}) = F_1(t_k)", &periodic, Verdict::Refuted);
+        assert!(
+            evidence.against.is_none() && evidence.digits < Some(3.0),
+            "{evidence:?}"
+        );
+        assert!(
+            evidence
+                .notes
+                .iter()
+                .any(|note| note.starts_with("true for this forcing")),
+            "{evidence:?}"
+        );
+        let evidence = of("f(t_{k+2}) = f(t_k)", &periodic, Verdict::Proved);
+        assert!(
+            evidence.against.is_none() && evidence.digits > Some(12.0),
+            "{evidence:?}"
+        );
+    }
+
+    #[test]
+    fn a_term_too_small_for_f64_is_no_reason_to_contradict() {
+        let given = [("p", "d = r T")];
+        let evidence = of("d = r T + 0.0000000000000000001", &given, Verdict::Refuted);
+        assert!(
+            evidence.against.is_none() && evidence.digits > Some(14.0),
+            "{evidence:?}"
+        );
+        assert!(of("d = T r", &given, Verdict::Refuted).against.is_some());
+        assert!(of("d = 1.000001 T r", &given, Verdict::Proved).against.is_some());
+    }
+
+    #[test]
+    fn laws_of_functions_shape_the_forcing() {
+        let opposite = [("p", "f(t) = -f(t + T_1)")];
+        let evidence = of("f(t_{k+1}) = -f(t_k)", &opposite, Verdict::Proved);
+        assert!(
+            evidence.against.is_none() && evidence.digits > Some(12.0),
+            "{evidence:?}"
+        );
+        let growing = [("p", "f(t) = d t")];
+        let integral = r"F_1(t_{k+1}) - F_1(t_k) = d (t_{k+1}^2 - t_k^2)/2";
+        assert!(of(integral, &growing, Verdict::Proved).digits > Some(12.0));
+    }
+
+    #[test]
+    fn a_flight_has_the_slope_of_its_law() {
+        let law = [(
+            "3",
+            r"\dot{Z}(t) = -r\dot{Z}^{-}(t_k) + \overline{g}(t - t_k) + F_1(t) - F_1(t_k)",
+        )];
+        let slope = of(r"\ddot{Z}(t) = f(t) + \overline{g}", &law, Verdict::Proved);
+        assert!(slope.against.is_none() && slope.digits > Some(12.0), "{slope:?}");
+        assert!(
+            of(r"\ddot{Z}(t) = f(t) - \overline{g}", &law, Verdict::Proved)
+                .against
+                .is_some()
+        );
+    }
+
+    #[test]
+    fn what_premises_leave_open_of_a_map_stays_open() {
+        let velocity = [(
+            "9",
+            r"\dot{Z}_{k+1} = -r_B \dot{Z}_k + \overline{g}T_1 + F_1(t_{k+1}) - F_1(t_k)",
+        )];
+        let by_velocity = r"\frac{\partial \dot{Z}_{k+1}}{\partial \dot{Z}_k}";
+        let chain = r"-r_B + \frac{\partial t_{k+1}}{\partial \dot{Z}_k} [f(t_{k+1}) + \overline{g}]";
+        let evidence = of(&format!("{by_velocity} = {chain}"), &velocity, Verdict::Proved);
+        assert!(evidence.digits > Some(12.0) && evidence.flown.is_none(), "{evidence:?}");
+        let alone = of(&format!("{by_velocity} = -r_B"), &velocity, Verdict::Refuted);
+        assert!(alone.digits < Some(3.0), "{alone:?}");
+    }
+
+    #[test]
+    fn premises_without_a_common_point_leave_no_digits() {
+        let evidence = of("r = 2", &[("p", "d = -1")], Verdict::Refuted);
+        assert_eq!((evidence.digits, evidence.points), (None, 0));
+        assert!(!evidence.notes.is_empty());
+    }
+}

@@ -89,6 +89,12 @@ pub struct System {
     resolved: HashMap<(usize, usize), Option<Formula>>,
 }
 
+/// What a row says, before functions are replaced by what stands for them.
+struct Written {
+    slots: BTreeSet<usize>,
+    has_functions: bool,
+}
+
 /// Operations for one claim.
 const WORK: u64 = 40_000_000;
 
@@ -188,9 +194,10 @@ impl System {
         self.choose_laws(laws, vocabulary)?;
         self.tie_flights(statements, vocabulary);
         let rows = std::mem::take(&mut self.rows);
+        let written: Vec<Written> = rows.iter().map(|row| self.written(*row)).collect();
         let rows: Vec<Formula> = rows.into_iter().map(|row| self.resolve(row, vocabulary)).collect();
         self.rows = rows;
-        self.choose_step_rows(statements.speaks_of_maps, vocabulary);
+        self.choose_step_rows(statements.speaks_of_maps, &written, vocabulary);
         self.maps.opaque = self.step_rows.iter().all(Vec::is_empty) && !statements.has_partials;
         for premise in of_matrices {
             for (left, right) in self.sides(&premise.equation, vocabulary, &premise.locals, premise.first, first)? {
@@ -322,19 +329,9 @@ impl System {
         };
         let zero = self.formulas.integer(0);
         let (left, right) = match (self.formulas.op(left), self.formulas.op(right)) {
-            (Op::Add(a, b), _) if right == zero => (a, b),
-            (_, Op::Add(a, b)) if left == zero => (a, b),
+            (Op::Add(a, b), _) if right == zero => self.opposed(a, b)?,
+            (_, Op::Add(a, b)) if left == zero => self.opposed(a, b)?,
             _ => (left, right),
-        };
-        let bare = |formulas: &Formulas, formula: Formula| match formulas.op(formula) {
-            Op::Negate(inner) => inner,
-            _ => formula,
-        };
-        let signs = [left, right].map(|side| matches!(self.formulas.op(side), Op::Negate(_)));
-        let (left, right) = match signs {
-            [false, false] => (left, right),
-            [a, b] if a != b => (bare(&self.formulas, left), bare(&self.formulas, right)),
-            _ => return None,
         };
         let ((course, level, early), (other, same, late)) = (value(&self.formulas, left)?, value(&self.formulas, right)?);
         if course != other || level != same {
@@ -352,12 +349,28 @@ impl System {
         (early != late).then(|| (course, level, self.formulas.subtract(late, early)))
     }
 
+    /// The two terms of a difference.
+    fn opposed(&self, a: Formula, b: Formula) -> Option<(Formula, Formula)> {
+        match (self.formulas.op(a), self.formulas.op(b)) {
+            (Op::Negate(a), _) => Some((b, a)),
+            (_, Op::Negate(b)) => Some((a, b)),
+            _ => None,
+        }
+    }
+
     /// Makes a course repeat; a second period must agree with the first.
     fn declare(&mut self, course: usize, level: usize, shift: Formula) {
         let Some(known) = self.space.courses.get_mut(course) else { return };
         let is_new = known.period.is_none() && known.flight.is_none() && known.law.is_none();
         if is_new && self.forcing == Forcing::Any {
             known.period = Some((level, shift));
+            return;
+        }
+        if self.forcing == Forcing::Cosine && known.flight.is_none() && known.law.is_none() {
+            // The period is 2.
+            let (square, four) = (self.formulas.make(Op::Power(shift, 2)), self.formulas.integer(4));
+            let row = self.formulas.subtract(square, four);
+            self.rows.push(row);
             return;
         }
         if let Some((known, _)) = &mut known.period {
@@ -629,6 +642,7 @@ impl System {
         };
         let members = course.names.len();
         let powers = match &course.period {
+            _ if self.forcing == Forcing::Cosine => 0,
             Some((level, _)) => level + 1,
             // Constants of integration are enough for any function at a few times.
             None if self.shaped => members + POWERS_OF_LAW,
@@ -702,37 +716,53 @@ impl System {
         sum
     }
 
+    /// What is written in a row: the slots of a function's period and coefficients are left out, those of a flight are
+    /// the time and the states that it starts with.
+    fn written(&self, row: Formula) -> Written {
+        let mut slots: BTreeSet<usize> = self.formulas.slots(&[row]).into_iter().collect();
+        let mut has_functions = false;
+        for part in self.formulas.parts(&[row]) {
+            let Op::Value { course, .. } = self.formulas.op(part) else { continue };
+            has_functions = true;
+            let Some(course) = self.space.courses.get(course).filter(|course| course.flight.is_some()) else { continue };
+            if let Some(law) = course.flow.and_then(|law| self.formulas.laws.get(law)) {
+                slots.extend(self.formulas.slots(&[law.start]));
+                slots.extend(&law.initial);
+            }
+        }
+        Written { slots, has_functions }
+    }
+
     /// The impacts of a row, with those of parameters that are bound to times.
-    fn impacts(&self, row: Formula, bound: &[(usize, BTreeSet<i32>)]) -> BTreeSet<i32> {
-        let of = |slot: usize| -> BTreeSet<i32> {
+    fn impacts(&self, row: &Written, bound: &[(usize, BTreeSet<i32>)]) -> BTreeSet<i32> {
+        let of = |&slot: &usize| -> BTreeSet<i32> {
             let own = self.space.impact(slot).into_iter();
             let bound = bound.iter().filter(|(known, _)| *known == slot);
             own.chain(bound.flat_map(|(_, impacts)| impacts.clone())).collect()
         };
-        self.formulas.slots(&[row]).into_iter().flat_map(of).collect()
+        row.slots.iter().flat_map(of).collect()
     }
 
     /// Parameters that an equation of times and parameters alone gives, such as the period `T = t_{k+2} - t_k`.
-    fn bound(&self) -> Vec<(usize, BTreeSet<i32>)> {
+    fn bound(&self, written: &[Written]) -> Vec<(usize, BTreeSet<i32>)> {
         let mut bound = Vec::new();
-        for &row in self.rows.iter().filter(|row| self.is_pure(**row)) {
+        for row in written.iter().filter(|row| self.is_pure(row)) {
             let impacts = self.impacts(row, &[]);
-            let parameters = self.formulas.slots(&[row]).into_iter().filter(|&slot| self.space.impact(slot).is_none());
-            bound.extend(parameters.filter(|_| !impacts.is_empty()).map(|slot| (slot, impacts.clone())));
+            let parameters = row.slots.iter().filter(|&&slot| self.space.impact(slot).is_none());
+            bound.extend(parameters.filter(|_| !impacts.is_empty()).map(|&slot| (slot, impacts.clone())));
         }
         bound
     }
 
     /// Whether a row speaks of times and parameters alone.
-    fn is_pure(&self, row: Formula) -> bool {
-        let slots = self.formulas.slots(&[row]);
-        let is_value = |slot: &usize| matches!(self.space.slots.get(*slot), Some(Slot::Parameter(_) | Slot::Time { .. }));
-        slots.iter().all(is_value)
+    fn is_pure(&self, row: &Written) -> bool {
+        !row.has_functions && !row.slots.iter().any(|&slot| self.space.is_state(slot))
     }
 
     /// The rows each map follows from: what has a state first, then the rest.
-    fn choose_step_rows(&mut self, speaks_of_maps: bool, vocabulary: &Vocabulary) {
-        let bound = self.bound();
+    fn choose_step_rows(&mut self, speaks_of_maps: bool, written: &[Written], vocabulary: &Vocabulary) {
+        let bound = self.bound(written);
+        let rows = self.rows.clone();
         for step in self.maps.steps.clone() {
             if !speaks_of_maps {
                 self.step_rows.push(Vec::new());
@@ -746,15 +776,12 @@ impl System {
             }
             let impacts: BTreeSet<i32> = step.of.iter().chain(&step.by).filter_map(|&s| self.space.impact(s)).collect();
             let speaks = |slot: &usize| self.space.impact(*slot).is_some() && !step.by.contains(slot);
-            let fits = |row: &&Formula| {
-                !self.is_pure(**row)
-                    && self.formulas.slots(&[**row]).iter().any(speaks)
-                    && self.impacts(**row, &bound).is_subset(&impacts)
+            let fits = |(_, row): &(&Formula, &Written)| {
+                !self.is_pure(row) && row.slots.iter().any(speaks) && self.impacts(row, &bound).is_subset(&impacts)
             };
-            let mut rows: Vec<Formula> = self.rows.iter().filter(fits).copied().collect();
-            let has_state = |row: &Formula| self.formulas.slots(&[*row]).iter().any(|&slot| self.space.is_state(slot));
-            rows.sort_by_key(|row| !has_state(row));
-            self.step_rows.push(rows);
+            let mut chosen: Vec<(&Formula, &Written)> = rows.iter().zip(written).filter(fits).collect();
+            chosen.sort_by_key(|(_, row)| !row.slots.iter().any(|&slot| self.space.is_state(slot)));
+            self.step_rows.push(chosen.into_iter().map(|(row, _)| *row).collect());
         }
     }
 
