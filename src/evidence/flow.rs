@@ -29,6 +29,8 @@ pub struct Flow {
     lengths: Vec<usize>,
     /// The position of the law's derivative, for each law.
     bodies: Vec<usize>,
+    /// Operations of one step in f64, and in many digits.
+    costs: [usize; 2],
 }
 
 /// A series that does not end.
@@ -110,7 +112,19 @@ impl Formulas {
                 _ => ENDLESS,
             });
         }
+        let cost = |order: usize| -> usize {
+            let of = |formula: Formula| lengths.get(formula.position()).copied().unwrap_or(ENDLESS).min(order);
+            let terms = program.ops.iter().zip(&lengths).map(|(op, length)| match *op {
+                _ if *length == 1 => 1,
+                Op::Multiply(a, b) => of(a).min(of(b)) * order,
+                Op::Divide(_, a) | Op::Root(a, _) | Op::Apply(_, a) => of(a) * order,
+                _ => order,
+            });
+            terms.sum()
+        };
+        let costs = [cost(ORDER), cost(ORDER_WIDE)];
         Flow {
+            costs,
             laws,
             ops: program.ops,
             slopes: slope_of,
@@ -218,8 +232,8 @@ fn is_wide<V: Value>() -> bool {
 impl Flow {
     /// The power series of each law's function about a time.
     fn series<V: Value>(&self, states: &[Vec<V>], now: &V, inputs: &Inputs<V>) -> Option<Vec<Vec<V>>> {
-        let order = if is_wide::<V>() { ORDER_WIDE } else { ORDER };
-        if !inputs.work.take(self.ops.len() * order * order / 4 * price::<V>()) {
+        let (order, cost) = if is_wide::<V>() { (ORDER_WIDE, self.costs[1]) } else { (ORDER, self.costs[0]) };
+        if !inputs.work.take(cost * price::<V>()) {
             return None;
         }
         let factorial = |n: usize| (1..=n as i64).product::<i64>();

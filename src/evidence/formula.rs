@@ -452,7 +452,9 @@ impl Program {
     /// For each part the size of the terms it is made of: what a rounding error is to be compared with. By running
     /// error analysis (Wilkinson, Rounding Errors in Algebraic Processes, 1963), up to factors of the order of 1.
     /// Nothing where a denominator, or the argument of a jump, is no more than rounding error.
-    pub fn sizes<V: Value>(&self, values: &[V]) -> Option<Vec<f64>> {
+    ///
+    /// A slot that `solved` knows was moved until the premises held: its errors are those of the largest of these.
+    pub fn sizes<V: Value>(&self, values: &[V], solved: &dyn Fn(usize) -> f64) -> Option<Vec<f64>> {
         let mut sizes: Vec<f64> = Vec::with_capacity(self.ops.len());
         for (n, op) in self.ops.iter().enumerate() {
             let value = values.get(n)?.size();
@@ -489,6 +491,7 @@ impl Program {
                 Op::Apply(Function::Sgn, a) if is_noise(a) => return None,
                 Op::Apply(function, a) => value + through(a, slope_size(function, at(a)?, value)),
                 Op::Flow { .. } => value + 1.0,
+                Op::Slot(slot) => value.max(solved(slot)),
                 _ => value,
             };
             sizes.push(size);
@@ -562,7 +565,7 @@ mod tests {
             depth: 0,
         };
         let values = program.run(&inputs);
-        let sizes = program.sizes(&values).unwrap();
+        let sizes = program.sizes(&values, &|_| 0.0).unwrap();
         (values[program.outputs[0]].clone(), sizes[program.outputs[0]])
     }
 
@@ -595,7 +598,7 @@ mod tests {
                 depth: 0,
             };
             let values = program.run(&inputs);
-            assert_eq!(program.sizes(&values).is_none(), noise);
+            assert_eq!(program.sizes(&values, &|_| 0.0).is_none(), noise);
             slots[1] = 0.4;
         }
     }

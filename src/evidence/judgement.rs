@@ -81,6 +81,8 @@ const MANY_PIECES: usize = 60;
 /// Operations after which a few points are enough.
 const ENOUGH_WORK: u64 = 300_000;
 const FEW: usize = 6;
+/// Special starts from which a proof is tried.
+const PROBES: u64 = 60;
 
 /// Witnesses for the claim at `position` of the sheet, at up to `points` points, held against the verdict. Where the
 /// points agree with a claim that is refuted or undecided, more are looked at.
@@ -183,6 +185,9 @@ impl Witness<'_> {
             let many = if self.verdict == Verdict::Refuted && pieces { MANY_PIECES } else { MANY };
             self.look::<N>(&mut search, many, 1);
         }
+        if self.verdict == Verdict::Proved && !search.found.is_empty() && agrees(&search) {
+            self.probe::<N>(&mut search);
+        }
         if search.found.is_empty() {
             search.found = std::mem::take(&mut search.excluded);
             if search.found.is_empty() {
@@ -248,6 +253,22 @@ impl Witness<'_> {
                 Some(gap) if self.system.is_excluded::<N>(&point) => search.excluded.push((point, gap)),
                 Some(gap) => search.found.push((point, gap)),
                 None => search.undefined += 1,
+            }
+        }
+    }
+
+    /// Looks at special points, as long as these cost little: what fails there is added.
+    fn probe<N: Numbers>(&self, search: &mut Search<N::Of<f64>>) {
+        let before = self.system.work.left();
+        for start in 0..PROBES {
+            if before - self.system.work.left() > ENOUGH_WORK {
+                return;
+            }
+            let style = if start % 4 == 3 { Style::Spread } else { Style::Special };
+            let Ok(point) = self.system.point::<N>(9000 + start, style) else { continue };
+            let gap = self.gap::<N>(&point).filter(|gap| gap.fails && (gap.is_inequality || gap.digits() < DOUBTFUL_PROOF));
+            if let Some(gap) = gap.filter(|_| !self.system.is_excluded::<N>(&point)) {
+                search.found.push((point, gap));
             }
         }
     }
@@ -409,7 +430,7 @@ impl System {
     fn gap<N: Numbers, T: Real>(&self, question: &Question, values: &[N::Of<T>], running: &N::Of<T>) -> Option<Gap> {
         let found = question.program.run(&self.inputs(values, Some(running)));
         let near: Vec<N::Of<f64>> = found.iter().map(rough::<N, T>).collect();
-        let sizes = question.program.sizes(&near)?;
+        let sizes = question.program.sizes(&near, &self.solved::<N, T>(values))?;
         let sides: Vec<(N::Of<T>, f64)> = question
             .program
             .outputs
@@ -444,7 +465,7 @@ impl System {
             let found = program.run(&self.inputs(&values, None));
             let near: Vec<N::Of<f64>> = found.iter().map(rough::<N, T>).collect();
             let output = *program.outputs.first()?;
-            Some((found.get(output)?.clone(), *program.sizes(&near)?.get(output)?))
+            Some((found.get(output)?.clone(), *program.sizes(&near, &self.solved::<N, T>(&values))?.get(output)?))
         };
         let number = |n: i64| N::Of::<T>::integer(n);
         for &premise in &premises {

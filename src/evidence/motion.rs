@@ -102,7 +102,7 @@ impl System {
                 };
                 let program = formulas.program(&[formula]);
                 let found = program.run(&self.inputs(values, None));
-                let (Some(&output), Some(sizes)) = (program.outputs.first(), program.sizes(&found)) else {
+                let (Some(&output), Some(sizes)) = (program.outputs.first(), program.sizes(&found, &|_| 0.0)) else {
                     continue;
                 };
                 let (value, size) = (found.get(output)?, sizes.get(output)?);

@@ -97,7 +97,7 @@ impl System {
         let parts = if N::COMPLEX { 2 } else { 1 };
         let found = program.run(&self.inputs(values, None));
         let near: Vec<N::Of<f64>> = found.iter().map(rough::<N, T>).collect();
-        let sizes = program.sizes(&near);
+        let sizes = program.sizes(&near, &|_| 0.0);
         let mut worst = 0.0_f64;
         let mut residuals = Vec::with_capacity(program.outputs.len() * parts);
         for &output in &program.outputs {
@@ -113,6 +113,13 @@ impl System {
             }
         }
         (residuals, worst)
+    }
+
+    /// The size that errors of a slot are relative to, at a point where the premises were solved.
+    pub fn solved<N: Numbers, T: Real>(&self, values: &[N::Of<T>]) -> impl Fn(usize) -> f64 {
+        let sizes = self.row_slots.iter().filter_map(|slot| values.get(*slot)).map(Value::size);
+        let largest = sizes.fold(0.0, f64::max);
+        move |slot| if self.row_slots.binary_search(&slot).is_ok() { largest } else { 0.0 }
     }
 
     /// The largest residual of the premises at a point, relative to the size of its terms.

@@ -136,7 +136,7 @@ impl System {
     pub fn is_excluded<N: Numbers>(&self, point: &Point<N::Of<f64>>) -> bool {
         let program = &self.factors_program;
         let values = program.run(&self.inputs(&point.values, Some(&point.running)));
-        let Some(sizes) = program.sizes(&values) else { return true };
+        let Some(sizes) = program.sizes(&values, &self.solved::<N, f64>(&point.values)) else { return true };
         let vanishes = |&output: &usize| {
             let (value, size) = (values.get(output).map_or(0.0, Value::size), sizes.get(output).copied().unwrap_or(0.0));
             value <= VANISHING * size || value == 0.0

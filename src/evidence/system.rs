@@ -96,7 +96,7 @@ struct Written {
 }
 
 /// Operations for one claim.
-const WORK: u64 = 40_000_000;
+const WORK: u64 = 100_000_000;
 
 impl System {
     /// Reads premises and claim.
