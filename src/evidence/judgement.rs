@@ -384,6 +384,7 @@ impl Witness<'_> {
             || system.shaped
             || system.kinds.iter().any(|kind| kind.integer)
             || system.has_jumps()
+            || system.flows_may_end()
             || !system.is_a_graph()
     }
 
@@ -530,6 +531,18 @@ impl System {
         })
     }
 
+    /// Whether a law for a derivative may have poles: beyond them the constants of integration are others.
+    fn flows_may_end(&self) -> bool {
+        let bodies = self.formulas.laws.iter().map(|law| law.body);
+        let mut parts = bodies.flat_map(|body| self.formulas.parts(&[body]));
+        parts.any(|part| match self.formulas.op(part) {
+            Op::Divide(_, below) => self.formulas.runs(below),
+            Op::Power(base, exponent) => exponent < 0 && self.formulas.runs(base),
+            Op::Apply(Function::Ln, _) | Op::RealPower(..) | Op::Root(..) => self.formulas.runs(part),
+            _ => false,
+        })
+    }
+
     /// Whether each premise gives a symbol of its own, which stands in it once, alone as a term: then no part of the
     /// solutions is thinner than the rest, but where such symbols depend on each other.
     fn is_a_graph(&self) -> bool {
@@ -552,26 +565,6 @@ impl System {
             false
         }
         (0..alone.len()).all(|row| place(row, &alone, &mut taken, &mut Vec::new()))
-    }
-
-    /// The slots that are a term of a row with a constant factor, and stand nowhere else in it.
-    fn alone(&self, row: super::formula::Formula) -> Vec<usize> {
-        let (mut terms, mut open) = (Vec::new(), vec![row]);
-        while let Some(formula) = open.pop() {
-            match self.formulas.op(formula) {
-                Op::Add(a, b) => open.extend([a, b]),
-                Op::Negate(a) => open.push(a),
-                Op::Multiply(a, b) if matches!(self.formulas.op(a), Op::Ratio(n, _) if n != 0) => open.push(b),
-                Op::Divide(a, b) if matches!(self.formulas.op(b), Op::Ratio(..)) => open.push(a),
-                _ => terms.push(formula),
-            }
-        }
-        let is_slot = |term: &super::formula::Formula| match self.formulas.op(*term) {
-            Op::Slot(slot) => Some(slot),
-            _ => None,
-        };
-        let once = |slot: &usize| terms.iter().filter(|term| self.formulas.slots(&[**term]).contains(slot)).count() == 1;
-        terms.iter().filter_map(is_slot).filter(once).collect()
     }
 }
 
@@ -622,8 +615,10 @@ fn show<N: Numbers>(system: &System, point: &Point<N::Of<f64>>, gap: &Gap) -> St
     };
     let short = |x: f64| format!("{x:.6}");
     let long = |x: f64| format!("{x:.15e}");
+    let spoken_of = system.spoken_of();
     let is_named = |slot: &Slot| matches!(slot, Slot::Parameter(_) | Slot::Time { .. } | Slot::State { .. });
     let named = system.space.slots.iter().zip(&point.values).enumerate().filter(|(_, (slot, _))| is_named(slot));
+    let named = named.filter(|(number, _)| spoken_of.binary_search(number).is_ok());
     let mut parts: Vec<String> = named
         .filter_map(|(number, (_, value))| {
             let name = system.space.show(number, &system.letter)?;

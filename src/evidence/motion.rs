@@ -125,7 +125,9 @@ impl System {
         let coefficient = |term: usize| values.get(first + term).copied().unwrap_or(0.0);
         let harmonic = |part: usize| (0..HARMONICS).map(move |n| course.names.len() + POWERS_OF_LAW + 2 * n + part);
         let [cosines, sines] = [0, 1].map(|part| harmonic(part).map(coefficient).collect::<Vec<f64>>());
-        let mean = coefficient(course.names.len().checked_sub(1)?);
+        let constant = course.names.len().checked_sub(1)?;
+        let has_mean = course.period.is_none_or(|(level, _)| level >= constant);
+        let mean = if has_mean { coefficient(constant) } else { 0.0 };
         Some((Forcing::periodic(period, &cosines, &sines).ok()?, mean))
     }
 

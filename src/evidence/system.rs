@@ -373,8 +373,11 @@ impl System {
             self.rows.push(row);
             return;
         }
-        if let Some((known, _)) = &mut known.period {
+        if let Some((known, period)) = &mut known.period {
             *known = level.min(*known);
+            if *period == shift {
+                return;
+            }
         }
         for time in TIMES.into_iter().take(FEW_TIMES) {
             let time = self.formulas.float(time);
@@ -389,10 +392,7 @@ impl System {
     fn choose_laws(&mut self, laws: Vec<[Formula; 2]>, vocabulary: &Vocabulary) -> Result<(), Unwitnessed> {
         for chain in chains(vocabulary) {
             let tail = vocabulary.functions.iter().find(|(name, _)| Some(name) == chain.last());
-            let used = self.space.courses.iter().any(|course| course.names == chain);
-            if let Some((_, Some(tree))) = tail
-                && used
-            {
+            if let Some((_, Some(tree))) = tail {
                 let body = self.compiler(vocabulary, &[]).tree(tree)?;
                 let order = chain.len();
                 let course = self.space.course(chain, None);
@@ -832,6 +832,7 @@ impl System {
                 self.fixed.insert(number);
             }
         }
+        self.drop_definitions();
         self.rows_program = self.formulas.program(&self.rows);
         let formulas: Vec<Formula> = self.conditions.iter().map(|condition| condition.formula).collect();
         self.conditions_program = self.formulas.program(&formulas);
@@ -850,6 +851,58 @@ impl System {
 }
 
 impl System {
+    /// Drops rows that only say what a symbol is of which nothing else is said.
+    fn drop_definitions(&mut self) {
+        let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
+        let conditions = self.conditions.iter().map(|condition| &condition.formula);
+        let steps = self.step_rows.iter().flatten();
+        let others: Vec<Formula> = sides.chain(conditions).chain(steps).chain(&self.late).chain(&self.slacks).copied().collect();
+        let needed: BTreeSet<usize> = self.formulas.slots(&others).into_iter().collect();
+        let steps: BTreeSet<Formula> = self.step_rows.iter().flatten().copied().collect();
+        loop {
+            let mut counts: HashMap<usize, usize> = HashMap::new();
+            for row in &self.rows {
+                for slot in self.formulas.slots(&[*row]) {
+                    *counts.entry(slot).or_default() += 1;
+                }
+            }
+            let defines = |slot: &usize| {
+                counts.get(slot) == Some(&1) && !needed.contains(slot) && !self.fixed.contains(slot)
+            };
+            let idle = |row: &Formula| !steps.contains(row) && self.alone(*row).iter().any(defines);
+            let Some(position) = self.rows.iter().position(idle) else { return };
+            self.rows.remove(position);
+        }
+    }
+
+    /// The slots that are a term of a row with a constant factor, and stand nowhere else in it.
+    pub fn alone(&self, row: Formula) -> Vec<usize> {
+        let (mut terms, mut open) = (Vec::new(), vec![row]);
+        while let Some(formula) = open.pop() {
+            match self.formulas.op(formula) {
+                Op::Add(a, b) => open.extend([a, b]),
+                Op::Negate(a) => open.push(a),
+                Op::Multiply(a, b) if matches!(self.formulas.op(a), Op::Ratio(n, _) if n != 0) => open.push(b),
+                Op::Divide(a, b) if matches!(self.formulas.op(b), Op::Ratio(..)) => open.push(a),
+                _ => terms.push(formula),
+            }
+        }
+        let slots: Vec<Vec<usize>> = terms.iter().map(|term| self.formulas.slots(&[*term])).collect();
+        let is_slot = |term: &Formula| match self.formulas.op(*term) {
+            Op::Slot(slot) => Some(slot),
+            _ => None,
+        };
+        let once = |slot: &usize| slots.iter().filter(|slots| slots.contains(slot)).count() == 1;
+        terms.iter().filter_map(is_slot).filter(once).collect()
+    }
+
+    /// The slots that claim and premises speak of.
+    pub fn spoken_of(&self) -> Vec<usize> {
+        let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
+        let all: Vec<Formula> = sides.chain(&self.rows).chain(&self.late).copied().collect();
+        self.formulas.slots(&all)
+    }
+
     /// Factors, bases of powers and denominators in generic symbols alone.
     fn generic_factors(&self, all: &[Formula]) -> Vec<Formula> {
         let mut factors = Vec::new();
