@@ -376,11 +376,8 @@ fn pi_over(session: &mut Session, pi: Term, base: Term, count: i64) {
 impl Session<'_> {
     /// Shows that a polynomial in sines and cosines of one argument vanishes, from what is known by now.
     fn show_with_family(&mut self, polynomial: &Polynomial) -> Option<usize> {
-        let outer = std::mem::take(&mut self.triangle);
         self.triangulate_all();
-        let shown = self.show_zero(polynomial);
-        self.triangle = outer;
-        shown
+        self.show_zero(polynomial)
     }
 }
 

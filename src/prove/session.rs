@@ -1,13 +1,15 @@
 //! A proof in the making: the steps so far, and the facts that the kernel makes of them.
 
-use crate::algebra::{Order, Steps, coefficients_in, degree_in, exact_quotient, pseudo_divide, radical_member};
+use crate::algebra::{
+    Order, QuotientAlgebra, Steps, coefficients_in, degree_in, exact_quotient, pseudo_divide, radical_member,
+};
 use crate::kernel::{
     Axiom, Certificate, Checker, Inference, Node, Polynomial, Property, Quantity, Refusal, Statement, Summand, Term,
     Terms, sign,
 };
 use crate::number::{Field, Rational};
 use num_traits::{One, Zero};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// A proof in the making.
 pub struct Session<'a> {
@@ -20,6 +22,25 @@ pub struct Session<'a> {
     taken: BTreeSet<String>,
     tried: BTreeSet<usize>,
     left_over: Vec<usize>,
+    /// Facts that follow from others by the triangle alone, and bring nothing new.
+    derived: BTreeSet<usize>,
+    /// The copy of a fact that is reduced by the triangle in its present state, if there is one.
+    reduced: HashMap<usize, (usize, Option<usize>)>,
+    /// Counts the changes of the triangle.
+    version: usize,
+}
+
+/// What a session knows besides the facts, to be returned to after a case.
+struct Snapshot {
+    mark: (usize, usize, bool),
+    triangle: Vec<Pivot>,
+    taken: BTreeSet<String>,
+    tried: BTreeSet<usize>,
+    left_over: Vec<usize>,
+    derived: BTreeSet<usize>,
+    reduced: HashMap<usize, (usize, Option<usize>)>,
+    version: usize,
+    steps: Vec<Inference>,
 }
 
 /// A fact that determines a generator, or a power of it, by those before it.
@@ -54,7 +75,81 @@ impl<'a> Session<'a> {
             taken: BTreeSet::new(),
             tried: BTreeSet::new(),
             left_over: Vec::new(),
+            derived: BTreeSet::new(),
+            reduced: HashMap::new(),
+            version: 0,
         }
+    }
+
+    /// Shows a property of a polynomial in each case of the sign of another (`order`), or of whether it is 0. `prove`
+    /// is called in every case and need not do anything where the case contradicts what is known.
+    pub fn by_cases(
+        &mut self,
+        on: &Polynomial,
+        order: bool,
+        property: Property,
+        target: &Polynomial,
+        prove: &mut dyn FnMut(&mut Self) -> Option<()>,
+    ) -> Option<usize> {
+        let cases = match order {
+            true => vec![
+                (Property::Positive, on.clone()),
+                (Property::Zero, on.clone()),
+                (Property::Positive, on.negated()),
+            ],
+            false => vec![(Property::Zero, on.clone()), (Property::Nonzero, on.clone())],
+        };
+        let mut branches = Vec::new();
+        for (case, polynomial) in cases {
+            let before = self.snapshot();
+            self.checker.suppose(case, polynomial);
+            let known =
+                |session: &Self| session.checker.is_absurd() || session.checker.knows_polynomial(property, target);
+            let shown = known(self) || {
+                let _ = prove(self);
+                known(self)
+            };
+            let steps = self.restore(before);
+            if !shown {
+                return None;
+            }
+            branches.push(steps);
+        }
+        self.step(Inference::Cases {
+            on: on.clone(),
+            order,
+            property,
+            target: target.clone(),
+            branches,
+        })
+        .ok()
+    }
+
+    fn snapshot(&mut self) -> Snapshot {
+        Snapshot {
+            mark: self.checker.mark(),
+            triangle: self.triangle.clone(),
+            taken: self.taken.clone(),
+            tried: self.tried.clone(),
+            left_over: self.left_over.clone(),
+            derived: self.derived.clone(),
+            reduced: self.reduced.clone(),
+            version: self.version,
+            steps: std::mem::take(&mut self.steps),
+        }
+    }
+
+    /// Forgets what was found since a snapshot; gives the steps that were taken.
+    fn restore(&mut self, before: Snapshot) -> Vec<Inference> {
+        self.checker.back_to(before.mark);
+        self.triangle = before.triangle;
+        self.taken = before.taken;
+        self.tried = before.tried;
+        self.left_over = before.left_over;
+        self.derived = before.derived;
+        self.reduced = before.reduced;
+        self.version = before.version;
+        std::mem::replace(&mut self.steps, before.steps)
     }
 
     pub fn terms(&mut self) -> &mut Terms {
@@ -88,7 +183,8 @@ impl<'a> Session<'a> {
     pub fn zeros(&self) -> Vec<usize> {
         let facts = self.checker.facts.iter().enumerate();
         let zeros = facts.filter(|(_, fact)| fact.property == Property::Zero && !fact.polynomial.is_zero());
-        zeros.map(|(number, _)| number).collect()
+        let new = zeros.filter(|(number, _)| !self.derived.contains(number));
+        new.map(|(number, _)| number).collect()
     }
 
     /// The facts that say that something is not 0.
@@ -114,6 +210,9 @@ impl<'a> Session<'a> {
                 break;
             }
             let fact = self.polynomial(number);
+            if fact.terms().is_empty() || fact.generators().iter().any(|&inner| degree_in(&rest, inner) == 0) {
+                continue;
+            }
             let mut power = 0;
             while rest.as_constant().is_none()
                 && let Ok(Some(quotient)) = exact_quotient(&rest, &fact, &mut self.budget)
@@ -161,10 +260,14 @@ impl<'a> Session<'a> {
         if polynomial.as_constant().is_some() {
             return None;
         }
-        let mains: BTreeSet<Term> = self.triangle.iter().map(|pivot| pivot.generator).collect();
+        let mains: BTreeMap<Term, u32> = self
+            .triangle
+            .iter()
+            .map(|pivot| (pivot.generator, pivot.degree))
+            .collect();
         let mut best: Option<((u32, bool, (u8, i32), usize), Pivot)> = None;
         for generator in polynomial.generators() {
-            if mains.contains(&generator) || !may(self.checker.statement.terms(), generator) {
+            if !may(self.checker.statement.terms(), generator) {
                 continue;
             }
             let coefficients = coefficients_in(&polynomial, generator);
@@ -172,6 +275,13 @@ impl<'a> Session<'a> {
             let Some(lead) = coefficients.last().cloned() else {
                 continue;
             };
+            // a smaller power takes the place of a larger one
+            if mains
+                .get(&generator)
+                .is_some_and(|&known| known <= degree || lead.as_constant().is_none())
+            {
+                continue;
+            }
             // a power is reduced by a number only, or every reduction would need the coefficient
             if degree > 1 && lead.as_constant().is_none() {
                 continue;
@@ -199,7 +309,15 @@ impl<'a> Session<'a> {
             ));
         }
         let (_, pivot) = best?;
+        let replaced = self
+            .triangle
+            .iter()
+            .position(|known| known.generator == pivot.generator);
+        if let Some(place) = replaced {
+            self.left_over.push(self.triangle.remove(place).fact);
+        }
         self.triangle.push(pivot);
+        self.version += 1;
         Some(())
     }
 
@@ -221,11 +339,13 @@ impl<'a> Session<'a> {
             for number in facts..self.checker.facts.len() {
                 self.tried.insert(number);
             }
-            if open.is_empty() || open.len() == count {
+            let replaced = std::mem::take(&mut self.left_over);
+            if replaced.is_empty() && (open.is_empty() || open.len() == count) {
                 break;
             }
+            open.extend(replaced);
         }
-        self.left_over = open;
+        self.left_over.extend(open);
     }
 
     /// Shows that a polynomial is not 0: as a product of what is known not to be.
@@ -282,6 +402,21 @@ impl<'a> Session<'a> {
 
     /// A fact reduced by the triangle, as a new fact of the same property.
     pub fn reduced_fact(&mut self, fact: usize) -> Option<usize> {
+        let known = self.reduced.get(&fact).copied();
+        if let Some((version, copy)) = known
+            && version == self.version
+        {
+            return copy;
+        }
+        let copy = self.reduce_fact(fact);
+        self.reduced.insert(fact, (self.version, copy));
+        if let Some(copy) = copy {
+            self.reduced.insert(copy, (self.version, Some(copy)));
+        }
+        copy
+    }
+
+    fn reduce_fact(&mut self, fact: usize) -> Option<usize> {
         let property = self.checker.facts.get(fact)?.property;
         let mut current = fact;
         for _ in 0..50 {
@@ -336,6 +471,7 @@ impl<'a> Session<'a> {
                     Property::Integer => return Some(current),
                 };
                 current = self.step(step).ok()?;
+                self.derived.insert(current);
                 changed = true;
             }
             if !changed {
@@ -397,6 +533,7 @@ impl<'a> Session<'a> {
                 terms.push((Polynomial::integer(1), last));
             }
             last = self.zero_step(link.before, link.factors, terms)?;
+            self.derived.insert(last);
         }
         Some(last)
     }
@@ -425,6 +562,13 @@ impl<'a> Session<'a> {
             })
         {
             return Some(known);
+        }
+        if rest
+            .generators()
+            .iter()
+            .all(|&g| self.checker.statement.terms().is_closed(g))
+        {
+            return self.show_closed(rest);
         }
         let (zeros, nonzeros) = self.relevant(rest);
         if zeros.is_empty() {
@@ -459,6 +603,70 @@ impl<'a> Session<'a> {
         self.step(step).ok()
     }
 
+    /// Shows that an algebraic number is 0: its minimal polynomial modulo the relations of the triangle is a power of
+    /// the unknown times a factor that is not 0 by an enclosure. Complete, within the steps and digits, for numbers
+    /// whose generators the triangle determines.
+    fn show_closed(&mut self, number: &Polynomial) -> Option<usize> {
+        if sign(self.checker.statement.terms(), number).is_some() {
+            return None;
+        }
+        let mut wanted: BTreeSet<Term> = number.generators().into_iter().collect();
+        let (mut relations, mut facts): (Vec<(Term, Polynomial)>, Vec<usize>) = (Vec::new(), Vec::new());
+        while let Some(pivot) = self
+            .triangle
+            .iter()
+            .find(|pivot| wanted.contains(&pivot.generator) && !facts.contains(&pivot.fact))
+        {
+            let polynomial = self.polynomial(pivot.fact);
+            wanted.extend(polynomial.generators());
+            relations.push((pivot.generator, polynomial));
+            facts.push(pivot.fact);
+        }
+        let algebra = QuotientAlgebra::new(&relations)?;
+        let most = self.budget.left() / 2;
+        let (power, other, product) = self.budget.attempt(most, |steps| {
+            let Some(minimal) = algebra.minimal_polynomial(number, steps)? else {
+                return Ok(None);
+            };
+            let power = minimal.multiplicity_of_zero();
+            let mut other = Polynomial::default();
+            for coefficient in minimal.coefficients.iter().skip(power).rev() {
+                let product = crate::algebra::times(&other, number, steps)?;
+                other = algebra.normal_form(&product, steps)?.0;
+                other = other.plus(&Polynomial::constant(coefficient));
+            }
+            let raised = crate::algebra::power(number, u32::try_from(power).unwrap_or(u32::MAX), steps)?;
+            Ok(Some((
+                power,
+                other.clone(),
+                crate::algebra::times(&raised, &other, steps)?,
+            )))
+        })??;
+        if power == 0 {
+            return None;
+        }
+        let (factors, scale) = match other.as_constant() {
+            Some(value) => (Vec::new(), Rational::one() / value),
+            None => {
+                let (fact, sign) = self.closed_nonzero(&other)?;
+                (vec![(fact, 1)], Rational::from_integer(sign))
+            }
+        };
+        let product = product.scaled(&scale);
+        let (_, cofactors) = self
+            .budget
+            .attempt(most, |steps| algebra.normal_form(&product, steps))?;
+        let terms = cofactors.into_iter().zip(facts);
+        let step = Inference::Zero {
+            target: number.clone(),
+            power: u32::try_from(power).ok()?,
+            squares: Vec::new(),
+            factors,
+            terms: terms.filter(|(cofactor, _)| !cofactor.is_zero()).collect(),
+        };
+        self.step(step).ok()
+    }
+
     /// The facts that share generators with a polynomial, directly or through others: reduced ones only.
     pub fn relevant(&mut self, polynomial: &Polynomial) -> (Vec<usize>, Vec<usize>) {
         let reduced = |of: Vec<usize>, session: &mut Self| -> Vec<usize> {
@@ -487,7 +695,8 @@ impl<'a> Session<'a> {
             .filter(|p| p.degree > 1)
             .map(|pivot| pivot.fact)
             .collect();
-        let zeros: Vec<usize> = self.zeros().into_iter().filter(|fact| !pivots.contains(fact)).collect();
+        let zeros = self.zeros().into_iter().filter(|fact| !pivots.contains(fact));
+        let zeros: Vec<usize> = zeros.collect();
         let mut zeros = reduced(zeros, self);
         zeros.extend(
             powers
@@ -496,7 +705,8 @@ impl<'a> Session<'a> {
                 .copied()
                 .collect::<Vec<_>>(),
         );
-        let nonzeros = self.nonzeros();
+        let mut nonzeros = self.nonzeros();
+        nonzeros.retain(|fact| !self.derived.contains(fact));
         let nonzeros = reduced(nonzeros, self);
         let mut met: BTreeSet<Term> = polynomial.generators().into_iter().collect();
         loop {
