@@ -4,9 +4,13 @@ mod angles;
 mod counterexample;
 mod decision;
 mod float;
+mod inverse;
+mod logarithms;
 mod point;
 mod proof;
+mod roots;
 mod session;
+mod signs;
 mod values;
 
 pub use counterexample::Counterexample;

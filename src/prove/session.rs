@@ -4,8 +4,8 @@ use crate::algebra::{
     Order, QuotientAlgebra, Steps, coefficients_in, degree_in, exact_quotient, pseudo_divide, radical_member,
 };
 use crate::kernel::{
-    Axiom, Certificate, Checker, Inference, Node, Polynomial, Property, Quantity, Refusal, Statement, Summand, Term,
-    Terms, sign,
+    Axiom, Certificate, Checker, Elementary, Inference, Node, Polynomial, Property, Quantity, Refusal, Statement,
+    Summand, Term, Terms, sign,
 };
 use crate::number::{Field, Rational};
 use num_traits::{One, Zero};
@@ -28,6 +28,14 @@ pub struct Session<'a> {
     reduced: HashMap<usize, (usize, Option<usize>)>,
     /// Counts the changes of the triangle.
     version: usize,
+    /// Facts that were divided by their factors, or taken apart into summands that vanish.
+    pub divided: BTreeSet<usize>,
+    pub summed: BTreeSet<usize>,
+    /// Facts whose exponentials were compared; functions of arguments of which signs and ranges were looked for.
+    pub compared: BTreeSet<usize>,
+    pub described: BTreeSet<(Elementary, Term)>,
+    /// Signs that were not found, in the state of what was known.
+    hopeless: BTreeSet<String>,
 }
 
 /// What a session knows besides the facts, to be returned to after a case.
@@ -40,6 +48,11 @@ struct Snapshot {
     derived: BTreeSet<usize>,
     reduced: HashMap<usize, (usize, Option<usize>)>,
     version: usize,
+    divided: BTreeSet<usize>,
+    summed: BTreeSet<usize>,
+    hopeless: BTreeSet<String>,
+    compared: BTreeSet<usize>,
+    described: BTreeSet<(Elementary, Term)>,
     steps: Vec<Inference>,
 }
 
@@ -54,10 +67,10 @@ pub struct Pivot {
 }
 
 /// A proof that a polynomial vanishes, from the last step to the first: `factors * before = quotients + after`.
-struct Link {
-    before: Polynomial,
+pub struct Link {
+    pub before: Polynomial,
     factors: Vec<(usize, u32)>,
-    terms: Vec<(Polynomial, usize)>,
+    pub terms: Vec<(Polynomial, usize)>,
     after: Polynomial,
 }
 
@@ -78,6 +91,11 @@ impl<'a> Session<'a> {
             derived: BTreeSet::new(),
             reduced: HashMap::new(),
             version: 0,
+            divided: BTreeSet::new(),
+            summed: BTreeSet::new(),
+            hopeless: BTreeSet::new(),
+            compared: BTreeSet::new(),
+            described: BTreeSet::new(),
         }
     }
 
@@ -135,6 +153,11 @@ impl<'a> Session<'a> {
             derived: self.derived.clone(),
             reduced: self.reduced.clone(),
             version: self.version,
+            divided: self.divided.clone(),
+            summed: self.summed.clone(),
+            hopeless: self.hopeless.clone(),
+            compared: self.compared.clone(),
+            described: self.described.clone(),
             steps: std::mem::take(&mut self.steps),
         }
     }
@@ -149,6 +172,11 @@ impl<'a> Session<'a> {
         self.derived = before.derived;
         self.reduced = before.reduced;
         self.version = before.version;
+        self.divided = before.divided;
+        self.summed = before.summed;
+        self.hopeless = before.hopeless;
+        self.compared = before.compared;
+        self.described = before.described;
         std::mem::replace(&mut self.steps, before.steps)
     }
 
@@ -316,6 +344,14 @@ impl<'a> Session<'a> {
         if let Some(place) = replaced {
             self.left_over.push(self.triangle.remove(place).fact);
         }
+        // powers that the new one determines a part of are taken in again, so that none reduces another in a circle
+        let generator = pivot.generator;
+        for place in (0..self.triangle.len()).rev() {
+            let known = &self.triangle[place];
+            if known.degree > 1 && degree_in(&self.polynomial(known.fact), generator) >= pivot.degree {
+                self.left_over.push(self.triangle.remove(place).fact);
+            }
+        }
         self.triangle.push(pivot);
         self.version += 1;
         Some(())
@@ -350,7 +386,7 @@ impl<'a> Session<'a> {
 
     /// Shows that a polynomial is not 0: as a product of what is known not to be.
     pub fn show_nonzero(&mut self, polynomial: &Polynomial) -> Option<usize> {
-        let (rest, links) = self.reduce(polynomial)?;
+        let (rest, links) = self.reduce(polynomial, false)?;
         let (scale, factors) = self.nonzero_product(&rest)?;
         let mut last = self
             .step(Inference::Nonzero {
@@ -481,13 +517,39 @@ impl<'a> Session<'a> {
         Some(current)
     }
 
+    /// Whether a fact follows from others by the triangle alone.
+    pub fn is_derived(&self, fact: usize) -> bool {
+        self.derived.contains(&fact)
+    }
+
+    /// Says that a fact brings nothing new.
+    pub fn mark_derived(&mut self, fact: usize) {
+        self.derived.insert(fact);
+    }
+
+    /// Whether a sign was not tried yet in the present state.
+    pub fn is_hopeful(&mut self, polynomial: &Polynomial, strict: bool) -> bool {
+        let signs = |property: Property| matches!(property, Property::Positive | Property::NonNegative);
+        let facts = self.checker.facts.iter().enumerate();
+        let count = facts
+            .filter(|(number, fact)| signs(fact.property) && !self.derived.contains(number))
+            .count();
+        self.hopeless
+            .insert(format!("{polynomial:?} {strict} {count} {}", self.version))
+    }
+
+    /// Reduces a polynomial by the pivots with a number as leading coefficient, so that its value stays the same.
+    pub fn exact_reduction(&mut self, polynomial: &Polynomial) -> Option<(Polynomial, Vec<Link>)> {
+        self.reduce(polynomial, true)
+    }
+
     /// Reduces a polynomial by the triangle: what is left, and the links that lead back to it.
-    fn reduce(&mut self, polynomial: &Polynomial) -> Option<(Polynomial, Vec<Link>)> {
+    fn reduce(&mut self, polynomial: &Polynomial, exact: bool) -> Option<(Polynomial, Vec<Link>)> {
         let (mut current, mut links) = (polynomial.clone(), Vec::new());
         for _ in 0..50 {
             let mut changed = false;
             for pivot in self.triangle.clone() {
-                if degree_in(&current, pivot.generator) < pivot.degree {
+                if degree_in(&current, pivot.generator) < pivot.degree || (exact && !pivot.lead.is_empty()) {
                     continue;
                 }
                 let divisor = self.polynomial(pivot.fact);
@@ -514,7 +576,7 @@ impl<'a> Session<'a> {
 
     /// What a polynomial is modulo the triangle.
     pub fn normal_form(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
-        self.reduce(polynomial).map(|(rest, _)| rest)
+        self.reduce(polynomial, false).map(|(rest, _)| rest)
     }
 
     /// Shows that a polynomial vanishes: by the triangle, then by an ideal of what is left.
@@ -522,7 +584,7 @@ impl<'a> Session<'a> {
         if polynomial.is_zero() {
             return self.zero_step(Polynomial::default(), Vec::new(), Vec::new());
         }
-        let (rest, links) = self.reduce(polynomial)?;
+        let (rest, links) = self.reduce(polynomial, false)?;
         let mut last = match rest.is_zero() {
             true => self.zero_step(rest, Vec::new(), Vec::new())?,
             false => self.show_rest(&rest)?,
