@@ -54,7 +54,9 @@ impl System {
         let slots = self.formulas.slots(&self.late);
         let is_coefficient = |slot: usize| matches!(self.space.slots.get(slot), Some(Slot::Coefficient { .. }));
         if !slots.iter().any(|slot| open.contains(slot)) {
-            let unknowns = slots.into_iter().filter(|slot| !fixed.contains(slot) && !is_coefficient(*slot));
+            let unknowns = slots
+                .into_iter()
+                .filter(|slot| !fixed.contains(slot) && !is_coefficient(*slot));
             let program = self.formulas.program(&self.late);
             return Some(self.solve::<N, T>(&program, values, &self.unknowns(unknowns), enough));
         }
@@ -68,7 +70,10 @@ impl System {
         for step in 0..self.step_rows.len() {
             rows.extend(self.linear_rows(step, &rough, &mut formulas)?);
         }
-        let unknowns = formulas.slots(&rows).into_iter().filter(|slot| !fixed.contains(slot) && !is_coefficient(*slot));
+        let unknowns = formulas
+            .slots(&rows)
+            .into_iter()
+            .filter(|slot| !fixed.contains(slot) && !is_coefficient(*slot));
         let program = formulas.program(&rows);
         Some(self.solve::<N, T>(&program, values, &self.unknowns(unknowns), enough))
     }
@@ -85,7 +90,11 @@ impl System {
         let moving = self.moving(step, &rough)?;
         let mut partials = Vec::new();
         for &by in &map.by {
-            let slots: Vec<(usize, usize)> = map.of.iter().filter_map(|&of| Some((of, self.partial(of, by)?))).collect();
+            let slots: Vec<(usize, usize)> = map
+                .of
+                .iter()
+                .filter_map(|&of| Some((of, self.partial(of, by)?)))
+                .collect();
             if slots.is_empty() {
                 continue;
             }
@@ -126,7 +135,10 @@ impl System {
         let map = self.maps.steps.get(step)?;
         let candidates = self.step_rows.get(step)?;
         let moves = |slot: &usize| {
-            matches!(self.space.slots.get(*slot), Some(Slot::Time { .. } | Slot::State { .. })) && !map.by.contains(slot)
+            matches!(
+                self.space.slots.get(*slot),
+                Some(Slot::Time { .. } | Slot::State { .. })
+            ) && !map.by.contains(slot)
         };
         let all: Vec<usize> = self.formulas.slots(candidates).into_iter().filter(moves).collect();
         let unknowns: Vec<Unknown> = all.iter().map(|&slot| Unknown { slot, imaginary: false }).collect();
@@ -142,7 +154,9 @@ impl System {
                 break;
             }
         }
-        let columns: Vec<usize> = (0..all.len()).filter(|&n| all.get(n).is_some_and(|slot| slots.contains(slot))).collect();
+        let columns: Vec<usize> = (0..all.len())
+            .filter(|&n| all.get(n).is_some_and(|slot| slots.contains(slot)))
+            .collect();
         let chosen = |row: &Vec<f64>| columns.iter().filter_map(|&column| row.get(column).copied()).collect();
         Some(Moving {
             program: self.formulas.program(candidates.get(..taken)?),
@@ -154,7 +168,12 @@ impl System {
 
     /// The slopes of the moving slots by one quantity, all else held.
     fn along<T: Real>(&self, moving: &Moving, by: usize, values: &[T]) -> Option<Vec<T>> {
-        let start = |of: &usize| self.partial(*of, by).and_then(|slot| values.get(slot)).cloned().unwrap_or_else(T::zero);
+        let start = |of: &usize| {
+            self.partial(*of, by)
+                .and_then(|slot| values.get(slot))
+                .cloned()
+                .unwrap_or_else(T::zero)
+        };
         let mut slopes: Vec<T> = moving.slots.iter().map(start).collect();
         let mut lifted: Vec<Dual<T>> = values.iter().map(|value| Dual::from_re(value.clone())).collect();
         lifted.get_mut(by)?.eps = T::one();
@@ -167,7 +186,12 @@ impl System {
                 lifted.get_mut(*slot)?.eps = slope.clone();
             }
             let found = moving.program.run(&self.inputs(&lifted, None));
-            let rest: Vec<f64> = moving.program.outputs(&found).iter().map(|value| value.eps.to_f64()).collect();
+            let rest: Vec<f64> = moving
+                .program
+                .outputs(&found)
+                .iter()
+                .map(|value| value.eps.to_f64())
+                .collect();
             let change = least(moving.jacobian.clone(), &rest, moving.slots.len());
             for (slope, change) in slopes.iter_mut().zip(&change) {
                 *slope -= <T as Analytic>::from_f64(*change);
@@ -189,7 +213,10 @@ fn new_direction(mut gradient: Vec<f64>, units: &[Vec<f64>]) -> Option<Vec<f64>>
     let before = norm(&gradient);
     for unit in units {
         let along: f64 = gradient.iter().zip(unit).map(|(a, b)| a * b).sum();
-        gradient.iter_mut().zip(unit).for_each(|(entry, part)| *entry -= along * part);
+        gradient
+            .iter_mut()
+            .zip(unit)
+            .for_each(|(entry, part)| *entry -= along * part);
     }
     let size = norm(&gradient);
     gradient.iter_mut().for_each(|entry| *entry /= size);

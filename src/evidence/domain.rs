@@ -54,7 +54,10 @@ pub fn kinds(vocabulary: &Vocabulary, space: &Space) -> Vec<Kind> {
             return Kind::default();
         };
         let indexed = !matches!(what, Slot::Parameter(_));
-        let listed = |list: &[Name]| list.iter().any(|known| known == name || (indexed && bare(known) == *name));
+        let listed = |list: &[Name]| {
+            list.iter()
+                .any(|known| known == name || (indexed && bare(known) == *name))
+        };
         Kind {
             positive: listed(&vocabulary.positive),
             nonnegative: listed(&vocabulary.nonnegative),
@@ -97,7 +100,10 @@ pub fn listed(compiler: &mut Compiler, kinds: &[Kind]) -> Result<Vec<Condition>,
         }
     }
     for (list, relation) in lists {
-        for name in list.iter().filter(|name| vocabulary.abbreviations.iter().any(|(known, _)| known == *name)) {
+        for name in list
+            .iter()
+            .filter(|name| vocabulary.abbreviations.iter().any(|(known, _)| known == *name))
+        {
             let formula = compiler.tree(&Tree::Symbol(name.clone(), At(0)))?;
             if !matches!(compiler.formulas.op(formula), Op::Slot(_)) {
                 push(compiler, formula, relation);

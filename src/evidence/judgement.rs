@@ -7,9 +7,7 @@ use super::newton::rough;
 use super::point::{Miss, Point, Style};
 use super::space::Slot;
 use super::system::{Forcing, Question, System, any};
-use super::tolerance::{
-    APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE, MOST_DIGITS, PREMISE, STEADY,
-};
+use super::tolerance::{APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE, MOST_DIGITS, PREMISE, STEADY};
 use super::value::{Complexes, Function, Numbers, Real, Reals, Value};
 use crate::claim::{Fault, Sheet, Statements, Verdict};
 use crate::number::Wide;
@@ -152,7 +150,11 @@ impl<V> Search<V> {
                 self.undefined
             );
         }
-        let most = self.missed.iter().max_by_key(|(_, count)| **count).map(|(miss, _)| *miss);
+        let most = self
+            .missed
+            .iter()
+            .max_by_key(|(_, count)| **count)
+            .map(|(miss, _)| *miss);
         let starts = self.starts;
         match most {
             Some(Miss::Conditions) => format!("no point was found at which the assumptions hold, from {starts} starts"),
@@ -182,7 +184,11 @@ impl Witness<'_> {
         };
         if self.verdict != Verdict::Proved && !search.found.is_empty() && agrees(&search) {
             let pieces = self.system.has_pieces();
-            let many = if self.verdict == Verdict::Refuted && pieces { MANY_PIECES } else { MANY };
+            let many = if self.verdict == Verdict::Refuted && pieces {
+                MANY_PIECES
+            } else {
+                MANY
+            };
             self.look::<N>(&mut search, many, 1);
         }
         if self.verdict == Verdict::Proved && !search.found.is_empty() && agrees(&search) {
@@ -210,7 +216,9 @@ impl Witness<'_> {
                 }
             }
             _ if agrees(&search) => {
-                evidence.notes.push(format!("holds at {} random points", search.found.len()));
+                evidence
+                    .notes
+                    .push(format!("holds at {} random points", search.found.len()));
             }
             _ => {
                 let confirmed = self.worst_first(&search.found).into_iter().take(3);
@@ -265,8 +273,12 @@ impl Witness<'_> {
                 return;
             }
             let style = if start % 4 == 3 { Style::Spread } else { Style::Special };
-            let Ok(point) = self.system.point::<N>(9000 + start, style) else { continue };
-            let gap = self.gap::<N>(&point).filter(|gap| gap.fails && (gap.is_inequality || gap.digits() < DOUBTFUL_PROOF));
+            let Ok(point) = self.system.point::<N>(9000 + start, style) else {
+                continue;
+            };
+            let gap = self
+                .gap::<N>(&point)
+                .filter(|gap| gap.fails && (gap.is_inequality || gap.digits() < DOUBTFUL_PROOF));
             if let Some(gap) = gap.filter(|_| !self.system.is_excluded::<N>(&point)) {
                 search.found.push((point, gap));
             }
@@ -279,7 +291,11 @@ impl Witness<'_> {
     }
 
     fn worst_gap<N: Numbers, T: Real>(&self, values: &[N::Of<T>], running: &N::Of<T>) -> Option<Gap> {
-        let gaps = self.system.questions.iter().map(|question| self.system.gap::<N, T>(question, values, running));
+        let gaps = self
+            .system
+            .questions
+            .iter()
+            .map(|question| self.system.gap::<N, T>(question, values, running));
         let gaps: Option<Vec<Gap>> = gaps.collect();
         gaps?.into_iter().max_by(|a, b| a.badness().total_cmp(&b.badness()))
     }
@@ -311,9 +327,16 @@ impl Witness<'_> {
         let mut digits: Vec<f64> = found.iter().map(|(_, gap)| gap.digits()).collect();
         digits.sort_by(f64::total_cmp);
         let residuals = found.iter().map(|(point, _)| self.system.residual::<N>(&point.values));
-        let worst = self.worst_first(found).first().map(|(point, gap)| show::<N>(&self.system, point, gap));
-        let reals = |point: &Point<N::Of<f64>>| -> Vec<f64> { point.values.iter().map(|value| value.parts()[0]).collect() };
-        let flown = found.iter().filter_map(|(point, _)| self.system.flown(&reals(point))).reduce(Flown::and);
+        let worst = self
+            .worst_first(found)
+            .first()
+            .map(|(point, gap)| show::<N>(&self.system, point, gap));
+        let reals =
+            |point: &Point<N::Of<f64>>| -> Vec<f64> { point.values.iter().map(|value| value.parts()[0]).collect() };
+        let flown = found
+            .iter()
+            .filter_map(|(point, _)| self.system.flown(&reals(point)))
+            .reduce(Flown::and);
         Evidence {
             digits: digits.first().copied().filter(|_| equal),
             median: digits.get(digits.len() / 2).copied().filter(|_| equal),
@@ -334,7 +357,11 @@ impl Witness<'_> {
         for (point, gap) in self.worst_first(found).iter().filter(doubtful).take(3) {
             match self.differs::<N>(point) {
                 Some(true) => {
-                    let text = if gap.is_inequality { "the inequality fails" } else { "the sides differ" };
+                    let text = if gap.is_inequality {
+                        "the inequality fails"
+                    } else {
+                        "the sides differ"
+                    };
                     evidence.against = Some(format!("proved, but {text}: {}", show::<N>(&self.system, point, gap)));
                     return;
                 }
@@ -352,18 +379,25 @@ impl Witness<'_> {
     fn against_refutation<N: Numbers>(&self, found: &[Asked<N::Of<f64>>], evidence: &mut Evidence) {
         let count = found.len();
         let special = || format!("the sides agree at {count} random points; the counterexample is special");
-        let enough = if self.system.has_pieces() { MANY_PIECES * 3 / 4 } else { MANY / 2 };
+        let enough = if self.system.has_pieces() {
+            MANY_PIECES * 3 / 4
+        } else {
+            MANY / 2
+        };
         if count < enough || self.hides_from_points() {
             evidence.notes.push(special());
             return;
         }
         let gap = |point: &Point<N::Of<f64>>| {
             let wide = self.system.widened::<N>(point)?;
-            self.worst_gap::<N, Wide<40>>(&wide.values, &wide.running).map(|gap| gap.relative)
+            self.worst_gap::<N, Wide<40>>(&wide.values, &wide.running)
+                .map(|gap| gap.relative)
         };
         let wide: Option<Vec<f64>> = found.iter().take(3).map(|(point, _)| gap(point)).collect();
         let Some(wide) = wide else {
-            evidence.notes.push("the sides agree in f64; the points could not be refined".to_string());
+            evidence
+                .notes
+                .push("the sides agree in f64; the points could not be refined".to_string());
             return;
         };
         let worst = wide.into_iter().fold(0.0, f64::max);
@@ -371,7 +405,9 @@ impl Witness<'_> {
             let text = format!("refuted, but the sides agree at each of {count} points, at three of them to 25 digits");
             evidence.against = Some(text);
         } else {
-            evidence.notes.push(format!("the sides differ by {worst:.0e} of their size"));
+            evidence
+                .notes
+                .push(format!("the sides differ by {worst:.0e} of their size"));
         }
     }
 
@@ -380,7 +416,10 @@ impl Witness<'_> {
     /// solutions that is thinner than the rest, or for functions of another shape.
     fn hides_from_points(&self) -> bool {
         let system = &self.system;
-        self.statements.claims.iter().any(|claim| claim.relation != Relation::Equal || is_extreme(claim))
+        self.statements
+            .claims
+            .iter()
+            .any(|claim| claim.relation != Relation::Equal || is_extreme(claim))
             || system.shaped
             || system.kinds.iter().any(|kind| kind.integer)
             || system.has_jumps()
@@ -390,7 +429,13 @@ impl Witness<'_> {
 
     /// Whether the claim holds, to the precision of f64, where the forcing is a cosine of period 2.
     fn holds_for_cosine<N: Numbers>(&self) -> bool {
-        let is_forced = |system: &System| system.space.courses.iter().any(|course| course.flight.is_none() && course.law.is_none());
+        let is_forced = |system: &System| {
+            system
+                .space
+                .courses
+                .iter()
+                .any(|course| course.flight.is_none() && course.law.is_none())
+        };
         if !is_forced(&self.system) {
             return false;
         }
@@ -400,7 +445,9 @@ impl Witness<'_> {
         let other = Witness { system, ..*self };
         let mut found = 0;
         for start in 0..3 * MOST_STARTS as u64 {
-            let Ok(point) = other.system.point::<N>(1000 + start, Style::Moderate) else { continue };
+            let Ok(point) = other.system.point::<N>(1000 + start, Style::Moderate) else {
+                continue;
+            };
             match other.gap::<N>(&point) {
                 Some(gap) if gap.digits() > DOUBTFUL_REFUTATION => found += 1,
                 Some(_) => return false,
@@ -452,10 +499,21 @@ impl System {
 
     /// Whether the two values on the right are the two solutions of a premise for the slot: of a quadratic by their sum
     /// and product, else by the premises' residuals.
-    fn pair_gap<N: Numbers, T: Real>(&self, slot: usize, sides: &[(N::Of<T>, f64)], values: &[N::Of<T>]) -> Option<Gap> {
+    fn pair_gap<N: Numbers, T: Real>(
+        &self,
+        slot: usize,
+        sides: &[(N::Of<T>, f64)],
+        values: &[N::Of<T>],
+    ) -> Option<Gap> {
         let rights: Vec<&(N::Of<T>, f64)> = sides.iter().skip(1).step_by(2).collect();
         let (x, y) = (rights.first()?, rights.last()?);
-        let premises: Vec<_> = self.rows.iter().chain(&self.late).copied().filter(|row| self.formulas.slots(&[*row]).contains(&slot)).collect();
+        let premises: Vec<_> = self
+            .rows
+            .iter()
+            .chain(&self.late)
+            .copied()
+            .filter(|row| self.formulas.slots(&[*row]).contains(&slot))
+            .collect();
         if premises.is_empty() {
             return None;
         }
@@ -466,7 +524,10 @@ impl System {
             let found = program.run(&self.inputs(&values, None));
             let near: Vec<N::Of<f64>> = found.iter().map(rough::<N, T>).collect();
             let output = *program.outputs.first()?;
-            Some((found.get(output)?.clone(), *program.sizes(&near, &self.solved::<N, T>(&values))?.get(output)?))
+            Some((
+                found.get(output)?.clone(),
+                *program.sizes(&near, &self.solved::<N, T>(&values))?.get(output)?,
+            ))
         };
         let number = |n: i64| N::Of::<T>::integer(n);
         for &premise in &premises {
@@ -484,14 +545,23 @@ impl System {
             }
             let (p, q) = (x.0.size(), y.0.size());
             let sum = ((-b.over(&a), p + q), (x.0.clone() + y.0.clone(), x.1 + y.1));
-            let product = ((c.over(&a), p * q), (x.0.clone() * y.0.clone(), x.1 * q.max(p) + y.1 * p.max(q)));
-            let gaps = [compare::<N, T>(&sum.0, &sum.1, Relation::Equal)?, compare::<N, T>(&product.0, &product.1, Relation::Equal)?];
+            let product = (
+                (c.over(&a), p * q),
+                (x.0.clone() * y.0.clone(), x.1 * q.max(p) + y.1 * p.max(q)),
+            );
+            let gaps = [
+                compare::<N, T>(&sum.0, &sum.1, Relation::Equal)?,
+                compare::<N, T>(&product.0, &product.1, Relation::Equal)?,
+            ];
             return gaps.into_iter().max_by(|a, b| a.relative.total_cmp(&b.relative));
         }
         // Both must satisfy every premise, and be distinct ways to the value that there is.
         let known = (values.get(slot)?.clone(), values.get(slot)?.size());
         let own = [x, y].map(|side| compare::<N, T>(&known, side, Relation::Equal));
-        let nearest = own.into_iter().flatten().min_by(|a, b| a.relative.total_cmp(&b.relative));
+        let nearest = own
+            .into_iter()
+            .flatten()
+            .min_by(|a, b| a.relative.total_cmp(&b.relative));
         let mut gaps: Vec<Gap> = nearest.into_iter().collect();
         for side in [x, y] {
             for &premise in &premises {
@@ -506,13 +576,23 @@ impl System {
     fn ops(&self) -> impl Iterator<Item = Op> + '_ {
         let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
         let bodies = self.formulas.laws.iter().map(|law| &law.body);
-        let all: Vec<_> = sides.chain(&self.rows).chain(&self.late).chain(bodies).copied().collect();
+        let all: Vec<_> = sides
+            .chain(&self.rows)
+            .chain(&self.late)
+            .chain(bodies)
+            .copied()
+            .collect();
         self.formulas.parts(&all).into_iter().map(|part| self.formulas.op(part))
     }
 
     /// Whether claim or premises have pieces on which they may differ.
     fn has_pieces(&self) -> bool {
-        let within = |function| matches!(function, Function::Sin | Function::Cos | Function::Exp | Function::Sinh | Function::Cosh);
+        let within = |function| {
+            matches!(
+                function,
+                Function::Sin | Function::Cos | Function::Exp | Function::Sinh | Function::Cosh
+            )
+        };
         self.ops().any(|op| match op {
             Op::Root(..) | Op::RealPower(..) => true,
             Op::Apply(function, _) => !within(function),
@@ -617,7 +697,13 @@ fn show<N: Numbers>(system: &System, point: &Point<N::Of<f64>>, gap: &Gap) -> St
     let long = |x: f64| format!("{x:.15e}");
     let spoken_of = system.spoken_of();
     let is_named = |slot: &Slot| matches!(slot, Slot::Parameter(_) | Slot::Time { .. } | Slot::State { .. });
-    let named = system.space.slots.iter().zip(&point.values).enumerate().filter(|(_, (slot, _))| is_named(slot));
+    let named = system
+        .space
+        .slots
+        .iter()
+        .zip(&point.values)
+        .enumerate()
+        .filter(|(_, (slot, _))| is_named(slot));
     let named = named.filter(|(number, _)| spoken_of.binary_search(number).is_ok());
     let mut parts: Vec<String> = named
         .filter_map(|(number, (_, value))| {

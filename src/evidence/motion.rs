@@ -3,9 +3,9 @@
 //! Whether a point is one of the paper's motion is not told by labels: the flight from it must arrive when, where
 //! and as fast as the point says.
 
+use super::judgement::digits;
 use super::maps::Step;
 use super::space::{Course, Slot};
-use super::judgement::digits;
 use super::system::{HARMONICS, LONG, POWERS_OF_LAW, System};
 use super::tolerance::{MOST_DIGITS, MOTION};
 use crate::model::{Flight, Forcing, Impact, Leg, Motion, Order, Passage, Side};
@@ -119,7 +119,11 @@ impl System {
 
     /// The forcing of the point, and the mean that its f has besides.
     fn forcing(&self, values: &[f64]) -> Option<(Forcing<f64>, f64)> {
-        let course = self.space.courses.iter().find(|course| course.flight.is_none() && course.law.is_none())?;
+        let course = self
+            .space
+            .courses
+            .iter()
+            .find(|course| course.flight.is_none() && course.law.is_none())?;
         let first = course.first?;
         let period = self.length(course, values)?;
         let coefficient = |term: usize| values.get(first + term).copied().unwrap_or(0.0);
@@ -133,7 +137,9 @@ impl System {
 
     /// The period of a forcing.
     fn length(&self, course: &Course, values: &[f64]) -> Option<f64> {
-        let Some((_, period)) = course.period else { return Some(LONG) };
+        let Some((_, period)) = course.period else {
+            return Some(LONG);
+        };
         let program = self.formulas.program(&[period]);
         program.outputs(&program.run(&self.inputs(values, None))).pop()
     }
@@ -163,9 +169,7 @@ impl System {
         if duration <= 0.0 || !near(state.displacement, wall) || !near(state.velocity, arrival) {
             return None;
         }
-        let partial = |of: usize, by: usize| {
-            values.get(self.space.find(&Slot::Partial { of, by })?).copied()
-        };
+        let partial = |of: usize, by: usize| values.get(self.space.find(&Slot::Partial { of, by })?).copied();
         let implicit = Matrix2::new(
             partial(*of_time, *by_time)?,
             partial(*of_time, *by_velocity)?,
@@ -210,4 +214,3 @@ fn by_map(motion: &Motion<f64>, forcing: &Forcing<f64>, impact: &Impact<f64>, du
 fn agreement(a: &Matrix2<f64>, b: &Matrix2<f64>) -> f64 {
     digits((a - b).abs().max() / b.abs().max())
 }
-

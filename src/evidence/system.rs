@@ -154,7 +154,11 @@ impl System {
         let mut of_matrices = Vec::new();
         let premises = said(statements, vocabulary);
         for premise in &premises {
-            let flight = if statements.claim_runs { first } else { premise.first.unwrap_or(first) };
+            let flight = if statements.claim_runs {
+                first
+            } else {
+                premise.first.unwrap_or(first)
+            };
             if speaks_of_matrix(&premise.equation) {
                 of_matrices.push(premise);
                 continue;
@@ -162,7 +166,10 @@ impl System {
             let sides = self.sides(&premise.equation, vocabulary, &premise.locals, premise.first, flight)?;
             if matches!(&premise.equation.left, Tree::Symbol(name, _) if is_pair(name)) {
                 // The symbol has either value.
-                let apart: Vec<Formula> = sides.into_iter().map(|(left, right)| self.formulas.subtract(left, right)).collect();
+                let apart: Vec<Formula> = sides
+                    .into_iter()
+                    .map(|(left, right)| self.formulas.subtract(left, right))
+                    .collect();
                 let product = self.formulas.product(apart);
                 self.rows.push(product);
                 continue;
@@ -171,9 +178,15 @@ impl System {
                 self.sort(left, right, premise.equation.relation, &mut laws)?;
             }
         }
-        let claimed = statements.assume.iter().map(|condition| (condition, statements.locals.as_slice(), None));
+        let claimed = statements
+            .assume
+            .iter()
+            .map(|condition| (condition, statements.locals.as_slice(), None));
         let brought = premises.iter().flat_map(|premise| {
-            premise.assume.iter().map(|condition| (condition, premise.locals.as_slice(), premise.first))
+            premise
+                .assume
+                .iter()
+                .map(|condition| (condition, premise.locals.as_slice(), premise.first))
         });
         for (condition, locals, at) in claimed.chain(brought) {
             self.assume(condition, vocabulary, locals, at, &mut laws)?;
@@ -231,7 +244,9 @@ impl System {
         first: Option<i32>,
         flight: i32,
     ) -> Result<Vec<(Formula, Formula)>, Unwitnessed> {
-        let signed = any(equation, &|tree| matches!(tree, Tree::PlusMinus(_) | Tree::MinusPlus(_)));
+        let signed = any(equation, &|tree| {
+            matches!(tree, Tree::PlusMinus(_) | Tree::MinusPlus(_))
+        });
         let left = match &equation.left {
             Tree::Symbol(name, at) if is_pair(name) => Tree::Symbol(single(name), *at),
             left => left.clone(),
@@ -278,11 +293,16 @@ impl System {
     }
 
     fn pair(&mut self, equation: &Equation, vocabulary: &Vocabulary, locals: &[Local]) -> Option<usize> {
-        let Tree::Symbol(name, at) = &equation.left else { return None };
+        let Tree::Symbol(name, at) = &equation.left else {
+            return None;
+        };
         if !is_pair(name) {
             return None;
         }
-        let symbol = self.compiler(vocabulary, locals).tree(&Tree::Symbol(single(name), *at)).ok()?;
+        let symbol = self
+            .compiler(vocabulary, locals)
+            .tree(&Tree::Symbol(single(name), *at))
+            .ok()?;
         match self.formulas.op(symbol) {
             Op::Slot(slot) => Some(slot),
             _ => None,
@@ -333,7 +353,8 @@ impl System {
             (_, Op::Add(a, b)) if left == zero => self.opposed(a, b)?,
             _ => (left, right),
         };
-        let ((course, level, early), (other, same, late)) = (value(&self.formulas, left)?, value(&self.formulas, right)?);
+        let ((course, level, early), (other, same, late)) =
+            (value(&self.formulas, left)?, value(&self.formulas, right)?);
         if course != other || level != same {
             return None;
         }
@@ -360,7 +381,9 @@ impl System {
 
     /// Makes a course repeat; a second period must agree with the first.
     fn declare(&mut self, course: usize, level: usize, shift: Formula) {
-        let Some(known) = self.space.courses.get_mut(course) else { return };
+        let Some(known) = self.space.courses.get_mut(course) else {
+            return;
+        };
         let is_new = known.period.is_none() && known.flight.is_none() && known.law.is_none();
         if is_new && self.forcing == Forcing::Any {
             known.period = Some((level, shift));
@@ -413,7 +436,11 @@ impl System {
         given.sort_by_key(|(level, ..)| *level);
         let mut used: Vec<[Formula; 2]> = Vec::new();
         for (level, law, course, body) in given {
-            let open = self.space.courses.get(course).is_some_and(|course| course.law.is_none());
+            let open = self
+                .space
+                .courses
+                .get(course)
+                .is_some_and(|course| course.law.is_none());
             if open && !used.contains(&law) && !self.is_circular(course, level, body) {
                 if let Some(course) = self.space.courses.get_mut(course) {
                     course.law = Some((level, body));
@@ -431,7 +458,12 @@ impl System {
             }
         }
         for law in laws.into_iter().filter(|law| !used.contains(law)) {
-            let lawless = |course: &usize| self.space.courses.get(*course).is_some_and(|course| course.law.is_none());
+            let lawless = |course: &usize| {
+                self.space
+                    .courses
+                    .get(*course)
+                    .is_some_and(|course| course.law.is_none())
+            };
             let shaped = self.courses_of(&law).iter().any(lawless);
             self.shaped |= shaped;
             let residual = self.formulas.subtract(law[0], law[1]);
@@ -464,7 +496,11 @@ impl System {
         let running = self.formulas.make(Op::Running);
         let mut order = None;
         for part in self.formulas.parts(&[left, right]) {
-            if let Op::Value { course: other, level, time } = self.formulas.op(part)
+            if let Op::Value {
+                course: other,
+                level,
+                time,
+            } = self.formulas.op(part)
                 && other == course
             {
                 if time == running {
@@ -475,7 +511,11 @@ impl System {
             }
         }
         let level = order?;
-        let target = self.formulas.make(Op::Value { course, level, time: running });
+        let target = self.formulas.make(Op::Value {
+            course,
+            level,
+            time: running,
+        });
         let body = if left == target && !self.formulas.parts(&[right]).contains(&target) {
             right
         } else if right == target && !self.formulas.parts(&[left]).contains(&target) {
@@ -488,7 +528,8 @@ impl System {
             let [at_zero, at_one] = [0, 1].map(|value| {
                 let value = self.formulas.integer(value);
                 let target = self.formulas.op(target);
-                self.formulas.rewrite(residual, &mut |_, op| (op == target).then_some(value))
+                self.formulas
+                    .rewrite(residual, &mut |_, op| (op == target).then_some(value))
             });
             let slope = self.formulas.subtract(at_zero, at_one);
             self.formulas.divide(at_zero, slope)
@@ -522,7 +563,14 @@ impl System {
         let (mut open, mut seen) = (vec![body], BTreeSet::new());
         while let Some(body) = open.pop() {
             for part in self.formulas.parts(&[body]) {
-                let Op::Value { course: other, level: at, .. } = self.formulas.op(part) else { continue };
+                let Op::Value {
+                    course: other,
+                    level: at,
+                    ..
+                } = self.formulas.op(part)
+                else {
+                    continue;
+                };
                 if other == course && at >= level {
                     return true;
                 }
@@ -540,8 +588,12 @@ impl System {
     /// Gives each course with a law for its derivative the values that it starts with.
     fn start_flows(&mut self, vocabulary: &Vocabulary) {
         for number in 0..self.space.courses.len() {
-            let Some(course) = self.space.courses.get(number).cloned() else { continue };
-            let Some((order, body)) = course.law.filter(|(order, _)| *order > 0) else { continue };
+            let Some(course) = self.space.courses.get(number).cloned() else {
+                continue;
+            };
+            let Some((order, body)) = course.law.filter(|(order, _)| *order > 0) else {
+                continue;
+            };
             let start = match course.flight {
                 Some(flight) => {
                     let time = self.compiler(vocabulary, &[]).time(flight);
@@ -553,13 +605,16 @@ impl System {
             for term in 0..order {
                 let state = course.names.get(term).filter(|name| vocabulary.states.contains(name));
                 initial.push(match (state, course.flight) {
-                    (Some(state), Some(flight)) => {
-                        self.compiler(vocabulary, &[]).state(state.clone(), flight, true)
-                    }
+                    (Some(state), Some(flight)) => self.compiler(vocabulary, &[]).state(state.clone(), flight, true),
                     _ => self.space.slot(Slot::Coefficient { course: number, term }),
                 });
             }
-            self.formulas.laws.push(Law { order, start, initial, body });
+            self.formulas.laws.push(Law {
+                order,
+                start,
+                initial,
+                body,
+            });
             if let Some(course) = self.space.courses.get_mut(number) {
                 course.flow = Some(self.formulas.laws.len() - 1);
             }
@@ -570,8 +625,12 @@ impl System {
     /// those of the next one.
     fn tie_flights(&mut self, statements: &Statements, vocabulary: &Vocabulary) {
         for number in 0..self.space.courses.len() {
-            let Some(course) = self.space.courses.get(number).cloned() else { continue };
-            let (Some(flight), Some((order, _))) = (course.flight, course.law) else { continue };
+            let Some(course) = self.space.courses.get(number).cloned() else {
+                continue;
+            };
+            let (Some(flight), Some((order, _))) = (course.flight, course.law) else {
+                continue;
+            };
             let ends = [(flight, true, order), (flight + 1, false, 0)];
             for (index, after, lowest) in ends.into_iter().take(if statements.claim_runs { 1 } else { 2 }) {
                 for (level, name) in course.names.iter().enumerate().skip(lowest) {
@@ -581,7 +640,11 @@ impl System {
                     let mut compiler = self.compiler(vocabulary, &[]);
                     let (time, state) = (compiler.time(index), compiler.state(name.clone(), index, after));
                     let (time, state) = (self.formulas.slot(time), self.formulas.slot(state));
-                    let value = self.formulas.make(Op::Value { course: number, level, time });
+                    let value = self.formulas.make(Op::Value {
+                        course: number,
+                        level,
+                        time,
+                    });
                     let row = self.formulas.subtract(value, state);
                     self.rows.push(row);
                 }
@@ -596,7 +659,10 @@ impl System {
         }
         let mut new: HashMap<Formula, Formula> = HashMap::new();
         for part in self.formulas.parts(&[formula]) {
-            let op = self.formulas.op(part).map(|operand| new.get(&operand).copied().unwrap_or(operand));
+            let op = self
+                .formulas
+                .op(part)
+                .map(|operand| new.get(&operand).copied().unwrap_or(operand));
             let made = match op {
                 Op::Value { course, level, time } => self.value_at(course, level, time, vocabulary),
                 op => self.formulas.make(op),
@@ -651,7 +717,9 @@ impl System {
         let first = course.first.unwrap_or_else(|| {
             let all = members + POWERS_OF_LAW + 2 * HARMONICS;
             let first = self.space.slots.len();
-            self.space.slots.extend((0..all).map(|term| Slot::Coefficient { course: number, term }));
+            self.space
+                .slots
+                .extend((0..all).map(|term| Slot::Coefficient { course: number, term }));
             if let Some(course) = self.space.courses.get_mut(number) {
                 course.first = Some(first);
             }
@@ -663,7 +731,11 @@ impl System {
         for power in (level..powers).rev() {
             let next = formulas.integer((power - level + 1) as i64);
             let below = formulas.multiply(sum, time);
-            let below = if sum == formulas.integer(0) { sum } else { formulas.divide(below, next) };
+            let below = if sum == formulas.integer(0) {
+                sum
+            } else {
+                formulas.divide(below, next)
+            };
             let coefficient = formulas.slot(first + power);
             sum = formulas.add(coefficient, below);
         }
@@ -676,7 +748,10 @@ impl System {
         let turn = formulas.multiply(two, pi);
         let base = formulas.divide(turn, length);
         let angle = formulas.multiply(base, time);
-        let (s, c) = (formulas.apply(Function::Sin, angle), formulas.apply(Function::Cos, angle));
+        let (s, c) = (
+            formulas.apply(Function::Sin, angle),
+            formulas.apply(Function::Cos, angle),
+        );
         let (mut sin, mut cos) = (s, c);
         // The coefficients are those of the lowest member that has a name.
         let integrals = members as i32 - 1 - level as i32;
@@ -690,7 +765,10 @@ impl System {
             let [a, b] = match self.forcing {
                 Forcing::Any => [0, 1].map(|part| formulas.slot(first + members + POWERS_OF_LAW + 2 * n + part)),
                 Forcing::Cosine => {
-                    let phase = self.space.slot(Slot::Parameter(Name { base: r"\phi".to_string(), ..Name::default() }));
+                    let phase = self.space.slot(Slot::Parameter(Name {
+                        base: r"\phi".to_string(),
+                        ..Name::default()
+                    }));
                     let phase = formulas.slot(phase);
                     let sine = formulas.apply(Function::Sin, phase);
                     [formulas.apply(Function::Cos, phase), formulas.make(Op::Negate(sine))]
@@ -703,14 +781,22 @@ impl System {
                 _ => (sin, cos, false),
             };
             let (ax, by) = (formulas.multiply(a, x), formulas.multiply(b, y));
-            let mut term = if plus { formulas.add(ax, by) } else { formulas.subtract(ax, by) };
+            let mut term = if plus {
+                formulas.add(ax, by)
+            } else {
+                formulas.subtract(ax, by)
+            };
             if matches!(integrals.rem_euclid(4), 2 | 3) {
                 term = formulas.make(Op::Negate(term));
             }
             let n = formulas.integer(n as i64 + 1);
             let rate = formulas.multiply(n, base);
             let scale = formulas.make(Op::Power(rate, -integrals));
-            let term = if integrals == 0 { term } else { formulas.multiply(term, scale) };
+            let term = if integrals == 0 {
+                term
+            } else {
+                formulas.multiply(term, scale)
+            };
             sum = formulas.add(sum, term);
         }
         sum
@@ -722,9 +808,13 @@ impl System {
         let mut slots: BTreeSet<usize> = self.formulas.slots(&[row]).into_iter().collect();
         let mut has_functions = false;
         for part in self.formulas.parts(&[row]) {
-            let Op::Value { course, .. } = self.formulas.op(part) else { continue };
+            let Op::Value { course, .. } = self.formulas.op(part) else {
+                continue;
+            };
             has_functions = true;
-            let Some(course) = self.space.courses.get(course).filter(|course| course.flight.is_some()) else { continue };
+            let Some(course) = self.space.courses.get(course).filter(|course| course.flight.is_some()) else {
+                continue;
+            };
             if let Some(law) = course.flow.and_then(|law| self.formulas.laws.get(law)) {
                 slots.extend(self.formulas.slots(&[law.start]));
                 slots.extend(&law.initial);
@@ -749,7 +839,11 @@ impl System {
         for row in written.iter().filter(|row| self.is_pure(row)) {
             let impacts = self.impacts(row, &[]);
             let parameters = row.slots.iter().filter(|&&slot| self.space.impact(slot).is_none());
-            bound.extend(parameters.filter(|_| !impacts.is_empty()).map(|&slot| (slot, impacts.clone())));
+            bound.extend(
+                parameters
+                    .filter(|_| !impacts.is_empty())
+                    .map(|&slot| (slot, impacts.clone())),
+            );
         }
         bound
     }
@@ -769,12 +863,21 @@ impl System {
                 continue;
             }
             if !step.equations.is_empty() {
-                let rows: Vec<Formula> = step.equations.iter().map(|row| self.resolve(*row, vocabulary)).collect();
+                let rows: Vec<Formula> = step
+                    .equations
+                    .iter()
+                    .map(|row| self.resolve(*row, vocabulary))
+                    .collect();
                 self.rows.extend(&rows);
                 self.step_rows.push(rows);
                 continue;
             }
-            let impacts: BTreeSet<i32> = step.of.iter().chain(&step.by).filter_map(|&s| self.space.impact(s)).collect();
+            let impacts: BTreeSet<i32> = step
+                .of
+                .iter()
+                .chain(&step.by)
+                .filter_map(|&s| self.space.impact(s))
+                .collect();
             let speaks = |slot: &usize| self.space.impact(*slot).is_some() && !step.by.contains(slot);
             let fits = |(_, row): &(&Formula, &Written)| {
                 !self.is_pure(row) && row.slots.iter().any(speaks) && self.impacts(row, &bound).is_subset(&impacts)
@@ -788,7 +891,9 @@ impl System {
     /// Programs, conditions, and what stays fixed.
     fn finish(&mut self, vocabulary: &Vocabulary) -> Result<(), Unwitnessed> {
         for law in 0..self.formulas.laws.len() {
-            let Some(body) = self.formulas.laws.get(law).map(|law| law.body) else { continue };
+            let Some(body) = self.formulas.laws.get(law).map(|law| law.body) else {
+                continue;
+            };
             let body = self.resolve(body, vocabulary);
             if let Some(law) = self.formulas.laws.get_mut(law) {
                 law.body = body;
@@ -823,7 +928,11 @@ impl System {
         for (number, slot) in self.space.slots.iter().enumerate() {
             let fixed = match slot {
                 Slot::Coefficient { course, .. } => {
-                    let free = self.space.courses.get(*course).is_some_and(|course| course.law.is_none());
+                    let free = self
+                        .space
+                        .courses
+                        .get(*course)
+                        .is_some_and(|course| course.law.is_none());
                     free && !(self.shaped && self.forcing == Forcing::Any)
                 }
                 _ => self.kinds.get(number).is_some_and(|kind| kind.integer),
@@ -841,7 +950,11 @@ impl System {
         }
         let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
         let all: Vec<Formula> = sides.chain(&self.rows).chain(&self.late).copied().collect();
-        let complex = self.formulas.slots(&all).iter().any(|&slot| self.kinds.get(slot).is_some_and(|kind| kind.complex));
+        let complex = self
+            .formulas
+            .slots(&all)
+            .iter()
+            .any(|&slot| self.kinds.get(slot).is_some_and(|kind| kind.complex));
         self.row_slots = self.formulas.slots(&self.rows);
         self.factors_program = self.formulas.program(&self.generic_factors(&all));
         let imaginary = |part: &Formula| self.formulas.op(*part) == Op::Imaginary;
@@ -856,7 +969,13 @@ impl System {
         let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
         let conditions = self.conditions.iter().map(|condition| &condition.formula);
         let steps = self.step_rows.iter().flatten();
-        let others: Vec<Formula> = sides.chain(conditions).chain(steps).chain(&self.late).chain(&self.slacks).copied().collect();
+        let others: Vec<Formula> = sides
+            .chain(conditions)
+            .chain(steps)
+            .chain(&self.late)
+            .chain(&self.slacks)
+            .copied()
+            .collect();
         let needed: BTreeSet<usize> = self.formulas.slots(&others).into_iter().collect();
         let steps: BTreeSet<Formula> = self.step_rows.iter().flatten().copied().collect();
         loop {
@@ -866,11 +985,12 @@ impl System {
                     *counts.entry(slot).or_default() += 1;
                 }
             }
-            let defines = |slot: &usize| {
-                counts.get(slot) == Some(&1) && !needed.contains(slot) && !self.fixed.contains(slot)
-            };
+            let defines =
+                |slot: &usize| counts.get(slot) == Some(&1) && !needed.contains(slot) && !self.fixed.contains(slot);
             let idle = |row: &Formula| !steps.contains(row) && self.alone(*row).iter().any(defines);
-            let Some(position) = self.rows.iter().position(idle) else { return };
+            let Some(position) = self.rows.iter().position(idle) else {
+                return;
+            };
             self.rows.remove(position);
         }
     }
@@ -915,7 +1035,10 @@ impl System {
         }
         let is_generic = |factor: &Formula| {
             let slots = self.formulas.slots(&[*factor]);
-            !slots.is_empty() && slots.iter().all(|&slot| self.kinds.get(slot).is_some_and(|kind| kind.generic))
+            !slots.is_empty()
+                && slots
+                    .iter()
+                    .all(|&slot| self.kinds.get(slot).is_some_and(|kind| kind.generic))
         };
         factors.sort_unstable();
         factors.dedup();
@@ -943,18 +1066,31 @@ fn partials(statements: &Statements) -> Vec<(Name, Name)> {
 /// claim name.
 fn said(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Premise> {
     let premises = statements.said(vocabulary);
-    if !vocabulary.indices.iter().any(|index| index.to_string() == vocabulary.index) {
+    if !vocabulary
+        .indices
+        .iter()
+        .any(|index| index.to_string() == vocabulary.index)
+    {
         return premises;
     }
-    let named: Vec<BTreeSet<i32>> = premises.iter().map(|premise| vocabulary.impacts(&premise.equation)).collect();
+    let named: Vec<BTreeSet<i32>> = premises
+        .iter()
+        .map(|premise| vocabulary.impacts(&premise.equation))
+        .collect();
     let claims = statements.claims.iter().flat_map(|claim| vocabulary.impacts(claim));
     let all: BTreeSet<i32> = named.iter().flatten().copied().chain(claims).collect();
-    let (Some(&low), Some(&high)) = (all.first(), all.last()) else { return premises };
+    let (Some(&low), Some(&high)) = (all.first(), all.last()) else {
+        return premises;
+    };
     let mut instances = Vec::new();
     for (premise, named) in premises.into_iter().zip(&named) {
         match (named.first(), named.last()) {
             (Some(first), Some(last)) => {
-                instances.extend((low - first..=high - last).take(MOST_INSTANCES).map(|by| premise.shifted(by, vocabulary)));
+                instances.extend(
+                    (low - first..=high - last)
+                        .take(MOST_INSTANCES)
+                        .map(|by| premise.shifted(by, vocabulary)),
+                );
             }
             _ => instances.push(premise),
         }

@@ -13,6 +13,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// A proof in the making.
 pub struct Session<'a> {
+    /// The laws found so far.
+    pub laws: super::values::Laws,
     pub checker: Checker<'a>,
     pub steps: Vec<Inference>,
     pub budget: Steps,
@@ -40,6 +42,7 @@ pub struct Session<'a> {
 
 /// What a session knows besides the facts, to be returned to after a case.
 struct Snapshot {
+    laws: super::values::Laws,
     mark: (usize, usize, bool),
     triangle: Vec<Pivot>,
     taken: BTreeSet<String>,
@@ -82,6 +85,7 @@ impl<'a> Session<'a> {
         };
         Self {
             checker: Checker::new(statement, &certificate, 200_000_000),
+            laws: super::values::Laws::default(),
             steps: Vec::new(),
             budget: Steps::new(budget),
             triangle: Vec::new(),
@@ -145,6 +149,7 @@ impl<'a> Session<'a> {
 
     fn snapshot(&mut self) -> Snapshot {
         Snapshot {
+            laws: self.laws.clone(),
             mark: self.checker.mark(),
             triangle: self.triangle.clone(),
             taken: self.taken.clone(),
@@ -165,6 +170,7 @@ impl<'a> Session<'a> {
     /// Forgets what was found since a snapshot; gives the steps that were taken.
     fn restore(&mut self, before: Snapshot) -> Vec<Inference> {
         self.checker.back_to(before.mark);
+        self.laws = before.laws;
         self.triangle = before.triangle;
         self.taken = before.taken;
         self.tried = before.tried;
