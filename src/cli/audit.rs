@@ -57,8 +57,8 @@ const COLUMNS: [&str; 9] = [
     "repair",
 ];
 
-/// Random points at which each claim is tried.
-const POINTS: usize = 6;
+/// Random points at which each claim is tried; fewer where one costs much.
+const POINTS: usize = 24;
 
 /// A decision, and the evidence beside it where there is a claim to be tried.
 type Row = (Decision, Option<Evidence>);
@@ -221,6 +221,7 @@ fn in_words(evidence: &Evidence) -> String {
             "left and right agree to {digits:.1} digits at the worst of {} random points of the premises in f64, to {median:.1} at half of them",
             evidence.points
         )),
+        _ if evidence.points > 0 => lines.push(format!("the inequality was tried at {} random points", evidence.points)),
         _ => lines.push("no point".to_string()),
     }
     lines.extend((!evidence.worst.is_empty()).then(|| format!("worst point: {}", evidence.worst)));
