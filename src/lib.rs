@@ -12,6 +12,8 @@ pub mod orbit;
 
 // Formulas and their proofs, and what holds formulas and numbers against each other.
 #[cfg(feature = "audit")]
+pub mod algebra;
+#[cfg(feature = "audit")]
 pub mod claim;
 #[cfg(feature = "audit")]
 pub mod evidence;

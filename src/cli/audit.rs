@@ -33,7 +33,7 @@ const PROMISES: &str = "\
 A claim is true when both sides agree for all values of its symbols for which its premises and
 assumptions hold and everything written in premises and claim is defined. Symbols are real unless
 [symbols] says otherwise.
-  proved     A proof was accepted by a small kernel that shares nothing with the search, and so
+  proved     A proof was accepted by a small kernel that uses nothing of the search, and so
              was a point at which the premises hold. The column `provided` lists what it excludes.
   refuted    Exact values of the symbols were accepted at which every premise holds and the two
              sides differ, or the claim is nowhere defined.
@@ -111,7 +111,8 @@ fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options) -> Result<A
         fault,
     })?;
     mention_refuted(sheet, rows.iter_mut().map(|(decision, _)| decision));
-    for fault in sheet.entries.iter().filter_map(|entry| entry.unread.as_ref()) {
+    let unread = sheet.entries.iter().filter(|entry| entry.expect != Verdict::Unread);
+    for fault in unread.filter_map(|entry| entry.unread.as_ref()) {
         super::note(&format!("{name}: {fault}"));
     }
     Ok(Answer {

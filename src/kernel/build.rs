@@ -131,6 +131,12 @@ fn unreadable(at: usize, message: impl Into<String>) -> Unreadable {
     }
 }
 
+/// A number for each statement that is built.
+fn next_identity() -> u64 {
+    static NEXT: std::sync::atomic::AtomicU64 = std::sync::atomic::AtomicU64::new(1);
+    NEXT.fetch_add(1, std::sync::atomic::Ordering::Relaxed)
+}
+
 /// What a name may stand for within one equation.
 #[derive(Clone, Copy)]
 struct Scope<'a> {
@@ -171,6 +177,7 @@ impl<'a> Builder<'a> {
         let mut builder = Self {
             vocabulary,
             statement: Statement {
+                identity: next_identity(),
                 states: vocabulary.states.clone(),
                 continuous: vocabulary.continuous.clone(),
                 letter: vocabulary.index.clone(),

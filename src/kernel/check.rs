@@ -75,6 +75,33 @@ impl<'a> Checker<'a> {
         Ok(())
     }
 
+    /// Follows one step.
+    pub fn apply(&mut self, step: &Inference) -> Outcome<()> {
+        self.step(step)
+    }
+
+    /// How many facts and laws there are, to be taken back to.
+    pub fn mark(&self) -> (usize, usize, bool) {
+        (self.facts.len(), self.laws.len(), self.absurd)
+    }
+
+    /// Forgets what was added since a mark.
+    pub fn back_to(&mut self, (facts, laws, absurd): (usize, usize, bool)) {
+        self.facts.truncate(facts);
+        self.laws.truncate(laws);
+        self.absurd = absurd;
+    }
+
+    /// Takes a property of a polynomial as the case that steps are followed in.
+    pub fn suppose(&mut self, property: Property, polynomial: Polynomial) {
+        self.add(property, polynomial);
+    }
+
+    /// How many laws steps have derived.
+    pub fn laws(&self) -> usize {
+        self.laws.len()
+    }
+
     /// Whether 0 = 1 is known.
     pub fn is_absurd(&self) -> bool {
         self.absurd
@@ -94,7 +121,8 @@ impl<'a> Checker<'a> {
         Ok(self.knows_polynomial(property, &polynomial))
     }
 
-    fn knows_polynomial(&self, property: Property, polynomial: &Polynomial) -> bool {
+    /// Whether the property of the polynomial is known.
+    pub fn knows_polynomial(&self, property: Property, polynomial: &Polynomial) -> bool {
         if self.absurd {
             return true;
         }

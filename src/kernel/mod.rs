@@ -25,5 +25,5 @@ pub use expand::{Expansion, Quotient, Refusal, vanishes};
 pub use polynomial::{Monomial, Polynomial, product};
 pub use statement::{FunctionOf, Given, Law, Property, Quantity, Statement, Step};
 pub use term::{Elementary, Function, Node, Symbol, Term, Terms};
-pub use verdict::{Proved, Refuted, contradicts, follows, prove, refute, refute_nowhere};
+pub use verdict::{Proved, Refuted, With, contradicts, follows, prove, refute, refute_nowhere};
 pub use witness::Witness;

@@ -90,37 +90,162 @@ pub struct Step {
     pub equations: Vec<(String, Term)>,
 }
 
-/// A claim, ready to be decided: wherever all givens hold, the goal holds.
+/// A claim, ready to be decided: wherever all givens hold, the goals hold.
+///
+/// Outside the kernel it can be read, and extended by terms and symbols, but nothing given and no goal can be changed.
 #[derive(Clone, Debug, Default)]
 pub struct Statement {
-    pub terms: Terms,
+    /// Which statement it is: copies of one are extended apart, but stay the same statement. 0 is none.
+    pub(super) identity: u64,
+    pub(super) terms: Terms,
     /// Whether the symbols declared complex take part, so that all functions are principal branches.
-    pub complex: bool,
-    pub givens: Vec<Given>,
-    pub goal: Vec<(Property, Term)>,
+    pub(super) complex: bool,
+    pub(super) givens: Vec<Given>,
+    pub(super) goal: Vec<(Property, Term)>,
     /// What symbols stand for, by their number.
-    pub quantities: Vec<Quantity>,
+    pub(super) quantities: Vec<Quantity>,
     /// What unknown functions are, by their number.
-    pub functions: Vec<FunctionOf>,
+    pub(super) functions: Vec<FunctionOf>,
     /// Symbols that are abbreviations.
-    pub definitions: BTreeMap<Symbol, Term>,
+    pub(super) definitions: BTreeMap<Symbol, Term>,
     /// The declared derivatives of unknown functions.
-    pub derivatives: Derivatives,
+    pub(super) derivatives: Derivatives,
     /// Symbols that are declared complex, those declared generic.
-    pub complex_symbols: Vec<Symbol>,
-    pub generic: Vec<Symbol>,
-    pub steps: Vec<Step>,
+    pub(super) complex_symbols: Vec<Symbol>,
+    pub(super) generic: Vec<Symbol>,
+    pub(super) steps: Vec<Step>,
     /// The times of impacts by index; states that may be named; the states that an impact does not change.
-    pub times: BTreeMap<i32, Symbol>,
-    pub states: Vec<Name>,
-    pub continuous: Vec<Name>,
+    pub(super) times: BTreeMap<i32, Symbol>,
+    pub(super) states: Vec<Name>,
+    pub(super) continuous: Vec<Name>,
     /// The flight that the running time of the claim is in.
-    pub flight: Option<i32>,
+    pub(super) flight: Option<i32>,
     /// The letter that numbers impacts.
-    pub letter: String,
+    pub(super) letter: String,
 }
 
 impl Statement {
+    /// Its terms.
+    pub fn terms(&self) -> &Terms {
+        &self.terms
+    }
+
+    /// Its terms, to add to.
+    pub fn terms_mut(&mut self) -> &mut Terms {
+        &mut self.terms
+    }
+
+    /// What is given.
+    pub fn givens(&self) -> &[Given] {
+        &self.givens
+    }
+
+    /// What is to be shown.
+    pub fn goal(&self) -> &[(Property, Term)] {
+        &self.goal
+    }
+
+    /// Symbols that are abbreviations.
+    pub fn definitions(&self) -> &BTreeMap<Symbol, Term> {
+        &self.definitions
+    }
+
+    /// The declared derivatives of unknown functions.
+    pub fn derivatives(&self) -> &Derivatives {
+        &self.derivatives
+    }
+
+    /// What symbols stand for, by their number.
+    pub fn quantities(&self) -> &[Quantity] {
+        &self.quantities
+    }
+
+    /// What unknown functions are, by their number.
+    pub fn functions(&self) -> &[FunctionOf] {
+        &self.functions
+    }
+
+    /// Symbols that are declared generic.
+    pub fn generic(&self) -> &[Symbol] {
+        &self.generic
+    }
+
+    /// Symbols that are declared complex.
+    pub fn complex_symbols(&self) -> &[Symbol] {
+        &self.complex_symbols
+    }
+
+    /// Whether complex numbers take part.
+    pub fn is_complex(&self) -> bool {
+        self.complex
+    }
+
+    /// The maps whose derivatives the statement speaks of.
+    pub fn maps(&self) -> &[Step] {
+        &self.steps
+    }
+
+    /// The times of impacts by index.
+    pub fn times(&self) -> &BTreeMap<i32, Symbol> {
+        &self.times
+    }
+
+    /// The flight that the running time of the claim is in.
+    pub fn flight(&self) -> Option<i32> {
+        self.flight
+    }
+
+    /// The statement without what must hold for the claim to be defined, and without the claim.
+    pub fn premises(&self) -> Self {
+        let mut premises = self.clone();
+        premises
+            .givens
+            .retain(|given| given.label != super::build::CLAIM_DOMAIN);
+        premises.goal.clear();
+        premises.identity = 0;
+        premises
+    }
+
+    /// Takes over the terms that a copy was extended by; `false` where it is no extension of this.
+    pub fn adopt(&mut self, copy: &Self) -> bool {
+        let extends = copy.terms.extends(&self.terms)
+            && copy.quantities.starts_with(&self.quantities)
+            && copy.functions.starts_with(&self.functions);
+        if extends {
+            self.terms = copy.terms.clone();
+            self.quantities.clone_from(&copy.quantities);
+            self.functions.clone_from(&copy.functions);
+        }
+        extends
+    }
+
+    /// A term with unknown functions replaced by terms in a symbol of their own.
+    pub fn with_functions(&mut self, term: Term, functions: &[(Function, Symbol, Term)]) -> Term {
+        let declared = self.derivatives.clone();
+        self.terms.rewrite(term, &mut |terms, node| {
+            let Node::Value(function, order, at) = node else {
+                return None;
+            };
+            let (_, time, named) = functions.iter().find(|(f, ..)| f == function)?;
+            let mut slope = *named;
+            for _ in 0..*order {
+                slope = derivative(terms, slope, &declared, &mut |terms, symbol| {
+                    terms.integer(i64::from(symbol == *time))
+                });
+            }
+            Some(terms.substitute(slope, *time, *at))
+        })
+    }
+
+    /// The statement with some of what is given.
+    pub fn with_givens(&self, kept: &dyn Fn(&Given) -> bool) -> Self {
+        let mut fewer = self.clone();
+        fewer.givens.retain(kept);
+        fewer.goal.clear();
+        fewer.identity = 0;
+        fewer
+    }
+
     /// What a symbol stands for.
     pub fn quantity(&self, symbol: Symbol) -> Option<&Quantity> {
         self.quantities.get(symbol.0 as usize)

@@ -91,6 +91,13 @@ impl Terms {
         self.nodes.is_empty()
     }
 
+    /// Whether these are all terms, symbols and functions of another store, and perhaps more.
+    pub fn extends(&self, other: &Self) -> bool {
+        self.nodes.starts_with(&other.nodes)
+            && self.symbols.starts_with(&other.symbols)
+            && self.functions.starts_with(&other.functions)
+    }
+
     /// A new symbol, printed like this.
     pub fn new_symbol(&mut self, printed: impl Into<String>) -> Symbol {
         self.symbols.push(printed.into());

@@ -36,17 +36,31 @@ impl Refuted {
     }
 }
 
+/// A statement with the terms that a certificate or a witness speaks of.
+#[derive(Clone, Debug)]
+pub struct With<T> {
+    pub statement: Statement,
+    pub evidence: T,
+}
+
+fn same<T>(statement: &Statement, with: &With<T>) -> Result<(), Refusal> {
+    match statement.identity != 0 && statement.identity == with.statement.identity {
+        true => Ok(()),
+        false => Err(Refusal::Other("this is about another statement".into())),
+    }
+}
+
 /// Accepts a proof: every goal is known once the steps are followed, and the givens hold at the witness.
 ///
 /// # Errors
 /// A [`Refusal`] that says which step, goal or given is not shown.
-pub fn prove(statement: &Statement, certificate: &Certificate, point: &Witness) -> Result<Proved, Refusal> {
-    let mut own = statement.clone();
-    follows(&mut own, certificate)?;
-    let mut own = statement.clone();
-    At::new(&mut own, point, EFFORT)?;
+pub fn prove(statement: &Statement, certificate: &With<Certificate>, point: &With<Witness>) -> Result<Proved, Refusal> {
+    same(statement, certificate)?;
+    same(statement, point)?;
+    follows(certificate)?;
+    At::new(&mut point.statement.clone(), &point.evidence, EFFORT)?;
     Ok(Proved {
-        provided: provided(statement, &certificate.steps),
+        provided: provided(&certificate.statement, &certificate.evidence.steps),
     })
 }
 
@@ -54,10 +68,14 @@ pub fn prove(statement: &Statement, certificate: &Certificate, point: &Witness) 
 ///
 /// # Errors
 /// A [`Refusal`] that says which step or goal is not shown.
-pub fn follows(statement: &mut Statement, certificate: &Certificate) -> Result<(), Refusal> {
+pub fn follows(certificate: &With<Certificate>) -> Result<(), Refusal> {
+    let mut statement = certificate.statement.clone();
     let goals = statement.goal.clone();
-    let mut checker = Checker::new(statement, certificate, EFFORT);
-    checker.follow(&certificate.steps)?;
+    if goals.is_empty() {
+        return Err(Refusal::Other("there is no goal".into()));
+    }
+    let mut checker = Checker::new(&mut statement, &certificate.evidence, EFFORT);
+    checker.follow(&certificate.evidence.steps)?;
     for (property, term) in goals {
         for (condition, of) in checker.statement.domain(term) {
             if !checker.knows(condition, of)? {
@@ -75,9 +93,9 @@ pub fn follows(statement: &mut Statement, certificate: &Certificate) -> Result<(
 ///
 /// # Errors
 /// A [`Refusal`] that says which given is not shown, or that the claim holds there.
-pub fn refute(statement: &Statement, witness: &Witness) -> Result<Refuted, Refusal> {
-    let mut own = statement.clone();
-    match At::new(&mut own, witness, EFFORT)?.fails()? {
+pub fn refute(statement: &Statement, witness: &With<Witness>) -> Result<Refuted, Refusal> {
+    same(statement, witness)?;
+    match At::new(&mut witness.statement.clone(), &witness.evidence, EFFORT)?.fails()? {
         true => Ok(Refuted { nowhere: false }),
         false => Err(Refusal::Other("the claim holds at the witness".into())),
     }
@@ -88,13 +106,15 @@ pub fn refute(statement: &Statement, witness: &Witness) -> Result<Refuted, Refus
 ///
 /// # Errors
 /// A [`Refusal`] that says which step or given is not shown.
-pub fn refute_nowhere(statement: &Statement, certificate: &Certificate, witness: &Witness) -> Result<Refuted, Refusal> {
-    contradicts(statement, certificate)?;
-    let mut premises = statement.clone();
-    premises
-        .givens
-        .retain(|given| given.label != super::build::CLAIM_DOMAIN);
-    At::new(&mut premises, witness, EFFORT)?;
+pub fn refute_nowhere(
+    statement: &Statement,
+    certificate: &With<Certificate>,
+    witness: &With<Witness>,
+) -> Result<Refuted, Refusal> {
+    same(statement, certificate)?;
+    same(statement, witness)?;
+    contradicts(certificate)?;
+    At::new(&mut witness.statement.premises(), &witness.evidence, EFFORT)?;
     Ok(Refuted { nowhere: true })
 }
 
@@ -102,10 +122,10 @@ pub fn refute_nowhere(statement: &Statement, certificate: &Certificate, witness:
 ///
 /// # Errors
 /// A [`Refusal`] that says which step is not shown.
-pub fn contradicts(statement: &Statement, certificate: &Certificate) -> Result<(), Refusal> {
-    let mut own = statement.clone();
-    let mut checker = Checker::new(&mut own, certificate, EFFORT);
-    checker.follow(&certificate.steps)?;
+pub fn contradicts(certificate: &With<Certificate>) -> Result<(), Refusal> {
+    let mut statement = certificate.statement.clone();
+    let mut checker = Checker::new(&mut statement, &certificate.evidence, EFFORT);
+    checker.follow(&certificate.evidence.steps)?;
     match checker.is_absurd() {
         true => Ok(()),
         false => Err(Refusal::Other("the steps lead to no contradiction".into())),

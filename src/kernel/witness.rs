@@ -564,6 +564,15 @@ impl<'a> At<'a> {
     /// Times in the table are different, modulo the period of a function that has one: then there is a smooth function
     /// with these values (Hermite interpolation; for periodic ones, trigonometric).
     fn check_table(&mut self) -> Outcome<()> {
+        for (function, ..) in &self.witness.table {
+            let (mut next, mut seen) = (Some(*function), BTreeSet::new());
+            while let Some(function) = next {
+                if !seen.insert(function) {
+                    return refused("a function that is a derivative of its own has only single values");
+                }
+                next = self.statement.derivatives.get(&function).copied();
+            }
+        }
         let mut laws: Vec<(Function, Term)> = Vec::new();
         for given in self.statement.givens.clone() {
             let Some(Law {

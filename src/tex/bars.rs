@@ -232,6 +232,7 @@ mod tests {
             (r"\lvert a\rvert b |c|", "(* <|| a> b <|| c>)"),
             ("e^{-|x|}", "(^^ e (- <|| x>))"),
             ("a/|b|", "(/ a <|| b>)"),
+            (r"\sqrt{|a|} |b|", "(* (sqrt <|| a>) <|| b>)"),
             (r"|a| \cdot b \cdot |c|", "(* <|| a> b <|| c>)"),
         ];
         for (tex, wanted) in cases {

@@ -3,11 +3,16 @@
 //! ```
 //! use std::collections::BTreeMap;
 //! use vibro_audit::number::{Field, Rational};
-//! use vibro_audit::tex::{Names, evaluate, read, read_name};
+//! use vibro_audit::tex::{Names, evaluate, read, read_expression, read_name};
 //!
 //! let names = Names::default();
 //! let equations = read(r"\epsilon = \frac1{1 - r_B r_T}, \qquad T = T_1 + T_2", &names)?;
 //! assert_eq!(equations[0].to_string(), r"\epsilon = \frac{1}{1 - r_B r_T}");
+//!
+//! let bounds = read(r"0 \le u < \frac{\pi}{2}", &names)?;
+//! assert_eq!(bounds[1].to_string(), r"u < \frac{\pi}{2}");
+//! let ambiguous = read_expression(r"h/2\pi", &names).unwrap_err();
+//! assert!(ambiguous.to_string().contains(r"\frac{h}{2} \pi or as \frac{h}{2 \pi}"));
 //!
 //! let half = Rational::from_ratio(1, 2);
 //! let mut scope = BTreeMap::from([(read_name("r_B", &names)?, half.clone()), (read_name("r_T", &names)?, half)]);

@@ -102,6 +102,7 @@ pub struct Equation {
 
 /// What a sheet assumes of its symbols.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[expect(clippy::large_enum_variant, reason = "a sheet holds few of them")]
 pub enum Condition {
     /// An equation or inequality.
     Relation(Equation),

@@ -1,0 +1,220 @@
+//! The search for a proof: everything known is written over few generators, and the claim is reduced by it.
+
+use super::angles;
+use super::session::Session;
+use super::values;
+use crate::kernel::{
+    Axiom, Certificate, Elementary, Inference, Node, Polynomial, Property, Quantity, Statement, Term, With,
+};
+use std::collections::BTreeSet;
+
+/// The largest power of a sum that is multiplied out rather than kept whole.
+const LARGEST_EXPANSION: usize = 12;
+
+/// Passes of adding what is known of the functions that occur.
+const PASSES: usize = 4;
+
+/// Looks for a certificate of every goal.
+pub fn search(statement: &Statement, budget: u64) -> Option<With<Certificate>> {
+    let whole = large_bases(statement);
+    let attempts: Vec<Vec<Term>> = if whole.is_empty() {
+        vec![Vec::new()]
+    } else {
+        vec![whole, Vec::new()]
+    };
+    for whole in attempts {
+        let mut own = statement.clone();
+        let mut session = Session::new(&mut own, whole.clone(), budget);
+        if prove_goals(&mut session).is_some() {
+            let steps = std::mem::take(&mut session.steps);
+            return Some(With {
+                statement: own,
+                evidence: Certificate { whole, steps },
+            });
+        }
+    }
+    None
+}
+
+/// Looks for a proof that the givens contradict each other.
+pub fn contradiction(statement: &Statement, budget: u64) -> Option<With<Certificate>> {
+    let mut own = statement.clone();
+    let mut session = Session::new(&mut own, Vec::new(), budget);
+    prepare(&mut session, &[])?;
+    if !session.checker.is_absurd() {
+        session.show_zero(&Polynomial::integer(1))?;
+    }
+    let steps = std::mem::take(&mut session.steps);
+    Some(With {
+        statement: own,
+        evidence: Certificate {
+            whole: Vec::new(),
+            steps,
+        },
+    })
+}
+
+fn large_bases(statement: &Statement) -> Vec<Term> {
+    let mut whole = BTreeSet::new();
+    let terms = statement.terms();
+    for (_, term) in statement.goal() {
+        for inner in terms.inside(*term) {
+            if let Node::Power(base, exponent) = terms.node(inner)
+                && let Node::Sum(parts) = terms.node(*base)
+                && parts
+                    .len()
+                    .saturating_mul(usize::try_from(*exponent).unwrap_or(usize::MAX))
+                    > LARGEST_EXPANSION
+            {
+                whole.insert(*base);
+            }
+        }
+    }
+    whole.into_iter().collect()
+}
+
+fn prove_goals(session: &mut Session) -> Option<()> {
+    let goals = session.checker.statement.goal().to_vec();
+    let mut polynomials = Vec::new();
+    for (_, term) in &goals {
+        polynomials.push(session.numerator(*term)?);
+    }
+    prepare(session, &polynomials)?;
+    for (property, term) in goals {
+        if session.checker.knows(property, term).ok()? {
+            continue;
+        }
+        let polynomial = session.numerator(term)?;
+        show(session, property, &polynomial)?;
+        if !session.checker.knows(property, term).ok()? {
+            return None;
+        }
+    }
+    Some(())
+}
+
+fn show(session: &mut Session, property: Property, polynomial: &Polynomial) -> Option<()> {
+    match property {
+        Property::Zero => {
+            session.show_zero(polynomial)?;
+        }
+        Property::Nonzero => {
+            session.show_nonzero(polynomial)?;
+        }
+        Property::Positive | Property::NonNegative | Property::Integer => return None,
+    }
+    Some(())
+}
+
+/// Brings in all that is given, and what is known of the functions that occur.
+pub fn prepare(session: &mut Session, goals: &[Polynomial]) -> Option<()> {
+    bring_in(session, goals);
+    session.triangulate_all();
+    for _ in 0..PASSES {
+        let count = session.checker.facts.len();
+        let mut met: BTreeSet<Term> = BTreeSet::new();
+        for generator in session.generators(goals) {
+            met.extend(session.checker.statement.terms().inside(generator));
+        }
+        single_functions(session, &met);
+        values::instantiate(session, goals);
+        session.triangulate_all();
+        let mut met: BTreeSet<Term> = BTreeSet::new();
+        for generator in session.generators(goals) {
+            met.extend(session.checker.statement.terms().inside(generator));
+        }
+        angles::expand(session, &met);
+        session.triangulate_all();
+        if session.checker.facts.len() == count || session.checker.is_absurd() {
+            break;
+        }
+    }
+    Some(())
+}
+
+/// Brings in what premises and laws say, and nothing of elementary functions. Gives the laws.
+pub fn prepare_premises(session: &mut Session, goals: &[Polynomial]) -> Vec<values::Usable> {
+    bring_in(session, goals);
+    session.triangulate_all();
+    let mut laws = Vec::new();
+    for _ in 0..2 {
+        laws = values::instantiate(session, goals);
+        session.triangulate_all();
+    }
+    laws
+}
+
+fn bring_in(session: &mut Session, goals: &[Polynomial]) {
+    for number in 0..session.checker.statement.givens().len() {
+        if session.checker.statement.givens()[number].law.is_none() {
+            let _ = session.step(Inference::Given(number));
+        }
+    }
+    let definitions: Vec<crate::kernel::Symbol> = session.checker.statement.definitions().keys().copied().collect();
+    for symbol in definitions {
+        let term = session.terms().symbol(symbol);
+        session.axiom(Axiom::Unfold(term));
+    }
+    along(session, goals);
+}
+
+/// What is known of roots, logarithms, powers and inverse functions by themselves.
+fn single_functions(session: &mut Session, met: &BTreeSet<Term>) {
+    for &term in met {
+        match session.node(term) {
+            Node::Elementary(Elementary::Root(index), _) => {
+                session.axiom(Axiom::RootPower(term));
+                if index % 2 == 0 {
+                    session.axiom(Axiom::RootNonNegative(term));
+                }
+            }
+            Node::Elementary(Elementary::Ln, of) => {
+                session.axiom(Axiom::ExpOfLn(of));
+            }
+            Node::Elementary(Elementary::Arcsin, _) => {
+                session.axiom(Axiom::SineOfArcsin(term));
+                session.axiom(Axiom::CosineOfArcsin(term));
+            }
+            Node::Elementary(Elementary::Arccos, _) => {
+                session.axiom(Axiom::CosineOfArccos(term));
+                session.axiom(Axiom::SineOfArccos(term));
+            }
+            Node::Elementary(Elementary::Arctan, _) => {
+                session.axiom(Axiom::SineOfArctan(term));
+                session.axiom(Axiom::CosineOfArctan(term));
+            }
+            Node::RealPower(..) => {
+                session.axiom(Axiom::RealPower(term));
+            }
+            Node::Imaginary => {
+                session.axiom(Axiom::ImaginarySquare);
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Differentiates the equations of maps, where derivatives along them are spoken of.
+fn along(session: &mut Session, goals: &[Polynomial]) {
+    let spoken = session
+        .generators(goals)
+        .into_iter()
+        .any(|term| match session.node(term) {
+            Node::Symbol(symbol) => matches!(
+                session.checker.statement.quantity(symbol),
+                Some(Quantity::Partial { .. })
+            ),
+            _ => false,
+        });
+    if !spoken {
+        return;
+    }
+    for map in 0..session.checker.statement.maps().len() {
+        let step = session.checker.statement.maps()[map].clone();
+        for equation in 0..step.equations.len() {
+            for &by in &step.by {
+                let _ = session.step(Inference::Along { map, equation, by });
+            }
+        }
+    }
+}
