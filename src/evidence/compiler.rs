@@ -383,7 +383,7 @@ pub fn chains(vocabulary: &Vocabulary) -> Vec<Vec<Name>> {
         let mut chain = vec![name.clone()];
         while let Some(next) = chain
             .last()
-            .and_then(|last| below(last))
+            .and_then(below)
             .filter(|next| is_new(&chains, &chain, next))
         {
             chain.push(next.clone());

@@ -199,7 +199,7 @@ impl Formulas {
     pub fn parts(&self, of: &[Formula]) -> Vec<Formula> {
         let above = of.iter().map(|formula| formula.position() + 1).max().unwrap_or(0);
         let mut wanted = vec![false; above];
-        let mut mark = |wanted: &mut Vec<bool>, formula: Formula| {
+        let mark = |wanted: &mut Vec<bool>, formula: Formula| {
             if let Some(wanted) = wanted.get_mut(formula.position()) {
                 *wanted = true;
             }

@@ -73,7 +73,7 @@ impl System {
                     let [mut re, mut im] = value.parts();
                     let part = if unknown.imaginary { &mut im } else { &mut re };
                     // Both parts of one slot may be seeded: each keeps the lane that it has.
-                    *part = *part + Gradient::from_re(0.0).derivative(lane);
+                    *part += Gradient::from_re(0.0).derivative(lane);
                     *value = N::Of::<Gradient<LANES>>::new(re, im);
                 }
             }
@@ -260,7 +260,7 @@ pub fn basis(mut rows: Vec<Vec<f64>>, weights: &[f64]) -> Vec<usize> {
             .map(weighed)
             .max_by(|(_, a), (_, b)| a.total_cmp(b));
         let Some((column, size)) = largest else { break };
-        if !(size > DEPENDENT) {
+        if size.is_nan() || size <= DEPENDENT {
             continue;
         }
         columns.push(column);
