@@ -38,6 +38,8 @@ pub struct Compiler<'a> {
     pub flight: i32,
     /// Which sign `\pm` stands for.
     pub upper: bool,
+    /// By how much a running index is shifted.
+    pub index_shift: i32,
     open: Vec<Name>,
     known: HashMap<Name, Formula>,
 }
@@ -53,6 +55,7 @@ impl<'a> Compiler<'a> {
             first: None,
             flight: 0,
             upper: true,
+            index_shift: 0,
             open: Vec::new(),
             known: HashMap::new(),
         }
@@ -171,7 +174,11 @@ impl<'a> Compiler<'a> {
         }
         if super::domain::is_index(self.vocabulary, name) {
             let slot = self.space.slot(Slot::Parameter(name.clone()));
-            return Ok(self.formulas.slot(slot));
+            let (index, shift) = (
+                self.formulas.slot(slot),
+                self.formulas.integer(i64::from(self.index_shift)),
+            );
+            return Ok(self.formulas.add(index, shift));
         }
         if self.is_constant(name, r"\pi") {
             return Ok(self.formulas.make(Op::Pi));
@@ -193,14 +200,17 @@ impl<'a> Compiler<'a> {
         self.open.push(name.clone());
         let formula = self.tree(tree);
         self.open.pop();
-        // A sign may stand in it: it is read anew under the other one.
         self.known.insert(name.clone(), formula.clone()?);
         formula
     }
 
     /// The slot of an indexed time or state.
     pub fn quantity(&mut self, name: &Name) -> Option<usize> {
-        let (bare, index) = (bare(name), index_of(&name.subscript, &self.vocabulary.index)?);
+        let member = || super::domain::member(self.vocabulary, name);
+        let (bare, index) = (
+            bare(name),
+            index_of(&name.subscript, &self.vocabulary.index).or_else(member)?,
+        );
         if name.primes > 0 {
             return None;
         }
@@ -373,7 +383,7 @@ pub fn chains(vocabulary: &Vocabulary) -> Vec<Vec<Name>> {
         let mut chain = vec![name.clone()];
         while let Some(next) = chain
             .last()
-            .and_then(|last| below(last))
+            .and_then(below)
             .filter(|next| is_new(&chains, &chain, next))
         {
             chain.push(next.clone());

@@ -17,6 +17,14 @@ struct Found<T> {
     determined: bool,
 }
 
+/// The rows of a map, in the order in which they are asked, and the slots that move in all and in each of them.
+#[derive(Debug)]
+pub struct StepRows {
+    all: Vec<usize>,
+    each: Vec<Vec<usize>>,
+    program: Program,
+}
+
 /// The rows that determine a map, and the slots that move along with it.
 struct Moving {
     program: Program,
@@ -29,7 +37,10 @@ struct Moving {
 impl System {
     /// Finds the derivatives, then what premises say of them; the largest relative residual of these.
     pub fn derive<N: Numbers, T: Real>(&self, values: &mut [N::Of<T>], enough: f64) -> Option<f64> {
-        let mut fixed: BTreeSet<usize> = self.formulas.slots(&self.rows).into_iter().collect();
+        if self.late.is_empty() && self.step_rows.iter().all(Vec::is_empty) {
+            return Some(0.0);
+        }
+        let mut fixed: BTreeSet<usize> = self.row_slots.iter().copied().collect();
         let mut open = BTreeSet::new();
         for (number, rows) in self.step_rows.iter().enumerate() {
             if rows.is_empty() {
@@ -130,23 +141,41 @@ impl System {
         Some(rows)
     }
 
-    /// The first rows that have as much to say as there is to know; what is left over restricts the point.
-    fn moving(&self, step: usize, rough: &[f64]) -> Option<Moving> {
-        let map = self.maps.steps.get(step)?;
-        let candidates = self.step_rows.get(step)?;
-        let moves = |slot: &usize| {
+    /// Prepares the rows of each map.
+    pub fn prepare_steps(&mut self) {
+        let moves = |slot: &usize, by: &[usize]| {
             matches!(
                 self.space.slots.get(*slot),
                 Some(Slot::Time { .. } | Slot::State { .. })
-            ) && !map.by.contains(slot)
+            ) && !by.contains(slot)
         };
-        let all: Vec<usize> = self.formulas.slots(candidates).into_iter().filter(moves).collect();
+        let prepared = self.maps.steps.iter().zip(&self.step_rows).map(|(map, rows)| {
+            let of = |rows: &[Formula]| -> Vec<usize> {
+                self.formulas
+                    .slots(rows)
+                    .into_iter()
+                    .filter(|slot| moves(slot, &map.by))
+                    .collect()
+            };
+            StepRows {
+                all: of(rows),
+                each: rows.iter().map(|row| of(&[*row])).collect(),
+                program: self.formulas.program(rows),
+            }
+        });
+        self.prepared_steps = prepared.collect();
+    }
+
+    /// The first rows that have as much to say as there is to know; what is left over restricts the point.
+    fn moving(&self, step: usize, rough: &[f64]) -> Option<Moving> {
+        let map = self.maps.steps.get(step)?;
+        let StepRows { all, each, program } = self.prepared_steps.get(step)?;
         let unknowns: Vec<Unknown> = all.iter().map(|&slot| Unknown { slot, imaginary: false }).collect();
-        let jacobian = self.jacobian::<Reals>(&self.formulas.program(candidates), rough, &unknowns);
-        let (mut slots, mut units, mut taken) = (BTreeSet::new(), Vec::<Vec<f64>>::new(), 0);
-        let mut determined = false;
-        for (row, gradient) in candidates.iter().zip(&jacobian) {
-            slots.extend(self.formulas.slots(&[*row]).into_iter().filter(moves));
+        let jacobian = self.jacobian::<Reals>(program, rough, &unknowns);
+        let (mut slots, mut units) = (BTreeSet::new(), Vec::<Vec<f64>>::new());
+        let (mut taken, mut determined) = (0, false);
+        for (row, gradient) in each.iter().zip(&jacobian) {
+            slots.extend(row.iter().copied());
             taken += 1;
             units.extend(new_direction(gradient.clone(), &units));
             determined = units.len() >= slots.len();
@@ -158,8 +187,10 @@ impl System {
             .filter(|&n| all.get(n).is_some_and(|slot| slots.contains(slot)))
             .collect();
         let chosen = |row: &Vec<f64>| columns.iter().filter_map(|&column| row.get(column).copied()).collect();
+        let mut program = program.clone();
+        program.outputs.truncate(taken);
         Some(Moving {
-            program: self.formulas.program(candidates.get(..taken)?),
+            program,
             slots: slots.into_iter().collect(),
             jacobian: jacobian.iter().take(taken).map(chosen).collect(),
             determined,

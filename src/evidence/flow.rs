@@ -39,6 +39,8 @@ const ENDLESS: usize = 1 << 16;
 const ORDER: usize = 24;
 const ORDER_WIDE: usize = 44;
 const MOST_STEPS: usize = 100;
+/// The shortest step, as a part of the way left.
+const SHORTEST: f64 = 1e-4;
 /// Flows whose laws take other flows at fixed times, within each other.
 const DEEPEST: usize = 3;
 
@@ -202,7 +204,7 @@ pub fn value<V: Value>(law: usize, level: usize, time: &V, inputs: &Inputs<V>) -
             .map(|series| reach::<V>(series))
             .fold(f64::INFINITY, f64::min);
         let distance = left.size();
-        if !(reach > 1e-4 * distance) {
+        if reach.is_nan() || distance.is_nan() || reach <= SHORTEST * distance {
             return none();
         }
         let last = distance <= reach;

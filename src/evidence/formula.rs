@@ -197,14 +197,25 @@ impl Formulas {
 
     /// Everything that these formulas are made of, themselves included, each after its operands.
     pub fn parts(&self, of: &[Formula]) -> Vec<Formula> {
-        let (mut found, mut open) = (std::collections::HashSet::new(), of.to_vec());
-        while let Some(formula) = open.pop() {
-            if found.insert(formula) {
-                open.extend(self.op(formula).operands());
+        let above = of.iter().map(|formula| formula.position() + 1).max().unwrap_or(0);
+        let mut wanted = vec![false; above];
+        let mark = |wanted: &mut Vec<bool>, formula: Formula| {
+            if let Some(wanted) = wanted.get_mut(formula.position()) {
+                *wanted = true;
+            }
+        };
+        of.iter().for_each(|formula| mark(&mut wanted, *formula));
+        let mut parts = Vec::new();
+        for number in (0..above).rev() {
+            if wanted.get(number) == Some(&true) {
+                let formula = Formula(number as u32);
+                parts.push(formula);
+                self.op(formula)
+                    .operands()
+                    .for_each(|operand| mark(&mut wanted, operand));
             }
         }
-        let mut parts: Vec<Formula> = found.into_iter().collect();
-        parts.sort_unstable();
+        parts.reverse();
         parts
     }
 

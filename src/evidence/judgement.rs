@@ -1,13 +1,15 @@
 //! What the points say of a verdict.
 
 use super::compiler::Unwitnessed;
-use super::formula::Op;
+use super::formula::{Formula, Op};
 use super::motion::Flown;
 use super::newton::rough;
 use super::point::{Miss, Point, Style};
 use super::space::Slot;
 use super::system::{Forcing, Question, System, any};
-use super::tolerance::{APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE, MOST_DIGITS, PREMISE, STEADY};
+use super::tolerance::{
+    APART_EXACT, APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE, MOST_DIGITS, PREMISE, STEADY,
+};
 use super::value::{Complexes, Function, Numbers, Real, Reals, Value};
 use crate::claim::{Fault, Sheet, Statements, Verdict};
 use crate::number::Wide;
@@ -39,9 +41,12 @@ pub struct Evidence {
 #[derive(Clone, Debug)]
 struct Gap {
     relative: f64,
+    apart: f64,
     /// For an inequality, whether it holds; where equality decides, as near as can be told.
     fails: bool,
     is_inequality: bool,
+    /// Whether it was found in many digits.
+    is_close: bool,
     left: [f64; 2],
     right: [f64; 2],
 }
@@ -81,6 +86,8 @@ const ENOUGH_WORK: u64 = 300_000;
 const FEW: usize = 6;
 /// Special starts from which a proof is tried.
 const PROBES: u64 = 60;
+/// Operations for these.
+const PROBE_WORK: u64 = 20_000;
 
 /// Witnesses for the claim at `position` of the sheet, at up to `points` points, held against the verdict. Where the
 /// points agree with a claim that is refuted or undecided, more are looked at.
@@ -193,6 +200,7 @@ impl Witness<'_> {
         }
         if self.verdict == Verdict::Proved && !search.found.is_empty() && agrees(&search) {
             self.probe::<N>(&mut search);
+            self.look_closer::<N>(&mut search);
         }
         if search.found.is_empty() {
             search.found = std::mem::take(&mut search.excluded);
@@ -265,11 +273,28 @@ impl Witness<'_> {
         }
     }
 
+    /// Looks at the first point in 40 digits, where that costs little: what differs there alone is seen.
+    fn look_closer<N: Numbers>(&self, search: &mut Search<N::Of<f64>>) {
+        let is_small = self.system.space.courses.is_empty() && self.system.maps.steps.is_empty();
+        let Some((point, known)) = search
+            .found
+            .first_mut()
+            .filter(|(_, gap)| is_small && !gap.is_inequality)
+        else {
+            return;
+        };
+        let wide = self.system.widened::<N>(point);
+        let gap = wide.and_then(|wide| self.worst_gap::<N, Wide<40>>(&wide.values, &wide.running));
+        if let Some(gap) = gap.filter(|gap| gap.relative > self.apart()) {
+            *known = gap;
+        }
+    }
+
     /// Looks at special points, as long as these cost little: what fails there is added.
     fn probe<N: Numbers>(&self, search: &mut Search<N::Of<f64>>) {
         let before = self.system.work.left();
         for start in 0..PROBES {
-            if before - self.system.work.left() > ENOUGH_WORK {
+            if before - self.system.work.left() > PROBE_WORK {
                 return;
             }
             let style = if start % 4 == 3 { Style::Spread } else { Style::Special };
@@ -307,12 +332,21 @@ impl Witness<'_> {
         if gap.is_inequality {
             return Some(gap.fails);
         }
-        if gap.relative <= APART_WIDE {
+        if gap.relative <= self.apart() {
             return Some(false);
         }
         let finer = self.system.refined::<N>(wide)?;
         let again = self.worst_gap::<N, Wide<40>>(&finer.values, &finer.running)?;
-        ((again.relative - gap.relative).abs() <= STEADY * gap.relative).then_some(true)
+        ((again.apart - gap.apart).abs() <= STEADY * gap.apart).then_some(true)
+    }
+
+    /// The relative gap in 40 digits above which sides differ.
+    fn apart(&self) -> f64 {
+        if self.system.rows.is_empty() {
+            APART_EXACT
+        } else {
+            APART_WIDE
+        }
     }
 
     fn worst_first<'b, V>(&self, found: &'b [Asked<V>]) -> Vec<&'b Asked<V>> {
@@ -352,7 +386,7 @@ impl Witness<'_> {
     fn against_proof<N: Numbers>(&self, found: &[Asked<N::Of<f64>>], evidence: &mut Evidence) {
         let doubtful = |(_, gap): &&&Asked<N::Of<f64>>| match gap.is_inequality {
             true => gap.fails,
-            false => gap.digits() < DOUBTFUL_PROOF,
+            false => gap.digits() < DOUBTFUL_PROOF || gap.is_close,
         };
         for (point, gap) in self.worst_first(found).iter().filter(doubtful).take(3) {
             match self.differs::<N>(point) {
@@ -378,7 +412,16 @@ impl Witness<'_> {
     /// What agreement at all points means for a refutation.
     fn against_refutation<N: Numbers>(&self, found: &[Asked<N::Of<f64>>], evidence: &mut Evidence) {
         let count = found.len();
-        let special = || format!("the sides agree at {count} random points; the counterexample is special");
+        let what = match self
+            .statements
+            .claims
+            .iter()
+            .any(|claim| claim.relation != Relation::Equal)
+        {
+            true => "the inequality holds",
+            false => "the sides agree",
+        };
+        let special = || format!("{what} at {count} random points; the counterexample is special");
         let enough = if self.system.has_pieces() {
             MANY_PIECES * 3 / 4
         } else {
@@ -444,7 +487,7 @@ impl Witness<'_> {
         };
         let other = Witness { system, ..*self };
         let mut found = 0;
-        for start in 0..3 * MOST_STARTS as u64 {
+        for start in 0..MOST_STARTS as u64 {
             let Ok(point) = other.system.point::<N>(1000 + start, Style::Moderate) else {
                 continue;
             };
@@ -517,7 +560,7 @@ impl System {
         if premises.is_empty() {
             return None;
         }
-        let at = |value: &N::Of<T>, premise: super::formula::Formula| -> Option<(N::Of<T>, f64)> {
+        let at = |value: &N::Of<T>, premise: Formula| -> Option<(N::Of<T>, f64)> {
             let mut values = values.to_vec();
             *values.get_mut(slot)? = value.clone();
             let program = self.formulas.program(&[premise]);
@@ -575,13 +618,7 @@ impl System {
     /// The operations of claim and premises.
     fn ops(&self) -> impl Iterator<Item = Op> + '_ {
         let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
-        let bodies = self.formulas.laws.iter().map(|law| &law.body);
-        let all: Vec<_> = sides
-            .chain(&self.rows)
-            .chain(&self.late)
-            .chain(bodies)
-            .copied()
-            .collect();
+        let all: Vec<_> = sides.chain(&self.rows).chain(&self.late).copied().collect();
         self.formulas.parts(&all).into_iter().map(|part| self.formulas.op(part))
     }
 
@@ -611,10 +648,76 @@ impl System {
         })
     }
 
+    /// The slots that stand once in a row, below operations that can be undone.
+    fn solvable(&self, row: Formula) -> Vec<usize> {
+        let parts = self.formulas.parts(&[row]);
+        // In how many ways a part is reached, and whether what is above it can be undone.
+        let mut reached: BTreeMap<Formula, (usize, bool)> = BTreeMap::from([(row, (1, true))]);
+        let mut slots = Vec::new();
+        for &part in parts.iter().rev() {
+            let Some(&(ways, undone)) = reached.get(&part) else {
+                continue;
+            };
+            let op = self.formulas.op(part);
+            for operand in op.operands() {
+                let undoes = match op {
+                    Op::Multiply(a, b) => self.is_nonzero(if operand == a { b } else { a }) && a != b,
+                    Op::Divide(a, b) => a != b && (operand == a || self.is_nonzero(a)),
+                    Op::Add(..) | Op::Negate(_) | Op::Root(..) => true,
+                    Op::Power(_, exponent) => exponent != 0,
+                    Op::Apply(function, _) => matches!(
+                        function,
+                        Function::Exp
+                            | Function::Ln
+                            | Function::Sinh
+                            | Function::Arctan
+                            | Function::Arsinh
+                            | Function::Artanh
+                    ),
+                    _ => false,
+                };
+                let known = reached.entry(operand).or_insert((0, true));
+                known.0 = (known.0 + ways).min(2);
+                known.1 &= undone && undoes;
+            }
+            if let Op::Slot(slot) = op
+                && (ways, undone) == (1, true)
+            {
+                slots.push(slot);
+            }
+        }
+        slots
+    }
+
+    /// Whether a formula vanishes nowhere that the sheet speaks of, as far as its form shows.
+    fn is_nonzero(&self, formula: Formula) -> bool {
+        let kind = |slot: usize| self.kinds.get(slot).copied().unwrap_or_default();
+        match self.formulas.op(formula) {
+            Op::Slot(slot) => kind(slot).positive || kind(slot).nonzero || kind(slot).generic,
+            Op::Multiply(a, b) => self.is_nonzero(a) && self.is_nonzero(b),
+            Op::Divide(a, _) | Op::Negate(a) | Op::Power(a, _) | Op::Root(a, _) => self.is_nonzero(a),
+            _ => self.is_positive(formula) || matches!(self.formulas.op(formula), Op::Ratio(n, _) if n != 0),
+        }
+    }
+
+    fn is_positive(&self, formula: Formula) -> bool {
+        match self.formulas.op(formula) {
+            Op::Ratio(above, _) => above > 0,
+            Op::Pi | Op::Apply(Function::Exp | Function::Cosh, _) => !self.is_complex,
+            Op::Slot(slot) => self.kinds.get(slot).is_some_and(|kind| kind.positive),
+            Op::Add(a, b) | Op::Multiply(a, b) | Op::Divide(a, b) => self.is_positive(a) && self.is_positive(b),
+            Op::Power(a, _) | Op::Root(a, _) | Op::RealPower(a, _) => self.is_positive(a),
+            _ => false,
+        }
+    }
+
     /// Whether a law for a derivative may have poles: beyond them the constants of integration are others.
     fn flows_may_end(&self) -> bool {
-        let bodies = self.formulas.laws.iter().map(|law| law.body);
-        let mut parts = bodies.flat_map(|body| self.formulas.parts(&[body]));
+        let used = |n: &usize| self.ops().any(|op| matches!(op, Op::Flow { law, .. } if law == *n));
+        let bodies = (0..self.formulas.laws.len())
+            .filter(used)
+            .filter_map(|n| self.formulas.laws.get(n));
+        let mut parts = bodies.flat_map(|law| self.formulas.parts(&[law.body]));
         parts.any(|part| match self.formulas.op(part) {
             Op::Divide(_, below) => self.formulas.runs(below),
             Op::Power(base, exponent) => exponent < 0 && self.formulas.runs(base),
@@ -623,10 +726,15 @@ impl System {
         })
     }
 
-    /// Whether each premise gives a symbol of its own, which stands in it once, alone as a term: then no part of the
-    /// solutions is thinner than the rest, but where such symbols depend on each other.
+    /// Whether each premise gives a symbol of its own, which it can be solved for wherever it is defined: then no part of
+    /// the solutions is thinner than the rest, but where such symbols depend on each other.
     fn is_a_graph(&self) -> bool {
-        let mut alone: Vec<Vec<usize>> = self.rows.iter().chain(&self.late).map(|row| self.alone(*row)).collect();
+        let mut alone: Vec<Vec<usize>> = self
+            .rows
+            .iter()
+            .chain(&self.late)
+            .map(|row| self.solvable(*row))
+            .collect();
         alone.sort_by_key(Vec::len);
         let mut taken: BTreeMap<usize, usize> = BTreeMap::new();
         // An augmenting path from row to row (Kuhn 1955).
@@ -680,8 +788,10 @@ fn compare<N: Numbers, T: Real>(left: &(N::Of<T>, f64), right: &(N::Of<T>, f64),
     let parts = |value: &N::Of<T>| value.parts().map(|part| part.to_f64());
     Some(Gap {
         relative,
+        apart: gap,
         fails,
         is_inequality,
+        is_close: is_wide,
         left: parts(&left.0),
         right: parts(&right.0),
     })

@@ -92,15 +92,11 @@ impl System {
                 .try_fold(Matrix2::identity(), |product, factor| Some(product * of(factor)?));
             let Some(product) = product else { continue };
             let product: Matrix2<f64> = product;
-            for (kind, known) in [
-                (Invariant::Trace, product.trace()),
-                (Invariant::Determinant, product.determinant()),
-            ] {
-                let (mut space, mut formulas) = (self.space.clone(), self.formulas.clone());
-                let Some(formula) = self.maps.invariant(kind, name, &mut space, &mut formulas) else {
-                    continue;
+            for (_, kind, program) in self.invariants.iter().filter(|(other, ..)| other == name) {
+                let known = match kind {
+                    Invariant::Trace => product.trace(),
+                    Invariant::Determinant => product.determinant(),
                 };
-                let program = formulas.program(&[formula]);
                 let found = program.run(&self.inputs(values, None));
                 let (Some(&output), Some(sizes)) = (program.outputs.first(), program.sizes(&found, &|_| 0.0)) else {
                     continue;

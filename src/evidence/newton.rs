@@ -73,7 +73,7 @@ impl System {
                     let [mut re, mut im] = value.parts();
                     let part = if unknown.imaginary { &mut im } else { &mut re };
                     // Both parts of one slot may be seeded: each keeps the lane that it has.
-                    *part = *part + Gradient::from_re(0.0).derivative(lane);
+                    *part += Gradient::from_re(0.0).derivative(lane);
                     *value = N::Of::<Gradient<LANES>>::new(re, im);
                 }
             }
@@ -157,7 +157,13 @@ impl System {
     ) -> f64 {
         let mut best = f64::INFINITY;
         let mut after = 0;
-        for _ in 0..MOST_STEPS {
+        // Beside a double root a step gains one bit.
+        let most = if <T as Analytic>::epsilon().to_f64() < 1e-20 {
+            4 * MOST_STEPS
+        } else {
+            MOST_STEPS
+        };
+        for _ in 0..most {
             let (residuals, worst) = self.residuals::<N, T>(program, values);
             // One step more than enough, for the last digits.
             after += usize::from(worst <= enough);
@@ -174,7 +180,7 @@ impl System {
             }
             // Far from the solution a step is a direction only.
             let place = |unknown: &Unknown| near.get(unknown.slot).map_or(0.0, Value::size);
-            let longest = 1.5 + 0.5 * norm(&unknowns.iter().map(place).collect::<Vec<f64>>());
+            let longest = (0.1 * norm(&unknowns.iter().map(place).collect::<Vec<f64>>())).max(1.5);
             let part = if length > longest { longest / length } else { 1.0 };
             for (unknown, change) in unknowns.iter().zip(&step) {
                 if let Some(value) = values.get_mut(unknown.slot) {
@@ -254,7 +260,7 @@ pub fn basis(mut rows: Vec<Vec<f64>>, weights: &[f64]) -> Vec<usize> {
             .map(weighed)
             .max_by(|(_, a), (_, b)| a.total_cmp(b));
         let Some((column, size)) = largest else { break };
-        if !(size > DEPENDENT) {
+        if size.is_nan() || size <= DEPENDENT {
             continue;
         }
         columns.push(column);

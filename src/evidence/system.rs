@@ -1,6 +1,7 @@
 //! The premises of a claim as equations over slots, and the claim as questions.
 
 use super::compiler::{Compiler, Unwitnessed, chains};
+use super::derivative::StepRows;
 use super::domain::{self, Condition, Kind};
 use super::flow::Law;
 use super::formula::{Formula, Formulas, Op, Program, Work};
@@ -8,7 +9,7 @@ use super::maps::{Maps, read_maps};
 use super::space::{Slot, Space};
 use super::value::Function;
 use crate::claim::{Local, Premise, Statements, Vocabulary};
-use crate::tex::{At, Condition as Assumption, Equation, Name, Relation, Tree};
+use crate::tex::{At, Condition as Assumption, Equation, Invariant, Name, Relation, Tree};
 use std::collections::{BTreeSet, HashMap};
 
 /// How many harmonics stand for any function: with the constants of integration there are as many coefficients as
@@ -58,9 +59,14 @@ pub struct System {
     pub step_rows: Vec<Vec<Formula>>,
     /// What holds of derivatives, traces and determinants.
     pub late: Vec<Formula>,
+    pub prepared_steps: Vec<StepRows>,
+    /// Traces and determinants of products of maps.
+    pub invariants: Vec<(Name, Invariant, Program)>,
     pub kinds: Vec<Kind>,
     /// Slots that an assumption says are integers.
     integers: Vec<usize>,
+    /// By how much a running index is shifted in what is read.
+    index_shift: i32,
     /// Where symbols may lie.
     pub conditions: Vec<Condition>,
     /// For each inequality of the premises a row that it holds by what its slack leaves over.
@@ -111,8 +117,11 @@ impl System {
             rows: Vec::new(),
             step_rows: Vec::new(),
             late: Vec::new(),
+            prepared_steps: Vec::new(),
+            invariants: Vec::new(),
             kinds: Vec::new(),
             integers: Vec::new(),
+            index_shift: 0,
             conditions: Vec::new(),
             slacks: Vec::new(),
             fixed: BTreeSet::new(),
@@ -135,8 +144,9 @@ impl System {
     }
 
     fn compiler<'a>(&'a mut self, vocabulary: &'a Vocabulary, locals: &'a [Local]) -> Compiler<'a> {
+        let shift = self.index_shift;
         let mut compiler = Compiler::new(vocabulary, &mut self.space, &mut self.formulas, &self.maps);
-        compiler.locals = locals;
+        (compiler.locals, compiler.index_shift) = (locals, shift);
         compiler
     }
 
@@ -153,7 +163,8 @@ impl System {
         let mut laws = Vec::new();
         let mut of_matrices = Vec::new();
         let premises = said(statements, vocabulary);
-        for premise in &premises {
+        for (premise, by) in &premises {
+            self.index_shift = *by;
             let flight = if statements.claim_runs {
                 first
             } else {
@@ -182,7 +193,8 @@ impl System {
             .assume
             .iter()
             .map(|condition| (condition, statements.locals.as_slice(), None));
-        let brought = premises.iter().flat_map(|premise| {
+        self.index_shift = 0;
+        let brought = premises.iter().flat_map(|(premise, _)| {
             premise
                 .assume
                 .iter()
@@ -402,7 +414,10 @@ impl System {
                 return;
             }
         }
-        for time in TIMES.into_iter().take(FEW_TIMES) {
+        // Where the second period is a number, only the function can give way.
+        let gives_way = known.law.is_none() && self.formulas.slots(&[shift]).is_empty();
+        self.shaped |= gives_way;
+        for time in TIMES.into_iter().take(if gives_way { TIMES.len() } else { FEW_TIMES }) {
             let time = self.formulas.float(time);
             let later = self.formulas.add(time, shift);
             let [early, late] = [time, later].map(|time| self.formulas.make(Op::Value { course, level, time }));
@@ -900,6 +915,17 @@ impl System {
             }
         }
         self.formulas.prepare_flows();
+        self.prepare_steps();
+        if !self.step_rows.iter().all(Vec::is_empty) {
+            for (name, _) in self.maps.products.clone() {
+                for kind in [Invariant::Trace, Invariant::Determinant] {
+                    if let Some(formula) = self.maps.invariant(kind, &name, &mut self.space, &mut self.formulas) {
+                        self.invariants
+                            .push((name.clone(), kind, self.formulas.program(&[formula])));
+                    }
+                }
+            }
+        }
         let given = std::mem::take(&mut self.conditions);
         for condition in given {
             let formula = self.resolve(condition.formula, vocabulary);
@@ -1064,35 +1090,36 @@ fn partials(statements: &Statements) -> Vec<(Name, Name)> {
 
 /// The premises at each flight that the claim speaks of; where an index runs, at each value of it that premises and
 /// claim name.
-fn said(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Premise> {
+fn said(statements: &Statements, vocabulary: &Vocabulary) -> Vec<(Premise, i32)> {
     let premises = statements.said(vocabulary);
-    if !vocabulary
-        .indices
-        .iter()
-        .any(|index| index.to_string() == vocabulary.index)
-    {
-        return premises;
+    if !domain::index_runs(vocabulary) {
+        return premises.into_iter().map(|premise| (premise, 0)).collect();
     }
-    let named: Vec<BTreeSet<i32>> = premises
+    let equations = premises
         .iter()
-        .map(|premise| vocabulary.impacts(&premise.equation))
-        .collect();
-    let claims = statements.claims.iter().flat_map(|claim| vocabulary.impacts(claim));
-    let all: BTreeSet<i32> = named.iter().flatten().copied().chain(claims).collect();
-    let (Some(&low), Some(&high)) = (all.first(), all.last()) else {
-        return premises;
-    };
+        .map(|premise| &premise.equation)
+        .chain(&statements.claims);
+    let mut all = BTreeSet::from([0]);
+    for equation in equations {
+        all.extend(vocabulary.impacts(equation));
+        let members = std::cell::RefCell::new(&mut all);
+        any(equation, &|tree| {
+            if let Tree::Symbol(name, _) = tree {
+                members.borrow_mut().extend(domain::member(vocabulary, name));
+            }
+            false
+        });
+    }
+    let (low, high) = (all.first().copied().unwrap_or(0), all.last().copied().unwrap_or(0));
     let mut instances = Vec::new();
-    for (premise, named) in premises.into_iter().zip(&named) {
+    for premise in premises {
+        let named = vocabulary.impacts(&premise.equation);
         match (named.first(), named.last()) {
             (Some(first), Some(last)) => {
-                instances.extend(
-                    (low - first..=high - last)
-                        .take(MOST_INSTANCES)
-                        .map(|by| premise.shifted(by, vocabulary)),
-                );
+                let shifts = (low - first..=high - last).take(MOST_INSTANCES);
+                instances.extend(shifts.map(|by| (premise.shifted(by, vocabulary), by)));
             }
-            _ => instances.push(premise),
+            _ => instances.push((premise, 0)),
         }
     }
     instances
