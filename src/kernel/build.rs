@@ -34,6 +34,15 @@ const MOST_TERMS: usize = 400_000;
 /// # Errors
 /// [`Unreadable`] where something has no meaning in this vocabulary.
 pub fn questions(statements: &Statements, vocabulary: &Vocabulary) -> Result<Vec<Question>, Unreadable> {
+    // what functions need to have values depends on whether complex numbers take part
+    let asked = asked(statements, vocabulary, false)?;
+    if asked.iter().any(|question| question.statement.complex) {
+        return self::asked(statements, vocabulary, true);
+    }
+    Ok(asked)
+}
+
+fn asked(statements: &Statements, vocabulary: &Vocabulary, complex: bool) -> Result<Vec<Question>, Unreadable> {
     let mut questions = Vec::new();
     for equation in &statements.claims {
         let pair = match &equation.left {
@@ -41,14 +50,14 @@ pub fn questions(statements: &Statements, vocabulary: &Vocabulary) -> Result<Vec
             _ => None,
         };
         match pair {
-            Some(name) => questions.extend(pair_questions(statements, vocabulary, equation, &name)?),
+            Some(name) => questions.extend(pair_questions(statements, vocabulary, equation, &name, complex)?),
             None => {
                 let signs: &[Option<bool>] = match has_sign(&equation.left) || has_sign(&equation.right) {
                     true => &[Some(true), Some(false)],
                     false => &[None],
                 };
                 for &upper in signs {
-                    let (mut builder, at) = Builder::given(statements, vocabulary)?;
+                    let (mut builder, at) = Builder::given(statements, vocabulary, complex)?;
                     builder.upper = upper;
                     let goal = builder.claim(equation, at)?;
                     let statement = builder.finish(vec![goal])?;
@@ -75,6 +84,7 @@ fn pair_questions(
     vocabulary: &Vocabulary,
     equation: &Equation,
     name: &Name,
+    complex: bool,
 ) -> Result<Vec<Question>, Unreadable> {
     let values = |builder: &mut Builder, at: usize| -> Result<[Term; 2], Unreadable> {
         let mut of = |upper| {
@@ -84,7 +94,7 @@ fn pair_questions(
         Ok([of(true)?, of(false)?])
     };
     let mut questions = Vec::new();
-    let (mut builder, at) = Builder::given(statements, vocabulary)?;
+    let (mut builder, at) = Builder::given(statements, vocabulary, complex)?;
     let [first, second] = values(&mut builder, at)?;
     let symbol = builder.in_claim(&Tree::Symbol(name.clone(), equation.at), at)?;
     let Node::Symbol(pair) = *builder.statement.terms.node(symbol) else {
@@ -96,17 +106,16 @@ fn pair_questions(
     builder.written.extend([first, second]);
     let factors = [first, second].map(|value| builder.statement.terms.difference(symbol, value));
     let product = builder.statement.terms.product(factors.to_vec());
-    let count = builder.statement.givens.len();
     questions.push(question(
         equation,
         "every solution",
         builder.finish(vec![(Property::Zero, product)])?,
     ));
     for sign in [0, 1] {
-        let (mut builder, at) = Builder::given(statements, vocabulary)?;
+        let (mut builder, at) = Builder::given(statements, vocabulary, complex)?;
         let values = values(&mut builder, at)?;
         builder.written.extend(values);
-        let goals = builder.solution(pair, values[sign], count);
+        let goals = builder.solution(pair, values[sign], equation.at.0)?;
         let instance = if sign == 0 {
             "the upper value is a solution"
         } else {
@@ -163,11 +172,17 @@ struct Builder<'a> {
     symbols: HashMap<(Name, usize), Term>,
     real_only: bool,
     opaque: bool,
+    /// Whether what `[symbols]` says of signs is among the givens.
+    is_declared: bool,
 }
 
 impl<'a> Builder<'a> {
     /// All that is given, before the claim is read; and the flight that the claim speaks of.
-    fn given(statements: &'a Statements, vocabulary: &'a Vocabulary) -> Result<(Self, usize), Unreadable> {
+    fn given(
+        statements: &'a Statements,
+        vocabulary: &'a Vocabulary,
+        complex: bool,
+    ) -> Result<(Self, usize), Unreadable> {
         let none = Scope {
             locals: &[],
             number: 0,
@@ -178,6 +193,7 @@ impl<'a> Builder<'a> {
             vocabulary,
             statement: Statement {
                 identity: next_identity(),
+                complex,
                 states: vocabulary.states.clone(),
                 continuous: vocabulary.continuous.clone(),
                 letter: vocabulary.index.clone(),
@@ -193,6 +209,7 @@ impl<'a> Builder<'a> {
             symbols: HashMap::new(),
             real_only: false,
             opaque: false,
+            is_declared: false,
         };
         builder.opaque = builder.is_opaque(statements);
         builder.declare_derivatives()?;
@@ -220,11 +237,17 @@ impl<'a> Builder<'a> {
         for condition in &statements.assume {
             let (property, term) = builder.condition(condition)?;
             builder.written.push(term);
-            builder.push("the assumptions", property, term, None);
+            builder.push(ASSUMPTIONS, property, term, None);
+            for (property, term) in std::mem::take(&mut builder.brought) {
+                builder.push(CLAIM_DOMAIN, property, term, None);
+            }
         }
         for relation in &vocabulary.relations {
             let (property, term) = builder.relation(relation)?;
             builder.push(&relation.to_string(), property, term, None);
+            for (property, term) in std::mem::take(&mut builder.brought) {
+                builder.push(&relation.to_string(), property, term, None);
+            }
         }
         builder.declare_periods()?;
         builder.declare_maps()?;
@@ -258,9 +281,12 @@ impl<'a> Builder<'a> {
     /// Takes what was read as given: once, or as a law where it runs over times or indices.
     fn give(&mut self, label: &str, property: Property, term: Term, mut conditions: Vec<(Property, Term)>) {
         conditions.append(&mut self.brought);
+        let said: Vec<Term> = conditions.iter().map(|(_, of)| *of).chain([term]).collect();
         let time = self.running_symbol().filter(|&time| {
-            let written = self.statement.written_out(term);
-            self.statement.terms.holds(written, time)
+            said.iter().any(|&term| {
+                let written = self.statement.written_out(term);
+                self.statement.terms.holds(written, time)
+            })
         });
         let every_impact = self.scope.in_flight || self.runs_over_indices(term);
         if time.is_none() && !every_impact {
@@ -355,19 +381,31 @@ impl<'a> Builder<'a> {
         Ok(term)
     }
 
-    /// What must hold for `value` to be a solution of the first `count` givens for `symbol`; those givens go.
-    fn solution(&mut self, symbol: Symbol, value: Term, count: usize) -> Vec<(Property, Term)> {
+    /// What must hold for `value` to be a solution of the givens for `symbol`, which go: of the premises, and of what is
+    /// declared of the symbol.
+    fn solution(&mut self, symbol: Symbol, value: Term, at: usize) -> Result<Vec<(Property, Term)>, Unreadable> {
+        self.declare_signs()?;
         let mut goals = Vec::new();
         let givens = std::mem::take(&mut self.statement.givens);
-        for (number, given) in givens.into_iter().enumerate() {
+        for given in givens {
             let term = self.statement.written_out(given.term);
-            if number >= count || !self.statement.terms.holds(term, symbol) || given.law.is_some() {
+            let conditions = given.law.iter().flat_map(|law| law.conditions.clone());
+            let conditions: Vec<Term> = conditions.map(|(_, of)| self.statement.written_out(of)).collect();
+            if !conditions
+                .iter()
+                .chain([&term])
+                .any(|&of| self.statement.terms.holds(of, symbol))
+            {
                 self.statement.givens.push(given);
                 continue;
             }
+            if given.law.is_some() {
+                let message = format!("({}) is a law: it is not solved for single values", given.label);
+                return Err(unreadable(at, message));
+            }
             goals.push((given.property, self.statement.terms.substitute(term, symbol, value)));
         }
-        goals
+        Ok(goals)
     }
 
     /// What must vanish, be positive or the like for a relation to hold.
@@ -393,8 +431,15 @@ impl<'a> Builder<'a> {
 
     /// The statement with these goals: the domain of the claim, and what is declared of every symbol met, are given.
     fn finish(mut self, goal: Vec<(Property, Term)>) -> Result<Statement, Unreadable> {
-        self.declare_signs()?;
-        self.statement.complex = self.is_complex();
+        // a pair has its signs among the goals
+        if !self.is_declared {
+            self.declare_signs()?;
+        }
+        if self.is_complex() && !self.statement.complex {
+            // it is built anew, with principal branches
+            self.statement.complex = true;
+            return Ok(self.statement);
+        }
         if self.statement.complex && self.real_only {
             return Err(unreadable(
                 0,
@@ -412,6 +457,26 @@ impl<'a> Builder<'a> {
             for (property, term) in givens.chain(goal.iter().copied()) {
                 if ordered(property) && !self.statement.is_real(term) {
                     return Err(unreadable(0, "an inequality between complex numbers has no meaning"));
+                }
+            }
+        }
+        if self.statement.complex {
+            let goals = goal.iter().map(|(_, term)| *term);
+            let spoken: Vec<Term> = self
+                .statement
+                .givens
+                .iter()
+                .map(|given| given.term)
+                .chain(goals)
+                .collect();
+            for term in spoken {
+                let term = self.statement.written_out(term);
+                for inner in self.statement.terms.inside(term) {
+                    if let Node::Value(_, _, at) = self.statement.terms.node(inner)
+                        && !self.statement.is_real(*at)
+                    {
+                        return Err(unreadable(0, "an unknown function of a complex number has no meaning"));
+                    }
                 }
             }
         }
@@ -454,12 +519,14 @@ impl<'a> Builder<'a> {
 
     /// What `[symbols]` says of each symbol that the claim or its premises speak of.
     fn declare_signs(&mut self) -> Result<(), Unreadable> {
+        self.is_declared = true;
         let vocabulary = self.vocabulary;
         let lists = [
             (&vocabulary.positive, Property::Positive),
             (&vocabulary.nonnegative, Property::NonNegative),
             (&vocabulary.nonzero, Property::Nonzero),
             (&vocabulary.integers, Property::Integer),
+            (&vocabulary.indices, Property::Integer),
         ];
         // an abbreviation that is declared positive is so whether or not it is written
         for (name, _) in &vocabulary.abbreviations {
@@ -660,7 +727,10 @@ impl<'a> Builder<'a> {
                 let below = match exponent.checked_neg() {
                     Some(1) => base,
                     Some(positive) => terms.add(Node::Power(base, positive)),
-                    None => terms.add(Node::Power(base, i32::MAX)),
+                    None => {
+                        let most = terms.add(Node::Power(base, i32::MAX));
+                        terms.product(vec![most, base])
+                    }
                 };
                 let one = terms.integer(1);
                 terms.quotient(one, below)
@@ -883,6 +953,15 @@ impl<'a> Builder<'a> {
                     r"\tanh" => terms.quotient(difference, sum),
                     _ => terms.quotient(sum, difference),
                 }
+            }
+            r"\arcosh" if self.statement.complex => {
+                // DLMF 4.37.19: the principal value is not the logarithm of z + root(z² - 1) everywhere
+                let minus_one = terms.integer(-1);
+                let [above, below] = [one, minus_one].map(|shift| terms.sum(vec![of, shift]));
+                let [above, below] = [above, below].map(|of| terms.elementary(Elementary::Root(2), of));
+                let product = terms.product(vec![above, below]);
+                let sum = terms.sum(vec![of, product]);
+                terms.elementary(Elementary::Ln, sum)
             }
             r"\arsinh" | r"\arcosh" => {
                 let square = terms.add(Node::Power(of, 2));
@@ -1166,6 +1245,9 @@ impl<'a> Builder<'a> {
 /// The label of what must hold for the claim to be defined.
 pub const CLAIM_DOMAIN: &str = "the domain of the claim";
 
+/// The label of what is assumed of the claim.
+pub const ASSUMPTIONS: &str = "the assumptions";
+
 /// How the given begins that derivatives along a map exist: what a proof excludes.
 pub const DERIVATIVES_EXIST: &str = "derivatives exist of";
 
@@ -1194,7 +1276,7 @@ pub fn determinant(statement: &mut Statement, matrix: &[Vec<Term>]) -> Term {
     statement.terms.sum(sum)
 }
 
-fn is_letter(name: &Name, letter: &str) -> bool {
+pub fn is_letter(name: &Name, letter: &str) -> bool {
     *name
         == Name {
             base: letter.to_string(),

@@ -1,7 +1,6 @@
 //! The acceptance of certificates: each step is checked by multiplying out, nothing is searched for.
 
 use super::certificate::{Axiom, Certificate, Inference, LawSource, Summand};
-use super::enclosure;
 use super::expand::{Expansion, Refusal, vanishes};
 use super::polynomial::Polynomial;
 use super::statement::{Property, Statement};
@@ -126,7 +125,7 @@ impl<'a> Checker<'a> {
         if self.absurd {
             return true;
         }
-        let sign = || enclosure::sign(&self.statement.terms, polynomial);
+        let sign = || self.statement.sign_of(polynomial);
         let by_itself = match property {
             Property::Zero => vanishes(polynomial),
             Property::Nonzero => sign().is_some(),
@@ -304,7 +303,11 @@ impl<'a> Checker<'a> {
                 if !law.conditions.iter().all(open) {
                     return refused("the law does not hold on an open set");
                 }
-                let term = self.statement.derivative(law.term, law.time);
+                let time = law.time;
+                if !self.statement.is_differentiable(law.term, &|symbol| symbol == time) {
+                    return refused("a branch of a complex function is differentiated");
+                }
+                let term = self.statement.derivative(law.term, time);
                 law.domain.extend(self.statement.domain(law.term));
                 self.laws.push(Derived { term, ..law });
                 Ok(())
@@ -325,6 +328,10 @@ impl<'a> Checker<'a> {
                 };
                 if !step.by.contains(by) {
                     return refused("a map is differentiated by what it starts from");
+                }
+                let written = self.statement.written_out(term);
+                if !self.statement.is_smooth_along(written) {
+                    return refused("an equation of a map is not differentiated");
                 }
                 let slope = self.statement.along(term, &step, *by);
                 self.defined(&[term, slope])?;
@@ -500,11 +507,27 @@ impl<'a> Checker<'a> {
                 (Property::Zero, term, conditions)
             }
         };
-        self.defined(&at.into_iter().collect::<Vec<_>>())?;
+        let at: Vec<Term> = at.into_iter().collect();
+        if !at.iter().all(|&at| self.is_time(at)) {
+            return refused("a law of real times at a complex one");
+        }
+        self.defined(&at)?;
         for (property, of) in conditions {
             self.need(property, of)?;
         }
         self.conclude(property, term)
+    }
+
+    /// A real number, or a symbol of the certificate: what holds of such a symbol is said of real numbers only.
+    fn is_time(&self, at: Term) -> bool {
+        let fresh = match self.statement.terms.node(at) {
+            Node::Symbol(symbol) => matches!(
+                self.statement.quantity(*symbol),
+                Some(super::statement::Quantity::Fresh(_))
+            ),
+            _ => false,
+        };
+        fresh || self.statement.is_real(at)
     }
 
     /// The time is one of a flight: of its ends, or a symbol that runs over it.
@@ -543,10 +566,14 @@ impl<'a> Checker<'a> {
                         };
                         let term = moved(given.term);
                         let conditions = law.conditions.iter().map(|(property, of)| (*property, moved(*of)));
+                        let mut conditions: Vec<(Property, Term)> = conditions.collect();
+                        for (_, of) in conditions.clone() {
+                            conditions.extend(self.statement.domain(of));
+                        }
                         Ok(Derived {
                             time,
                             term,
-                            conditions: conditions.collect(),
+                            conditions,
                             domain: Vec::new(),
                             flight: law.flight.map(|flight| flight + shift),
                         })
@@ -593,6 +620,9 @@ impl<'a> Checker<'a> {
             }
         }
         let of = self.statement.written_out(of);
+        if !self.statement.is_differentiable(of, &|symbol| symbol == time) {
+            return refused("a branch of a complex function is differentiated");
+        }
         let slope = self.statement.derivative(of, time);
         let (facts, laws, absurd) = (self.facts.len(), self.laws.len(), self.absurd);
         let outer = std::mem::replace(&mut self.running, flight.map(|flight| (time, flight)));
@@ -637,9 +667,20 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// The index of a root, as an exponent too, and its radicand.
+    fn root(&self, root: Term) -> Outcome<(u32, i32, Term)> {
+        match self.statement.terms.node(root) {
+            Node::Elementary(Elementary::Root(index), of) => match i32::try_from(*index) {
+                Ok(exponent) if exponent >= 2 => Ok((*index, exponent, *of)),
+                _ => refused("a root has an index of 2 or more"),
+            },
+            _ => refused("an axiom is not about this function"),
+        }
+    }
+
     #[allow(clippy::too_many_lines)] // one arm an axiom, as a table
     fn axiom(&mut self, axiom: &Axiom) -> Outcome<()> {
-        use Elementary::{Arccos, Arcsin, Arctan, Cos, Exp, Ln, Root, Sin};
+        use Elementary::{Arccos, Arcsin, Arctan, Cos, Exp, Ln, Sin};
         use Property::{NonNegative, Nonzero, Positive, Zero};
         macro_rules! terms {
             () => {
@@ -790,17 +831,17 @@ impl<'a> Checker<'a> {
                 self.conclude(Zero, difference)
             }
             Axiom::RootPower(root) => {
-                let (Root(index), of) = self.argument(*root, |f| matches!(f, Root(_)))? else {
-                    return refused("no root");
-                };
+                let (_, exponent, of) = self.root(*root)?;
                 self.defined(&[*root])?;
-                let exponent = i32::try_from(index).unwrap_or(i32::MAX);
                 let power = terms!().add(Node::Power(*root, exponent));
                 let difference = terms!().difference(power, of);
                 self.conclude(Zero, difference)
             }
             Axiom::RootNonNegative(root) => {
-                self.argument(*root, |f| matches!(f, Root(index) if index % 2 == 0))?;
+                let (index, ..) = self.root(*root)?;
+                if index % 2 == 1 {
+                    return refused("an odd root has any sign");
+                }
                 if self.statement.complex {
                     return refused("a principal root may be complex");
                 }
@@ -808,9 +849,7 @@ impl<'a> Checker<'a> {
                 self.conclude(NonNegative, *root)
             }
             Axiom::RootUnique { root, value } => {
-                let (Root(index), of) = self.argument(*root, |f| matches!(f, Root(_)))? else {
-                    return refused("no root");
-                };
+                let (index, exponent, of) = self.root(*root)?;
                 if self.statement.complex {
                     return refused("a law of real roots for complex ones");
                 }
@@ -818,7 +857,6 @@ impl<'a> Checker<'a> {
                 if index % 2 == 0 {
                     self.need(NonNegative, *value)?;
                 }
-                let exponent = i32::try_from(index).unwrap_or(i32::MAX);
                 let power = terms!().add(Node::Power(*value, exponent));
                 let powers = terms!().difference(power, of);
                 self.defined(&[powers])?;
@@ -862,7 +900,10 @@ impl<'a> Checker<'a> {
                 };
                 let number = terms!().integer(i64::from(*exponent));
                 self.same(of, &[number])?;
-                let size = i32::try_from(exponent.unsigned_abs()).unwrap_or(i32::MAX);
+                self.defined(&[base])?;
+                let Some(size) = exponent.checked_abs() else {
+                    return refused("the exponent is too large");
+                };
                 let raised = terms!().add(Node::Power(base, size));
                 let value = if *exponent < 0 {
                     self.need(Nonzero, base)?;
@@ -948,12 +989,15 @@ impl<'a> Checker<'a> {
                 self.conclude(Positive, sine)
             }
             Axiom::ImaginarySquare => {
+                if !self.statement.complex {
+                    return refused("the imaginary unit among real numbers");
+                }
                 let (unit, one) = (terms!().add(Node::Imaginary), terms!().integer(1));
                 let square = terms!().add(Node::Power(unit, 2));
                 let sum = terms!().sum(vec![square, one]);
                 self.conclude(Zero, sum)
             }
-            Axiom::Enclosure(polynomial) => match enclosure::sign(&self.statement.terms, polynomial) {
+            Axiom::Enclosure(polynomial) => match self.statement.sign_of(polynomial) {
                 Some(1) => {
                     self.add(Positive, polynomial.clone());
                     Ok(())

@@ -130,7 +130,7 @@ fn elementary<E: Endpoint>(function: Elementary, of: &Interval<E>) -> Option<Int
             ln(of)
         }
         Elementary::Root(2) => {
-            (!of.is_negative()).then_some(())?;
+            (of.low() >= E::zero()).then_some(())?;
             of.sqrt()
         }
         Elementary::Root(index) => {
@@ -143,8 +143,15 @@ fn elementary<E: Endpoint>(function: Elementary, of: &Interval<E>) -> Option<Int
                 return None;
             }
         }
-        Elementary::Arcsin => half_turn() - Analytic::acos(of),
-        Elementary::Arccos => Analytic::acos(of),
+        Elementary::Arcsin | Elementary::Arccos => {
+            (of.low() >= -E::one() && of.high() <= E::one()).then_some(())?;
+            let cosine = Analytic::acos(of);
+            if function == Elementary::Arccos {
+                cosine
+            } else {
+                half_turn() - cosine
+            }
+        }
         Elementary::Arctan => of.atan2(&Interval::one()),
     })
 }

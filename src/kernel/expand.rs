@@ -65,6 +65,8 @@ impl Expansion {
     pub fn times(&mut self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Refusal> {
         let cost = a.terms().len().saturating_mul(b.terms().len()) as u64;
         self.effort = self.effort.checked_sub(cost).ok_or(Refusal::Effort)?;
+        // exponents that do not fit would be cut off without a word
+        a.degree().checked_add(b.degree()).ok_or(Refusal::Effort)?;
         Ok(a.times(b))
     }
 
@@ -118,14 +120,11 @@ impl Expansion {
                 let base = self.of(terms, base)?;
                 let exponent = u32::try_from(exponent).map_err(|_| Refusal::Other("a negative power".into()))?;
                 let numerator = self.power(&base.numerator, exponent)?;
-                let raised = base
-                    .divisors
-                    .iter()
-                    .map(|(p, n)| (p.clone(), n.saturating_mul(exponent)));
-                Quotient {
-                    numerator,
-                    divisors: raised.filter(|(_, n)| *n > 0).collect(),
+                let mut divisors = Vec::new();
+                for (divisor, power) in base.divisors.iter().filter(|_| exponent > 0) {
+                    divisors.push((divisor.clone(), power.checked_mul(exponent).ok_or(Refusal::Effort)?));
                 }
+                Quotient { numerator, divisors }
             }
             Node::Quotient(above, below) => {
                 let (above, below) = (self.of(terms, above)?, self.of(terms, below)?);
@@ -159,7 +158,7 @@ impl Expansion {
         let mut divisors = a.divisors.clone();
         for (divisor, power) in &b.divisors {
             match divisors.iter_mut().find(|(known, _)| known == divisor) {
-                Some((_, known)) => *known = known.saturating_add(*power),
+                Some((_, known)) => *known = known.checked_add(*power).ok_or(Refusal::Effort)?,
                 None => divisors.push((divisor.clone(), *power)),
             }
         }
@@ -181,7 +180,7 @@ impl Expansion {
         let mut divisors = a.divisors.clone();
         for (divisor, power) in for_a {
             match divisors.iter_mut().find(|(known, _)| *known == divisor) {
-                Some((_, known)) => *known += power,
+                Some((_, known)) => *known = known.checked_add(power).ok_or(Refusal::Effort)?,
                 None => divisors.push((divisor, power)),
             }
         }
@@ -202,10 +201,12 @@ fn monomial_power(base: &Polynomial, exponent: u32) -> Result<Polynomial, Refusa
     if !Rational(coefficient.clone()).0.is_one() && size.saturating_mul(exponent as usize) > 1 << bits.min(20) {
         return Err(Refusal::Effort);
     }
-    let exponents = monomial.iter().map(|&(term, n)| (term, n.saturating_mul(exponent)));
+    let exponents = monomial.iter().map(|&(term, n)| Some((term, n.checked_mul(exponent)?)));
+    let exponents: Option<super::polynomial::Monomial> = exponents.collect();
+    let exponents = exponents.ok_or(Refusal::Effort)?;
     let power = i32::try_from(exponent).map_err(|_| Refusal::Effort)?;
     let value = Rational(coefficient.clone()).to_power(power);
-    Ok(Polynomial::from_terms([(exponents.collect(), value.0)]))
+    Ok(Polynomial::from_terms([(exponents, value.0)]))
 }
 
 /// What a declared derivative of an unknown function is: another function, or the next order of its own.
@@ -252,7 +253,7 @@ pub fn derivative(
             _ if terms.parts(inner).iter().all(|part| of(part) == zero) => zero,
             Node::Power(base, exponent) => {
                 let outer = terms.integer(i64::from(exponent));
-                let lower = terms.add(Node::Power(base, exponent - 1));
+                let lower = terms.add(Node::Power(base, exponent.saturating_sub(1)));
                 terms.product(vec![outer, lower, of(&base)])
             }
             Node::Quotient(above, below) => {

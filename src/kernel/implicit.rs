@@ -16,7 +16,9 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
     let mut candidates: Vec<(String, Term)> = Vec::new();
     for number in 0..statement.givens.len() {
         let given = statement.givens[number].clone();
-        if given.property != Property::Zero {
+        // what is assumed of the claim is said of the point, and a law that holds at times only of these
+        let everywhere = given.law.as_ref().is_none_or(|law| law.conditions.is_empty());
+        if given.property != Property::Zero || given.label == super::build::ASSUMPTIONS || !everywhere {
             continue;
         }
         match &given.law {

@@ -79,6 +79,12 @@ impl Polynomial {
         met
     }
 
+    /// The largest sum of the exponents of a term.
+    pub fn degree(&self) -> u32 {
+        let of = |monomial: &Monomial| monomial.iter().fold(0, |sum: u32, (_, n)| sum.saturating_add(*n));
+        self.0.iter().map(|(monomial, _)| of(monomial)).max().unwrap_or(0)
+    }
+
     /// The sum.
     pub fn plus(&self, other: &Self) -> Self {
         self.merged(other, false)

@@ -208,15 +208,22 @@ impl Statement {
 
     /// Takes over the terms that a copy was extended by; `false` where it is no extension of this.
     pub fn adopt(&mut self, copy: &Self) -> bool {
-        let extends = copy.terms.extends(&self.terms)
-            && copy.quantities.starts_with(&self.quantities)
-            && copy.functions.starts_with(&self.functions);
+        let extends = copy.extends(self);
         if extends {
             self.terms = copy.terms.clone();
             self.quantities.clone_from(&copy.quantities);
             self.functions.clone_from(&copy.functions);
         }
         extends
+    }
+
+    /// Whether its terms, symbols and functions are those of another statement, and perhaps more.
+    pub(super) fn extends(&self, other: &Self) -> bool {
+        self.terms.extends(&other.terms)
+            && self.quantities.starts_with(&other.quantities)
+            && self.functions.starts_with(&other.functions)
+            && self.terms.symbols() == self.quantities.len()
+            && self.terms.functions() == self.functions.len()
     }
 
     /// A term with unknown functions replaced by terms in a symbol of their own.
@@ -389,6 +396,11 @@ impl Statement {
                         index: index + shift,
                         after: *after,
                     },
+                    // the index itself
+                    Quantity::Parameter(name) if super::build::is_letter(name, &self.letter) => {
+                        let (number, by) = (terms.symbol(*symbol), terms.integer(i64::from(shift)));
+                        return Some(terms.sum(vec![number, by]));
+                    }
                     _ => return None,
                 };
                 std::mem::swap(&mut self.terms, terms);
@@ -515,6 +527,78 @@ impl Statement {
         value(&mut self.terms, &self.derivatives, function, order, at)
     }
 
+    /// Whether a symbol may be complex: declared so, a state whose symbols at other impacts are, or not known.
+    fn is_complex_symbol(&self, symbol: Symbol) -> bool {
+        match self.quantity(symbol) {
+            None | Some(Quantity::Fresh(_) | Quantity::Partial { .. }) => true,
+            Some(Quantity::State { state, .. }) => self.is_complex_state(state),
+            Some(_) => self.complex_symbols.contains(&symbol),
+        }
+    }
+
+    fn is_complex_state(&self, state: &Name) -> bool {
+        let undotted = |name: &Name| {
+            let mut name = name.clone();
+            name.accents.retain(|accent| !accent.ends_with("dot"));
+            name
+        };
+        self.complex_symbols.iter().any(|symbol| match self.quantity(*symbol) {
+            Some(Quantity::State { state: complex, .. }) => undotted(complex) == undotted(state),
+            _ => false,
+        })
+    }
+
+    /// Whether a term may be differentiated by what moves: over complex numbers, roots, logarithms, real powers and
+    /// inverse functions jump where the principal branch does.
+    pub fn is_differentiable(&self, term: Term, moves: &dyn Fn(Symbol) -> bool) -> bool {
+        let jumps = |inner: &Term| {
+            let branches = match self.terms.node(*inner) {
+                Node::RealPower(..) => true,
+                Node::Elementary(function, _) => {
+                    !matches!(function, Elementary::Sin | Elementary::Cos | Elementary::Exp)
+                }
+                _ => false,
+            };
+            branches
+                && self
+                    .terms
+                    .inside(*inner)
+                    .iter()
+                    .any(|part| match self.terms.node(*part) {
+                        Node::Symbol(symbol) => moves(*symbol),
+                        _ => false,
+                    })
+        };
+        !self.complex || !self.terms.inside(term).iter().any(jumps)
+    }
+
+    /// Whether an equation of a map may be differentiated along it: a flight changes with what the map starts from.
+    pub(super) fn is_smooth_along(&self, term: Term) -> bool {
+        let flies = |inner: &Term| match self.terms.node(*inner) {
+            Node::Value(function, ..) => !matches!(self.functions.get(function.0 as usize), Some(FunctionOf::Line(_))),
+            _ => false,
+        };
+        !self.terms.inside(term).iter().any(flies) && self.is_differentiable(term, &|_| true)
+    }
+
+    /// The sign of a polynomial without symbols, by an enclosure. Over complex numbers, an odd root of a negative
+    /// number is not the real one.
+    pub fn sign_of(&self, polynomial: &super::polynomial::Polynomial) -> Option<i8> {
+        let sign = super::enclosure::sign(&self.terms, polynomial)?;
+        let principal = |inner: Term| match self.terms.node(inner) {
+            Node::Elementary(Elementary::Root(index), of) if index % 2 == 1 => {
+                let radicand = super::polynomial::Polynomial::generator(*of);
+                super::enclosure::sign(&self.terms, &radicand) == Some(1)
+            }
+            _ => true,
+        };
+        let mut inside = polynomial
+            .generators()
+            .into_iter()
+            .flat_map(|term| self.terms.inside(term));
+        (!self.complex || inside.all(principal)).then_some(sign)
+    }
+
     /// Whether the value of a term is real for certain, over complex numbers.
     pub fn is_real(&self, term: Term) -> bool {
         !self.complex
@@ -524,13 +608,17 @@ impl Statement {
                 .into_iter()
                 .all(|inner| match self.terms.node(inner) {
                     Node::Symbol(symbol) => {
-                        !self.complex_symbols.contains(symbol)
+                        !self.is_complex_symbol(*symbol)
                             && self
                                 .definitions
                                 .get(symbol)
                                 .is_none_or(|&meaning| self.is_real(meaning))
-                            && !matches!(self.quantity(*symbol), Some(Quantity::Fresh(_)))
                     }
+                    Node::Value(function, ..) => match self.functions.get(function.0 as usize) {
+                        Some(FunctionOf::Flight { state, .. }) => !self.is_complex_state(state),
+                        Some(FunctionOf::Line(_)) => true,
+                        None => false,
+                    },
                     Node::Imaginary | Node::RealPower(..) => false,
                     Node::Elementary(function, _) => {
                         matches!(

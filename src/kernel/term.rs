@@ -64,8 +64,12 @@ pub struct Terms {
 }
 
 impl Terms {
-    /// The term with this node.
+    /// The term with this node. What is inside a term is there before it: a node that holds a term still to come is
+    /// taken for pi, as that term is.
     pub fn add(&mut self, node: Node) -> Term {
+        if parts_of(&node).iter().any(|part| part.0 as usize >= self.nodes.len()) {
+            return self.add(Node::Pi);
+        }
         if let Some(&known) = self.numbers.get(&node) {
             return known;
         }
@@ -99,13 +103,13 @@ impl Terms {
     }
 
     /// A new symbol, printed like this.
-    pub fn new_symbol(&mut self, printed: impl Into<String>) -> Symbol {
+    pub(super) fn new_symbol(&mut self, printed: impl Into<String>) -> Symbol {
         self.symbols.push(printed.into());
         Symbol(u32::try_from(self.symbols.len() - 1).unwrap_or(u32::MAX))
     }
 
     /// A new unknown function, printed like this.
-    pub fn new_function(&mut self, printed: impl Into<String>) -> Function {
+    pub(super) fn new_function(&mut self, printed: impl Into<String>) -> Function {
         self.functions.push(printed.into());
         Function(u32::try_from(self.functions.len() - 1).unwrap_or(u32::MAX))
     }
@@ -123,6 +127,11 @@ impl Terms {
     /// How many symbols there are.
     pub fn symbols(&self) -> usize {
         self.symbols.len()
+    }
+
+    /// How many unknown functions there are.
+    pub fn functions(&self) -> usize {
+        self.functions.len()
     }
 
     /// A number.
@@ -182,13 +191,7 @@ impl Terms {
 
     /// The terms one step inside a term.
     pub fn parts(&self, term: Term) -> Vec<Term> {
-        match self.node(term) {
-            Node::Number(_) | Node::Pi | Node::Imaginary | Node::Symbol(_) => Vec::new(),
-            Node::Sum(parts) | Node::Product(parts) => parts.clone(),
-            Node::Power(base, _) => vec![*base],
-            Node::Quotient(a, b) | Node::RealPower(a, b) => vec![*a, *b],
-            Node::Elementary(_, of) | Node::Value(_, _, of) => vec![*of],
-        }
+        parts_of(self.node(term))
     }
 
     /// The term and all that is inside it, each once, inner ones first.
@@ -243,5 +246,16 @@ impl Terms {
     pub fn is_closed(&self, term: Term) -> bool {
         let open = |inner: &Term| matches!(self.node(*inner), Node::Symbol(_) | Node::Value(..));
         !self.inside(term).iter().any(open)
+    }
+}
+
+/// The terms one step inside a node.
+fn parts_of(node: &Node) -> Vec<Term> {
+    match node {
+        Node::Number(_) | Node::Pi | Node::Imaginary | Node::Symbol(_) => Vec::new(),
+        Node::Sum(parts) | Node::Product(parts) => parts.clone(),
+        Node::Power(base, _) => vec![*base],
+        Node::Quotient(a, b) | Node::RealPower(a, b) => vec![*a, *b],
+        Node::Elementary(_, of) | Node::Value(_, _, of) => vec![*of],
     }
 }

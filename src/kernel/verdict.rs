@@ -43,8 +43,10 @@ pub struct With<T> {
     pub evidence: T,
 }
 
+/// Whether what comes along is about a copy of the statement, perhaps with more terms.
 fn same<T>(statement: &Statement, with: &With<T>) -> Result<(), Refusal> {
-    match statement.identity != 0 && statement.identity == with.statement.identity {
+    let is_same = statement.identity != 0 && statement.identity == with.statement.identity;
+    match is_same && with.statement.extends(statement) {
         true => Ok(()),
         false => Err(Refusal::Other("this is about another statement".into())),
     }

@@ -28,6 +28,9 @@ pub struct Witness {
 
 type Outcome<T> = Result<T, Refusal>;
 
+/// How often values are put into values before these are taken to go in a circle.
+const MOST_SUBSTITUTIONS: usize = 64;
+
 fn refused<T>(why: impl Into<String>) -> Outcome<T> {
     Err(Refusal::Other(why.into()))
 }
@@ -64,8 +67,10 @@ impl<'a> At<'a> {
         at.check_functions()?;
         at.follow_certificate()?;
         at.check_table()?;
+        at.check_existence()?;
         at.check_flights()?;
         at.check_generic()?;
+        at.check_maps()?;
         for number in 0..at.statement.givens.len() {
             let given = at.statement.givens[number].clone();
             let holds = match &given.law {
@@ -83,6 +88,9 @@ impl<'a> At<'a> {
     /// Values of the sample hold no symbols, real ones are real; solved values hold no solved symbols.
     fn check_values(&mut self) -> Outcome<()> {
         for (symbol, value) in self.witness.sample.iter().chain(&self.witness.solved) {
+            if self.statement.quantity(*symbol).is_none() {
+                return refused("a value is given to a symbol that is none");
+            }
             if self.statement.definitions.contains_key(symbol) {
                 return refused("an abbreviation has no value of its own");
             }
@@ -106,6 +114,24 @@ impl<'a> At<'a> {
                 let enclosed: Option<Enclosed> = enclosure::term_value(&self.statement.terms, *value, &mut known);
                 if enclosed.is_none() {
                     return refused("a value of the sample is not defined");
+                }
+            }
+        }
+        let table = self.witness.table.iter().map(|(.., value)| *value);
+        let named = self.witness.functions.iter().map(|(.., term)| *term);
+        for value in self
+            .witness
+            .solved
+            .iter()
+            .map(|(_, value)| *value)
+            .chain(table)
+            .chain(named)
+        {
+            for inner in self.statement.terms.inside(value) {
+                if let Node::Symbol(symbol) = self.statement.terms.node(inner)
+                    && matches!(self.statement.quantity(*symbol), None | Some(Quantity::Running))
+                {
+                    return refused("a value depends on the running time, or on a symbol that is none");
                 }
             }
         }
@@ -172,7 +198,7 @@ impl<'a> At<'a> {
             let mut values = Vec::new();
             for term in row {
                 let term = self.translate(term, None)?;
-                let term = self.sampled(term);
+                let term = self.sampled(term, None);
                 let quotient = self.numerator(term)?;
                 match quotient.numerator.as_constant() {
                     Some(value) if value.is_zero() || quotient.divisors.is_empty() => values.push(value),
@@ -205,6 +231,16 @@ impl<'a> At<'a> {
             if self.witness.table.iter().any(|(other, ..)| other == function) {
                 return refused("a function is named and in the table");
             }
+            if self
+                .witness
+                .functions
+                .iter()
+                .filter(|(other, ..)| other == function)
+                .count()
+                > 1
+            {
+                return refused("a function is named twice");
+            }
             if !matches!(self.statement.quantity(*time), Some(Quantity::Fresh(_))) {
                 return refused("a function is a term in a symbol of its own");
             }
@@ -213,11 +249,14 @@ impl<'a> At<'a> {
                 return refused("a function holds an abbreviation");
             }
             let smooth = |inner: &Term| match self.statement.terms.node(*inner) {
-                Node::Imaginary | Node::RealPower(..) => !self.statement.terms.holds(*inner, *time),
-                Node::Elementary(
-                    Elementary::Root(_) | Elementary::Ln | Elementary::Arcsin | Elementary::Arccos,
-                    of,
-                ) => !self.statement.terms.holds(*of, *time) || self.positive_everywhere(*of, *time),
+                Node::Imaginary => false,
+                Node::RealPower(..) | Node::Elementary(Elementary::Arcsin | Elementary::Arccos, _) => {
+                    !self.statement.terms.holds(*inner, *time)
+                }
+                Node::Symbol(symbol) => !self.statement.complex_symbols.contains(symbol),
+                Node::Elementary(Elementary::Root(_) | Elementary::Ln, of) => {
+                    !self.statement.terms.holds(*of, *time) || self.positive_everywhere(*of, *time)
+                }
                 Node::Quotient(_, below) => {
                     !self.statement.terms.holds(*below, *time) || self.positive_everywhere(*below, *time)
                 }
@@ -227,25 +266,132 @@ impl<'a> At<'a> {
                 return refused("a function is not smooth everywhere");
             }
         }
-        // a function and its declared derivative are named together
-        for (&function, &next) in &self.statement.derivatives.clone() {
-            let of = |wanted: Function| self.witness.functions.iter().find(|(f, ..)| *f == wanted).copied();
-            if let (Some((_, time, term)), Some((_, other, slope))) = (of(function), of(next)) {
-                let derived = self.statement.derivative(term, time);
-                let by = self.statement.terms.symbol(time);
-                let slope = self.statement.terms.substitute(slope, other, by);
-                let difference = self.statement.terms.difference(derived, slope);
-                if !self.vanishes_identically(difference)? {
-                    return refused("a function is not the derivative that it is declared to be");
+        // what a named function makes all its declared derivatives, whether they are named or not
+        let mut implied: BTreeMap<Function, (Symbol, Term)> = BTreeMap::new();
+        for (function, time, term) in self.witness.functions.clone() {
+            if self.chain(function).iter().any(|f| self.is_tabled(*f)) {
+                return refused("a function is named and its derivative is in the table");
+            }
+            let (mut of, mut slope, mut seen) = (function, term, BTreeSet::new());
+            loop {
+                if let Some((other, known)) = implied.get(&of).copied() {
+                    let by = self.statement.terms.symbol(time);
+                    let known = self.statement.terms.substitute(known, other, by);
+                    let difference = self.statement.terms.difference(slope, known);
+                    if !self.vanishes_identically(difference)? {
+                        return refused("a function is not the derivative that it is declared to be");
+                    }
+                } else {
+                    implied.insert(of, (time, slope));
                 }
-            } else if of(function).is_some() != of(next).is_some() {
-                let tabled = |wanted: Function| self.witness.table.iter().any(|(f, ..)| *f == wanted);
-                if tabled(function) || tabled(next) {
-                    return refused("a function is named and its derivative is in the table");
-                }
+                let Some(next) = self.statement.derivatives.get(&of).copied().filter(|_| seen.insert(of)) else {
+                    break;
+                };
+                (of, slope) = (next, self.statement.derivative(slope, time));
             }
         }
         Ok(())
+    }
+
+    /// What the witness writes has a value at the point, and a real one where that is wanted.
+    fn check_existence(&mut self) -> Outcome<()> {
+        let mut written: Vec<(Term, bool)> = Vec::new();
+        for (symbol, value) in self.witness.sample.iter().chain(&self.witness.solved) {
+            written.push((*value, !self.statement.complex_symbols.contains(symbol)));
+        }
+        for (.., time, value) in &self.witness.table {
+            written.extend([(*time, true), (*value, true)]);
+        }
+        for (_, time, term) in &self.witness.functions {
+            // what depends on the time is smooth everywhere
+            let fixed = |inner: &Term| !self.statement.terms.holds(*inner, *time);
+            let inside = self.statement.terms.inside(*term);
+            written.extend(inside.into_iter().filter(fixed).map(|inner| (inner, true)));
+        }
+        for (term, is_real) in written {
+            let translated = self.translate(term, None)?;
+            let sampled = self.sampled(translated, None);
+            self.exists(sampled)?;
+            if is_real && self.statement.complex && !self.is_real_number(sampled)? {
+                return refused("a value is not known to be real");
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a number without symbols is real for certain.
+    fn is_real_number(&mut self, term: Term) -> Outcome<bool> {
+        if self.is_enclosed(term) {
+            return Ok(true);
+        }
+        let quotient = self.numerator(term)?;
+        if !quotient.divisors.is_empty() {
+            return Ok(false);
+        }
+        let [real, imaginary] = self.parts(&quotient.numerator);
+        Ok(vanishes(&imaginary) && self.is_real(&real))
+    }
+
+    /// Whether all generators are real for certain: over complex numbers, those that have an enclosure.
+    fn is_real(&self, polynomial: &Polynomial) -> bool {
+        !self.statement.complex || polynomial.generators().iter().all(|&term| self.is_enclosed(term))
+    }
+
+    fn is_enclosed(&self, term: Term) -> bool {
+        type Enclosed = crate::number::Interval<crate::number::Wide<40>>;
+        let odd = |inner: &Term| matches!(self.statement.terms.node(*inner), Node::Elementary(Elementary::Root(index), _) if index % 2 == 1);
+        let value: Option<Enclosed> = enclosure::term_value(&self.statement.terms, term, &mut HashMap::new());
+        value.is_some() && !(self.statement.complex && self.statement.terms.inside(term).iter().any(odd))
+    }
+
+    /// Derivatives along maps that the statement speaks of are what the equations of the maps make them.
+    fn check_maps(&mut self) -> Outcome<()> {
+        let goals = self.statement.goal.iter().map(|(_, term)| *term);
+        let givens = self.statement.givens.iter().map(|given| given.term);
+        let spoken: BTreeSet<Term> = goals.chain(givens).collect();
+        let mut partials = BTreeSet::new();
+        for term in spoken {
+            let term = self.statement.written_out(term);
+            for inner in self.statement.terms.inside(term) {
+                if let Node::Symbol(symbol) = self.statement.terms.node(inner)
+                    && let Some(Quantity::Partial { of, by }) = self.statement.quantity(*symbol)
+                {
+                    partials.insert((*of, *by));
+                }
+            }
+        }
+        let mut determined = BTreeSet::new();
+        for step in self.statement.steps.clone() {
+            let own = |(of, by): &&(Symbol, Symbol)| step.of.contains(of) && step.by.contains(by);
+            let wanted: BTreeSet<(Symbol, Symbol)> = partials.iter().filter(own).copied().collect();
+            if wanted.is_empty() || step.equations.len() != step.of.len() {
+                continue;
+            }
+            for (label, term) in &step.equations {
+                for &by in &step.by {
+                    if !wanted.iter().any(|(_, wanted)| *wanted == by) {
+                        continue;
+                    }
+                    let written = self.statement.written_out(*term);
+                    if !self.statement.is_smooth_along(written) {
+                        return refused("an equation of a map is not differentiated");
+                    }
+                    let slope = self.statement.along(written, &step, by);
+                    let given = Given {
+                        label: label.clone(),
+                        property: Property::Zero,
+                        term: slope,
+                        law: None,
+                    };
+                    self.holds(&given)?;
+                }
+            }
+            determined.extend(wanted);
+        }
+        match determined == partials {
+            true => Ok(()),
+            false => refused("nothing determines a derivative along a map"),
+        }
     }
 
     /// Whether a term is a polynomial in even powers of a symbol with positive coefficients, once the sample is put in.
@@ -253,7 +399,7 @@ impl<'a> At<'a> {
         let mut terms = self.statement.terms.clone();
         let sample = &self.sample;
         let term = terms.rewrite(term, &mut |_, node| match node {
-            Node::Symbol(symbol) => sample.get(symbol).copied(),
+            Node::Symbol(symbol) if *symbol != time => sample.get(symbol).copied(),
             _ => None,
         });
         let Ok(quotient) = Expansion::new(BTreeSet::new(), self.effort).of(&terms, term) else {
@@ -292,13 +438,20 @@ impl<'a> At<'a> {
 
     /// A term with the solved symbols, the functions and the table put in. Values at the `running` time stay.
     fn translate(&mut self, term: Term, running: Option<Symbol>) -> Outcome<Term> {
+        self.translated(term, running, MOST_SUBSTITUTIONS)
+    }
+
+    fn translated(&mut self, term: Term, running: Option<Symbol>, left: usize) -> Outcome<Term> {
+        if left == 0 {
+            return refused("values are given in terms of each other in a circle");
+        }
         let written = self.statement.written_out(term);
         let mut terms = std::mem::take(&mut self.statement.terms);
         let mut failure = None;
         let declared = self.statement.derivatives.clone();
         let (witness, solved, periods) = (self.witness, &self.solved, &self.periods);
         let result = terms.rewrite(written, &mut |terms, node| match node {
-            Node::Symbol(symbol) => solved.get(symbol).copied(),
+            Node::Symbol(symbol) if running != Some(*symbol) => solved.get(symbol).copied(),
             Node::Value(function, order, at) => {
                 if let Some((_, time, named)) = witness.functions.iter().find(|(f, ..)| f == function) {
                     let mut slope = *named;
@@ -324,7 +477,7 @@ impl<'a> At<'a> {
         let again = |terms: &super::term::Terms| {
             terms.inside(result).iter().any(|&inner| match terms.node(inner) {
                 Node::Value(_, _, at) => !running.is_some_and(|running| terms.holds(*at, running)),
-                Node::Symbol(symbol) => solved.contains_key(symbol),
+                Node::Symbol(symbol) => running != Some(*symbol) && solved.contains_key(symbol),
                 _ => false,
             })
         };
@@ -335,16 +488,17 @@ impl<'a> At<'a> {
                 let name = self.statement.terms.function_name(function);
                 refused(format!("`{name}` has no value at one of its times"))
             }
-            None if more => self.translate(result, running),
+            None if more => self.translated(result, running, left - 1),
             None => Ok(result),
         }
     }
 
-    /// A translated term with the sample put in; over the reals, powers whose exponents become integers are such.
-    fn sampled(&mut self, term: Term) -> Term {
+    /// A translated term with the sample put in; the `running` time stays. Over the reals, powers whose exponents become
+    /// integers are such.
+    fn sampled(&mut self, term: Term, running: Option<Symbol>) -> Term {
         let (sample, complex) = (&self.sample, self.statement.complex);
         self.statement.terms.rewrite(term, &mut |terms, node| match node {
-            Node::Symbol(symbol) => sample.get(symbol).copied(),
+            Node::Symbol(symbol) if running != Some(*symbol) => sample.get(symbol).copied(),
             Node::RealPower(base, exponent) if !complex => {
                 let Node::Number(exponent) = terms.node(*exponent) else {
                     return None;
@@ -375,43 +529,61 @@ impl<'a> At<'a> {
 
     /// The sign of a number: of its real and imaginary part; `None` where it is not certain. 0 needs the certificate.
     fn number(&mut self, term: Term) -> Outcome<Option<[i8; 2]>> {
-        for (property, of) in self.statement.domain(term) {
-            let of = self.numerator(of)?;
-            if !of.divisors.is_empty() && property != Property::Nonzero {
-                // inner conditions come first in their own right; a sign takes the divisors along
-                let mut product = of.numerator.clone();
-                for (divisor, power) in &of.divisors {
-                    if power % 2 == 1 {
-                        product = product.times(divisor);
-                    }
-                }
-                self.in_domain(property, &product)?;
-            } else {
-                self.in_domain(property, &of.numerator)?;
-            }
-        }
+        self.exists(term)?;
         let quotient = self.numerator(term)?;
         let mut polynomial = quotient.numerator;
         for (divisor, power) in &quotient.divisors {
             if power % 2 == 1 {
-                polynomial = polynomial.times(divisor);
+                polynomial = self.times(&polynomial, divisor)?;
             }
         }
         let [real, imaginary] = self.parts(&polynomial);
         Ok(match (self.sign(&real), self.sign(&imaginary)) {
             (Some(real), Some(imaginary)) => Some([real, imaginary]),
-            // one part that is not 0 is enough to tell that the number is not
-            (Some(real), None) if real != 0 => Some([real, 2]),
-            (None, Some(imaginary)) if imaginary != 0 => Some([2, imaginary]),
+            // one part that is not 0 is enough to tell that the number is not, where the other one is real
+            (Some(sign), None) if sign != 0 && self.is_real(&imaginary) => Some([sign, 2]),
+            (None, Some(sign)) if sign != 0 && self.is_real(&real) => Some([2, sign]),
             _ => None,
         })
     }
 
+    fn times(&self, a: &Polynomial, b: &Polynomial) -> Outcome<Polynomial> {
+        Expansion::new(BTreeSet::new(), self.effort).times(a, b)
+    }
+
+    /// A number without symbols has a value.
+    fn exists(&mut self, term: Term) -> Outcome<()> {
+        for (property, of) in self.statement.domain(term) {
+            self.is_in_domain(property, of)?;
+        }
+        Ok(())
+    }
+
+    fn is_in_domain(&mut self, property: Property, of: Term) -> Outcome<()> {
+        let of = self.numerator(of)?;
+        if !of.divisors.is_empty() && property != Property::Nonzero {
+            // inner conditions come first in their own right; a sign takes the divisors along
+            let mut product = of.numerator.clone();
+            for (divisor, power) in &of.divisors {
+                if power % 2 == 1 {
+                    product = self.times(&product, divisor)?;
+                }
+            }
+            self.in_domain(property, &product)
+        } else {
+            self.in_domain(property, &of.numerator)
+        }
+    }
+
     fn in_domain(&mut self, property: Property, polynomial: &Polynomial) -> Outcome<()> {
-        let [real, imaginary] = self.parts(polynomial);
-        let (real, imaginary) = (self.sign(&real), self.sign(&imaginary));
+        let parts = self.parts(polynomial);
+        let (real, imaginary) = (self.sign(&parts[0]), self.sign(&parts[1]));
+        let is_real = |number: usize, sign: Option<i8>| sign.is_some() || self.is_real(&parts[number]);
         let fits = match property {
-            Property::Nonzero => real.is_some_and(|s| s != 0) || imaginary.is_some_and(|s| s != 0),
+            Property::Nonzero => {
+                (real.is_some_and(|s| s != 0) && is_real(1, imaginary))
+                    || (imaginary.is_some_and(|s| s != 0) && is_real(0, real))
+            }
             Property::Positive => real == Some(1) && imaginary == Some(0),
             Property::NonNegative => real.is_some_and(|s| s >= 0) && imaginary == Some(0),
             Property::Zero | Property::Integer => false,
@@ -442,13 +614,13 @@ impl<'a> At<'a> {
         if vanishes(polynomial) || self.zeros.iter().any(|zero| zero.is_multiple_of(polynomial)) {
             return Some(0);
         }
-        enclosure::sign(&self.statement.terms, polynomial)
+        self.statement.sign_of(polynomial)
     }
 
     /// Whether a property holds of a term at the point.
     fn property(&mut self, property: Property, term: Term) -> Outcome<bool> {
         let translated = self.translate(term, None)?;
-        let sampled = self.sampled(translated);
+        let sampled = self.sampled(translated, None);
         let Some([real, imaginary]) = self.number(sampled)? else {
             return refused("a value is too close to 0 to tell");
         };
@@ -524,6 +696,9 @@ impl<'a> At<'a> {
             return refused("a law without a time");
         };
         if law.flight.is_none() {
+            if law.every_impact {
+                return refused("a law that runs over times and indices");
+            }
             if let Some((function, period)) = self.period_of(given.term, time)
                 && self.periods.get(&function).is_some_and(|known| *known == period)
             {
@@ -548,11 +723,18 @@ impl<'a> At<'a> {
 
     fn vanishes_at_all_times(&mut self, term: Term, time: Symbol) -> Outcome<()> {
         let translated = self.translate(term, Some(time))?;
+        // what does not run has a value
+        for (property, of) in self.statement.domain(translated) {
+            if !self.statement.terms.holds(of, time) {
+                let of = self.sampled(of, None);
+                self.is_in_domain(property, of)?;
+            }
+        }
         if self.vanishes_identically(translated)? {
             return Ok(());
         }
         if self.statement.generic.is_empty() {
-            let sampled = self.sampled(translated);
+            let sampled = self.sampled(translated, Some(time));
             let quotient = self.numerator(sampled)?;
             if vanishes(&quotient.numerator) || self.zeros.iter().any(|zero| zero.is_multiple_of(&quotient.numerator)) {
                 return Ok(());
@@ -612,12 +794,30 @@ impl<'a> At<'a> {
         let (Some((&low, &first)), Some((&high, &last))) = (symbols.first_key_value(), symbols.last_key_value()) else {
             return refused("a recursion without states");
         };
+        let declared = self
+            .statement
+            .givens
+            .iter()
+            .filter(|given| given.label.starts_with("[symbols]"));
+        for term in declared.map(|given| given.term).collect::<Vec<_>>() {
+            if !family(self, term).0.is_disjoint(&own) {
+                return refused("what is declared of a state is not known at every index");
+            }
+        }
         for end in [first, last] {
             let slope = self.statement.derivative(given.term, end);
             let closed = self.property(Property::Nonzero, slope)?;
-            let free = symbols
-                .values()
-                .all(|&symbol| !self.statement.terms.holds(slope, symbol));
+            let runs = |symbol: &Symbol| match self.statement.quantity(*symbol) {
+                Some(Quantity::Parameter(name)) => super::build::is_letter(name, &self.statement.letter),
+                Some(Quantity::State { .. } | Quantity::Time { .. }) => true,
+                _ => false,
+            };
+            let free = !self
+                .statement
+                .terms
+                .inside(slope)
+                .iter()
+                .any(|inner| matches!(self.statement.terms.node(*inner), Node::Symbol(symbol) if runs(symbol)));
             if !closed || !free || low == high {
                 return refused("a recursion that cannot be solved for its ends");
             }
@@ -666,11 +866,13 @@ impl<'a> At<'a> {
             return None;
         }
         let period = self.statement.terms.difference(u, v);
-        let slope = self.statement.derivative(u, time);
-        let one = self.statement.terms.integer(1);
-        let steady = self.statement.terms.difference(slope, one);
-        if !self.vanishes_identically(steady).ok()? {
-            return None;
+        for at in [u, v] {
+            let slope = self.statement.derivative(at, time);
+            let one = self.statement.terms.integer(1);
+            let steady = self.statement.terms.difference(slope, one);
+            if !self.vanishes_identically(steady).ok()? {
+                return None;
+            }
         }
         // the running time cancels
         let zero = self.statement.terms.integer(0);
@@ -688,6 +890,14 @@ impl<'a> At<'a> {
                     return refused("a function that is a derivative of its own has only single values");
                 }
                 next = self.statement.derivatives.get(&function).copied();
+            }
+        }
+        for (f, ..) in &self.witness.table {
+            for (g, ..) in &self.witness.table {
+                let linear = self.derives(*f).contains(g) || self.derives(*g).contains(f);
+                if self.chain(*f).contains(g) && !linear {
+                    return refused("two functions with the same derivative have only single values");
+                }
             }
         }
         let mut laws: Vec<(Function, Term)> = Vec::new();
@@ -755,7 +965,27 @@ impl<'a> At<'a> {
                 self.check_apart(*f, *a, *b)?;
             }
         }
+        // the values of a flight at its ends are states
+        for (function, _, time, _) in table {
+            let Some(FunctionOf::Flight { impact, .. }) = self.statement.functions.get(function.0 as usize) else {
+                continue;
+            };
+            let ends = [*impact, *impact + 1].map(|index| self.statement.times.get(&index).copied());
+            for end in ends.into_iter().flatten() {
+                let end = self.statement.terms.symbol(end);
+                self.check_apart(*function, *time, end)?;
+            }
+        }
         Ok(())
+    }
+
+    /// A function with all its declared derivatives.
+    fn derives(&self, function: Function) -> BTreeSet<Function> {
+        let (mut of, mut derived) = (Some(function), BTreeSet::new());
+        while let Some(function) = of.filter(|function| derived.insert(*function)) {
+            of = self.statement.derivatives.get(&function).copied();
+        }
+        derived
     }
 
     fn is_tabled(&self, function: Function) -> bool {
@@ -781,7 +1011,7 @@ impl<'a> At<'a> {
     fn check_apart(&mut self, function: Function, a: Term, b: Term) -> Outcome<()> {
         let apart = self.statement.terms.difference(a, b);
         let apart = self.translate(apart, None)?;
-        let apart = self.sampled(apart);
+        let apart = self.sampled(apart, None);
         if !self.number(apart)?.is_some_and(|signs| signs != [0, 0]) {
             return refused("two times of the table may be the same");
         }
@@ -793,7 +1023,7 @@ impl<'a> At<'a> {
             .map(|(_, period)| *period);
         if let Some(period) = period {
             let period = self.translate(period, None)?;
-            let period = self.sampled(period);
+            let period = self.sampled(period, None);
             let turns = self.statement.terms.quotient(apart, period);
             let quotient = self.numerator(turns)?;
             let turns = quotient
@@ -825,12 +1055,12 @@ impl<'a> At<'a> {
                     let known = self.statement.quantities.len();
                     let symbol = self.statement.state(&named, index, after, &letter);
                     let is_new = self.statement.quantities.len() > known;
-                    let Some(&end) = self.statement.times.get(&index) else {
-                        continue;
-                    };
                     if is_new && !self.solved.contains_key(&symbol) && !self.sample.contains_key(&symbol) {
                         continue;
                     }
+                    let Some(&end) = self.statement.times.get(&index) else {
+                        return refused("a state at the end of a flight, at no time");
+                    };
                     let (end, symbol) = (self.statement.terms.symbol(end), self.statement.terms.symbol(symbol));
                     let value = self.statement.terms.substitute(slope, time, end);
                     let difference = self.statement.terms.difference(value, symbol);

@@ -125,15 +125,28 @@ fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
         return Outcome::Refuted(refuted, witness);
     }
     if let Some(certificate) = proof::search(statement, PROOF_STEPS * effort) {
-        let holds = |point: &kernel::With<kernel::Witness>| kernel::prove(statement, &certificate, point).is_ok();
+        let refusal = std::cell::RefCell::new(None);
+        let holds = |point: &kernel::With<kernel::Witness>| match kernel::prove(statement, &certificate, point) {
+            Ok(_) => true,
+            Err(why) => {
+                refusal.replace(Some(why.to_string()));
+                false
+            }
+        };
         let point = point::search(statement, point::Wanted::Premises, effort, &holds);
         if let Some(point) = point
             && let Ok(proved) = kernel::prove(statement, &certificate, &point)
         {
             return Outcome::Proved(proved);
         }
-        return without_points(statement, effort)
-            .unwrap_or_else(|| Outcome::Undecided("no point is found at which the premises hold".into()));
+        return without_points(statement, effort).unwrap_or_else(|| {
+            let last = refusal
+                .take()
+                .map_or_else(String::new, |why| format!(" (of the last one tried: {why})"));
+            Outcome::Undecided(format!(
+                "proved, but no point is found at which the premises hold{last}"
+            ))
+        });
     }
     without_points(statement, effort)
         .unwrap_or_else(|| Outcome::Undecided("neither a proof nor a counterexample is found".into()))
