@@ -144,8 +144,7 @@ fn of(symbols: &str, premises: &[&str], claim: &str, verdict: Verdict) -> Eviden
 const XYZ: &str = "parameters = ['x', 'y', 'z', 'a', 'b']\ngeneric = []";
 const POSITIVE: &str = "parameters = ['x', 'y', 'z', 'a', 'b']\ngeneric = []\npositive = ['x', 'y', 'z', 'a', 'b']";
 const COMPLEX: &str = "parameters = ['x', 'y', 'z', 'w']\ngeneric = []\ncomplex = ['z', 'w']";
-const FUNCTIONS: &str =
-    "parameters = ['a', 'b', '\\phi']\ngeneric = []\ntimes = ['t', 't_k', 't_{k+1}']\nfunctions = { F = 'f', f = 'g', g = '' }";
+const FUNCTIONS: &str = "parameters = ['a', 'b', '\\phi']\ngeneric = []\ntimes = ['t', 't_k', 't_{k+1}']\nfunctions = { F = 'f', f = 'g', g = '' }";
 
 /// Symbols, premises, and a claim that is false.
 const FALSE: [(&str, &[&str], &str); 15] = [
@@ -162,7 +161,11 @@ const FALSE: [(&str, &[&str], &str); 15] = [
     (POSITIVE, &["x^a = y"], "y^a = x"),
     (COMPLEX, &[], r"\sqrt{z^2} = z"),
     (FUNCTIONS, &[r"f(t) = \sqrt{1 + t^2}"], "f(t_k) = f(t_{k+1})"),
-    (FUNCTIONS, &[r"f(t) = \cos(\pi t + \phi)"], r"F(t_{k+1}) - F(t_k) = \frac{2}{\pi} \sin(\pi (t_{k+1} - t_k))"),
+    (
+        FUNCTIONS,
+        &[r"f(t) = \cos(\pi t + \phi)"],
+        r"F(t_{k+1}) - F(t_k) = \frac{2}{\pi} \sin(\pi (t_{k+1} - t_k))",
+    ),
     (FUNCTIONS, &["g(t) = -4 F(t)"], "f(t)^2 + F(t)^2 = f(0)^2 + F(0)^2"),
 ];
 
@@ -209,7 +212,10 @@ fn a_refutation_of_what_is_true_is_contradicted() {
         let found = of(symbols, premises, claim, Verdict::Proved);
         assert!(found.against.is_none() && found.points > 0, "{claim} {found:?}");
         let found = of(symbols, premises, claim, Verdict::Undecided);
-        assert!(found.notes.iter().any(|note| note.starts_with("holds at")), "{claim} {found:?}");
+        assert!(
+            found.notes.iter().any(|note| note.starts_with("holds at")),
+            "{claim} {found:?}"
+        );
     }
 }
 
@@ -222,7 +228,12 @@ fn the_forms_that_can_be_read_have_points() {
             function => function.to_string(),
         };
         for symbols in [XYZ, COMPLEX] {
-            let found = of(symbols, &[], &format!("{function}(z) - {function}(z) = 0"), Verdict::Proved);
+            let found = of(
+                symbols,
+                &[],
+                &format!("{function}(z) - {function}(z) = 0"),
+                Verdict::Proved,
+            );
             assert!(found.points > 0 && found.against.is_none(), "{function} {found:?}");
         }
     }
@@ -230,7 +241,12 @@ fn the_forms_that_can_be_read_have_points() {
 
 #[test]
 fn an_exact_zero_beside_rounding_errors_is_no_alarm() {
-    for claim in [r"\sin(\pi) = 0", r"\sin^2(x) + \cos^2(x) - 1 = 0", r"\cos(\frac{\pi}{3}) = \frac{1}{2}", r"\sqrt{2}^2 = 2"] {
+    for claim in [
+        r"\sin(\pi) = 0",
+        r"\sin^2(x) + \cos^2(x) - 1 = 0",
+        r"\cos(\frac{\pi}{3}) = \frac{1}{2}",
+        r"\sqrt{2}^2 = 2",
+    ] {
         let found = of(XYZ, &[], claim, Verdict::Proved);
         assert!(found.against.is_none() && found.points > 0, "{claim} {found:?}");
     }
@@ -252,7 +268,10 @@ fn outside_the_domain_there_is_no_point() {
         assert!(found.against.is_none() && found.points > 0, "{claim} {found:?}");
     }
     let found = of(XYZ, &[], r"\sqrt{-1 - x^2} = y", Verdict::Refuted);
-    assert!(found.points == 0 && found.against.is_none() && !found.notes.is_empty(), "{found:?}");
+    assert!(
+        found.points == 0 && found.against.is_none() && !found.notes.is_empty(),
+        "{found:?}"
+    );
 }
 
 #[test]
@@ -287,10 +306,18 @@ fn inequalities_are_checked_as_such() {
 #[test]
 fn hostile_formulas_end_with_a_reason() {
     let long: Vec<String> = (1..12_000).map(|n| format!("{n} x")).collect();
-    for claim in [format!("{} = y", long.join(" + ")), "x^{9^{9^9}} = 0".to_string(), "9^{9^{9}} x = 0".to_string()] {
-        let Ok(sheet) = std::panic::catch_unwind(|| sheet(XYZ, &[], &claim)) else { continue };
+    for claim in [
+        format!("{} = y", long.join(" + ")),
+        "x^{9^{9^9}} = 0".to_string(),
+        "9^{9^{9}} x = 0".to_string(),
+    ] {
+        let Ok(sheet) = std::panic::catch_unwind(|| sheet(XYZ, &[], &claim)) else {
+            continue;
+        };
         let start = std::time::Instant::now();
-        let Ok(found) = witness(&sheet, sheet.find("c").unwrap(), Verdict::Undecided, 6) else { continue };
+        let Ok(found) = witness(&sheet, sheet.find("c").unwrap(), Verdict::Undecided, 6) else {
+            continue;
+        };
         assert!(found.points > 0 || !found.notes.is_empty(), "{found:?}");
         assert!(start.elapsed().as_secs() < 10);
     }
@@ -305,14 +332,26 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
     let mut silent: Vec<String> = Vec::new();
     let mut slowest = (0.0, String::new());
     for class in std::fs::read_dir(folder).unwrap() {
-        let Ok(files) = std::fs::read_dir(class.unwrap().path()) else { continue };
+        let Ok(files) = std::fs::read_dir(class.unwrap().path()) else {
+            continue;
+        };
         for file in files {
             let path = file.unwrap().path();
-            let name = format!("{}/{}", path.parent().unwrap().file_name().unwrap().display(), path.file_stem().unwrap().display());
+            let name = format!(
+                "{}/{}",
+                path.parent().unwrap().file_name().unwrap().display(),
+                path.file_stem().unwrap().display()
+            );
             let text = std::fs::read_to_string(&path).unwrap();
-            let truth = text.lines().find_map(|line| line.strip_prefix("# truth: ")).unwrap_or("none").to_string();
+            let truth = text
+                .lines()
+                .find_map(|line| line.strip_prefix("# truth: "))
+                .unwrap_or("none")
+                .to_string();
             let vocabulary = read_symbols(SYMBOLS).unwrap();
-            let Ok(sheet) = Sheet::read(&text, &vocabulary) else { continue };
+            let Ok(sheet) = Sheet::read(&text, &vocabulary) else {
+                continue;
+            };
             for position in claims(&sheet) {
                 let verdict = match truth.as_str() {
                     "true" => Verdict::Proved,
@@ -320,7 +359,9 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
                     _ => Verdict::Undecided,
                 };
                 let start = std::time::Instant::now();
-                let Ok(found) = witness(&sheet, position, verdict, 24) else { continue };
+                let Ok(found) = witness(&sheet, position, verdict, 24) else {
+                    continue;
+                };
                 let seconds = start.elapsed().as_secs_f64();
                 if seconds > slowest.0 {
                     slowest = (seconds, name.clone());
@@ -340,7 +381,11 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
                 let found = witness(&sheet, position, wrong, 24).unwrap();
                 caught += usize::from(found.against.is_some());
                 if found.against.is_none() {
-                    println!("not caught: {name} ({truth}), {} points: {}", found.points, found.notes.join("; "));
+                    println!(
+                        "not caught: {name} ({truth}), {} points: {}",
+                        found.points,
+                        found.notes.join("; ")
+                    );
                 }
             }
         }
@@ -348,6 +393,8 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
     silent.sort();
     silent.iter().for_each(|line| println!("no point: {line}"));
     alarms.iter().for_each(|line| println!("ALARM: {line}"));
-    println!("{sheets} claims, {with_points} with points; {caught} of {planted} wrong verdicts contradicted; slowest {slowest:?}");
+    println!(
+        "{sheets} claims, {with_points} with points; {caught} of {planted} wrong verdicts contradicted; slowest {slowest:?}"
+    );
     assert!(alarms.is_empty());
 }

@@ -38,6 +38,8 @@ pub struct Compiler<'a> {
     pub flight: i32,
     /// Which sign `\pm` stands for.
     pub upper: bool,
+    /// By how much a running index is shifted.
+    pub index_shift: i32,
     open: Vec<Name>,
     known: HashMap<Name, Formula>,
 }
@@ -53,6 +55,7 @@ impl<'a> Compiler<'a> {
             first: None,
             flight: 0,
             upper: true,
+            index_shift: 0,
             open: Vec::new(),
             known: HashMap::new(),
         }
@@ -99,7 +102,11 @@ impl<'a> Compiler<'a> {
 
     fn signed(&mut self, body: &Tree, plus: bool) -> Result<Formula, Unwitnessed> {
         let body = self.tree(body)?;
-        Ok(if plus { body } else { self.formulas.make(Op::Negate(body)) })
+        Ok(if plus {
+            body
+        } else {
+            self.formulas.make(Op::Negate(body))
+        })
     }
 
     fn power(&mut self, base: &Tree, exponent: &Tree) -> Result<Formula, Unwitnessed> {
@@ -117,7 +124,9 @@ impl<'a> Compiler<'a> {
     fn has_integer_values(&self, tree: &Tree) -> bool {
         match tree {
             Tree::Number(value) => !value.to_string().contains('/'),
-            Tree::Symbol(name, _) => self.vocabulary.integers.contains(name) || super::domain::is_index(self.vocabulary, name),
+            Tree::Symbol(name, _) => {
+                self.vocabulary.integers.contains(name) || super::domain::is_index(self.vocabulary, name)
+            }
             Tree::Negate(body) | Tree::PlusMinus(body) | Tree::MinusPlus(body) => self.has_integer_values(body),
             Tree::Power(body, exponent, _) => *exponent >= 0 && self.has_integer_values(body),
             Tree::Sum(parts) | Tree::Product(parts) => parts.iter().all(|part| self.has_integer_values(part)),
@@ -128,7 +137,11 @@ impl<'a> Compiler<'a> {
     /// Whether a name is this constant, which nothing declares anew.
     fn is_constant(&self, name: &Name, base: &str) -> bool {
         name.base == base
-            && *name == Name { base: base.to_string(), ..Name::default() }
+            && *name
+                == Name {
+                    base: base.to_string(),
+                    ..Name::default()
+                }
             && !self.vocabulary.parameters.contains(name)
             && !self.locals.iter().any(|local| local.name == *name)
     }
@@ -161,7 +174,11 @@ impl<'a> Compiler<'a> {
         }
         if super::domain::is_index(self.vocabulary, name) {
             let slot = self.space.slot(Slot::Parameter(name.clone()));
-            return Ok(self.formulas.slot(slot));
+            let (index, shift) = (
+                self.formulas.slot(slot),
+                self.formulas.integer(i64::from(self.index_shift)),
+            );
+            return Ok(self.formulas.add(index, shift));
         }
         if self.is_constant(name, r"\pi") {
             return Ok(self.formulas.make(Op::Pi));
@@ -183,14 +200,17 @@ impl<'a> Compiler<'a> {
         self.open.push(name.clone());
         let formula = self.tree(tree);
         self.open.pop();
-        // A sign may stand in it: it is read anew under the other one.
         self.known.insert(name.clone(), formula.clone()?);
         formula
     }
 
     /// The slot of an indexed time or state.
     pub fn quantity(&mut self, name: &Name) -> Option<usize> {
-        let (bare, index) = (bare(name), index_of(&name.subscript, &self.vocabulary.index)?);
+        let member = || super::domain::member(self.vocabulary, name);
+        let (bare, index) = (
+            bare(name),
+            index_of(&name.subscript, &self.vocabulary.index).or_else(member)?,
+        );
         if name.primes > 0 {
             return None;
         }
@@ -283,10 +303,17 @@ impl<'a> Compiler<'a> {
 
     /// The course of a function or of a state in flight, and how many derivatives below the highest integral.
     fn course(&mut self, name: &Name) -> Result<(usize, usize), Unwitnessed> {
-        let plain = Name { primes: 0, ..name.clone() };
+        let plain = Name {
+            primes: 0,
+            ..name.clone()
+        };
         let (names, flight) = match self.motion(&plain) {
             Some(names) => (names, Some(self.flight)),
-            None => (self.chain(&plain).ok_or_else(|| Unwitnessed::Unknown(name.to_string()))?, None),
+            None => (
+                self.chain(&plain)
+                    .ok_or_else(|| Unwitnessed::Unknown(name.to_string()))?,
+                None,
+            ),
         };
         let level = names.iter().position(|known| *known == plain).unwrap_or(0);
         Ok((self.space.course(names, flight), level + usize::from(name.primes)))
@@ -295,7 +322,9 @@ impl<'a> Compiler<'a> {
     /// A state with its derivatives: position, velocity, acceleration.
     fn motion(&self, name: &Name) -> Option<Vec<Name>> {
         let states = &self.vocabulary.states;
-        let lowest = states.iter().filter(|s| !states.iter().any(|other| dotted(other) == **s));
+        let lowest = states
+            .iter()
+            .filter(|s| !states.iter().any(|other| dotted(other) == **s));
         lowest
             .map(|s| vec![s.clone(), dotted(s), dotted(&dotted(s))])
             .find(|names| names.contains(name))
@@ -311,7 +340,9 @@ impl<'a> Compiler<'a> {
         let (Some(above), Some(below)) = (self.quantity(of), self.quantity(by)) else {
             return Err(none());
         };
-        self.maps.entry(above, below, self.space, self.formulas).ok_or_else(none)
+        self.maps
+            .entry(above, below, self.space, self.formulas)
+            .ok_or_else(none)
     }
 
     fn invariant(&mut self, kind: Invariant, of: &Name) -> Result<Formula, Unwitnessed> {
@@ -334,8 +365,13 @@ pub fn chains(vocabulary: &Vocabulary) -> Vec<Vec<Name>> {
             _ => None,
         }
     };
-    let is_head = |name: &Name| !functions.iter().any(|(other, _)| other != name && below(other) == Some(name));
-    let (heads, rest): (Vec<&Name>, Vec<&Name>) = functions.iter().map(|(name, _)| name).partition(|name| is_head(name));
+    let is_head = |name: &Name| {
+        !functions
+            .iter()
+            .any(|(other, _)| other != name && below(other) == Some(name))
+    };
+    let (heads, rest): (Vec<&Name>, Vec<&Name>) =
+        functions.iter().map(|(name, _)| name).partition(|name| is_head(name));
     let mut chains: Vec<Vec<Name>> = Vec::new();
     for name in heads.into_iter().chain(rest) {
         let is_new = |chains: &[Vec<Name>], chain: &[Name], name: &Name| {
@@ -345,7 +381,11 @@ pub fn chains(vocabulary: &Vocabulary) -> Vec<Vec<Name>> {
             continue;
         }
         let mut chain = vec![name.clone()];
-        while let Some(next) = chain.last().and_then(|last| below(last)).filter(|next| is_new(&chains, &chain, next)) {
+        while let Some(next) = chain
+            .last()
+            .and_then(below)
+            .filter(|next| is_new(&chains, &chain, next))
+        {
             chain.push(next.clone());
         }
         chains.push(chain);

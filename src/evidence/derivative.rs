@@ -17,6 +17,14 @@ struct Found<T> {
     determined: bool,
 }
 
+/// The rows of a map, in the order in which they are asked, and the slots that move in all and in each of them.
+#[derive(Debug)]
+pub struct StepRows {
+    all: Vec<usize>,
+    each: Vec<Vec<usize>>,
+    program: Program,
+}
+
 /// The rows that determine a map, and the slots that move along with it.
 struct Moving {
     program: Program,
@@ -29,7 +37,10 @@ struct Moving {
 impl System {
     /// Finds the derivatives, then what premises say of them; the largest relative residual of these.
     pub fn derive<N: Numbers, T: Real>(&self, values: &mut [N::Of<T>], enough: f64) -> Option<f64> {
-        let mut fixed: BTreeSet<usize> = self.formulas.slots(&self.rows).into_iter().collect();
+        if self.late.is_empty() && self.step_rows.iter().all(Vec::is_empty) {
+            return Some(0.0);
+        }
+        let mut fixed: BTreeSet<usize> = self.row_slots.iter().copied().collect();
         let mut open = BTreeSet::new();
         for (number, rows) in self.step_rows.iter().enumerate() {
             if rows.is_empty() {
@@ -54,7 +65,9 @@ impl System {
         let slots = self.formulas.slots(&self.late);
         let is_coefficient = |slot: usize| matches!(self.space.slots.get(slot), Some(Slot::Coefficient { .. }));
         if !slots.iter().any(|slot| open.contains(slot)) {
-            let unknowns = slots.into_iter().filter(|slot| !fixed.contains(slot) && !is_coefficient(*slot));
+            let unknowns = slots
+                .into_iter()
+                .filter(|slot| !fixed.contains(slot) && !is_coefficient(*slot));
             let program = self.formulas.program(&self.late);
             return Some(self.solve::<N, T>(&program, values, &self.unknowns(unknowns), enough));
         }
@@ -68,7 +81,10 @@ impl System {
         for step in 0..self.step_rows.len() {
             rows.extend(self.linear_rows(step, &rough, &mut formulas)?);
         }
-        let unknowns = formulas.slots(&rows).into_iter().filter(|slot| !fixed.contains(slot) && !is_coefficient(*slot));
+        let unknowns = formulas
+            .slots(&rows)
+            .into_iter()
+            .filter(|slot| !fixed.contains(slot) && !is_coefficient(*slot));
         let program = formulas.program(&rows);
         Some(self.solve::<N, T>(&program, values, &self.unknowns(unknowns), enough))
     }
@@ -85,7 +101,11 @@ impl System {
         let moving = self.moving(step, &rough)?;
         let mut partials = Vec::new();
         for &by in &map.by {
-            let slots: Vec<(usize, usize)> = map.of.iter().filter_map(|&of| Some((of, self.partial(of, by)?))).collect();
+            let slots: Vec<(usize, usize)> = map
+                .of
+                .iter()
+                .filter_map(|&of| Some((of, self.partial(of, by)?)))
+                .collect();
             if slots.is_empty() {
                 continue;
             }
@@ -121,20 +141,41 @@ impl System {
         Some(rows)
     }
 
+    /// Prepares the rows of each map.
+    pub fn prepare_steps(&mut self) {
+        let moves = |slot: &usize, by: &[usize]| {
+            matches!(
+                self.space.slots.get(*slot),
+                Some(Slot::Time { .. } | Slot::State { .. })
+            ) && !by.contains(slot)
+        };
+        let prepared = self.maps.steps.iter().zip(&self.step_rows).map(|(map, rows)| {
+            let of = |rows: &[Formula]| -> Vec<usize> {
+                self.formulas
+                    .slots(rows)
+                    .into_iter()
+                    .filter(|slot| moves(slot, &map.by))
+                    .collect()
+            };
+            StepRows {
+                all: of(rows),
+                each: rows.iter().map(|row| of(&[*row])).collect(),
+                program: self.formulas.program(rows),
+            }
+        });
+        self.prepared_steps = prepared.collect();
+    }
+
     /// The first rows that have as much to say as there is to know; what is left over restricts the point.
     fn moving(&self, step: usize, rough: &[f64]) -> Option<Moving> {
         let map = self.maps.steps.get(step)?;
-        let candidates = self.step_rows.get(step)?;
-        let moves = |slot: &usize| {
-            matches!(self.space.slots.get(*slot), Some(Slot::Time { .. } | Slot::State { .. })) && !map.by.contains(slot)
-        };
-        let all: Vec<usize> = self.formulas.slots(candidates).into_iter().filter(moves).collect();
+        let StepRows { all, each, program } = self.prepared_steps.get(step)?;
         let unknowns: Vec<Unknown> = all.iter().map(|&slot| Unknown { slot, imaginary: false }).collect();
-        let jacobian = self.jacobian::<Reals>(&self.formulas.program(candidates), rough, &unknowns);
-        let (mut slots, mut units, mut taken) = (BTreeSet::new(), Vec::<Vec<f64>>::new(), 0);
-        let mut determined = false;
-        for (row, gradient) in candidates.iter().zip(&jacobian) {
-            slots.extend(self.formulas.slots(&[*row]).into_iter().filter(moves));
+        let jacobian = self.jacobian::<Reals>(program, rough, &unknowns);
+        let (mut slots, mut units) = (BTreeSet::new(), Vec::<Vec<f64>>::new());
+        let (mut taken, mut determined) = (0, false);
+        for (row, gradient) in each.iter().zip(&jacobian) {
+            slots.extend(row.iter().copied());
             taken += 1;
             units.extend(new_direction(gradient.clone(), &units));
             determined = units.len() >= slots.len();
@@ -142,10 +183,14 @@ impl System {
                 break;
             }
         }
-        let columns: Vec<usize> = (0..all.len()).filter(|&n| all.get(n).is_some_and(|slot| slots.contains(slot))).collect();
+        let columns: Vec<usize> = (0..all.len())
+            .filter(|&n| all.get(n).is_some_and(|slot| slots.contains(slot)))
+            .collect();
         let chosen = |row: &Vec<f64>| columns.iter().filter_map(|&column| row.get(column).copied()).collect();
+        let mut program = program.clone();
+        program.outputs.truncate(taken);
         Some(Moving {
-            program: self.formulas.program(candidates.get(..taken)?),
+            program,
             slots: slots.into_iter().collect(),
             jacobian: jacobian.iter().take(taken).map(chosen).collect(),
             determined,
@@ -154,7 +199,12 @@ impl System {
 
     /// The slopes of the moving slots by one quantity, all else held.
     fn along<T: Real>(&self, moving: &Moving, by: usize, values: &[T]) -> Option<Vec<T>> {
-        let start = |of: &usize| self.partial(*of, by).and_then(|slot| values.get(slot)).cloned().unwrap_or_else(T::zero);
+        let start = |of: &usize| {
+            self.partial(*of, by)
+                .and_then(|slot| values.get(slot))
+                .cloned()
+                .unwrap_or_else(T::zero)
+        };
         let mut slopes: Vec<T> = moving.slots.iter().map(start).collect();
         let mut lifted: Vec<Dual<T>> = values.iter().map(|value| Dual::from_re(value.clone())).collect();
         lifted.get_mut(by)?.eps = T::one();
@@ -167,7 +217,12 @@ impl System {
                 lifted.get_mut(*slot)?.eps = slope.clone();
             }
             let found = moving.program.run(&self.inputs(&lifted, None));
-            let rest: Vec<f64> = moving.program.outputs(&found).iter().map(|value| value.eps.to_f64()).collect();
+            let rest: Vec<f64> = moving
+                .program
+                .outputs(&found)
+                .iter()
+                .map(|value| value.eps.to_f64())
+                .collect();
             let change = least(moving.jacobian.clone(), &rest, moving.slots.len());
             for (slope, change) in slopes.iter_mut().zip(&change) {
                 *slope -= <T as Analytic>::from_f64(*change);
@@ -189,7 +244,10 @@ fn new_direction(mut gradient: Vec<f64>, units: &[Vec<f64>]) -> Option<Vec<f64>>
     let before = norm(&gradient);
     for unit in units {
         let along: f64 = gradient.iter().zip(unit).map(|(a, b)| a * b).sum();
-        gradient.iter_mut().zip(unit).for_each(|(entry, part)| *entry -= along * part);
+        gradient
+            .iter_mut()
+            .zip(unit)
+            .for_each(|(entry, part)| *entry -= along * part);
     }
     let size = norm(&gradient);
     gradient.iter_mut().for_each(|entry| *entry /= size);

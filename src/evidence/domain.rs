@@ -38,6 +38,7 @@ pub struct Kind {
     pub nonzero: bool,
     pub at_most_one: bool,
     pub integer: bool,
+    pub index: bool,
     pub complex: bool,
     pub generic: bool,
 }
@@ -47,6 +48,27 @@ pub fn is_index(vocabulary: &Vocabulary, name: &Name) -> bool {
     name.to_string() == vocabulary.index || vocabulary.indices.contains(name)
 }
 
+/// The value of an index that runs: premises and claim are read at it.
+pub const INDEX: i32 = 4;
+
+/// Whether the letter that numbers impacts or members of a sequence runs.
+pub fn index_runs(vocabulary: &Vocabulary) -> bool {
+    vocabulary
+        .indices
+        .iter()
+        .any(|index| index.to_string() == vocabulary.index)
+}
+
+/// The place of a member of a sequence that is numbered outright, as x_0, beside the running index.
+pub fn member(vocabulary: &Vocabulary, name: &Name) -> Option<i32> {
+    let known = vocabulary.states.contains(&bare(name)) && index_runs(vocabulary);
+    name.subscript
+        .parse::<i32>()
+        .ok()
+        .filter(|_| known)
+        .map(|number| number.saturating_sub(INDEX))
+}
+
 /// What each slot may hold.
 pub fn kinds(vocabulary: &Vocabulary, space: &Space) -> Vec<Kind> {
     let kind = |(slot, what): (usize, &Slot)| {
@@ -54,13 +76,17 @@ pub fn kinds(vocabulary: &Vocabulary, space: &Space) -> Vec<Kind> {
             return Kind::default();
         };
         let indexed = !matches!(what, Slot::Parameter(_));
-        let listed = |list: &[Name]| list.iter().any(|known| known == name || (indexed && bare(known) == *name));
+        let listed = |list: &[Name]| {
+            list.iter()
+                .any(|known| known == name || (indexed && bare(known) == *name))
+        };
         Kind {
             positive: listed(&vocabulary.positive),
             nonnegative: listed(&vocabulary.nonnegative),
             nonzero: listed(&vocabulary.nonzero),
             at_most_one: listed(&vocabulary.at_most_one),
             integer: listed(&vocabulary.integers) || is_index(vocabulary, name),
+            index: index_runs(vocabulary) && is_index(vocabulary, name),
             complex: listed(&vocabulary.complex),
             generic: listed(&vocabulary.generic),
         }
@@ -97,7 +123,10 @@ pub fn listed(compiler: &mut Compiler, kinds: &[Kind]) -> Result<Vec<Condition>,
         }
     }
     for (list, relation) in lists {
-        for name in list.iter().filter(|name| vocabulary.abbreviations.iter().any(|(known, _)| known == *name)) {
+        for name in list
+            .iter()
+            .filter(|name| vocabulary.abbreviations.iter().any(|(known, _)| known == *name))
+        {
             let formula = compiler.tree(&Tree::Symbol(name.clone(), At(0)))?;
             if !matches!(compiler.formulas.op(formula), Op::Slot(_)) {
                 push(compiler, formula, relation);

@@ -39,6 +39,8 @@ const ENDLESS: usize = 1 << 16;
 const ORDER: usize = 24;
 const ORDER_WIDE: usize = 44;
 const MOST_STEPS: usize = 100;
+/// The shortest step, as a part of the way left.
+const SHORTEST: f64 = 1e-4;
 /// Flows whose laws take other flows at fixed times, within each other.
 const DEEPEST: usize = 3;
 
@@ -140,7 +142,11 @@ impl Formulas {
                 let factors = std::iter::repeat_n(base, exponent.unsigned_abs() as usize);
                 let power = formulas.product(factors);
                 let one = formulas.integer(1);
-                Some(if exponent < 0 { formulas.divide(one, power) } else { power })
+                Some(if exponent < 0 {
+                    formulas.divide(one, power)
+                } else {
+                    power
+                })
             }
             Op::RealPower(base, exponent) => {
                 let ln = formulas.apply(Function::Ln, base);
@@ -173,25 +179,44 @@ pub fn value<V: Value>(law: usize, level: usize, time: &V, inputs: &Inputs<V>) -
     // The lower derivatives of every law that flows along.
     let mut states: Vec<Vec<V>> = Vec::new();
     for &other in &flow.laws {
-        let Some(known) = formulas.laws.get(other) else { return none() };
+        let Some(known) = formulas.laws.get(other) else {
+            return none();
+        };
         states.push(if start_of(other) == Some(start) {
-            known.initial.iter().map(|slot| inputs.slots.get(*slot).cloned().unwrap_or_else(none)).collect()
+            known
+                .initial
+                .iter()
+                .map(|slot| inputs.slots.get(*slot).cloned().unwrap_or_else(none))
+                .collect()
         } else {
-            (0..known.order).map(|level| value(other, level, &now, &inner)).collect()
+            (0..known.order)
+                .map(|level| value(other, level, &now, &inner))
+                .collect()
         });
     }
     for _ in 0..MOST_STEPS {
-        let Some(series) = flow.series(&states, &now, &inner) else { return none() };
+        let Some(series) = flow.series(&states, &now, &inner) else {
+            return none();
+        };
         let left = time.clone() - now.clone();
-        let reach = series.iter().map(|series| reach::<V>(series)).fold(f64::INFINITY, f64::min);
+        let reach = series
+            .iter()
+            .map(|series| reach::<V>(series))
+            .fold(f64::INFINITY, f64::min);
         let distance = left.size();
-        if !(reach > 1e-4 * distance) {
+        if reach.is_nan() || distance.is_nan() || reach <= SHORTEST * distance {
             return none();
         }
         let last = distance <= reach;
-        let step = if last { left } else { V::float(left.parts()[0].to_f64() * (reach / distance)) };
+        let step = if last {
+            left
+        } else {
+            V::float(left.parts()[0].to_f64() * (reach / distance))
+        };
         if last {
-            return series.first().map_or_else(none, |series| derivative(series, level, &step));
+            return series
+                .first()
+                .map_or_else(none, |series| derivative(series, level, &step));
         }
         for (state, series) in states.iter_mut().zip(&series) {
             for (level, state) in state.iter_mut().enumerate() {
@@ -232,7 +257,11 @@ fn is_wide<V: Value>() -> bool {
 impl Flow {
     /// The power series of each law's function about a time.
     fn series<V: Value>(&self, states: &[Vec<V>], now: &V, inputs: &Inputs<V>) -> Option<Vec<Vec<V>>> {
-        let (order, cost) = if is_wide::<V>() { (ORDER_WIDE, self.costs[1]) } else { (ORDER, self.costs[0]) };
+        let (order, cost) = if is_wide::<V>() {
+            (ORDER_WIDE, self.costs[1])
+        } else {
+            (ORDER, self.costs[0])
+        };
         if !inputs.work.take(cost * price::<V>()) {
             return None;
         }
@@ -274,7 +303,9 @@ impl Flow {
         inputs: &Inputs<V>,
     ) -> V {
         let none = || V::real(undefined());
-        let Some(op) = self.ops.get(position).copied() else { return none() };
+        let Some(op) = self.ops.get(position).copied() else {
+            return none();
+        };
         let of = |n: usize, j: usize| series.get(n).and_then(|series| series.get(j));
         let get = |a: Formula, j: usize| of(a.position(), j).cloned().unwrap_or_else(|| V::integer(0));
         // The sum of c(j) a_j b_(k-j) over j from `from` to k.
@@ -289,7 +320,9 @@ impl Flow {
         match op {
             Op::Flow { law, level, time } if self.ops.get(time.position()) == Some(&Op::Running) => {
                 let known = self.laws.iter().position(|other| *other == law);
-                let coefficient = known.and_then(|n| functions.get(n)).and_then(|function| function.get(k + level));
+                let coefficient = known
+                    .and_then(|n| functions.get(n))
+                    .and_then(|function| function.get(k + level));
                 let falling: i64 = (k + 1..=k + level).map(|n| n as i64).product();
                 coefficient.map_or_else(none, |coefficient| coefficient.clone() * V::integer(falling))
             }
@@ -306,7 +339,11 @@ impl Flow {
             Op::Multiply(a, b) => {
                 // The shorter series leads.
                 let (a, b) = (a.position(), b.position());
-                let (a, b) = if self.lengths.get(a) <= self.lengths.get(b) { (a, b) } else { (b, a) };
+                let (a, b) = if self.lengths.get(a) <= self.lengths.get(b) {
+                    (a, b)
+                } else {
+                    (b, a)
+                };
                 let last = series.get(a).map_or(0, Vec::len).min(k + 1);
                 (0..last).fold(V::integer(0), |sum, j| match (of(a, j), of(b, k - j)) {
                     (Some(x), Some(y)) => sum + x.clone() * y.clone(),
@@ -358,7 +395,12 @@ mod tests {
         let y = formulas.make(Op::Flow { law: 0, level: 0, time });
         let body = formulas.make(Op::Negate(y));
         let start = formulas.make(Op::Ratio(1, 2));
-        formulas.laws = vec![Law { order: 2, start, initial: vec![0, 1], body }];
+        formulas.laws = vec![Law {
+            order: 2,
+            start,
+            initial: vec![0, 1],
+            body,
+        }];
         formulas.prepare_flows();
         formulas
     }
@@ -395,7 +437,12 @@ mod tests {
         let angle = formulas.apply(Function::Arctan, t);
         let body = formulas.add(root, angle);
         let start = formulas.integer(0);
-        formulas.laws = vec![Law { order: 1, start, initial: vec![0], body }];
+        formulas.laws = vec![Law {
+            order: 1,
+            start,
+            initial: vec![0],
+            body,
+        }];
         formulas.prepare_flows();
         let t = 2.5_f64;
         let by_hand = 0.5 * (t * (1.0 + t * t).sqrt() + t.asinh()) + t * t.atan() - 0.5 * (1.0 + t * t).ln();

@@ -106,7 +106,10 @@ pub struct Formulas {
 
 impl Formulas {
     pub fn op(&self, formula: Formula) -> Op {
-        self.ops.get(formula.position()).copied().unwrap_or(Op::Float(f64::NAN.to_bits()))
+        self.ops
+            .get(formula.position())
+            .copied()
+            .unwrap_or(Op::Float(f64::NAN.to_bits()))
     }
 
     /// The formula with this last operation.
@@ -187,19 +190,32 @@ impl Formulas {
 
     pub fn product(&mut self, factors: impl IntoIterator<Item = Formula>) -> Formula {
         let one = self.integer(1);
-        factors.into_iter().fold(one, |product, factor| self.multiply(product, factor))
+        factors
+            .into_iter()
+            .fold(one, |product, factor| self.multiply(product, factor))
     }
 
     /// Everything that these formulas are made of, themselves included, each after its operands.
     pub fn parts(&self, of: &[Formula]) -> Vec<Formula> {
-        let (mut found, mut open) = (std::collections::HashSet::new(), of.to_vec());
-        while let Some(formula) = open.pop() {
-            if found.insert(formula) {
-                open.extend(self.op(formula).operands());
+        let above = of.iter().map(|formula| formula.position() + 1).max().unwrap_or(0);
+        let mut wanted = vec![false; above];
+        let mark = |wanted: &mut Vec<bool>, formula: Formula| {
+            if let Some(wanted) = wanted.get_mut(formula.position()) {
+                *wanted = true;
+            }
+        };
+        of.iter().for_each(|formula| mark(&mut wanted, *formula));
+        let mut parts = Vec::new();
+        for number in (0..above).rev() {
+            if wanted.get(number) == Some(&true) {
+                let formula = Formula(number as u32);
+                parts.push(formula);
+                self.op(formula)
+                    .operands()
+                    .for_each(|operand| mark(&mut wanted, operand));
             }
         }
-        let mut parts: Vec<Formula> = found.into_iter().collect();
-        parts.sort_unstable();
+        parts.reverse();
         parts
     }
 
@@ -240,7 +256,9 @@ impl Formulas {
     pub fn rewrite(&mut self, root: Formula, new: &mut dyn FnMut(&mut Self, Op) -> Option<Formula>) -> Formula {
         let mut made: HashMap<Formula, Formula> = HashMap::new();
         for part in self.parts(&[root]) {
-            let op = self.op(part).map(|operand| made.get(&operand).copied().unwrap_or(operand));
+            let op = self
+                .op(part)
+                .map(|operand| made.get(&operand).copied().unwrap_or(operand));
             let formula = new(self, op).unwrap_or_else(|| self.make(op));
             made.insert(part, formula);
         }
@@ -316,7 +334,11 @@ impl Formulas {
                     self.divide(above, b)
                 }
                 Op::Power(a, n) => {
-                    let factors = [self.integer(i64::from(n)), self.make(Op::Power(a, n.saturating_sub(1))), of(a)];
+                    let factors = [
+                        self.integer(i64::from(n)),
+                        self.make(Op::Power(a, n.saturating_sub(1))),
+                        of(a),
+                    ];
                     self.product(factors)
                 }
                 Op::Root(a, n) => {
@@ -525,7 +547,12 @@ pub fn evaluate<'v, V: Value + 'v>(op: Op, inputs: &Inputs<V>, at: impl Fn(Formu
         Op::Ratio(above, 1) => V::integer(above),
         Op::Ratio(above, below) => V::real(crate::number::Field::from_ratio(above, below)),
         Op::Float(bits) => V::float(f64::from_bits(bits)),
-        Op::Rational(n) => inputs.formulas.rationals.get(n).and_then(Rational::embed).map_or_else(none, V::real),
+        Op::Rational(n) => inputs
+            .formulas
+            .rationals
+            .get(n)
+            .and_then(Rational::embed)
+            .map_or_else(none, V::real),
         Op::Pi => V::real(Analytic::pi()),
         Op::Imaginary => V::new(num_traits::Zero::zero(), num_traits::One::one()),
         Op::Slot(slot) => inputs.slots.get(slot).cloned().unwrap_or_else(none),

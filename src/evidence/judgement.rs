@@ -1,14 +1,14 @@
 //! What the points say of a verdict.
 
 use super::compiler::Unwitnessed;
-use super::formula::Op;
+use super::formula::{Formula, Op};
 use super::motion::Flown;
 use super::newton::rough;
 use super::point::{Miss, Point, Style};
 use super::space::Slot;
 use super::system::{Forcing, Question, System, any};
 use super::tolerance::{
-    APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE, MOST_DIGITS, PREMISE, STEADY,
+    APART_EXACT, APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE, MOST_DIGITS, PREMISE, STEADY,
 };
 use super::value::{Complexes, Function, Numbers, Real, Reals, Value};
 use crate::claim::{Fault, Sheet, Statements, Verdict};
@@ -41,9 +41,12 @@ pub struct Evidence {
 #[derive(Clone, Debug)]
 struct Gap {
     relative: f64,
+    apart: f64,
     /// For an inequality, whether it holds; where equality decides, as near as can be told.
     fails: bool,
     is_inequality: bool,
+    /// Whether it was found in many digits.
+    is_close: bool,
     left: [f64; 2],
     right: [f64; 2],
 }
@@ -83,6 +86,8 @@ const ENOUGH_WORK: u64 = 300_000;
 const FEW: usize = 6;
 /// Special starts from which a proof is tried.
 const PROBES: u64 = 60;
+/// Operations for these.
+const PROBE_WORK: u64 = 20_000;
 
 /// Witnesses for the claim at `position` of the sheet, at up to `points` points, held against the verdict. Where the
 /// points agree with a claim that is refuted or undecided, more are looked at.
@@ -152,7 +157,11 @@ impl<V> Search<V> {
                 self.undefined
             );
         }
-        let most = self.missed.iter().max_by_key(|(_, count)| **count).map(|(miss, _)| *miss);
+        let most = self
+            .missed
+            .iter()
+            .max_by_key(|(_, count)| **count)
+            .map(|(miss, _)| *miss);
         let starts = self.starts;
         match most {
             Some(Miss::Conditions) => format!("no point was found at which the assumptions hold, from {starts} starts"),
@@ -182,11 +191,16 @@ impl Witness<'_> {
         };
         if self.verdict != Verdict::Proved && !search.found.is_empty() && agrees(&search) {
             let pieces = self.system.has_pieces();
-            let many = if self.verdict == Verdict::Refuted && pieces { MANY_PIECES } else { MANY };
+            let many = if self.verdict == Verdict::Refuted && pieces {
+                MANY_PIECES
+            } else {
+                MANY
+            };
             self.look::<N>(&mut search, many, 1);
         }
         if self.verdict == Verdict::Proved && !search.found.is_empty() && agrees(&search) {
             self.probe::<N>(&mut search);
+            self.look_closer::<N>(&mut search);
         }
         if search.found.is_empty() {
             search.found = std::mem::take(&mut search.excluded);
@@ -210,7 +224,9 @@ impl Witness<'_> {
                 }
             }
             _ if agrees(&search) => {
-                evidence.notes.push(format!("holds at {} random points", search.found.len()));
+                evidence
+                    .notes
+                    .push(format!("holds at {} random points", search.found.len()));
             }
             _ => {
                 let confirmed = self.worst_first(&search.found).into_iter().take(3);
@@ -257,16 +273,37 @@ impl Witness<'_> {
         }
     }
 
+    /// Looks at the first point in 40 digits, where that costs little: what differs there alone is seen.
+    fn look_closer<N: Numbers>(&self, search: &mut Search<N::Of<f64>>) {
+        let is_small = self.system.space.courses.is_empty() && self.system.maps.steps.is_empty();
+        let Some((point, known)) = search
+            .found
+            .first_mut()
+            .filter(|(_, gap)| is_small && !gap.is_inequality)
+        else {
+            return;
+        };
+        let wide = self.system.widened::<N>(point);
+        let gap = wide.and_then(|wide| self.worst_gap::<N, Wide<40>>(&wide.values, &wide.running));
+        if let Some(gap) = gap.filter(|gap| gap.relative > self.apart()) {
+            *known = gap;
+        }
+    }
+
     /// Looks at special points, as long as these cost little: what fails there is added.
     fn probe<N: Numbers>(&self, search: &mut Search<N::Of<f64>>) {
         let before = self.system.work.left();
         for start in 0..PROBES {
-            if before - self.system.work.left() > ENOUGH_WORK {
+            if before - self.system.work.left() > PROBE_WORK {
                 return;
             }
             let style = if start % 4 == 3 { Style::Spread } else { Style::Special };
-            let Ok(point) = self.system.point::<N>(9000 + start, style) else { continue };
-            let gap = self.gap::<N>(&point).filter(|gap| gap.fails && (gap.is_inequality || gap.digits() < DOUBTFUL_PROOF));
+            let Ok(point) = self.system.point::<N>(9000 + start, style) else {
+                continue;
+            };
+            let gap = self
+                .gap::<N>(&point)
+                .filter(|gap| gap.fails && (gap.is_inequality || gap.digits() < DOUBTFUL_PROOF));
             if let Some(gap) = gap.filter(|_| !self.system.is_excluded::<N>(&point)) {
                 search.found.push((point, gap));
             }
@@ -279,7 +316,11 @@ impl Witness<'_> {
     }
 
     fn worst_gap<N: Numbers, T: Real>(&self, values: &[N::Of<T>], running: &N::Of<T>) -> Option<Gap> {
-        let gaps = self.system.questions.iter().map(|question| self.system.gap::<N, T>(question, values, running));
+        let gaps = self
+            .system
+            .questions
+            .iter()
+            .map(|question| self.system.gap::<N, T>(question, values, running));
         let gaps: Option<Vec<Gap>> = gaps.collect();
         gaps?.into_iter().max_by(|a, b| a.badness().total_cmp(&b.badness()))
     }
@@ -291,12 +332,21 @@ impl Witness<'_> {
         if gap.is_inequality {
             return Some(gap.fails);
         }
-        if gap.relative <= APART_WIDE {
+        if gap.relative <= self.apart() {
             return Some(false);
         }
         let finer = self.system.refined::<N>(wide)?;
         let again = self.worst_gap::<N, Wide<40>>(&finer.values, &finer.running)?;
-        ((again.relative - gap.relative).abs() <= STEADY * gap.relative).then_some(true)
+        ((again.apart - gap.apart).abs() <= STEADY * gap.apart).then_some(true)
+    }
+
+    /// The relative gap in 40 digits above which sides differ.
+    fn apart(&self) -> f64 {
+        if self.system.rows.is_empty() {
+            APART_EXACT
+        } else {
+            APART_WIDE
+        }
     }
 
     fn worst_first<'b, V>(&self, found: &'b [Asked<V>]) -> Vec<&'b Asked<V>> {
@@ -311,9 +361,16 @@ impl Witness<'_> {
         let mut digits: Vec<f64> = found.iter().map(|(_, gap)| gap.digits()).collect();
         digits.sort_by(f64::total_cmp);
         let residuals = found.iter().map(|(point, _)| self.system.residual::<N>(&point.values));
-        let worst = self.worst_first(found).first().map(|(point, gap)| show::<N>(&self.system, point, gap));
-        let reals = |point: &Point<N::Of<f64>>| -> Vec<f64> { point.values.iter().map(|value| value.parts()[0]).collect() };
-        let flown = found.iter().filter_map(|(point, _)| self.system.flown(&reals(point))).reduce(Flown::and);
+        let worst = self
+            .worst_first(found)
+            .first()
+            .map(|(point, gap)| show::<N>(&self.system, point, gap));
+        let reals =
+            |point: &Point<N::Of<f64>>| -> Vec<f64> { point.values.iter().map(|value| value.parts()[0]).collect() };
+        let flown = found
+            .iter()
+            .filter_map(|(point, _)| self.system.flown(&reals(point)))
+            .reduce(Flown::and);
         Evidence {
             digits: digits.first().copied().filter(|_| equal),
             median: digits.get(digits.len() / 2).copied().filter(|_| equal),
@@ -329,12 +386,16 @@ impl Witness<'_> {
     fn against_proof<N: Numbers>(&self, found: &[Asked<N::Of<f64>>], evidence: &mut Evidence) {
         let doubtful = |(_, gap): &&&Asked<N::Of<f64>>| match gap.is_inequality {
             true => gap.fails,
-            false => gap.digits() < DOUBTFUL_PROOF,
+            false => gap.digits() < DOUBTFUL_PROOF || gap.is_close,
         };
         for (point, gap) in self.worst_first(found).iter().filter(doubtful).take(3) {
             match self.differs::<N>(point) {
                 Some(true) => {
-                    let text = if gap.is_inequality { "the inequality fails" } else { "the sides differ" };
+                    let text = if gap.is_inequality {
+                        "the inequality fails"
+                    } else {
+                        "the sides differ"
+                    };
                     evidence.against = Some(format!("proved, but {text}: {}", show::<N>(&self.system, point, gap)));
                     return;
                 }
@@ -351,19 +412,35 @@ impl Witness<'_> {
     /// What agreement at all points means for a refutation.
     fn against_refutation<N: Numbers>(&self, found: &[Asked<N::Of<f64>>], evidence: &mut Evidence) {
         let count = found.len();
-        let special = || format!("the sides agree at {count} random points; the counterexample is special");
-        let enough = if self.system.has_pieces() { MANY_PIECES * 3 / 4 } else { MANY / 2 };
+        let what = match self
+            .statements
+            .claims
+            .iter()
+            .any(|claim| claim.relation != Relation::Equal)
+        {
+            true => "the inequality holds",
+            false => "the sides agree",
+        };
+        let special = || format!("{what} at {count} random points; the counterexample is special");
+        let enough = if self.system.has_pieces() {
+            MANY_PIECES * 3 / 4
+        } else {
+            MANY / 2
+        };
         if count < enough || self.hides_from_points() {
             evidence.notes.push(special());
             return;
         }
         let gap = |point: &Point<N::Of<f64>>| {
             let wide = self.system.widened::<N>(point)?;
-            self.worst_gap::<N, Wide<40>>(&wide.values, &wide.running).map(|gap| gap.relative)
+            self.worst_gap::<N, Wide<40>>(&wide.values, &wide.running)
+                .map(|gap| gap.relative)
         };
         let wide: Option<Vec<f64>> = found.iter().take(3).map(|(point, _)| gap(point)).collect();
         let Some(wide) = wide else {
-            evidence.notes.push("the sides agree in f64; the points could not be refined".to_string());
+            evidence
+                .notes
+                .push("the sides agree in f64; the points could not be refined".to_string());
             return;
         };
         let worst = wide.into_iter().fold(0.0, f64::max);
@@ -371,7 +448,9 @@ impl Witness<'_> {
             let text = format!("refuted, but the sides agree at each of {count} points, at three of them to 25 digits");
             evidence.against = Some(text);
         } else {
-            evidence.notes.push(format!("the sides differ by {worst:.0e} of their size"));
+            evidence
+                .notes
+                .push(format!("the sides differ by {worst:.0e} of their size"));
         }
     }
 
@@ -380,7 +459,10 @@ impl Witness<'_> {
     /// solutions that is thinner than the rest, or for functions of another shape.
     fn hides_from_points(&self) -> bool {
         let system = &self.system;
-        self.statements.claims.iter().any(|claim| claim.relation != Relation::Equal || is_extreme(claim))
+        self.statements
+            .claims
+            .iter()
+            .any(|claim| claim.relation != Relation::Equal || is_extreme(claim))
             || system.shaped
             || system.kinds.iter().any(|kind| kind.integer)
             || system.has_jumps()
@@ -390,7 +472,13 @@ impl Witness<'_> {
 
     /// Whether the claim holds, to the precision of f64, where the forcing is a cosine of period 2.
     fn holds_for_cosine<N: Numbers>(&self) -> bool {
-        let is_forced = |system: &System| system.space.courses.iter().any(|course| course.flight.is_none() && course.law.is_none());
+        let is_forced = |system: &System| {
+            system
+                .space
+                .courses
+                .iter()
+                .any(|course| course.flight.is_none() && course.law.is_none())
+        };
         if !is_forced(&self.system) {
             return false;
         }
@@ -399,8 +487,10 @@ impl Witness<'_> {
         };
         let other = Witness { system, ..*self };
         let mut found = 0;
-        for start in 0..3 * MOST_STARTS as u64 {
-            let Ok(point) = other.system.point::<N>(1000 + start, Style::Moderate) else { continue };
+        for start in 0..MOST_STARTS as u64 {
+            let Ok(point) = other.system.point::<N>(1000 + start, Style::Moderate) else {
+                continue;
+            };
             match other.gap::<N>(&point) {
                 Some(gap) if gap.digits() > DOUBTFUL_REFUTATION => found += 1,
                 Some(_) => return false,
@@ -452,21 +542,35 @@ impl System {
 
     /// Whether the two values on the right are the two solutions of a premise for the slot: of a quadratic by their sum
     /// and product, else by the premises' residuals.
-    fn pair_gap<N: Numbers, T: Real>(&self, slot: usize, sides: &[(N::Of<T>, f64)], values: &[N::Of<T>]) -> Option<Gap> {
+    fn pair_gap<N: Numbers, T: Real>(
+        &self,
+        slot: usize,
+        sides: &[(N::Of<T>, f64)],
+        values: &[N::Of<T>],
+    ) -> Option<Gap> {
         let rights: Vec<&(N::Of<T>, f64)> = sides.iter().skip(1).step_by(2).collect();
         let (x, y) = (rights.first()?, rights.last()?);
-        let premises: Vec<_> = self.rows.iter().chain(&self.late).copied().filter(|row| self.formulas.slots(&[*row]).contains(&slot)).collect();
+        let premises: Vec<_> = self
+            .rows
+            .iter()
+            .chain(&self.late)
+            .copied()
+            .filter(|row| self.formulas.slots(&[*row]).contains(&slot))
+            .collect();
         if premises.is_empty() {
             return None;
         }
-        let at = |value: &N::Of<T>, premise: super::formula::Formula| -> Option<(N::Of<T>, f64)> {
+        let at = |value: &N::Of<T>, premise: Formula| -> Option<(N::Of<T>, f64)> {
             let mut values = values.to_vec();
             *values.get_mut(slot)? = value.clone();
             let program = self.formulas.program(&[premise]);
             let found = program.run(&self.inputs(&values, None));
             let near: Vec<N::Of<f64>> = found.iter().map(rough::<N, T>).collect();
             let output = *program.outputs.first()?;
-            Some((found.get(output)?.clone(), *program.sizes(&near, &self.solved::<N, T>(&values))?.get(output)?))
+            Some((
+                found.get(output)?.clone(),
+                *program.sizes(&near, &self.solved::<N, T>(&values))?.get(output)?,
+            ))
         };
         let number = |n: i64| N::Of::<T>::integer(n);
         for &premise in &premises {
@@ -484,14 +588,23 @@ impl System {
             }
             let (p, q) = (x.0.size(), y.0.size());
             let sum = ((-b.over(&a), p + q), (x.0.clone() + y.0.clone(), x.1 + y.1));
-            let product = ((c.over(&a), p * q), (x.0.clone() * y.0.clone(), x.1 * q.max(p) + y.1 * p.max(q)));
-            let gaps = [compare::<N, T>(&sum.0, &sum.1, Relation::Equal)?, compare::<N, T>(&product.0, &product.1, Relation::Equal)?];
+            let product = (
+                (c.over(&a), p * q),
+                (x.0.clone() * y.0.clone(), x.1 * q.max(p) + y.1 * p.max(q)),
+            );
+            let gaps = [
+                compare::<N, T>(&sum.0, &sum.1, Relation::Equal)?,
+                compare::<N, T>(&product.0, &product.1, Relation::Equal)?,
+            ];
             return gaps.into_iter().max_by(|a, b| a.relative.total_cmp(&b.relative));
         }
         // Both must satisfy every premise, and be distinct ways to the value that there is.
         let known = (values.get(slot)?.clone(), values.get(slot)?.size());
         let own = [x, y].map(|side| compare::<N, T>(&known, side, Relation::Equal));
-        let nearest = own.into_iter().flatten().min_by(|a, b| a.relative.total_cmp(&b.relative));
+        let nearest = own
+            .into_iter()
+            .flatten()
+            .min_by(|a, b| a.relative.total_cmp(&b.relative));
         let mut gaps: Vec<Gap> = nearest.into_iter().collect();
         for side in [x, y] {
             for &premise in &premises {
@@ -505,14 +618,18 @@ impl System {
     /// The operations of claim and premises.
     fn ops(&self) -> impl Iterator<Item = Op> + '_ {
         let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
-        let bodies = self.formulas.laws.iter().map(|law| &law.body);
-        let all: Vec<_> = sides.chain(&self.rows).chain(&self.late).chain(bodies).copied().collect();
+        let all: Vec<_> = sides.chain(&self.rows).chain(&self.late).copied().collect();
         self.formulas.parts(&all).into_iter().map(|part| self.formulas.op(part))
     }
 
     /// Whether claim or premises have pieces on which they may differ.
     fn has_pieces(&self) -> bool {
-        let within = |function| matches!(function, Function::Sin | Function::Cos | Function::Exp | Function::Sinh | Function::Cosh);
+        let within = |function| {
+            matches!(
+                function,
+                Function::Sin | Function::Cos | Function::Exp | Function::Sinh | Function::Cosh
+            )
+        };
         self.ops().any(|op| match op {
             Op::Root(..) | Op::RealPower(..) => true,
             Op::Apply(function, _) => !within(function),
@@ -531,10 +648,76 @@ impl System {
         })
     }
 
+    /// The slots that stand once in a row, below operations that can be undone.
+    fn solvable(&self, row: Formula) -> Vec<usize> {
+        let parts = self.formulas.parts(&[row]);
+        // In how many ways a part is reached, and whether what is above it can be undone.
+        let mut reached: BTreeMap<Formula, (usize, bool)> = BTreeMap::from([(row, (1, true))]);
+        let mut slots = Vec::new();
+        for &part in parts.iter().rev() {
+            let Some(&(ways, undone)) = reached.get(&part) else {
+                continue;
+            };
+            let op = self.formulas.op(part);
+            for operand in op.operands() {
+                let undoes = match op {
+                    Op::Multiply(a, b) => self.is_nonzero(if operand == a { b } else { a }) && a != b,
+                    Op::Divide(a, b) => a != b && (operand == a || self.is_nonzero(a)),
+                    Op::Add(..) | Op::Negate(_) | Op::Root(..) => true,
+                    Op::Power(_, exponent) => exponent != 0,
+                    Op::Apply(function, _) => matches!(
+                        function,
+                        Function::Exp
+                            | Function::Ln
+                            | Function::Sinh
+                            | Function::Arctan
+                            | Function::Arsinh
+                            | Function::Artanh
+                    ),
+                    _ => false,
+                };
+                let known = reached.entry(operand).or_insert((0, true));
+                known.0 = (known.0 + ways).min(2);
+                known.1 &= undone && undoes;
+            }
+            if let Op::Slot(slot) = op
+                && (ways, undone) == (1, true)
+            {
+                slots.push(slot);
+            }
+        }
+        slots
+    }
+
+    /// Whether a formula vanishes nowhere that the sheet speaks of, as far as its form shows.
+    fn is_nonzero(&self, formula: Formula) -> bool {
+        let kind = |slot: usize| self.kinds.get(slot).copied().unwrap_or_default();
+        match self.formulas.op(formula) {
+            Op::Slot(slot) => kind(slot).positive || kind(slot).nonzero || kind(slot).generic,
+            Op::Multiply(a, b) => self.is_nonzero(a) && self.is_nonzero(b),
+            Op::Divide(a, _) | Op::Negate(a) | Op::Power(a, _) | Op::Root(a, _) => self.is_nonzero(a),
+            _ => self.is_positive(formula) || matches!(self.formulas.op(formula), Op::Ratio(n, _) if n != 0),
+        }
+    }
+
+    fn is_positive(&self, formula: Formula) -> bool {
+        match self.formulas.op(formula) {
+            Op::Ratio(above, _) => above > 0,
+            Op::Pi | Op::Apply(Function::Exp | Function::Cosh, _) => !self.is_complex,
+            Op::Slot(slot) => self.kinds.get(slot).is_some_and(|kind| kind.positive),
+            Op::Add(a, b) | Op::Multiply(a, b) | Op::Divide(a, b) => self.is_positive(a) && self.is_positive(b),
+            Op::Power(a, _) | Op::Root(a, _) | Op::RealPower(a, _) => self.is_positive(a),
+            _ => false,
+        }
+    }
+
     /// Whether a law for a derivative may have poles: beyond them the constants of integration are others.
     fn flows_may_end(&self) -> bool {
-        let bodies = self.formulas.laws.iter().map(|law| law.body);
-        let mut parts = bodies.flat_map(|body| self.formulas.parts(&[body]));
+        let used = |n: &usize| self.ops().any(|op| matches!(op, Op::Flow { law, .. } if law == *n));
+        let bodies = (0..self.formulas.laws.len())
+            .filter(used)
+            .filter_map(|n| self.formulas.laws.get(n));
+        let mut parts = bodies.flat_map(|law| self.formulas.parts(&[law.body]));
         parts.any(|part| match self.formulas.op(part) {
             Op::Divide(_, below) => self.formulas.runs(below),
             Op::Power(base, exponent) => exponent < 0 && self.formulas.runs(base),
@@ -543,10 +726,15 @@ impl System {
         })
     }
 
-    /// Whether each premise gives a symbol of its own, which stands in it once, alone as a term: then no part of the
-    /// solutions is thinner than the rest, but where such symbols depend on each other.
+    /// Whether each premise gives a symbol of its own, which it can be solved for wherever it is defined: then no part of
+    /// the solutions is thinner than the rest, but where such symbols depend on each other.
     fn is_a_graph(&self) -> bool {
-        let mut alone: Vec<Vec<usize>> = self.rows.iter().chain(&self.late).map(|row| self.alone(*row)).collect();
+        let mut alone: Vec<Vec<usize>> = self
+            .rows
+            .iter()
+            .chain(&self.late)
+            .map(|row| self.solvable(*row))
+            .collect();
         alone.sort_by_key(Vec::len);
         let mut taken: BTreeMap<usize, usize> = BTreeMap::new();
         // An augmenting path from row to row (Kuhn 1955).
@@ -600,8 +788,10 @@ fn compare<N: Numbers, T: Real>(left: &(N::Of<T>, f64), right: &(N::Of<T>, f64),
     let parts = |value: &N::Of<T>| value.parts().map(|part| part.to_f64());
     Some(Gap {
         relative,
+        apart: gap,
         fails,
         is_inequality,
+        is_close: is_wide,
         left: parts(&left.0),
         right: parts(&right.0),
     })
@@ -617,7 +807,13 @@ fn show<N: Numbers>(system: &System, point: &Point<N::Of<f64>>, gap: &Gap) -> St
     let long = |x: f64| format!("{x:.15e}");
     let spoken_of = system.spoken_of();
     let is_named = |slot: &Slot| matches!(slot, Slot::Parameter(_) | Slot::Time { .. } | Slot::State { .. });
-    let named = system.space.slots.iter().zip(&point.values).enumerate().filter(|(_, (slot, _))| is_named(slot));
+    let named = system
+        .space
+        .slots
+        .iter()
+        .zip(&point.values)
+        .enumerate()
+        .filter(|(_, (slot, _))| is_named(slot));
     let named = named.filter(|(number, _)| spoken_of.binary_search(number).is_ok());
     let mut parts: Vec<String> = named
         .filter_map(|(number, (_, value))| {

@@ -58,7 +58,13 @@ impl Maps {
     }
 
     /// Trace or determinant of a map.
-    pub fn invariant(&self, kind: Invariant, name: &Name, space: &mut Space, formulas: &mut Formulas) -> Option<Formula> {
+    pub fn invariant(
+        &self,
+        kind: Invariant,
+        name: &Name,
+        space: &mut Space,
+        formulas: &mut Formulas,
+    ) -> Option<Formula> {
         let matrix = self.matrix(name, space, formulas, self.products.len() + 1)?;
         if matrix.is_empty() || matrix.iter().any(|row| row.len() != matrix.len()) {
             return None;
@@ -97,7 +103,11 @@ fn multiplied(left: &Matrix, right: &Matrix, formulas: &mut Formulas) -> Option<
         let terms: Vec<Formula> = pairs.map(|(a, b)| formulas.multiply(a, b)).collect();
         formulas.sum(terms)
     };
-    Some(left.iter().map(|row| (0..columns).map(|column| entry(row, column)).collect()).collect())
+    Some(
+        left.iter()
+            .map(|row| (0..columns).map(|column| entry(row, column)).collect())
+            .collect(),
+    )
 }
 
 /// By the first row: the matrices are small.
@@ -107,10 +117,20 @@ fn determinant(matrix: &Matrix, formulas: &mut Formulas) -> Formula {
     };
     let mut terms = Vec::new();
     for (column, entry) in first.iter().enumerate() {
-        let without = |row: &Vec<Formula>| row.iter().enumerate().filter(|(n, _)| *n != column).map(|(_, e)| *e).collect();
+        let without = |row: &Vec<Formula>| {
+            row.iter()
+                .enumerate()
+                .filter(|(n, _)| *n != column)
+                .map(|(_, e)| *e)
+                .collect()
+        };
         let minor = determinant(&rest.iter().map(without).collect(), formulas);
         let term = formulas.multiply(*entry, minor);
-        terms.push(if column % 2 == 0 { term } else { formulas.make(Op::Negate(term)) });
+        terms.push(if column % 2 == 0 {
+            term
+        } else {
+            formulas.make(Op::Negate(term))
+        });
     }
     formulas.sum(terms)
 }

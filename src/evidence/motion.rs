@@ -3,9 +3,9 @@
 //! Whether a point is one of the paper's motion is not told by labels: the flight from it must arrive when, where
 //! and as fast as the point says.
 
+use super::judgement::digits;
 use super::maps::Step;
 use super::space::{Course, Slot};
-use super::judgement::digits;
 use super::system::{HARMONICS, LONG, POWERS_OF_LAW, System};
 use super::tolerance::{MOST_DIGITS, MOTION};
 use crate::model::{Flight, Forcing, Impact, Leg, Motion, Order, Passage, Side};
@@ -92,15 +92,11 @@ impl System {
                 .try_fold(Matrix2::identity(), |product, factor| Some(product * of(factor)?));
             let Some(product) = product else { continue };
             let product: Matrix2<f64> = product;
-            for (kind, known) in [
-                (Invariant::Trace, product.trace()),
-                (Invariant::Determinant, product.determinant()),
-            ] {
-                let (mut space, mut formulas) = (self.space.clone(), self.formulas.clone());
-                let Some(formula) = self.maps.invariant(kind, name, &mut space, &mut formulas) else {
-                    continue;
+            for (_, kind, program) in self.invariants.iter().filter(|(other, ..)| other == name) {
+                let known = match kind {
+                    Invariant::Trace => product.trace(),
+                    Invariant::Determinant => product.determinant(),
                 };
-                let program = formulas.program(&[formula]);
                 let found = program.run(&self.inputs(values, None));
                 let (Some(&output), Some(sizes)) = (program.outputs.first(), program.sizes(&found, &|_| 0.0)) else {
                     continue;
@@ -119,7 +115,11 @@ impl System {
 
     /// The forcing of the point, and the mean that its f has besides.
     fn forcing(&self, values: &[f64]) -> Option<(Forcing<f64>, f64)> {
-        let course = self.space.courses.iter().find(|course| course.flight.is_none() && course.law.is_none())?;
+        let course = self
+            .space
+            .courses
+            .iter()
+            .find(|course| course.flight.is_none() && course.law.is_none())?;
         let first = course.first?;
         let period = self.length(course, values)?;
         let coefficient = |term: usize| values.get(first + term).copied().unwrap_or(0.0);
@@ -133,7 +133,9 @@ impl System {
 
     /// The period of a forcing.
     fn length(&self, course: &Course, values: &[f64]) -> Option<f64> {
-        let Some((_, period)) = course.period else { return Some(LONG) };
+        let Some((_, period)) = course.period else {
+            return Some(LONG);
+        };
         let program = self.formulas.program(&[period]);
         program.outputs(&program.run(&self.inputs(values, None))).pop()
     }
@@ -163,9 +165,7 @@ impl System {
         if duration <= 0.0 || !near(state.displacement, wall) || !near(state.velocity, arrival) {
             return None;
         }
-        let partial = |of: usize, by: usize| {
-            values.get(self.space.find(&Slot::Partial { of, by })?).copied()
-        };
+        let partial = |of: usize, by: usize| values.get(self.space.find(&Slot::Partial { of, by })?).copied();
         let implicit = Matrix2::new(
             partial(*of_time, *by_time)?,
             partial(*of_time, *by_velocity)?,
@@ -210,4 +210,3 @@ fn by_map(motion: &Motion<f64>, forcing: &Forcing<f64>, impact: &Impact<f64>, du
 fn agreement(a: &Matrix2<f64>, b: &Matrix2<f64>) -> f64 {
     digits((a - b).abs().max() / b.abs().max())
 }
-

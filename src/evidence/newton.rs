@@ -58,7 +58,12 @@ impl System {
 
     /// The Jacobian of a program by dual numbers: a row for the real part of each output and, over the complex numbers,
     /// one for its imaginary part.
-    pub fn jacobian<N: Numbers>(&self, program: &Program, values: &[N::Of<f64>], unknowns: &[Unknown]) -> Vec<Vec<f64>> {
+    pub fn jacobian<N: Numbers>(
+        &self,
+        program: &Program,
+        values: &[N::Of<f64>],
+        unknowns: &[Unknown],
+    ) -> Vec<Vec<f64>> {
         let parts = if N::COMPLEX { 2 } else { 1 };
         let mut rows = vec![vec![0.0; unknowns.len()]; program.outputs.len() * parts];
         let mut lifted: Vec<N::Of<Gradient<LANES>>> = values.iter().map(lift::<N, Gradient<LANES>>).collect();
@@ -68,7 +73,7 @@ impl System {
                     let [mut re, mut im] = value.parts();
                     let part = if unknown.imaginary { &mut im } else { &mut re };
                     // Both parts of one slot may be seeded: each keeps the lane that it has.
-                    *part = *part + Gradient::from_re(0.0).derivative(lane);
+                    *part += Gradient::from_re(0.0).derivative(lane);
                     *value = N::Of::<Gradient<LANES>>::new(re, im);
                 }
             }
@@ -104,7 +109,11 @@ impl System {
             let value = near.get(output).map(Value::parts).unwrap_or([f64::NAN; 2]);
             residuals.extend(value.into_iter().take(parts));
             let gap = value[0].hypot(value[1]);
-            let size = sizes.as_ref().and_then(|sizes| sizes.get(output)).copied().unwrap_or(f64::NAN);
+            let size = sizes
+                .as_ref()
+                .and_then(|sizes| sizes.get(output))
+                .copied()
+                .unwrap_or(f64::NAN);
             let relative = if gap == 0.0 { 0.0 } else { gap / size };
             // NaN counts as large, and stays.
             worst = if relative <= worst { worst } else { relative };
@@ -117,9 +126,19 @@ impl System {
 
     /// The size that errors of a slot are relative to, at a point where the premises were solved.
     pub fn solved<N: Numbers, T: Real>(&self, values: &[N::Of<T>]) -> impl Fn(usize) -> f64 {
-        let sizes = self.row_slots.iter().filter_map(|slot| values.get(*slot)).map(Value::size);
+        let sizes = self
+            .row_slots
+            .iter()
+            .filter_map(|slot| values.get(*slot))
+            .map(Value::size);
         let largest = sizes.fold(0.0, f64::max);
-        move |slot| if self.row_slots.binary_search(&slot).is_ok() { largest } else { 0.0 }
+        move |slot| {
+            if self.row_slots.binary_search(&slot).is_ok() {
+                largest
+            } else {
+                0.0
+            }
+        }
     }
 
     /// The largest residual of the premises at a point, relative to the size of its terms.
@@ -138,7 +157,13 @@ impl System {
     ) -> f64 {
         let mut best = f64::INFINITY;
         let mut after = 0;
-        for _ in 0..MOST_STEPS {
+        // Beside a double root a step gains one bit.
+        let most = if <T as Analytic>::epsilon().to_f64() < 1e-20 {
+            4 * MOST_STEPS
+        } else {
+            MOST_STEPS
+        };
+        for _ in 0..most {
             let (residuals, worst) = self.residuals::<N, T>(program, values);
             // One step more than enough, for the last digits.
             after += usize::from(worst <= enough);
@@ -155,13 +180,17 @@ impl System {
             }
             // Far from the solution a step is a direction only.
             let place = |unknown: &Unknown| near.get(unknown.slot).map_or(0.0, Value::size);
-            let longest = 1.5 + 0.5 * norm(&unknowns.iter().map(place).collect::<Vec<f64>>());
+            let longest = (0.1 * norm(&unknowns.iter().map(place).collect::<Vec<f64>>())).max(1.5);
             let part = if length > longest { longest / length } else { 1.0 };
             for (unknown, change) in unknowns.iter().zip(&step) {
                 if let Some(value) = values.get_mut(unknown.slot) {
                     let [mut re, mut im] = value.parts();
                     let change = <T as Analytic>::from_f64(change * part);
-                    if unknown.imaginary { im -= change } else { re -= change }
+                    if unknown.imaginary {
+                        im -= change
+                    } else {
+                        re -= change
+                    }
                     *value = N::Of::<T>::new(re, im);
                 }
             }
@@ -196,12 +225,17 @@ pub fn least(mut rows: Vec<Vec<f64>>, right: &[f64], unknowns: usize) -> Vec<f64
         for ((row, rest), length) in rows.iter_mut().zip(&mut right).zip(&mut lengths) {
             let along: f64 = row.iter().zip(&unit).map(|(a, b)| a * b).sum();
             if along != 0.0 {
-                row.iter_mut().zip(&unit).for_each(|(entry, part)| *entry -= along * part);
+                row.iter_mut()
+                    .zip(&unit)
+                    .for_each(|(entry, part)| *entry -= along * part);
                 *rest -= along * value;
                 *length = norm(row);
             }
         }
-        solution.iter_mut().zip(&unit).for_each(|(entry, part)| *entry += value * part);
+        solution
+            .iter_mut()
+            .zip(&unit)
+            .for_each(|(entry, part)| *entry += value * part);
     }
     solution
 }
@@ -215,17 +249,27 @@ pub fn norm(row: &[f64]) -> f64 {
 pub fn basis(mut rows: Vec<Vec<f64>>, weights: &[f64]) -> Vec<usize> {
     let mut columns = Vec::new();
     for number in 0..rows.len() {
-        let Some((row, rest)) = rows.get_mut(number..).and_then(|rows| rows.split_first_mut()) else { break };
-        let weighed = |(column, entry): (usize, &f64)| (column, entry.abs() * weights.get(column).copied().unwrap_or(1.0));
-        let largest = row.iter().enumerate().map(weighed).max_by(|(_, a), (_, b)| a.total_cmp(b));
+        let Some((row, rest)) = rows.get_mut(number..).and_then(|rows| rows.split_first_mut()) else {
+            break;
+        };
+        let weighed =
+            |(column, entry): (usize, &f64)| (column, entry.abs() * weights.get(column).copied().unwrap_or(1.0));
+        let largest = row
+            .iter()
+            .enumerate()
+            .map(weighed)
+            .max_by(|(_, a), (_, b)| a.total_cmp(b));
         let Some((column, size)) = largest else { break };
-        if !(size > DEPENDENT) {
+        if size.is_nan() || size <= DEPENDENT {
             continue;
         }
         columns.push(column);
         for other in rest {
             let part = other[column] / row[column];
-            other.iter_mut().zip(row.iter()).for_each(|(entry, base)| *entry -= part * base);
+            other
+                .iter_mut()
+                .zip(row.iter())
+                .for_each(|(entry, base)| *entry -= part * base);
         }
     }
     columns.sort_unstable();

@@ -44,8 +44,22 @@ pub enum Miss {
 }
 
 /// The numbers of [`Style::Special`].
-const SPECIAL: [f64; 14] =
-    [0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -0.5, 3.0, -3.0, 1.5, 1.0 / 3.0, -2.0 / 3.0, 0.0, 1.0];
+const SPECIAL: [f64; 14] = [
+    0.0,
+    1.0,
+    -1.0,
+    2.0,
+    -2.0,
+    0.5,
+    -0.5,
+    3.0,
+    -3.0,
+    1.5,
+    1.0 / 3.0,
+    -2.0 / 3.0,
+    0.0,
+    1.0,
+];
 
 impl System {
     /// The point that a random start leads to, if it does.
@@ -60,7 +74,11 @@ impl System {
         }
         let is_allowed = self.allows::<N>(&point);
         if self.rows.is_empty() && (is_allowed || self.slacks.is_empty()) {
-            return if is_allowed { self.derived::<N>(point) } else { Err(Miss::Conditions) };
+            return if is_allowed {
+                self.derived::<N>(point)
+            } else {
+                Err(Miss::Conditions)
+            };
         }
         let mut moved = point.clone();
         let mut missed = self.settle::<N>(&mut moved, style, &mut random, false);
@@ -104,9 +122,15 @@ impl System {
         let mut unknowns = self.unknowns(slots);
         if style != Style::Moderate {
             let jacobian = self.jacobian::<N>(program, &point.values, &unknowns);
-            let weights: Vec<f64> = unknowns.iter().map(|_| 10_f64.powf(random.between(-2.0, 2.0))).collect();
+            let weights: Vec<f64> = unknowns
+                .iter()
+                .map(|_| 10_f64.powf(random.between(-2.0, 2.0)))
+                .collect();
             let columns = basis(jacobian, &weights);
-            unknowns = columns.into_iter().filter_map(|column| unknowns.get(column).copied()).collect();
+            unknowns = columns
+                .into_iter()
+                .filter_map(|column| unknowns.get(column).copied())
+                .collect();
         }
         // Not less or equal: NaN fails too.
         let meets = |rest: f64| rest <= PREMISE;
@@ -136,9 +160,14 @@ impl System {
     pub fn is_excluded<N: Numbers>(&self, point: &Point<N::Of<f64>>) -> bool {
         let program = &self.factors_program;
         let values = program.run(&self.inputs(&point.values, Some(&point.running)));
-        let Some(sizes) = program.sizes(&values, &self.solved::<N, f64>(&point.values)) else { return true };
+        let Some(sizes) = program.sizes(&values, &self.solved::<N, f64>(&point.values)) else {
+            return true;
+        };
         let vanishes = |&output: &usize| {
-            let (value, size) = (values.get(output).map_or(0.0, Value::size), sizes.get(output).copied().unwrap_or(0.0));
+            let (value, size) = (
+                values.get(output).map_or(0.0, Value::size),
+                sizes.get(output).copied().unwrap_or(0.0),
+            );
             value <= VANISHING * size || value == 0.0
         };
         program.outputs.iter().any(vanishes)
@@ -158,7 +187,8 @@ impl System {
     pub fn refined<N: Numbers>(&self, mut wide: Point<N::Of<Wide<40>>>) -> Option<Point<N::Of<Wide<40>>>> {
         let unknowns = self.unknowns(self.row_slots.iter().copied());
         let met = self.solve::<N, Wide<40>>(&self.rows_program, &mut wide.values, &unknowns, PREMISE_WIDE);
-        let derived = met <= PREMISE_WIDE && self.derive::<N, Wide<40>>(&mut wide.values, PREMISE_WIDE)? <= PREMISE_WIDE;
+        let derived =
+            met <= PREMISE_WIDE && self.derive::<N, Wide<40>>(&mut wide.values, PREMISE_WIDE)? <= PREMISE_WIDE;
         derived.then_some(wide)
     }
 
@@ -201,6 +231,7 @@ impl System {
                 return *clock;
             }
             Some(Slot::Slack(_)) => return random.between(0.2, 1.5),
+            _ if kind.index => return f64::from(super::domain::INDEX),
             _ if kind.integer && moderate => random.between(-3.5, 6.5).round(),
             _ if kind.integer => random.between(-8.5, 9.5).round(),
             Some(Slot::Coefficient { .. }) => return random.between(-1.0, 1.0),
@@ -217,8 +248,16 @@ impl System {
                 if random.draw() & 1 == 0 { size } else { -size }
             }
         };
-        let value = if kind.positive || kind.nonnegative { value.abs() } else { value };
-        let value = if (kind.positive || kind.nonzero) && value == 0.0 { 1.0 } else { value };
+        let value = if kind.positive || kind.nonnegative {
+            value.abs()
+        } else {
+            value
+        };
+        let value = if (kind.positive || kind.nonzero) && value == 0.0 {
+            1.0
+        } else {
+            value
+        };
         if kind.at_most_one { value.min(1.0) } else { value }
     }
 }

@@ -1,6 +1,7 @@
 //! The premises of a claim as equations over slots, and the claim as questions.
 
 use super::compiler::{Compiler, Unwitnessed, chains};
+use super::derivative::StepRows;
 use super::domain::{self, Condition, Kind};
 use super::flow::Law;
 use super::formula::{Formula, Formulas, Op, Program, Work};
@@ -8,7 +9,7 @@ use super::maps::{Maps, read_maps};
 use super::space::{Slot, Space};
 use super::value::Function;
 use crate::claim::{Local, Premise, Statements, Vocabulary};
-use crate::tex::{At, Condition as Assumption, Equation, Name, Relation, Tree};
+use crate::tex::{At, Condition as Assumption, Equation, Invariant, Name, Relation, Tree};
 use std::collections::{BTreeSet, HashMap};
 
 /// How many harmonics stand for any function: with the constants of integration there are as many coefficients as
@@ -58,9 +59,14 @@ pub struct System {
     pub step_rows: Vec<Vec<Formula>>,
     /// What holds of derivatives, traces and determinants.
     pub late: Vec<Formula>,
+    pub prepared_steps: Vec<StepRows>,
+    /// Traces and determinants of products of maps.
+    pub invariants: Vec<(Name, Invariant, Program)>,
     pub kinds: Vec<Kind>,
     /// Slots that an assumption says are integers.
     integers: Vec<usize>,
+    /// By how much a running index is shifted in what is read.
+    index_shift: i32,
     /// Where symbols may lie.
     pub conditions: Vec<Condition>,
     /// For each inequality of the premises a row that it holds by what its slack leaves over.
@@ -111,8 +117,11 @@ impl System {
             rows: Vec::new(),
             step_rows: Vec::new(),
             late: Vec::new(),
+            prepared_steps: Vec::new(),
+            invariants: Vec::new(),
             kinds: Vec::new(),
             integers: Vec::new(),
+            index_shift: 0,
             conditions: Vec::new(),
             slacks: Vec::new(),
             fixed: BTreeSet::new(),
@@ -135,8 +144,9 @@ impl System {
     }
 
     fn compiler<'a>(&'a mut self, vocabulary: &'a Vocabulary, locals: &'a [Local]) -> Compiler<'a> {
+        let shift = self.index_shift;
         let mut compiler = Compiler::new(vocabulary, &mut self.space, &mut self.formulas, &self.maps);
-        compiler.locals = locals;
+        (compiler.locals, compiler.index_shift) = (locals, shift);
         compiler
     }
 
@@ -153,8 +163,13 @@ impl System {
         let mut laws = Vec::new();
         let mut of_matrices = Vec::new();
         let premises = said(statements, vocabulary);
-        for premise in &premises {
-            let flight = if statements.claim_runs { first } else { premise.first.unwrap_or(first) };
+        for (premise, by) in &premises {
+            self.index_shift = *by;
+            let flight = if statements.claim_runs {
+                first
+            } else {
+                premise.first.unwrap_or(first)
+            };
             if speaks_of_matrix(&premise.equation) {
                 of_matrices.push(premise);
                 continue;
@@ -162,7 +177,10 @@ impl System {
             let sides = self.sides(&premise.equation, vocabulary, &premise.locals, premise.first, flight)?;
             if matches!(&premise.equation.left, Tree::Symbol(name, _) if is_pair(name)) {
                 // The symbol has either value.
-                let apart: Vec<Formula> = sides.into_iter().map(|(left, right)| self.formulas.subtract(left, right)).collect();
+                let apart: Vec<Formula> = sides
+                    .into_iter()
+                    .map(|(left, right)| self.formulas.subtract(left, right))
+                    .collect();
                 let product = self.formulas.product(apart);
                 self.rows.push(product);
                 continue;
@@ -171,9 +189,16 @@ impl System {
                 self.sort(left, right, premise.equation.relation, &mut laws)?;
             }
         }
-        let claimed = statements.assume.iter().map(|condition| (condition, statements.locals.as_slice(), None));
-        let brought = premises.iter().flat_map(|premise| {
-            premise.assume.iter().map(|condition| (condition, premise.locals.as_slice(), premise.first))
+        let claimed = statements
+            .assume
+            .iter()
+            .map(|condition| (condition, statements.locals.as_slice(), None));
+        self.index_shift = 0;
+        let brought = premises.iter().flat_map(|(premise, _)| {
+            premise
+                .assume
+                .iter()
+                .map(|condition| (condition, premise.locals.as_slice(), premise.first))
         });
         for (condition, locals, at) in claimed.chain(brought) {
             self.assume(condition, vocabulary, locals, at, &mut laws)?;
@@ -231,7 +256,9 @@ impl System {
         first: Option<i32>,
         flight: i32,
     ) -> Result<Vec<(Formula, Formula)>, Unwitnessed> {
-        let signed = any(equation, &|tree| matches!(tree, Tree::PlusMinus(_) | Tree::MinusPlus(_)));
+        let signed = any(equation, &|tree| {
+            matches!(tree, Tree::PlusMinus(_) | Tree::MinusPlus(_))
+        });
         let left = match &equation.left {
             Tree::Symbol(name, at) if is_pair(name) => Tree::Symbol(single(name), *at),
             left => left.clone(),
@@ -278,11 +305,16 @@ impl System {
     }
 
     fn pair(&mut self, equation: &Equation, vocabulary: &Vocabulary, locals: &[Local]) -> Option<usize> {
-        let Tree::Symbol(name, at) = &equation.left else { return None };
+        let Tree::Symbol(name, at) = &equation.left else {
+            return None;
+        };
         if !is_pair(name) {
             return None;
         }
-        let symbol = self.compiler(vocabulary, locals).tree(&Tree::Symbol(single(name), *at)).ok()?;
+        let symbol = self
+            .compiler(vocabulary, locals)
+            .tree(&Tree::Symbol(single(name), *at))
+            .ok()?;
         match self.formulas.op(symbol) {
             Op::Slot(slot) => Some(slot),
             _ => None,
@@ -333,7 +365,8 @@ impl System {
             (_, Op::Add(a, b)) if left == zero => self.opposed(a, b)?,
             _ => (left, right),
         };
-        let ((course, level, early), (other, same, late)) = (value(&self.formulas, left)?, value(&self.formulas, right)?);
+        let ((course, level, early), (other, same, late)) =
+            (value(&self.formulas, left)?, value(&self.formulas, right)?);
         if course != other || level != same {
             return None;
         }
@@ -360,7 +393,9 @@ impl System {
 
     /// Makes a course repeat; a second period must agree with the first.
     fn declare(&mut self, course: usize, level: usize, shift: Formula) {
-        let Some(known) = self.space.courses.get_mut(course) else { return };
+        let Some(known) = self.space.courses.get_mut(course) else {
+            return;
+        };
         let is_new = known.period.is_none() && known.flight.is_none() && known.law.is_none();
         if is_new && self.forcing == Forcing::Any {
             known.period = Some((level, shift));
@@ -379,7 +414,10 @@ impl System {
                 return;
             }
         }
-        for time in TIMES.into_iter().take(FEW_TIMES) {
+        // Where the second period is a number, only the function can give way.
+        let gives_way = known.law.is_none() && self.formulas.slots(&[shift]).is_empty();
+        self.shaped |= gives_way;
+        for time in TIMES.into_iter().take(if gives_way { TIMES.len() } else { FEW_TIMES }) {
             let time = self.formulas.float(time);
             let later = self.formulas.add(time, shift);
             let [early, late] = [time, later].map(|time| self.formulas.make(Op::Value { course, level, time }));
@@ -413,7 +451,11 @@ impl System {
         given.sort_by_key(|(level, ..)| *level);
         let mut used: Vec<[Formula; 2]> = Vec::new();
         for (level, law, course, body) in given {
-            let open = self.space.courses.get(course).is_some_and(|course| course.law.is_none());
+            let open = self
+                .space
+                .courses
+                .get(course)
+                .is_some_and(|course| course.law.is_none());
             if open && !used.contains(&law) && !self.is_circular(course, level, body) {
                 if let Some(course) = self.space.courses.get_mut(course) {
                     course.law = Some((level, body));
@@ -431,7 +473,12 @@ impl System {
             }
         }
         for law in laws.into_iter().filter(|law| !used.contains(law)) {
-            let lawless = |course: &usize| self.space.courses.get(*course).is_some_and(|course| course.law.is_none());
+            let lawless = |course: &usize| {
+                self.space
+                    .courses
+                    .get(*course)
+                    .is_some_and(|course| course.law.is_none())
+            };
             let shaped = self.courses_of(&law).iter().any(lawless);
             self.shaped |= shaped;
             let residual = self.formulas.subtract(law[0], law[1]);
@@ -464,7 +511,11 @@ impl System {
         let running = self.formulas.make(Op::Running);
         let mut order = None;
         for part in self.formulas.parts(&[left, right]) {
-            if let Op::Value { course: other, level, time } = self.formulas.op(part)
+            if let Op::Value {
+                course: other,
+                level,
+                time,
+            } = self.formulas.op(part)
                 && other == course
             {
                 if time == running {
@@ -475,7 +526,11 @@ impl System {
             }
         }
         let level = order?;
-        let target = self.formulas.make(Op::Value { course, level, time: running });
+        let target = self.formulas.make(Op::Value {
+            course,
+            level,
+            time: running,
+        });
         let body = if left == target && !self.formulas.parts(&[right]).contains(&target) {
             right
         } else if right == target && !self.formulas.parts(&[left]).contains(&target) {
@@ -488,7 +543,8 @@ impl System {
             let [at_zero, at_one] = [0, 1].map(|value| {
                 let value = self.formulas.integer(value);
                 let target = self.formulas.op(target);
-                self.formulas.rewrite(residual, &mut |_, op| (op == target).then_some(value))
+                self.formulas
+                    .rewrite(residual, &mut |_, op| (op == target).then_some(value))
             });
             let slope = self.formulas.subtract(at_zero, at_one);
             self.formulas.divide(at_zero, slope)
@@ -522,7 +578,14 @@ impl System {
         let (mut open, mut seen) = (vec![body], BTreeSet::new());
         while let Some(body) = open.pop() {
             for part in self.formulas.parts(&[body]) {
-                let Op::Value { course: other, level: at, .. } = self.formulas.op(part) else { continue };
+                let Op::Value {
+                    course: other,
+                    level: at,
+                    ..
+                } = self.formulas.op(part)
+                else {
+                    continue;
+                };
                 if other == course && at >= level {
                     return true;
                 }
@@ -540,8 +603,12 @@ impl System {
     /// Gives each course with a law for its derivative the values that it starts with.
     fn start_flows(&mut self, vocabulary: &Vocabulary) {
         for number in 0..self.space.courses.len() {
-            let Some(course) = self.space.courses.get(number).cloned() else { continue };
-            let Some((order, body)) = course.law.filter(|(order, _)| *order > 0) else { continue };
+            let Some(course) = self.space.courses.get(number).cloned() else {
+                continue;
+            };
+            let Some((order, body)) = course.law.filter(|(order, _)| *order > 0) else {
+                continue;
+            };
             let start = match course.flight {
                 Some(flight) => {
                     let time = self.compiler(vocabulary, &[]).time(flight);
@@ -553,13 +620,16 @@ impl System {
             for term in 0..order {
                 let state = course.names.get(term).filter(|name| vocabulary.states.contains(name));
                 initial.push(match (state, course.flight) {
-                    (Some(state), Some(flight)) => {
-                        self.compiler(vocabulary, &[]).state(state.clone(), flight, true)
-                    }
+                    (Some(state), Some(flight)) => self.compiler(vocabulary, &[]).state(state.clone(), flight, true),
                     _ => self.space.slot(Slot::Coefficient { course: number, term }),
                 });
             }
-            self.formulas.laws.push(Law { order, start, initial, body });
+            self.formulas.laws.push(Law {
+                order,
+                start,
+                initial,
+                body,
+            });
             if let Some(course) = self.space.courses.get_mut(number) {
                 course.flow = Some(self.formulas.laws.len() - 1);
             }
@@ -570,8 +640,12 @@ impl System {
     /// those of the next one.
     fn tie_flights(&mut self, statements: &Statements, vocabulary: &Vocabulary) {
         for number in 0..self.space.courses.len() {
-            let Some(course) = self.space.courses.get(number).cloned() else { continue };
-            let (Some(flight), Some((order, _))) = (course.flight, course.law) else { continue };
+            let Some(course) = self.space.courses.get(number).cloned() else {
+                continue;
+            };
+            let (Some(flight), Some((order, _))) = (course.flight, course.law) else {
+                continue;
+            };
             let ends = [(flight, true, order), (flight + 1, false, 0)];
             for (index, after, lowest) in ends.into_iter().take(if statements.claim_runs { 1 } else { 2 }) {
                 for (level, name) in course.names.iter().enumerate().skip(lowest) {
@@ -581,7 +655,11 @@ impl System {
                     let mut compiler = self.compiler(vocabulary, &[]);
                     let (time, state) = (compiler.time(index), compiler.state(name.clone(), index, after));
                     let (time, state) = (self.formulas.slot(time), self.formulas.slot(state));
-                    let value = self.formulas.make(Op::Value { course: number, level, time });
+                    let value = self.formulas.make(Op::Value {
+                        course: number,
+                        level,
+                        time,
+                    });
                     let row = self.formulas.subtract(value, state);
                     self.rows.push(row);
                 }
@@ -596,7 +674,10 @@ impl System {
         }
         let mut new: HashMap<Formula, Formula> = HashMap::new();
         for part in self.formulas.parts(&[formula]) {
-            let op = self.formulas.op(part).map(|operand| new.get(&operand).copied().unwrap_or(operand));
+            let op = self
+                .formulas
+                .op(part)
+                .map(|operand| new.get(&operand).copied().unwrap_or(operand));
             let made = match op {
                 Op::Value { course, level, time } => self.value_at(course, level, time, vocabulary),
                 op => self.formulas.make(op),
@@ -651,7 +732,9 @@ impl System {
         let first = course.first.unwrap_or_else(|| {
             let all = members + POWERS_OF_LAW + 2 * HARMONICS;
             let first = self.space.slots.len();
-            self.space.slots.extend((0..all).map(|term| Slot::Coefficient { course: number, term }));
+            self.space
+                .slots
+                .extend((0..all).map(|term| Slot::Coefficient { course: number, term }));
             if let Some(course) = self.space.courses.get_mut(number) {
                 course.first = Some(first);
             }
@@ -663,7 +746,11 @@ impl System {
         for power in (level..powers).rev() {
             let next = formulas.integer((power - level + 1) as i64);
             let below = formulas.multiply(sum, time);
-            let below = if sum == formulas.integer(0) { sum } else { formulas.divide(below, next) };
+            let below = if sum == formulas.integer(0) {
+                sum
+            } else {
+                formulas.divide(below, next)
+            };
             let coefficient = formulas.slot(first + power);
             sum = formulas.add(coefficient, below);
         }
@@ -676,7 +763,10 @@ impl System {
         let turn = formulas.multiply(two, pi);
         let base = formulas.divide(turn, length);
         let angle = formulas.multiply(base, time);
-        let (s, c) = (formulas.apply(Function::Sin, angle), formulas.apply(Function::Cos, angle));
+        let (s, c) = (
+            formulas.apply(Function::Sin, angle),
+            formulas.apply(Function::Cos, angle),
+        );
         let (mut sin, mut cos) = (s, c);
         // The coefficients are those of the lowest member that has a name.
         let integrals = members as i32 - 1 - level as i32;
@@ -690,7 +780,10 @@ impl System {
             let [a, b] = match self.forcing {
                 Forcing::Any => [0, 1].map(|part| formulas.slot(first + members + POWERS_OF_LAW + 2 * n + part)),
                 Forcing::Cosine => {
-                    let phase = self.space.slot(Slot::Parameter(Name { base: r"\phi".to_string(), ..Name::default() }));
+                    let phase = self.space.slot(Slot::Parameter(Name {
+                        base: r"\phi".to_string(),
+                        ..Name::default()
+                    }));
                     let phase = formulas.slot(phase);
                     let sine = formulas.apply(Function::Sin, phase);
                     [formulas.apply(Function::Cos, phase), formulas.make(Op::Negate(sine))]
@@ -703,14 +796,22 @@ impl System {
                 _ => (sin, cos, false),
             };
             let (ax, by) = (formulas.multiply(a, x), formulas.multiply(b, y));
-            let mut term = if plus { formulas.add(ax, by) } else { formulas.subtract(ax, by) };
+            let mut term = if plus {
+                formulas.add(ax, by)
+            } else {
+                formulas.subtract(ax, by)
+            };
             if matches!(integrals.rem_euclid(4), 2 | 3) {
                 term = formulas.make(Op::Negate(term));
             }
             let n = formulas.integer(n as i64 + 1);
             let rate = formulas.multiply(n, base);
             let scale = formulas.make(Op::Power(rate, -integrals));
-            let term = if integrals == 0 { term } else { formulas.multiply(term, scale) };
+            let term = if integrals == 0 {
+                term
+            } else {
+                formulas.multiply(term, scale)
+            };
             sum = formulas.add(sum, term);
         }
         sum
@@ -722,9 +823,13 @@ impl System {
         let mut slots: BTreeSet<usize> = self.formulas.slots(&[row]).into_iter().collect();
         let mut has_functions = false;
         for part in self.formulas.parts(&[row]) {
-            let Op::Value { course, .. } = self.formulas.op(part) else { continue };
+            let Op::Value { course, .. } = self.formulas.op(part) else {
+                continue;
+            };
             has_functions = true;
-            let Some(course) = self.space.courses.get(course).filter(|course| course.flight.is_some()) else { continue };
+            let Some(course) = self.space.courses.get(course).filter(|course| course.flight.is_some()) else {
+                continue;
+            };
             if let Some(law) = course.flow.and_then(|law| self.formulas.laws.get(law)) {
                 slots.extend(self.formulas.slots(&[law.start]));
                 slots.extend(&law.initial);
@@ -749,7 +854,11 @@ impl System {
         for row in written.iter().filter(|row| self.is_pure(row)) {
             let impacts = self.impacts(row, &[]);
             let parameters = row.slots.iter().filter(|&&slot| self.space.impact(slot).is_none());
-            bound.extend(parameters.filter(|_| !impacts.is_empty()).map(|&slot| (slot, impacts.clone())));
+            bound.extend(
+                parameters
+                    .filter(|_| !impacts.is_empty())
+                    .map(|&slot| (slot, impacts.clone())),
+            );
         }
         bound
     }
@@ -769,12 +878,21 @@ impl System {
                 continue;
             }
             if !step.equations.is_empty() {
-                let rows: Vec<Formula> = step.equations.iter().map(|row| self.resolve(*row, vocabulary)).collect();
+                let rows: Vec<Formula> = step
+                    .equations
+                    .iter()
+                    .map(|row| self.resolve(*row, vocabulary))
+                    .collect();
                 self.rows.extend(&rows);
                 self.step_rows.push(rows);
                 continue;
             }
-            let impacts: BTreeSet<i32> = step.of.iter().chain(&step.by).filter_map(|&s| self.space.impact(s)).collect();
+            let impacts: BTreeSet<i32> = step
+                .of
+                .iter()
+                .chain(&step.by)
+                .filter_map(|&s| self.space.impact(s))
+                .collect();
             let speaks = |slot: &usize| self.space.impact(*slot).is_some() && !step.by.contains(slot);
             let fits = |(_, row): &(&Formula, &Written)| {
                 !self.is_pure(row) && row.slots.iter().any(speaks) && self.impacts(row, &bound).is_subset(&impacts)
@@ -788,13 +906,26 @@ impl System {
     /// Programs, conditions, and what stays fixed.
     fn finish(&mut self, vocabulary: &Vocabulary) -> Result<(), Unwitnessed> {
         for law in 0..self.formulas.laws.len() {
-            let Some(body) = self.formulas.laws.get(law).map(|law| law.body) else { continue };
+            let Some(body) = self.formulas.laws.get(law).map(|law| law.body) else {
+                continue;
+            };
             let body = self.resolve(body, vocabulary);
             if let Some(law) = self.formulas.laws.get_mut(law) {
                 law.body = body;
             }
         }
         self.formulas.prepare_flows();
+        self.prepare_steps();
+        if !self.step_rows.iter().all(Vec::is_empty) {
+            for (name, _) in self.maps.products.clone() {
+                for kind in [Invariant::Trace, Invariant::Determinant] {
+                    if let Some(formula) = self.maps.invariant(kind, &name, &mut self.space, &mut self.formulas) {
+                        self.invariants
+                            .push((name.clone(), kind, self.formulas.program(&[formula])));
+                    }
+                }
+            }
+        }
         let given = std::mem::take(&mut self.conditions);
         for condition in given {
             let formula = self.resolve(condition.formula, vocabulary);
@@ -823,7 +954,11 @@ impl System {
         for (number, slot) in self.space.slots.iter().enumerate() {
             let fixed = match slot {
                 Slot::Coefficient { course, .. } => {
-                    let free = self.space.courses.get(*course).is_some_and(|course| course.law.is_none());
+                    let free = self
+                        .space
+                        .courses
+                        .get(*course)
+                        .is_some_and(|course| course.law.is_none());
                     free && !(self.shaped && self.forcing == Forcing::Any)
                 }
                 _ => self.kinds.get(number).is_some_and(|kind| kind.integer),
@@ -841,7 +976,11 @@ impl System {
         }
         let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
         let all: Vec<Formula> = sides.chain(&self.rows).chain(&self.late).copied().collect();
-        let complex = self.formulas.slots(&all).iter().any(|&slot| self.kinds.get(slot).is_some_and(|kind| kind.complex));
+        let complex = self
+            .formulas
+            .slots(&all)
+            .iter()
+            .any(|&slot| self.kinds.get(slot).is_some_and(|kind| kind.complex));
         self.row_slots = self.formulas.slots(&self.rows);
         self.factors_program = self.formulas.program(&self.generic_factors(&all));
         let imaginary = |part: &Formula| self.formulas.op(*part) == Op::Imaginary;
@@ -856,7 +995,13 @@ impl System {
         let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
         let conditions = self.conditions.iter().map(|condition| &condition.formula);
         let steps = self.step_rows.iter().flatten();
-        let others: Vec<Formula> = sides.chain(conditions).chain(steps).chain(&self.late).chain(&self.slacks).copied().collect();
+        let others: Vec<Formula> = sides
+            .chain(conditions)
+            .chain(steps)
+            .chain(&self.late)
+            .chain(&self.slacks)
+            .copied()
+            .collect();
         let needed: BTreeSet<usize> = self.formulas.slots(&others).into_iter().collect();
         let steps: BTreeSet<Formula> = self.step_rows.iter().flatten().copied().collect();
         loop {
@@ -866,11 +1011,12 @@ impl System {
                     *counts.entry(slot).or_default() += 1;
                 }
             }
-            let defines = |slot: &usize| {
-                counts.get(slot) == Some(&1) && !needed.contains(slot) && !self.fixed.contains(slot)
-            };
+            let defines =
+                |slot: &usize| counts.get(slot) == Some(&1) && !needed.contains(slot) && !self.fixed.contains(slot);
             let idle = |row: &Formula| !steps.contains(row) && self.alone(*row).iter().any(defines);
-            let Some(position) = self.rows.iter().position(idle) else { return };
+            let Some(position) = self.rows.iter().position(idle) else {
+                return;
+            };
             self.rows.remove(position);
         }
     }
@@ -915,7 +1061,10 @@ impl System {
         }
         let is_generic = |factor: &Formula| {
             let slots = self.formulas.slots(&[*factor]);
-            !slots.is_empty() && slots.iter().all(|&slot| self.kinds.get(slot).is_some_and(|kind| kind.generic))
+            !slots.is_empty()
+                && slots
+                    .iter()
+                    .all(|&slot| self.kinds.get(slot).is_some_and(|kind| kind.generic))
         };
         factors.sort_unstable();
         factors.dedup();
@@ -941,22 +1090,36 @@ fn partials(statements: &Statements) -> Vec<(Name, Name)> {
 
 /// The premises at each flight that the claim speaks of; where an index runs, at each value of it that premises and
 /// claim name.
-fn said(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Premise> {
+fn said(statements: &Statements, vocabulary: &Vocabulary) -> Vec<(Premise, i32)> {
     let premises = statements.said(vocabulary);
-    if !vocabulary.indices.iter().any(|index| index.to_string() == vocabulary.index) {
-        return premises;
+    if !domain::index_runs(vocabulary) {
+        return premises.into_iter().map(|premise| (premise, 0)).collect();
     }
-    let named: Vec<BTreeSet<i32>> = premises.iter().map(|premise| vocabulary.impacts(&premise.equation)).collect();
-    let claims = statements.claims.iter().flat_map(|claim| vocabulary.impacts(claim));
-    let all: BTreeSet<i32> = named.iter().flatten().copied().chain(claims).collect();
-    let (Some(&low), Some(&high)) = (all.first(), all.last()) else { return premises };
+    let equations = premises
+        .iter()
+        .map(|premise| &premise.equation)
+        .chain(&statements.claims);
+    let mut all = BTreeSet::from([0]);
+    for equation in equations {
+        all.extend(vocabulary.impacts(equation));
+        let members = std::cell::RefCell::new(&mut all);
+        any(equation, &|tree| {
+            if let Tree::Symbol(name, _) = tree {
+                members.borrow_mut().extend(domain::member(vocabulary, name));
+            }
+            false
+        });
+    }
+    let (low, high) = (all.first().copied().unwrap_or(0), all.last().copied().unwrap_or(0));
     let mut instances = Vec::new();
-    for (premise, named) in premises.into_iter().zip(&named) {
+    for premise in premises {
+        let named = vocabulary.impacts(&premise.equation);
         match (named.first(), named.last()) {
             (Some(first), Some(last)) => {
-                instances.extend((low - first..=high - last).take(MOST_INSTANCES).map(|by| premise.shifted(by, vocabulary)));
+                let shifts = (low - first..=high - last).take(MOST_INSTANCES);
+                instances.extend(shifts.map(|by| (premise.shifted(by, vocabulary), by)));
             }
-            _ => instances.push(premise),
+            _ => instances.push((premise, 0)),
         }
     }
     instances

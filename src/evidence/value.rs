@@ -76,7 +76,11 @@ pub trait Value:
                 square = square.clone() * square;
             }
         }
-        if exponent < 0 { Self::integer(1).over(&result) } else { result }
+        if exponent < 0 {
+            Self::integer(1).over(&result)
+        } else {
+            result
+        }
     }
 }
 
@@ -99,7 +103,11 @@ impl<T: Real> Value for T {
     }
     fn over(&self, divisor: &T) -> T {
         // Duals compare as zero by value alone: a dual number over zero has no value either.
-        if divisor.is_zero() { undefined() } else { self.clone() / divisor.clone() }
+        if divisor.is_zero() {
+            undefined()
+        } else {
+            self.clone() / divisor.clone()
+        }
     }
     fn apply(&self, function: Function) -> T {
         let x = self.to_f64();
@@ -357,7 +365,10 @@ mod tests {
                 let (real, complex) = (x.apply(function), Complex::<f64>::real(x).apply(function));
                 if real.is_finite() {
                     let apart = (real - complex.re).abs() + complex.im.abs();
-                    assert!(apart < 1e-14 * (1.0 + real.abs()), "{function:?} {x} {real} {complex:?}");
+                    assert!(
+                        apart < 1e-14 * (1.0 + real.abs()),
+                        "{function:?} {x} {real} {complex:?}"
+                    );
                 }
             }
         }
