@@ -160,9 +160,9 @@ fn what_cannot_be_read_is_a_row_beside_the_others_and_exits_with_two() {
     assert_eq!(found, wanted.map(|(label, verdict)| (label.into(), verdict.into())));
     let table = text(&output);
     assert!(table.contains("unknown symbol `r_X`, did you mean `r_B`?"), "{table}");
-    assert!(table.contains(",15:8,"), "{table}");
+    assert!(table.contains(",14:8,"), "{table}");
     let error = String::from_utf8_lossy(&output.stderr).into_owned();
-    for part in ["line 15, column 8", "(b)", "(c)", "    r_X = 1 + q\n    ^"] {
+    for part in ["line 14, column 8", "(b)", "(c)", "    r_X = 1 + q\n    ^"] {
         assert!(error.contains(part), "no {part} in\n{error}");
     }
     // An author who knows of it says so.
