@@ -400,18 +400,20 @@ impl<'a> At<'a> {
         let [real, imaginary] = self.parts(&polynomial);
         Ok(match (self.sign(&real), self.sign(&imaginary)) {
             (Some(real), Some(imaginary)) => Some([real, imaginary]),
-            // one part that is not 0 is enough to tell that the number is not
-            (Some(real), None) if real != 0 => Some([real, 2]),
-            (None, Some(imaginary)) if imaginary != 0 => Some([2, imaginary]),
+            // one part that is not 0 is enough to tell that the number is not, if all else but the unit is real
+            (Some(sign), None) if sign != 0 && self.is_real(&imaginary) => Some([sign, 2]),
+            (None, Some(sign)) if sign != 0 && self.is_real(&real) => Some([2, sign]),
             _ => None,
         })
     }
 
     fn in_domain(&mut self, property: Property, polynomial: &Polynomial) -> Outcome<()> {
         let [real, imaginary] = self.parts(polynomial);
+        let all_real = self.is_real(&real) && self.is_real(&imaginary);
         let (real, imaginary) = (self.sign(&real), self.sign(&imaginary));
+        let apart = |part: Option<i8>, other: Option<i8>| part.is_some_and(|s| s != 0) && (all_real || other.is_some());
         let fits = match property {
-            Property::Nonzero => real.is_some_and(|s| s != 0) || imaginary.is_some_and(|s| s != 0),
+            Property::Nonzero => apart(real, imaginary) || apart(imaginary, real),
             Property::Positive => real == Some(1) && imaginary == Some(0),
             Property::NonNegative => real.is_some_and(|s| s >= 0) && imaginary == Some(0),
             Property::Zero | Property::Integer => false,
@@ -436,6 +438,16 @@ impl<'a> At<'a> {
             parts[power as usize % 2].push((rest, value));
         }
         parts.map(Polynomial::from_terms)
+    }
+
+    /// Whether all generators have real values: roots and logarithms of negative numbers have none.
+    fn is_real(&self, polynomial: &Polynomial) -> bool {
+        type Enclosed = crate::number::Interval<crate::number::Wide<40>>;
+        let mut known: HashMap<Term, Enclosed> = HashMap::new();
+        let generators = polynomial.generators();
+        generators
+            .into_iter()
+            .all(|term| enclosure::term_value(&self.statement.terms, term, &mut known).is_some())
     }
 
     fn sign(&self, polynomial: &Polynomial) -> Option<i8> {
