@@ -403,11 +403,24 @@ impl<'a> At<'a> {
             // one part that is not 0 is enough to tell that the number is not, if all else but the unit is real
             (Some(sign), None) if sign != 0 && self.is_real(&imaginary) => Some([sign, 2]),
             (None, Some(sign)) if sign != 0 && self.is_real(&real) => Some([2, sign]),
-            _ => None,
+            _ => match enclosure::complex_signs(&self.statement.terms, &polynomial) {
+                Some([real, imaginary]) if self.statement.complex => {
+                    let apart = |sign: Option<i8>| sign.is_some_and(|sign| sign != 0);
+                    (apart(real) || apart(imaginary)).then_some([real.unwrap_or(2), imaginary.unwrap_or(2)])
+                }
+                _ => None,
+            },
         })
     }
 
     fn in_domain(&mut self, property: Property, polynomial: &Polynomial) -> Outcome<()> {
+        if property == Property::Nonzero && self.statement.complex {
+            let signs = enclosure::complex_signs(&self.statement.terms, polynomial);
+            let apart = |sign: Option<i8>| sign.is_some_and(|sign| sign != 0);
+            if signs.is_some_and(|signs| signs.into_iter().any(apart)) {
+                return Ok(());
+            }
+        }
         let [real, imaginary] = self.parts(polynomial);
         let all_real = self.is_real(&real) && self.is_real(&imaginary);
         let (real, imaginary) = (self.sign(&real), self.sign(&imaginary));
@@ -464,6 +477,10 @@ impl<'a> At<'a> {
         let Some([real, imaginary]) = self.number(sampled)? else {
             return refused("a value is too close to 0 to tell");
         };
+        let ordered = matches!(property, Property::Positive | Property::NonNegative);
+        if ordered && (real == 2 || imaginary == 2) {
+            return refused("a value is not known to be real");
+        }
         Ok(match property {
             Property::Zero => [real, imaginary] == [0, 0],
             Property::Nonzero => [real, imaginary] != [0, 0],
