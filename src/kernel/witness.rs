@@ -540,10 +540,16 @@ impl<'a> At<'a> {
         let [real, imaginary] = self.parts(&polynomial);
         Ok(match (self.sign(&real), self.sign(&imaginary)) {
             (Some(real), Some(imaginary)) => Some([real, imaginary]),
-            // one part that is not 0 is enough to tell that the number is not, where the other one is real
+            // one part that is not 0 is enough to tell that the number is not, if all else but the unit is real
             (Some(sign), None) if sign != 0 && self.is_real(&imaginary) => Some([sign, 2]),
             (None, Some(sign)) if sign != 0 && self.is_real(&real) => Some([2, sign]),
-            _ => None,
+            _ => match enclosure::complex_signs(&self.statement.terms, &polynomial) {
+                Some([real, imaginary]) if self.statement.complex => {
+                    let apart = |sign: Option<i8>| sign.is_some_and(|sign| sign != 0);
+                    (apart(real) || apart(imaginary)).then_some([real.unwrap_or(2), imaginary.unwrap_or(2)])
+                }
+                _ => None,
+            },
         })
     }
 
@@ -576,14 +582,19 @@ impl<'a> At<'a> {
     }
 
     fn in_domain(&mut self, property: Property, polynomial: &Polynomial) -> Outcome<()> {
-        let parts = self.parts(polynomial);
-        let (real, imaginary) = (self.sign(&parts[0]), self.sign(&parts[1]));
-        let is_real = |number: usize, sign: Option<i8>| sign.is_some() || self.is_real(&parts[number]);
-        let fits = match property {
-            Property::Nonzero => {
-                (real.is_some_and(|s| s != 0) && is_real(1, imaginary))
-                    || (imaginary.is_some_and(|s| s != 0) && is_real(0, real))
+        if property == Property::Nonzero && self.statement.complex {
+            let signs = enclosure::complex_signs(&self.statement.terms, polynomial);
+            let apart = |sign: Option<i8>| sign.is_some_and(|sign| sign != 0);
+            if signs.is_some_and(|signs| signs.into_iter().any(apart)) {
+                return Ok(());
             }
+        }
+        let [real, imaginary] = self.parts(polynomial);
+        let all_real = self.is_real(&real) && self.is_real(&imaginary);
+        let (real, imaginary) = (self.sign(&real), self.sign(&imaginary));
+        let apart = |part: Option<i8>, other: Option<i8>| part.is_some_and(|s| s != 0) && (all_real || other.is_some());
+        let fits = match property {
+            Property::Nonzero => apart(real, imaginary) || apart(imaginary, real),
             Property::Positive => real == Some(1) && imaginary == Some(0),
             Property::NonNegative => real.is_some_and(|s| s >= 0) && imaginary == Some(0),
             Property::Zero | Property::Integer => false,
@@ -624,6 +635,10 @@ impl<'a> At<'a> {
         let Some([real, imaginary]) = self.number(sampled)? else {
             return refused("a value is too close to 0 to tell");
         };
+        let ordered = matches!(property, Property::Positive | Property::NonNegative);
+        if ordered && (real == 2 || imaginary == 2) {
+            return refused("a value is not known to be real");
+        }
         Ok(match property {
             Property::Zero => [real, imaginary] == [0, 0],
             Property::Nonzero => [real, imaginary] != [0, 0],

@@ -32,7 +32,7 @@ pub fn at(witness: &With<Witness>) -> Option<Counterexample> {
     let witness = &witness.evidence;
     let solved: HashMap<Symbol, Term> = witness.solved.iter().copied().collect();
     let sample: HashMap<Symbol, Term> = witness.sample.iter().copied().collect();
-    let mut value = |term: Term, statement: &mut Statement| {
+    let value = |term: Term, statement: &mut Statement| {
         let mut term = statement.written_out(term);
         for _ in 0..4 {
             term = statement.with_functions(term, &witness.functions);

@@ -34,6 +34,9 @@ const MOST_CASES: usize = 24;
 const LARGEST_FORM: u64 = 20_000;
 const MOST_STEPS: u64 = 200_000;
 
+/// Choices of functions that meet the laws in floating point.
+const MOST_MODELS: usize = 60;
+
 /// Points that the kernel is asked for, for each case and for each choice of functions.
 const ASKED_OF_CASE: usize = 4;
 const MOST_ASKED: usize = 16;
@@ -52,6 +55,8 @@ struct Search<'a> {
     /// Values of functions at single times that are symbols of their own.
     table: Vec<(Function, u32, Term, Symbol)>,
     periods: Vec<(Function, Term)>,
+    /// The periods with what is solved put in.
+    known_periods: Vec<(Function, Term)>,
     cases: usize,
     effort: u64,
     random: Sequence,
@@ -63,8 +68,6 @@ struct Search<'a> {
     steps_left: u64,
     /// Points that the kernel may still be asked for.
     asks_left: usize,
-    /// The running times of laws, and their terms.
-    laws: Vec<(Symbol, Term)>,
     found: Option<With<Witness>>,
 }
 
@@ -99,7 +102,13 @@ pub fn search(
     if models.is_empty() {
         models.push(Vec::new());
     }
+    let many = models.len() > 4;
+    let (mut steps_left, mut tried) = (MOST_STEPS * effort, 0);
     for functions in models {
+        let functions = resolved(&mut session_statement, functions);
+        if many && !laws_may_hold(&mut session_statement, &functions) {
+            continue;
+        }
         let mut search = Search {
             statement: session_statement.clone(),
             wanted,
@@ -107,14 +116,14 @@ pub fn search(
             functions,
             table: Vec::new(),
             periods: periods(&mut session_statement.clone()),
+            known_periods: Vec::new(),
             cases: MOST_CASES,
             effort,
             random: Sequence::new(7),
             forms: HashMap::new(),
             split: BTreeSet::new(),
-            steps_left: MOST_STEPS * effort,
+            steps_left,
             asks_left: MOST_ASKED,
-            laws: Vec::new(),
             found: None,
         };
         let system = System {
@@ -128,8 +137,73 @@ pub fn search(
         if search.found.is_some() {
             return search.found;
         }
+        steps_left = search.steps_left;
+        tried += 1;
+        if tried >= MOST_MODELS {
+            break;
+        }
     }
     None
+}
+
+/// Named functions whose terms name no other of them.
+fn resolved(statement: &mut Statement, functions: Vec<(Function, Symbol, Term)>) -> Vec<(Function, Symbol, Term)> {
+    let mut resolved = functions;
+    for _ in 0..4 {
+        let known = resolved.clone();
+        for (_, _, term) in &mut resolved {
+            *term = statement.with_functions(*term, &known);
+        }
+        if known == resolved {
+            break;
+        }
+    }
+    resolved
+}
+
+/// Whether the laws hold of named functions in floating point, for some values of all else.
+fn laws_may_hold(statement: &mut Statement, functions: &[(Function, Symbol, Term)]) -> bool {
+    let mut laws = Vec::new();
+    for given in statement.givens().to_vec() {
+        let Some(Law {
+            time: Some(time),
+            flight: None,
+            ..
+        }) = given.law
+        else {
+            continue;
+        };
+        let term = statement.written_out(given.term);
+        let term = statement.with_functions(term, functions);
+        if values::values_of(statement, term).is_empty() {
+            laws.push((time, term));
+        }
+    }
+    let wanted: Vec<Term> = laws.iter().map(|(_, term)| *term).collect();
+    let program = Program::new(statement.terms(), &wanted, !statement.is_complex());
+    let symbols = statement.terms().symbols() as u32;
+    (0..6_u32).any(|choice| {
+        [0.3, 1.7, -0.7].iter().all(|&at| {
+            let mut values: HashMap<Symbol, Complex> = (0..symbols)
+                .map(|number| {
+                    let value = match choice {
+                        0 => 1.0,
+                        1 => f64::from(1 + number % 2),
+                        2 => f64::from(2 - number % 2),
+                        3 => 0.0,
+                        4 => -1.0,
+                        _ => 0.37 + 0.61 * f64::from(number),
+                    };
+                    (Symbol(number), (value, 0.0))
+                })
+                .collect();
+            for (time, _) in &laws {
+                values.insert(*time, (at, 0.0));
+            }
+            let found = program.at(&values);
+            found.iter().all(|value| !value.is_finite() || value.may_vanish())
+        })
+    })
 }
 
 /// What must vanish by the givens: premises, laws at the times spoken of, derivatives along maps.
@@ -234,11 +308,8 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
             continue;
         };
         let own = values::values_of(statement, term);
-        for (monomial, lead) in form.terms() {
-            let [(generator, 1)] = monomial.as_slice() else {
-                continue;
-            };
-            let Node::Value(function, order, at) = *statement.terms().node(*generator) else {
+        for generator in form.generators() {
+            let Node::Value(function, order, at) = *statement.terms().node(generator) else {
                 continue;
             };
             let family = family(statement, function);
@@ -246,24 +317,19 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
             if at != running || !once || named.iter().any(|(f, ..)| *f == function) || order > 0 {
                 continue;
             }
-            if form
-                .terms()
-                .iter()
-                .filter(|(other, _)| {
-                    other
-                        .iter()
-                        .any(|(g, _)| statement.terms().inside(*g).contains(generator))
-                })
-                .count()
-                != 1
-            {
+            let coefficients = coefficients_in(&form, generator);
+            let [rest, lead] = coefficients.as_slice() else {
+                continue;
+            };
+            let steady = |part: &Term| {
+                !statement.terms().holds(*part, time) && !matches!(statement.terms().node(*part), Node::Value(..))
+            };
+            let inside = |part: &Term| statement.terms().inside(*part).contains(&generator);
+            if !lead.generators().iter().all(steady) || rest.generators().iter().any(inside) {
                 continue;
             }
-            let rest = form
-                .minus(&Polynomial::generator(*generator).scaled(&Rational(lead.clone())))
-                .scaled(&Rational(-dashu_ratio::RBig::ONE / lead));
             let mut session = Session::new(statement, Vec::new(), 1000);
-            let formula = polynomial_term(&mut session, &rest);
+            let formula = ratio_term(&mut session, &rest.negated(), lead);
             named.push((function, time, formula));
         }
         bound.extend(own.iter().map(|(f, ..)| *f));
@@ -356,8 +422,21 @@ fn complete(statement: &mut Statement, named: &mut Vec<(Function, Symbol, Term)>
                     named.push((inner, time, slope));
                 }
                 (None, Some(term)) => {
-                    let Some(integral) = integral(statement, term, time) else {
-                        continue;
+                    let integral = match integral(statement, term, time) {
+                        Some(integral) => integral,
+                        None => {
+                            let Some(integral) = integral_of_squares(statement, term, time) else {
+                                continue;
+                            };
+                            // the function as the derivative; the law holds of it by Pythagoras
+                            let slope = statement.derivative(integral, time);
+                            for (function, _, term) in named.iter_mut() {
+                                if *function == inner {
+                                    *term = slope;
+                                }
+                            }
+                            integral
+                        }
                     };
                     let name = format!("c_{{{}}}", statement.terms().function_name(outer));
                     let constant = statement.fresh(&name);
@@ -387,6 +466,35 @@ fn integral(statement: &mut Statement, term: Term, time: Symbol) -> Option<Term>
         integral = session.terms().quotient(integral, below);
     }
     Some(integral)
+}
+
+/// An antiderivative of the square of a sine or a cosine of an affine argument.
+fn integral_of_squares(statement: &mut Statement, term: Term, time: Symbol) -> Option<Term> {
+    let Node::Power(base, 2) = *statement.terms().node(term) else {
+        return None;
+    };
+    let Node::Elementary(function, of) = *statement.terms().node(base) else {
+        return None;
+    };
+    let slope = statement.derivative(of, time);
+    if statement.terms().holds(slope, time) {
+        return None;
+    }
+    let running = statement.terms_mut().symbol(time);
+    let terms = statement.terms_mut();
+    let (sine, cosine) = (
+        terms.elementary(Elementary::Sin, of),
+        terms.elementary(Elementary::Cos, of),
+    );
+    let product = terms.product(vec![sine, cosine]);
+    let circular = terms.quotient(product, slope);
+    let circular = match function {
+        Elementary::Cos => circular,
+        Elementary::Sin => terms.negative(circular),
+        _ => return None,
+    };
+    let (sum, two) = (terms.sum(vec![running, circular]), terms.integer(2));
+    Some(terms.quotient(sum, two))
 }
 
 /// Constants, lines, exponentials and circles for functions that laws bind to each other.
@@ -873,6 +981,12 @@ impl Search<'_> {
 
     /// Makes the values of functions at single times symbols of their own, one for each time.
     fn make_table(&mut self, system: &mut System) {
+        let mut known = Vec::new();
+        for (function, period) in self.periods.clone() {
+            let written = self.statement.written_out(period);
+            known.push((function, self.with_solved(written, system)));
+        }
+        self.known_periods = known;
         let mut wanted: BTreeSet<(Function, u32, Term)> = BTreeSet::new();
         for &term in &system.open {
             wanted.extend(values::values_of(&self.statement, term));
@@ -940,7 +1054,7 @@ impl Search<'_> {
     /// The symbol for a value at a time that is the same, but for whole periods.
     fn lookup(&mut self, function: Function, order: u32, at: Term) -> Option<Symbol> {
         let period = self
-            .periods
+            .known_periods
             .iter()
             .find(|(f, _)| *f == function)
             .map(|(_, period)| *period);
@@ -1330,6 +1444,14 @@ impl Search<'_> {
                 )
             })
             .collect();
+        let mut solved = Vec::new();
+        for &(symbol, term) in &system.solved {
+            solved.push((symbol, self.made_real(symbol, term)?));
+        }
+        let system = &System {
+            solved,
+            ..system.clone()
+        };
         let mut witness = Witness {
             solved: system.solved.clone(),
             sample: chosen.to_vec(),
@@ -1472,6 +1594,17 @@ fn root_term(session: &mut Session, above: &Polynomial, below: &Polynomial, inde
         && let Ok(Some(root)) = square_root(above, &mut Steps::new(20_000))
     {
         return polynomial_term(session, &root);
+    }
+    if index == 2 && session.checker.statement.is_complex() {
+        let negative = below.as_constant().is_some_and(|below| below > Rational::zero())
+            && above.terms().iter().all(|(monomial, value)| {
+                value.sign() == dashu_int::Sign::Negative && monomial.iter().all(|(_, power)| power % 2 == 0)
+            });
+        if negative && !above.is_zero() {
+            let root = root_term(session, &above.negated(), below, 2);
+            let unit = session.terms().add(Node::Imaginary);
+            return session.terms().product(vec![unit, root]);
+        }
     }
     let radicand = ratio_term(session, above, below);
     match session.node(radicand) {

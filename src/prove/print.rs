@@ -155,6 +155,7 @@ pub fn simplified(terms: &mut Terms, term: Term) -> Term {
             }
             Some(terms.product(rest))
         }
+        Node::Power(base, 1) => Some(*base),
         Node::Power(base, exponent) => {
             let base = value(terms, *base)?;
             let power = (0..exponent.unsigned_abs().min(64)).fold(Rational::one(), |power, _| power * base.clone());
