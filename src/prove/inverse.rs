@@ -78,8 +78,8 @@ fn describe_one(session: &mut Session, function: Elementary, arc: Term, of: Term
         let sum = session.terms().sum(vec![one, square]);
         let root = session.terms().elementary(Elementary::Root(2), sum);
         let inverse = session.terms().quotient(one, other);
-        if session.unique_root(root, inverse).is_some() {
-            session.describe_roots(root);
+        session.describe_roots(root);
+        if let Some(first) = session.unique_root_fact(root, inverse) {
             let (root, cosine) = (Polynomial::generator(root), Polynomial::generator(other));
             // in products with the denominator only numbers divide
             if let Ok(quotient) = session.checker.expansion.of(session.checker.statement.terms(), sum) {
@@ -89,12 +89,27 @@ fn describe_one(session: &mut Session, function: Elementary, arc: Term, of: Term
                         below = below.times(divisor);
                     }
                 }
-                let difference = cosine.times(&quotient.numerator).minus(&root.times(&below));
-                let facts = session.checker.facts.len();
-                if let Some(fact) = session.show_zero(&difference)
-                    && fact >= facts
-                {
-                    session.triangulate(fact, &|_, generator| generator == other);
+                // c N - r D = r D (r c - 1) - c (r^2 D - N)
+                let above = quotient.numerator.clone();
+                let difference = cosine.times(&above).minus(&root.times(&below));
+                let square = root.times(&root).times(&below).minus(&above);
+                let second = session
+                    .checker
+                    .facts
+                    .iter()
+                    .position(|fact| fact.property == Property::Zero && fact.polynomial == square);
+                if let Some(second) = second {
+                    let step = Inference::Zero {
+                        target: difference,
+                        power: 1,
+                        squares: Vec::new(),
+                        factors: Vec::new(),
+                        terms: vec![(root.times(&below), first), (cosine.negated(), second)],
+                    };
+                    session.nonzero_fact(&above);
+                    if let Ok(fact) = session.step(step) {
+                        session.triangulate(fact, &|_, generator| generator == other);
+                    }
                 }
             }
         }

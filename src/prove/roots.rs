@@ -38,6 +38,13 @@ pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
                 let _ = session.show_root_positive(term, &radicand);
             }
         }
+        if let Some(radicand) = session.numerator(of)
+            && session.normal_form(&radicand).is_some_and(|rest| rest.is_zero())
+        {
+            let zero = session.terms().integer(0);
+            session.unique_root(term, zero);
+            continue;
+        }
         for form in forms(session, of) {
             if let Some(value) = value(session, index, &form)
                 && value != term
@@ -95,10 +102,13 @@ pub fn forms(session: &mut Session, term: Term) -> Vec<Form> {
             below = below.times(divisor);
         }
     }
-    let reduced = |session: &mut Session, of: &Polynomial| session.exact_reduction(of).map(|(rest, _)| rest);
-    let (Some(above), Some(below)) = (reduced(session, &quotient.numerator), reduced(session, &below)) else {
+    let (Some((above, above_below)), Some((below, below_below))) = (
+        session.reduced_quotient(&quotient.numerator),
+        session.reduced_quotient(&below),
+    ) else {
         return Vec::new();
     };
+    let (above, below) = (above.times(&below_below), below.times(&above_below));
     let mut found: Vec<Form> = Vec::new();
     let swapped = with_swapped_squares(session, &above);
     for above in swapped.into_iter().chain([above]) {
@@ -309,6 +319,13 @@ impl Session<'_> {
 
     /// Shows that a root is a value.
     pub fn unique_root(&mut self, root: Term, value: Term) -> Option<usize> {
+        let found = self.unique_root_fact(root, value)?;
+        self.triangulate_all();
+        Some(found)
+    }
+
+    /// Shows that a root is a value, and leaves the triangle as it is.
+    pub fn unique_root_fact(&mut self, root: Term, value: Term) -> Option<usize> {
         let Node::Elementary(Elementary::Root(index), of) = self.node(root) else {
             return None;
         };
@@ -320,9 +337,7 @@ impl Session<'_> {
             let signed = self.signed_numerator(value)?;
             self.show_sign(&signed, false)?;
         }
-        let found = self.axiom(Axiom::RootUnique { root, value })?;
-        self.triangulate_all();
-        Some(found)
+        self.axiom(Axiom::RootUnique { root, value })
     }
 
     /// The polynomial whose sign is that of a term: the numerator times what divides to an odd power.
