@@ -5,6 +5,7 @@
 
 use super::angles;
 use super::angles::polynomial_term;
+use super::roots;
 use super::session::Session;
 use crate::kernel::{Axiom, Elementary, Inference, Node, Polynomial, Property, Term};
 use crate::number::{Field, Rational};
@@ -18,14 +19,16 @@ pub fn describe(session: &mut Session, met: &BTreeSet<Term>) {
         return;
     }
     for &term in met {
+        if let Node::Elementary(function @ (Elementary::Sin | Elementary::Cos), of) = session.node(term)
+            && !session.checker.statement.terms().is_closed(of)
+        {
+            sign_of_sine(session, function, of);
+        }
+    }
+    for &term in met {
         match session.node(term) {
             Node::Elementary(function @ (Elementary::Arcsin | Elementary::Arccos | Elementary::Arctan), of) => {
                 describe_one(session, function, term, of)
-            }
-            Node::Elementary(function @ (Elementary::Sin | Elementary::Cos), of)
-                if !session.checker.statement.terms().is_closed(of) =>
-            {
-                sign_of_sine(session, function, of);
             }
             _ => {}
         }
@@ -79,6 +82,7 @@ fn describe_one(session: &mut Session, function: Elementary, arc: Term, of: Term
         let root = session.terms().elementary(Elementary::Root(2), sum);
         let inverse = session.terms().quotient(one, other);
         session.describe_roots(root);
+        roots::simplify(session, &BTreeSet::from([root]));
         if let Some(first) = session.unique_root_fact(root, inverse) {
             let (root, cosine) = (Polynomial::generator(root), Polynomial::generator(other));
             // in products with the denominator only numbers divide
@@ -116,6 +120,8 @@ fn describe_one(session: &mut Session, function: Elementary, arc: Term, of: Term
     } else {
         let rest = session.terms().difference(one, square);
         let root = session.terms().elementary(Elementary::Root(2), rest);
+        session.describe_roots(root);
+        roots::simplify(session, &BTreeSet::from([root]));
         session.unique_root(root, other);
     }
     if function != Elementary::Arccos {

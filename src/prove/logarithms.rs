@@ -174,6 +174,12 @@ fn equal_exponentials(session: &mut Session, fact: usize) -> Option<()> {
         }
         sides.push(session.terms().sum(parts));
     }
+    // by now there may be nothing to compare
+    let difference = session.terms().difference(sides[0], sides[1]);
+    let difference = session.numerator(difference)?;
+    if session.normal_form(&difference)?.is_zero() {
+        return None;
+    }
     let facts = session.checker.facts.len();
     exponents_equal(session, sides[0], sides[1])?;
     for number in facts..session.checker.facts.len() {

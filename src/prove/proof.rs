@@ -145,9 +145,6 @@ fn settle(session: &mut Session, property: Property, polynomial: &Polynomial, de
             break;
         }
     }
-    if std::env::var("PROVE_TRACE").is_ok() {
-        trace(session, property, polynomial, depth);
-    }
     if depth == 0 {
         return None;
     }
@@ -162,63 +159,6 @@ fn settle(session: &mut Session, property: Property, polynomial: &Polynomial, de
         }
     }
     None
-}
-
-fn printed(session: &Session, term: Term) -> String {
-    let terms = session.checker.statement.terms();
-    let of = |term: &Term| printed(session, *term);
-    match terms.node(term) {
-        Node::Symbol(symbol) => terms.symbol_name(*symbol).to_string(),
-        Node::Number(value) => value.0.to_string(),
-        Node::Sum(parts) => format!("({})", parts.iter().map(of).collect::<Vec<_>>().join("+")),
-        Node::Product(parts) => parts.iter().map(of).collect::<Vec<_>>().join("*"),
-        Node::Power(base, n) => format!("{}^{n}", of(base)),
-        Node::Quotient(a, b) => format!("{}/({})", of(a), of(b)),
-        Node::Elementary(f, a) => format!("{f:?}[{}]", of(a)),
-        Node::RealPower(a, b) => format!("{}^^{}", of(a), of(b)),
-        node => format!("{node:?}"),
-    }
-}
-
-fn shown(session: &Session, polynomial: &Polynomial) -> String {
-    let terms = polynomial.terms().iter().map(|(monomial, value)| {
-        let factors: Vec<String> = monomial
-            .iter()
-            .map(|(t, n)| format!("{}^{n}", printed(session, *t)))
-            .collect();
-        format!("{value} {}", factors.join(" "))
-    });
-    terms.collect::<Vec<_>>().join(" + ")
-}
-
-fn trace(session: &mut Session, property: Property, polynomial: &Polynomial, depth: usize) {
-    let rest = session.normal_form(polynomial);
-    eprintln!(
-        "TRACE depth {depth} left {} {property:?} {}",
-        session.budget.left(),
-        shown(session, polynomial)
-    );
-    if let Some(rest) = rest {
-        eprintln!("  normal form {}", shown(session, &rest));
-    }
-    for pivot in session.triangle.clone() {
-        eprintln!(
-            "  pivot {} ^{}: {}",
-            printed(session, pivot.generator),
-            pivot.degree,
-            shown(session, &session.polynomial(pivot.fact))
-        );
-    }
-    for number in 0..session.checker.facts.len() {
-        let fact = session.checker.facts[number].clone();
-        if !session.is_derived(number) {
-            eprintln!(
-                "  fact {number} {:?} {}",
-                fact.property,
-                shown(session, &fact.polynomial)
-            );
-        }
-    }
 }
 
 /// Every generator of the facts and of a polynomial, and what is inside.

@@ -71,14 +71,21 @@ pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
 
 /// Where the radicands of two odd roots multiply to a perfect power, so do the roots.
 fn product_of_odd(session: &mut Session, index: u32, roots: [Term; 2], radicand: &Polynomial) -> Option<()> {
-    let (radicand, _) = session.exact_reduction(radicand)?;
-    let form = split(session, &radicand, &Polynomial::integer(1))?;
-    if form
-        .iter()
-        .any(|(_, exponent)| exponent.rem_euclid(i64::from(index)) != 0)
-    {
-        return None;
+    let plain = without_squares(session, radicand)?;
+    let (reduced, _) = session.exact_reduction(radicand)?;
+    let mut found = None;
+    for radicand in [plain, reduced] {
+        let form = split(session, &radicand, &Polynomial::integer(1))?;
+        let own = |(factor, _): &(Polynomial, i64)| roots.iter().any(|&root| *factor == Polynomial::generator(root));
+        let perfect = form
+            .iter()
+            .all(|(_, exponent)| exponent.rem_euclid(i64::from(index)) == 0);
+        if perfect && !form.iter().any(own) {
+            found = Some((radicand, form));
+            break;
+        }
     }
+    let (radicand, form) = found?;
     let value = value(session, index, &form)?;
     let radicand = polynomial_term(session, &radicand);
     let root = session.terms().elementary(Elementary::Root(index), radicand);
@@ -86,6 +93,34 @@ fn product_of_odd(session: &mut Session, index: u32, roots: [Term; 2], radicand:
     session.unique_root(root, value)?;
     session.unique_root(root, product)?;
     Some(())
+}
+
+/// A polynomial with squares of square roots replaced by their radicands.
+fn without_squares(session: &mut Session, polynomial: &Polynomial) -> Option<Polynomial> {
+    let mut current = polynomial.clone();
+    for generator in polynomial.generators().into_iter().rev() {
+        let Node::Elementary(Elementary::Root(2), of) = session.node(generator) else {
+            continue;
+        };
+        let Some(radicand) = session.numerator_of_polynomial(of) else {
+            continue;
+        };
+        let root = Polynomial::generator(generator);
+        let coefficients = coefficients_in(&current, generator);
+        let mut sum = Polynomial::default();
+        for (power, coefficient) in coefficients.iter().enumerate() {
+            let mut product = coefficient.clone();
+            for _ in 0..power / 2 {
+                product = product.times_within(&radicand, 2000)?;
+            }
+            if power % 2 == 1 {
+                product = product.times(&root);
+            }
+            sum = sum.plus(&product);
+        }
+        current = sum;
+    }
+    Some(current)
 }
 
 /// A product of powers of primes, -1, and polynomials.

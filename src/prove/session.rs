@@ -325,7 +325,13 @@ impl<'a> Session<'a> {
             let rank = (
                 if is_root { 1 } else { degree },
                 lead.as_constant().is_none(),
-                if is_root { (10, 0) } else { self.late(generator) },
+                if is_root {
+                    (10, 0)
+                } else if self.is_inside_another(generator, &polynomial) {
+                    (12, 0)
+                } else {
+                    self.late(generator)
+                },
                 lead.terms().len(),
             );
             if best.as_ref().is_some_and(|(known, _)| *known <= rank) {
@@ -422,6 +428,14 @@ impl<'a> Session<'a> {
                 .ok()?;
         }
         Some(last)
+    }
+
+    /// Whether a function is part of what another generator is a function of.
+    fn is_inside_another(&self, generator: Term, polynomial: &Polynomial) -> bool {
+        let terms = self.checker.statement.terms();
+        let is_function = matches!(terms.node(generator), Node::Elementary(..));
+        let holds = |other: &Term| *other != generator && terms.inside(*other).contains(&generator);
+        is_function && polynomial.generators().iter().any(holds)
     }
 
     /// How early a generator is expressed by others: definitions first, then what maps and premises determine, then
