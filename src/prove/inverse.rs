@@ -5,6 +5,7 @@
 
 use super::angles;
 use super::angles::polynomial_term;
+use super::roots;
 use super::session::Session;
 use crate::kernel::{Axiom, Elementary, Inference, Node, Polynomial, Property, Term};
 use crate::number::{Field, Rational};
@@ -18,14 +19,16 @@ pub fn describe(session: &mut Session, met: &BTreeSet<Term>) {
         return;
     }
     for &term in met {
+        if let Node::Elementary(function @ (Elementary::Sin | Elementary::Cos), of) = session.node(term)
+            && !session.checker.statement.terms().is_closed(of)
+        {
+            sign_of_sine(session, function, of);
+        }
+    }
+    for &term in met {
         match session.node(term) {
             Node::Elementary(function @ (Elementary::Arcsin | Elementary::Arccos | Elementary::Arctan), of) => {
                 describe_one(session, function, term, of)
-            }
-            Node::Elementary(function @ (Elementary::Sin | Elementary::Cos), of)
-                if !session.checker.statement.terms().is_closed(of) =>
-            {
-                sign_of_sine(session, function, of);
             }
             _ => {}
         }
@@ -78,8 +81,9 @@ fn describe_one(session: &mut Session, function: Elementary, arc: Term, of: Term
         let sum = session.terms().sum(vec![one, square]);
         let root = session.terms().elementary(Elementary::Root(2), sum);
         let inverse = session.terms().quotient(one, other);
-        if session.unique_root(root, inverse).is_some() {
-            session.describe_roots(root);
+        session.describe_roots(root);
+        roots::simplify(session, &BTreeSet::from([root]));
+        if let Some(first) = session.unique_root_fact(root, inverse) {
             let (root, cosine) = (Polynomial::generator(root), Polynomial::generator(other));
             // in products with the denominator only numbers divide
             if let Ok(quotient) = session.checker.expansion.of(session.checker.statement.terms(), sum) {
@@ -89,18 +93,35 @@ fn describe_one(session: &mut Session, function: Elementary, arc: Term, of: Term
                         below = below.times(divisor);
                     }
                 }
-                let difference = cosine.times(&quotient.numerator).minus(&root.times(&below));
-                let facts = session.checker.facts.len();
-                if let Some(fact) = session.show_zero(&difference)
-                    && fact >= facts
-                {
-                    session.triangulate(fact, &|_, generator| generator == other);
+                // c N - r D = r D (r c - 1) - c (r^2 D - N)
+                let above = quotient.numerator.clone();
+                let difference = cosine.times(&above).minus(&root.times(&below));
+                let square = root.times(&root).times(&below).minus(&above);
+                let second = session
+                    .checker
+                    .facts
+                    .iter()
+                    .position(|fact| fact.property == Property::Zero && fact.polynomial == square);
+                if let Some(second) = second {
+                    let step = Inference::Zero {
+                        target: difference,
+                        power: 1,
+                        squares: Vec::new(),
+                        factors: Vec::new(),
+                        terms: vec![(root.times(&below), first), (cosine.negated(), second)],
+                    };
+                    session.nonzero_fact(&above);
+                    if let Ok(fact) = session.step(step) {
+                        session.triangulate(fact, &|_, generator| generator == other);
+                    }
                 }
             }
         }
     } else {
         let rest = session.terms().difference(one, square);
         let root = session.terms().elementary(Elementary::Root(2), rest);
+        session.describe_roots(root);
+        roots::simplify(session, &BTreeSet::from([root]));
         session.unique_root(root, other);
     }
     if function != Elementary::Arccos {

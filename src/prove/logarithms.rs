@@ -39,8 +39,8 @@ pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
             _ => {}
         }
     }
-    let most = session.zeros();
-    for fact in most {
+    let facts: Vec<usize> = session.triangle.iter().map(|pivot| pivot.fact).collect();
+    for fact in session.zeros().into_iter().chain(facts) {
         equal_exponentials(session, fact);
     }
 }
@@ -139,7 +139,6 @@ fn equal_exponentials(session: &mut Session, fact: usize) -> Option<()> {
     if !session.compared.insert(fact) {
         return None;
     }
-    let fact = session.reduced_fact(fact)?;
     let polynomial = session.polynomial(fact);
     let [(first, a), (second, b)] = polynomial.terms() else {
         return None;
@@ -174,6 +173,12 @@ fn equal_exponentials(session: &mut Session, fact: usize) -> Option<()> {
             parts.push(session.terms().product(vec![count, inner]));
         }
         sides.push(session.terms().sum(parts));
+    }
+    // by now there may be nothing to compare
+    let difference = session.terms().difference(sides[0], sides[1]);
+    let difference = session.numerator(difference)?;
+    if session.normal_form(&difference)?.is_zero() {
+        return None;
     }
     let facts = session.checker.facts.len();
     exponents_equal(session, sides[0], sides[1])?;

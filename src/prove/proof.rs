@@ -88,7 +88,10 @@ fn prove_goals(session: &mut Session) -> Option<()> {
         if session.checker.knows(property, term).ok()? {
             continue;
         }
-        let polynomial = session.numerator(term)?;
+        let polynomial = match property {
+            Property::Positive | Property::NonNegative => session.signed_numerator(term)?,
+            _ => session.numerator(term)?,
+        };
         show(session, property, &polynomial)?;
         if !session.checker.knows(property, term).ok()? {
             return None;

@@ -38,6 +38,13 @@ pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
                 let _ = session.show_root_positive(term, &radicand);
             }
         }
+        if let Some(radicand) = session.numerator(of)
+            && session.normal_form(&radicand).is_some_and(|rest| rest.is_zero())
+        {
+            let zero = session.terms().integer(0);
+            session.unique_root(term, zero);
+            continue;
+        }
         for form in forms(session, of) {
             if let Some(value) = value(session, index, &form)
                 && value != term
@@ -64,14 +71,21 @@ pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
 
 /// Where the radicands of two odd roots multiply to a perfect power, so do the roots.
 fn product_of_odd(session: &mut Session, index: u32, roots: [Term; 2], radicand: &Polynomial) -> Option<()> {
-    let (radicand, _) = session.exact_reduction(radicand)?;
-    let form = split(session, &radicand, &Polynomial::integer(1))?;
-    if form
-        .iter()
-        .any(|(_, exponent)| exponent.rem_euclid(i64::from(index)) != 0)
-    {
-        return None;
+    let plain = without_squares(session, radicand)?;
+    let (reduced, _) = session.exact_reduction(radicand)?;
+    let mut found = None;
+    for radicand in [plain, reduced] {
+        let form = split(session, &radicand, &Polynomial::integer(1))?;
+        let own = |(factor, _): &(Polynomial, i64)| roots.iter().any(|&root| *factor == Polynomial::generator(root));
+        let perfect = form
+            .iter()
+            .all(|(_, exponent)| exponent.rem_euclid(i64::from(index)) == 0);
+        if perfect && !form.iter().any(own) {
+            found = Some((radicand, form));
+            break;
+        }
     }
+    let (radicand, form) = found?;
     let value = value(session, index, &form)?;
     let radicand = polynomial_term(session, &radicand);
     let root = session.terms().elementary(Elementary::Root(index), radicand);
@@ -79,6 +93,34 @@ fn product_of_odd(session: &mut Session, index: u32, roots: [Term; 2], radicand:
     session.unique_root(root, value)?;
     session.unique_root(root, product)?;
     Some(())
+}
+
+/// A polynomial with squares of square roots replaced by their radicands.
+fn without_squares(session: &mut Session, polynomial: &Polynomial) -> Option<Polynomial> {
+    let mut current = polynomial.clone();
+    for generator in polynomial.generators().into_iter().rev() {
+        let Node::Elementary(Elementary::Root(2), of) = session.node(generator) else {
+            continue;
+        };
+        let Some(radicand) = session.numerator_of_polynomial(of) else {
+            continue;
+        };
+        let root = Polynomial::generator(generator);
+        let coefficients = coefficients_in(&current, generator);
+        let mut sum = Polynomial::default();
+        for (power, coefficient) in coefficients.iter().enumerate() {
+            let mut product = coefficient.clone();
+            for _ in 0..power / 2 {
+                product = product.times_within(&radicand, 2000)?;
+            }
+            if power % 2 == 1 {
+                product = product.times(&root);
+            }
+            sum = sum.plus(&product);
+        }
+        current = sum;
+    }
+    Some(current)
 }
 
 /// A product of powers of primes, -1, and polynomials.
@@ -95,10 +137,13 @@ pub fn forms(session: &mut Session, term: Term) -> Vec<Form> {
             below = below.times(divisor);
         }
     }
-    let reduced = |session: &mut Session, of: &Polynomial| session.exact_reduction(of).map(|(rest, _)| rest);
-    let (Some(above), Some(below)) = (reduced(session, &quotient.numerator), reduced(session, &below)) else {
+    let (Some((above, above_below)), Some((below, below_below))) = (
+        session.reduced_quotient(&quotient.numerator),
+        session.reduced_quotient(&below),
+    ) else {
         return Vec::new();
     };
+    let (above, below) = (above.times(&below_below), below.times(&above_below));
     let mut found: Vec<Form> = Vec::new();
     let swapped = with_swapped_squares(session, &above);
     for above in swapped.into_iter().chain([above]) {
@@ -309,6 +354,13 @@ impl Session<'_> {
 
     /// Shows that a root is a value.
     pub fn unique_root(&mut self, root: Term, value: Term) -> Option<usize> {
+        let found = self.unique_root_fact(root, value)?;
+        self.triangulate_all();
+        Some(found)
+    }
+
+    /// Shows that a root is a value, and leaves the triangle as it is.
+    pub fn unique_root_fact(&mut self, root: Term, value: Term) -> Option<usize> {
         let Node::Elementary(Elementary::Root(index), of) = self.node(root) else {
             return None;
         };
@@ -320,9 +372,7 @@ impl Session<'_> {
             let signed = self.signed_numerator(value)?;
             self.show_sign(&signed, false)?;
         }
-        let found = self.axiom(Axiom::RootUnique { root, value })?;
-        self.triangulate_all();
-        Some(found)
+        self.axiom(Axiom::RootUnique { root, value })
     }
 
     /// The polynomial whose sign is that of a term: the numerator times what divides to an odd power.

@@ -72,7 +72,7 @@ pub struct Pivot {
 /// A proof that a polynomial vanishes, from the last step to the first: `factors * before = quotients + after`.
 pub struct Link {
     pub before: Polynomial,
-    factors: Vec<(usize, u32)>,
+    pub factors: Vec<(usize, u32)>,
     pub terms: Vec<(Polynomial, usize)>,
     after: Polynomial,
 }
@@ -199,10 +199,14 @@ impl<'a> Session<'a> {
 
     /// Adds an axiom once; nothing where the kernel does not accept it.
     pub fn axiom(&mut self, axiom: Axiom) -> Option<usize> {
-        if !self.taken.insert(format!("{axiom:?}")) {
+        let name = format!("{axiom:?}");
+        if self.taken.contains(&name) {
             return None;
         }
-        self.step(Inference::Axiom(axiom)).ok()
+        // what is not known now may be known later
+        let found = self.step(Inference::Axiom(axiom)).ok()?;
+        self.taken.insert(name);
+        Some(found)
     }
 
     pub fn polynomial(&self, fact: usize) -> Polynomial {
@@ -320,10 +324,20 @@ impl<'a> Session<'a> {
             if degree > 1 && lead.as_constant().is_none() {
                 continue;
             }
+            // a root is determined by its power, rather than a symbol with a coefficient by the root
+            let is_root = lead.as_constant().is_some()
+                && degree > 1
+                && matches!(self.node(generator), Node::Elementary(Elementary::Root(index), _) if index == degree);
             let rank = (
-                degree,
+                if is_root { 1 } else { degree },
                 lead.as_constant().is_none(),
-                self.late(generator),
+                if is_root {
+                    (10, 0)
+                } else if self.is_inside_another(generator, &polynomial) {
+                    (12, 0)
+                } else {
+                    self.late(generator)
+                },
                 lead.terms().len(),
             );
             if best.as_ref().is_some_and(|(known, _)| *known <= rank) {
@@ -420,6 +434,14 @@ impl<'a> Session<'a> {
                 .ok()?;
         }
         Some(last)
+    }
+
+    /// Whether a function is part of what another generator is a function of.
+    fn is_inside_another(&self, generator: Term, polynomial: &Polynomial) -> bool {
+        let terms = self.checker.statement.terms();
+        let is_function = matches!(terms.node(generator), Node::Elementary(..));
+        let holds = |other: &Term| *other != generator && terms.inside(*other).contains(&generator);
+        is_function && polynomial.generators().iter().any(holds)
     }
 
     /// How early a generator is expressed by others: definitions first, then what maps and premises determine, then
@@ -549,6 +571,28 @@ impl<'a> Session<'a> {
         self.reduce(polynomial, true)
     }
 
+    /// A polynomial as a quotient that is reduced by the triangle.
+    pub fn reduced_quotient(&mut self, polynomial: &Polynomial) -> Option<(Polynomial, Polynomial)> {
+        let (rest, links) = self.reduce(polynomial, false)?;
+        let mut below = Polynomial::integer(1);
+        for (number, power) in links.iter().flat_map(|link| link.factors.clone()) {
+            for _ in 0..power {
+                below = below.times_within(&self.polynomial(number), 2000)?;
+            }
+        }
+        Some((rest, below))
+    }
+
+    /// The facts that vanish: those that are no copies, and the powers of the triangle.
+    pub fn vanishing(&self) -> Vec<usize> {
+        let mut numbers = self.zeros();
+        let powers = self.triangle.iter().filter(|pivot| pivot.degree > 1);
+        numbers.extend(powers.map(|pivot| pivot.fact));
+        numbers.sort_unstable();
+        numbers.dedup();
+        numbers
+    }
+
     /// Reduces a polynomial by the triangle: what is left, and the links that lead back to it.
     fn reduce(&mut self, polynomial: &Polynomial, exact: bool) -> Option<(Polynomial, Vec<Link>)> {
         let (mut current, mut links) = (polynomial.clone(), Vec::new());
@@ -637,6 +681,9 @@ impl<'a> Session<'a> {
             .all(|&g| self.checker.statement.terms().is_closed(g))
         {
             return self.show_closed(rest);
+        }
+        if let Some(found) = self.show_coefficients(rest) {
+            return Some(found);
         }
         let (zeros, nonzeros) = self.relevant(rest);
         if zeros.is_empty() {
@@ -733,6 +780,30 @@ impl<'a> Session<'a> {
             terms: terms.filter(|(cofactor, _)| !cofactor.is_zero()).collect(),
         };
         self.step(step).ok()
+    }
+
+    /// Shows that a combination of open monomials vanishes as its coefficients, numbers, do.
+    fn show_coefficients(&mut self, rest: &Polynomial) -> Option<usize> {
+        let mut coefficients: BTreeMap<crate::kernel::Monomial, Vec<(crate::kernel::Monomial, dashu_ratio::RBig)>> =
+            BTreeMap::new();
+        let mut some_closed = false;
+        for (monomial, value) in rest.terms() {
+            let terms = self.checker.statement.terms();
+            let (closed, open): (Vec<_>, Vec<_>) = monomial.iter().partition(|(term, _)| terms.is_closed(*term));
+            some_closed |= !closed.is_empty();
+            let entry = coefficients.entry(open.into_iter().collect()).or_default();
+            entry.push((closed.into_iter().collect(), value.clone()));
+        }
+        if !some_closed {
+            return None;
+        }
+        let mut terms = Vec::new();
+        for (monomial, parts) in coefficients {
+            let coefficient = Polynomial::from_terms(parts);
+            let fact = self.show_closed(&coefficient)?;
+            terms.push((Polynomial::from_terms([(monomial, dashu_ratio::RBig::ONE)]), fact));
+        }
+        self.zero_step(rest.clone(), Vec::new(), terms)
     }
 
     /// The facts that share generators with a polynomial, directly or through others: reduced ones only.

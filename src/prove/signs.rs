@@ -12,6 +12,8 @@ use std::collections::BTreeSet;
 
 /// The most facts that a proof of a sign is searched from.
 const MOST_FACTS: usize = 14;
+/// The most steps of one search for a sign.
+const MOST_STEPS: u64 = 200_000;
 /// The most facts of which it is tried whether their opposites hold, too.
 const MOST_SQUEEZED: usize = 16;
 
@@ -89,7 +91,7 @@ impl Session<'_> {
         let (facts, zeros) = self.signs_near(polynomial);
         let own = self.sign_facts(&facts);
         let vanishing: Vec<Polynomial> = zeros.iter().map(|&fact| self.polynomial(fact)).collect();
-        let most = self.budget.left() / 20;
+        let most = (self.budget.left() / 20).min(MOST_STEPS);
         let found = self.budget.attempt(most, |steps| {
             algebra::positive(polynomial, strict, &own, &vanishing, steps)
         })??;
@@ -232,15 +234,25 @@ impl Session<'_> {
         Some((number, Rational(above / below)))
     }
 
+    /// A fact that is reduced by the triangle, unless it is a power in there itself.
+    fn reduced_power(&mut self, fact: usize) -> Option<usize> {
+        if self.triangle.iter().any(|pivot| pivot.fact == fact) {
+            return Some(fact);
+        }
+        self.reduced_fact(fact)
+    }
+
     /// Of each fact that vanishes: the product of its different factors that may vanish.
     pub fn divide_out(&mut self) {
-        let mut numbers: Vec<usize> = self.zeros();
-        numbers.retain(|&number| self.divided.insert(number));
+        let numbers: Vec<usize> = self.vanishing();
         let facts = self.checker.facts.len();
         for number in numbers {
-            let Some(number) = self.reduced_fact(number) else {
+            let Some(number) = self.reduced_power(number) else {
                 continue;
             };
+            if !self.divided.insert(number) {
+                continue;
+            }
             let polynomial = self.polynomial(number);
             if polynomial.as_constant().is_some() || polynomial.terms().len() > 60 {
                 continue;
@@ -345,13 +357,15 @@ impl Session<'_> {
 
     /// Of a sum of what is not negative that vanishes, every summand does.
     pub fn vanishing_summands(&mut self) {
-        let mut numbers: Vec<usize> = self.zeros();
-        numbers.retain(|&number| self.summed.insert(number));
+        let numbers: Vec<usize> = self.vanishing();
         let facts = self.checker.facts.len();
         for number in numbers {
-            let Some(number) = self.reduced_fact(number) else {
+            let Some(number) = self.reduced_power(number) else {
                 continue;
             };
+            if !self.summed.insert(number) {
+                continue;
+            }
             let polynomial = self.polynomial(number);
             if (2..=30).contains(&polynomial.terms().len()) && !self.is_closed(&polynomial) {
                 let _ = self.vanishing_summands_of(number, &polynomial);
@@ -440,7 +454,19 @@ impl Session<'_> {
                 return self.checker.is_absurd();
             }
         }
-        self.squeeze();
+        // what is supposed stands last
+        let mut newest = self.reduced_signs();
+        newest.reverse();
+        for fact in newest.into_iter().take(MOST_SQUEEZED) {
+            let strict = self.checker.facts[fact].property == Property::Positive;
+            let polynomial = self.polynomial(fact);
+            let opposite = self.show_sign(&polynomial.negated(), !strict);
+            if let Some(opposite) = opposite {
+                let (positive, other) = if strict { (fact, opposite) } else { (opposite, fact) };
+                self.contradict(positive, other);
+                break;
+            }
+        }
         self.checker.is_absurd()
     }
 

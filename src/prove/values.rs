@@ -255,6 +255,32 @@ fn instance(session: &mut Session, law: &Usable, at: Term) -> Option<usize> {
         let _ = known;
         return None;
     }
+    if let Ok(found) = session.step(step.clone()) {
+        return Some(found);
+    }
+    // what an instance needs may follow from what is known
+    let LawSource::Given { given, shift } = law.source else {
+        return None;
+    };
+    let (.., conditions) = session.checker.statement.instance(given, Some(at), shift, None)?;
+    for (property, of) in conditions {
+        if session.checker.knows(property, of).ok()? {
+            continue;
+        }
+        match property {
+            Property::Positive | Property::NonNegative => {
+                let signed = session.signed_numerator(of)?;
+                session.show_sign(&signed, property == Property::Positive)?;
+            }
+            Property::Nonzero => {
+                let numerator = session.numerator(of)?;
+                if session.show_nonzero(&numerator).is_none() {
+                    session.nonzero_fact(&numerator)?;
+                }
+            }
+            Property::Zero | Property::Integer => return None,
+        }
+    }
     session.step(step).ok()
 }
 
