@@ -493,7 +493,7 @@ impl<'a> Builder<'a> {
     fn is_complex(&mut self) -> bool {
         let declared = |quantity: &Quantity| match quantity {
             Quantity::Parameter(name) => self.vocabulary.complex.contains(name),
-            Quantity::State { state, .. } => self.vocabulary.complex.contains(state),
+            Quantity::State { state, .. } => self.vocabulary.complex.iter().any(|name| name.bare() == *state),
             _ => false,
         };
         let complex = (0_u32..).map(Symbol).zip(&self.statement.quantities);
@@ -501,7 +501,10 @@ impl<'a> Builder<'a> {
             .filter(|(_, quantity)| declared(quantity))
             .map(|(symbol, _)| symbol)
             .collect();
-        let given: Vec<Term> = self.statement.givens.iter().map(|given| given.term).collect();
+        let conditions = |given: &Given| given.law.clone().map_or(Vec::new(), |law| law.conditions);
+        let given = self.statement.givens.iter();
+        let given = given.flat_map(|given| conditions(given).into_iter().map(|(_, of)| of).chain([given.term]));
+        let given: Vec<Term> = given.collect();
         let mut inside = BTreeSet::new();
         for term in given.into_iter().chain(self.written.clone()) {
             let term = self.statement.written_out(term);
@@ -540,28 +543,50 @@ impl<'a> Builder<'a> {
         }
         for at in 0..self.statement.quantities.len() {
             let symbol = Symbol(u32::try_from(at).unwrap_or(u32::MAX));
-            let name = match &self.statement.quantities[at] {
+            let quantity = self.statement.quantities[at].clone();
+            let name = match &quantity {
                 Quantity::Parameter(name) | Quantity::Local { name, scope: 0 } => name.clone(),
                 Quantity::State { state, .. } => state.clone(),
+                Quantity::Time { family, .. } => family.clone(),
+                Quantity::Running => vocabulary.running.clone().unwrap_or_default(),
                 _ => continue,
             };
             let label = format!("[symbols] {name}");
             let term = self.statement.terms.symbol(symbol);
             for (list, property) in lists {
-                if list.contains(&name) {
+                if self.is_listed(&quantity, list) {
                     self.push(&label, property, term, None);
                 }
             }
-            if vocabulary.at_most_one.contains(&name) {
+            if self.is_listed(&quantity, &vocabulary.at_most_one) {
                 let one = self.statement.terms.integer(1);
                 let rest = self.statement.terms.difference(one, term);
                 self.push(&label, Property::NonNegative, rest, None);
             }
-            if vocabulary.generic.contains(&name) {
+            if self.is_listed(&quantity, &vocabulary.generic) {
                 self.statement.generic.push(symbol);
             }
         }
         Ok(())
+    }
+
+    /// Whether a list of `[symbols]` names a quantity: states and times by an index, which stands for every one where
+    /// it runs.
+    fn is_listed(&self, quantity: &Quantity, list: &[Name]) -> bool {
+        let letter = &self.vocabulary.index;
+        let runs = self.vocabulary.indices.iter().any(|name| is_letter(name, letter));
+        let at =
+            |name: &Name, index: i32| index_of(&name.subscript, letter).is_some_and(|listed| runs || listed == index);
+        list.iter().any(|name| match quantity {
+            Quantity::Parameter(known) | Quantity::Local { name: known, scope: 0 } => name == known,
+            Quantity::State { state, index, after } => {
+                let continuous = self.statement.continuous.contains(state);
+                name.bare() == *state && at(name, *index) && (continuous || *after == (name.mark == "+"))
+            }
+            Quantity::Time { family, index } => name.bare() == *family && at(name, *index),
+            Quantity::Running => self.vocabulary.running.as_ref() == Some(name),
+            _ => false,
+        })
     }
 
     fn declare_derivatives(&mut self) -> Result<(), Unreadable> {

@@ -135,6 +135,15 @@ impl<'a> At<'a> {
                 }
             }
         }
+        let imaginary = |term: &Term| *self.statement.terms.node(*term) == Node::Imaginary;
+        for (.., time, value) in &self.witness.table {
+            if [time, value]
+                .iter()
+                .any(|term| self.statement.terms.inside(**term).iter().any(imaginary))
+            {
+                return refused("a real function has a complex value");
+            }
+        }
         for (symbol, value) in &self.witness.solved {
             for inner in self.statement.terms.inside(*value) {
                 match self.statement.terms.node(inner) {

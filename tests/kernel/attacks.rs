@@ -308,7 +308,7 @@ fn statement_term(statement: &Statement, is: impl Fn(&Node) -> bool) -> vibro_au
 #[test]
 fn states_at_later_impacts_are_as_complex_as_the_others() {
     let statement = statement(
-        "states = ['z_n']\nindices = ['n']\ncomplex = ['z']",
+        "states = ['z_n']\nindices = ['n']\ncomplex = ['z_n']",
         &["z_{n+1} = z_n"],
         r"z_n^2 \neq -1",
     );
@@ -838,4 +838,31 @@ fn the_inverse_hyperbolic_cosine_is_principal_where_complex_numbers_take_part() 
         r"\arcosh z = \ln(z + \sqrt{z^2 - 1})",
     );
     assert!(accepts(&statement, |_| Vec::new()).is_err());
+}
+
+#[test]
+fn what_is_declared_of_states_and_times_is_given() {
+    // a complex state is no real number, a positive one is positive
+    let complex = statement(
+        "states = ['z_n']\nindices = ['n']\ncomplex = ['z_n']",
+        &["z_{n+1} = z_n"],
+        r"z_n^2 \neq -1",
+    );
+    assert!(complex.is_complex());
+    let positive = statement(
+        "states = ['x_n']\nindices = ['n']\npositive = ['x_n']",
+        &[],
+        r"|x_n| = x_n",
+    );
+    assert!(
+        positive
+            .givens()
+            .iter()
+            .any(|given| given.property == Property::Positive)
+    );
+    let outcome = refutes(&positive, |own| Witness {
+        sample: sample(own, &[("x_n", -1)]),
+        ..Witness::default()
+    });
+    assert!(outcome.is_err());
 }
