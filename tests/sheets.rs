@@ -652,7 +652,7 @@ fn kinds_of_symbols() {
     let sheet = |tex: &str, more: &str| {
         format!(
             "[symbols]\npositive = ['a']\nnonnegative = ['b']\nnonzero = ['c']\nintegers = ['p']\n\
-             complex = ['z']\nparameters = ['x']\n\n{}",
+             complex = ['z']\nparameters = ['a', 'x']\n\n{}",
             equation("1", "claim", tex, more)
         )
     };
