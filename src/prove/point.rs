@@ -1331,7 +1331,46 @@ impl Search<'_> {
                 conditions.push(condition);
             }
         }
+        if !self.statement.generic().is_empty() {
+            // no bound is just met: that would be a thin set
+            for (property, _) in &mut conditions {
+                if *property == Property::NonNegative {
+                    *property = Property::Positive;
+                }
+            }
+        }
+        conditions.extend(self.times_apart(system));
         conditions
+    }
+
+    /// Times at which a function has values of its own are different, but for whole periods too.
+    fn times_apart(&mut self, system: &System) -> Vec<(Property, Term)> {
+        let mut apart = Vec::new();
+        for (n, (f, _, a, _)) in self.table.clone().iter().enumerate() {
+            let family = family(&self.statement, *f);
+            for (g, _, b, _) in self.table.clone().iter().skip(n + 1) {
+                if !family.contains(g) || a == b {
+                    continue;
+                }
+                let period = self
+                    .periods
+                    .iter()
+                    .find(|(f, _)| family.contains(f))
+                    .map(|found| found.1);
+                let terms = self.statement.terms_mut();
+                let mut term = terms.difference(*a, *b);
+                if let Some(period) = period {
+                    let pi = terms.add(Node::Pi);
+                    let turns = terms.quotient(term, period);
+                    let angle = terms.product(vec![pi, turns]);
+                    term = terms.elementary(Elementary::Sin, angle);
+                }
+                if let Some(term) = self.translated(term, system) {
+                    apart.push((Property::Nonzero, term));
+                }
+            }
+        }
+        apart
     }
 
     fn free_symbols(&mut self, system: &System) -> Vec<Symbol> {
