@@ -5,5 +5,9 @@
 
 #[path = "kernel/attacks.rs"]
 mod attacks;
+#[path = "kernel/axioms.rs"]
+mod axioms;
+#[path = "kernel/digits.rs"]
+mod digits;
 #[path = "kernel/forge.rs"]
 mod forge;
