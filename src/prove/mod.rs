@@ -4,13 +4,16 @@ mod angles;
 mod counterexample;
 mod decision;
 mod float;
+mod formula;
 mod point;
 mod proof;
+mod script;
 mod session;
 mod values;
 
 pub use counterexample::Counterexample;
 pub use decision::{Decision, mention_refuted};
+pub use script::{CHECKER, Decided, Found, decided, scripts};
 
 use crate::claim::{Sheet, Verdict};
 use crate::kernel;
@@ -49,7 +52,7 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     for question in questions {
         let outcome = outcome(&question.statement, options.effort);
         match outcome {
-            Outcome::Proved(proof) => decision.provided.extend(proof.provided().iter().cloned()),
+            Outcome::Proved(proof, ..) => decision.provided.extend(proof.provided().iter().cloned()),
             Outcome::Refuted(_, witness) => {
                 decision.verdict = Verdict::Refuted;
                 decision.reason = "does not follow from its premises".into();
@@ -86,7 +89,11 @@ fn follows_from(sheet: &Sheet, position: usize) -> String {
 
 /// What came of a question.
 enum Outcome {
-    Proved(kernel::Proved),
+    Proved(
+        kernel::Proved,
+        kernel::With<kernel::Certificate>,
+        kernel::With<kernel::Witness>,
+    ),
     Refuted(kernel::Refuted, kernel::With<kernel::Witness>),
     Undecided(String),
 }
@@ -108,7 +115,7 @@ fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
         if let Some(point) = point
             && let Ok(proved) = kernel::prove(statement, &certificate, &point)
         {
-            return Outcome::Proved(proved);
+            return Outcome::Proved(proved, certificate, point);
         }
         return Outcome::Undecided("no point is found at which the premises hold".into());
     }
