@@ -4,7 +4,7 @@ use super::{Answer, Content, Exit, Failure, Options, Source};
 use crate::claim::{self, Fault, Sheet, Verdict};
 use crate::evidence::{Evidence, witness};
 use crate::prove::{self, Decision, mention_refuted};
-use crate::report::{Cell, Table};
+use crate::report::{Cell, OutputError, OutputProblem, Table};
 use rayon::prelude::*;
 use std::fs::OpenOptions;
 use std::io::Write;
@@ -111,15 +111,19 @@ fn write_proofs(sheet: &Sheet, directory: &Path, options: &prove::Options) -> Re
         .par_iter()
         .flat_map_iter(|&position| prove::scripts(sheet, position, options))
         .collect();
-    std::fs::create_dir_all(directory).map_err(Failure::writing(directory))?;
+    super::run::create(directory)?;
     for (name, script) in &scripts {
         let path = directory.join(name);
-        let mut file = OpenOptions::new()
-            .write(true)
-            .create_new(true)
-            .open(&path)
-            .map_err(Failure::writing(&path))?;
-        file.write_all(script.as_bytes()).map_err(Failure::writing(&path))?;
+        // nothing that is there is written over
+        let opened = OpenOptions::new().write(true).create_new(true).open(&path);
+        let written = opened.and_then(|mut file| file.write_all(script.as_bytes()));
+        written.map_err(|source| OutputError {
+            place: path.display().to_string(),
+            problem: OutputProblem::System {
+                doing: "writing a new file",
+                source,
+            },
+        })?;
     }
     super::note(&format!(
         "{} scripts in {}: run each with Python, SymPy and mpmath",

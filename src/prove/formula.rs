@@ -107,7 +107,11 @@ impl<'a> Formulas<'a> {
         }
         let abbreviations = self.vocabulary.abbreviations.iter().map(|(name, tree)| {
             let within = Within { locals: &[], ..own };
-            format!("        {}: lambda v: {},", quoted(&name.to_string()), within.python(tree))
+            format!(
+                "        {}: lambda v: {},",
+                quoted(&name.to_string()),
+                within.python(tree)
+            )
         });
         let abbreviations: Vec<String> = abbreviations.collect();
         format!(
@@ -123,7 +127,13 @@ impl<'a> Formulas<'a> {
         Within {
             vocabulary: self.vocabulary,
             locals,
-            flight: self.vocabulary.impacts(equation).first().copied().or(first).unwrap_or(0),
+            flight: self
+                .vocabulary
+                .impacts(equation)
+                .first()
+                .copied()
+                .or(first)
+                .unwrap_or(0),
             in_flight: flies(equation, self.vocabulary),
             upper: true,
         }
@@ -221,10 +231,7 @@ impl Within<'_> {
         if let Some(printed) = self.moving(name) {
             return value(printed);
         }
-        let running = vocabulary
-            .running
-            .as_ref()
-            .map_or("t".to_string(), Name::to_string);
+        let running = vocabulary.running.as_ref().map_or("t".to_string(), Name::to_string);
         if vocabulary.running.as_ref() == Some(name) {
             return value(running);
         }

@@ -295,12 +295,7 @@ fn symbol(printed: &str, quantity: &Quantity) -> String {
         Quantity::Parameter(name) => vec![printed, quoted("parameter"), quoted(&name.to_string())],
         Quantity::Running => vec![printed, quoted("running")],
         Quantity::Time { family, index } => {
-            vec![
-                printed,
-                quoted("time"),
-                quoted(&family.to_string()),
-                index.to_string(),
-            ]
+            vec![printed, quoted("time"), quoted(&family.to_string()), index.to_string()]
         }
         Quantity::State { state, index, after } => vec![
             printed,
@@ -315,12 +310,7 @@ fn symbol(printed: &str, quantity: &Quantity) -> String {
             vec![printed, quoted("invariant"), kind, quoted(&of.to_string())]
         }
         Quantity::Local { name, scope } => {
-            vec![
-                printed,
-                quoted("local"),
-                quoted(&name.to_string()),
-                scope.to_string(),
-            ]
+            vec![printed, quoted("local"), quoted(&name.to_string()), scope.to_string()]
         }
         Quantity::Fresh(number) => vec![printed, quoted("fresh"), number.to_string()],
     })
@@ -345,12 +335,7 @@ fn node(numbers: &Numbers, terms: &Terms, term: Term) -> String {
             vec![quoted(&format!("{function:?}").to_lowercase()), of(argument)]
         }
         Node::Value(function, order, at) => {
-            vec![
-                quoted("value"),
-                function.0.to_string(),
-                order.to_string(),
-                of(at),
-            ]
+            vec![quoted("value"), function.0.to_string(), order.to_string(), of(at)]
         }
     })
 }
@@ -360,14 +345,19 @@ fn property(property: Property) -> String {
 }
 
 fn conditions(of: &[(Property, Term)]) -> String {
-    list(of.iter().map(|(holds, term)| list([property(*holds), term.0.to_string()])))
+    list(
+        of.iter()
+            .map(|(holds, term)| list([property(*holds), term.0.to_string()])),
+    )
 }
 
 /// What the statement says, without any evidence.
 fn statement_fields(statement: &Statement) -> Vec<String> {
     let numbers = Numbers {
         base: 0,
-        kept: (0..u32::try_from(statement.terms().len()).unwrap_or(0)).map(Term).collect(),
+        kept: (0..u32::try_from(statement.terms().len()).unwrap_or(0))
+            .map(Term)
+            .collect(),
         number: HashMap::new(),
     };
     debug_assert_eq!(numbers.base, 0);
@@ -446,8 +436,8 @@ fn witness_fields(numbers: &Numbers, witness: &Witness) -> Vec<String> {
         )
     };
     let functions = witness.functions.iter();
-    let functions = functions
-        .map(|(function, time, term)| list([function.0.to_string(), time.0.to_string(), numbers.of(*term)]));
+    let functions =
+        functions.map(|(function, time, term)| list([function.0.to_string(), time.0.to_string(), numbers.of(*term)]));
     let table = witness.table.iter();
     let table = table.map(|(function, order, at, value)| {
         list([
@@ -582,12 +572,7 @@ fn step(numbers: &Numbers, step: &Inference) -> String {
             self::steps(numbers, steps),
         ],
         Inference::Along { map, equation, by } => {
-            vec![
-                quoted("along"),
-                map.to_string(),
-                equation.to_string(),
-                by.0.to_string(),
-            ]
+            vec![quoted("along"), map.to_string(), equation.to_string(), by.0.to_string()]
         }
     };
     list(parts)
