@@ -191,6 +191,7 @@ class Statement:
                 node = ("number", Fraction(node[1]))
             elif kind in ("sum", "product"):
                 node = (kind, tuple(node[1]))
+            require(kind != "root" or node[1] >= 2, "a root of an index below 2")
             number, before = self.add(tuple(node)), len(self.nodes)
             require(number == before - 1 and all(part < number for part in parts(self.nodes[number])), "terms out of order")
 
