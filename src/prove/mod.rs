@@ -4,18 +4,21 @@ mod angles;
 mod counterexample;
 mod decision;
 mod float;
+mod formula;
 mod inverse;
 mod logarithms;
 mod point;
 mod print;
 mod proof;
 mod roots;
+mod script;
 mod session;
 mod signs;
 mod values;
 
 pub use counterexample::Counterexample;
 pub use decision::{Decision, mention_refuted};
+pub use script::{CHECKER, Decided, Found, decided, scripts};
 
 use crate::claim::{Sheet, Verdict};
 use crate::kernel;
@@ -54,7 +57,7 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     for question in questions {
         let outcome = outcome(&question.statement, options.effort);
         match outcome {
-            Outcome::Proved(proof) => decision.provided.extend(proof.provided().iter().cloned()),
+            Outcome::Proved(proof, ..) => decision.provided.extend(proof.provided().iter().cloned()),
             Outcome::Refuted(refuted, witness) => {
                 decision.verdict = Verdict::Refuted;
                 decision.reason = match refuted.is_nowhere_defined() {
@@ -105,7 +108,11 @@ fn follows_from(sheet: &Sheet, position: usize) -> String {
 
 /// What came of a question.
 enum Outcome {
-    Proved(kernel::Proved),
+    Proved(
+        kernel::Proved,
+        kernel::With<kernel::Certificate>,
+        kernel::With<kernel::Witness>,
+    ),
     Refuted(kernel::Refuted, kernel::With<kernel::Witness>),
     /// The labels of a smallest set of premises that contradict each other.
     Contradictory(Vec<String>),
@@ -114,42 +121,51 @@ enum Outcome {
 
 /// Steps of the search for a proof, and for a contradiction, for each unit of effort.
 const PROOF_STEPS: u64 = 5_000_000;
+const QUICK_STEPS: u64 = 200_000;
 const CONTRADICTION_STEPS: u64 = 300_000;
 
 fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
-    // a wrong formula costs less than its proof would
+    // what has a short proof needs no search for a counterexample; else a wrong formula costs less than its proof would
+    if let Some(certificate) = proof::search(statement, QUICK_STEPS) {
+        return proved(statement, certificate, effort);
+    }
     let fails = |witness: &kernel::With<kernel::Witness>| kernel::refute(statement, witness).is_ok();
     if let Some(witness) = point::search(statement, point::Wanted::Failure, effort, &fails)
         && let Ok(refuted) = kernel::refute(statement, &witness)
     {
         return Outcome::Refuted(refuted, witness);
     }
-    if let Some(certificate) = proof::search(statement, PROOF_STEPS * effort) {
-        let refusal = std::cell::RefCell::new(None);
-        let holds = |point: &kernel::With<kernel::Witness>| match kernel::prove(statement, &certificate, point) {
-            Ok(_) => true,
-            Err(why) => {
-                refusal.replace(Some(why.to_string()));
-                false
-            }
-        };
-        let point = point::search(statement, point::Wanted::Premises, effort, &holds);
-        if let Some(point) = point
-            && let Ok(proved) = kernel::prove(statement, &certificate, &point)
-        {
-            return Outcome::Proved(proved);
-        }
-        return without_points(statement, effort).unwrap_or_else(|| {
-            let last = refusal
-                .take()
-                .map_or_else(String::new, |why| format!(" (of the last one tried: {why})"));
-            Outcome::Undecided(format!(
-                "proved, but no point is found at which the premises hold{last}"
-            ))
-        });
+    match proof::search(statement, PROOF_STEPS * effort) {
+        Some(certificate) => proved(statement, certificate, effort),
+        None => without_points(statement, effort)
+            .unwrap_or_else(|| Outcome::Undecided("neither a proof nor a counterexample is found".into())),
     }
-    without_points(statement, effort)
-        .unwrap_or_else(|| Outcome::Undecided("neither a proof nor a counterexample is found".into()))
+}
+
+/// A claim that follows is proved where a point is found at which its premises hold.
+fn proved(statement: &kernel::Statement, certificate: kernel::With<kernel::Certificate>, effort: u64) -> Outcome {
+    let refusal = std::cell::RefCell::new(None);
+    let holds = |point: &kernel::With<kernel::Witness>| match kernel::prove(statement, &certificate, point) {
+        Ok(_) => true,
+        Err(why) => {
+            refusal.replace(Some(why.to_string()));
+            false
+        }
+    };
+    let point = point::search(statement, point::Wanted::Premises, effort, &holds);
+    if let Some(point) = point
+        && let Ok(proved) = kernel::prove(statement, &certificate, &point)
+    {
+        return Outcome::Proved(proved, certificate, point);
+    }
+    without_points(statement, effort).unwrap_or_else(|| {
+        let last = refusal
+            .take()
+            .map_or_else(String::new, |why| format!(" (of the last one tried: {why})"));
+        Outcome::Undecided(format!(
+            "it follows, but no point is found at which the premises hold{last}"
+        ))
+    })
 }
 
 /// What is to be said where all that is given, with the domain of the claim, contradicts itself.
