@@ -65,6 +65,7 @@ impl<'a> At<'a> {
         at.follow_certificate()?;
         at.check_table()?;
         at.check_flights()?;
+        at.check_generic()?;
         for number in 0..at.statement.givens.len() {
             let given = at.statement.givens[number].clone();
             let holds = match &given.law {
@@ -122,6 +123,80 @@ impl<'a> At<'a> {
             }
         }
         Ok(())
+    }
+
+    /// The point lies in no thin set of the generic symbols: around it they take all values that the premises in them
+    /// alone allow, as the ranks of two Jacobians show.
+    fn check_generic(&mut self) -> Outcome<()> {
+        let generic = self.statement.generic.clone();
+        let free: Vec<Symbol> = self.witness.sample.iter().map(|(symbol, _)| *symbol).collect();
+        let mut values = Vec::new();
+        for &symbol in &generic {
+            let term = self.statement.terms.symbol(symbol);
+            values.push(self.translate(term, None)?);
+        }
+        let own = |at: &Self, given: &Given| {
+            let only = |inner: Term| match at.statement.terms.node(inner) {
+                Node::Symbol(symbol) => generic.contains(symbol),
+                Node::Value(..) => false,
+                _ => true,
+            };
+            let inside = at.statement.terms.inside(given.term);
+            given.law.is_none() && given.property == Property::Zero && inside.into_iter().all(only)
+        };
+        let givens = self.statement.givens.iter().filter(|given| own(self, given));
+        let mut premises: Vec<Term> = givens.map(|given| given.term).collect();
+        // abbreviations among the generic symbols are symbols of their own here
+        let definitions = std::mem::take(&mut self.statement.definitions);
+        let within = self.jacobian(&mut premises, &generic);
+        self.statement.definitions = definitions;
+        let (within, around) = (self.rank(within)?, self.jacobian(&mut values, &free));
+        match self.rank(around)? + within >= generic.len() {
+            true => Ok(()),
+            false => refused("the point may lie in a thin set of the generic symbols"),
+        }
+    }
+
+    fn jacobian(&mut self, of: &mut [Term], by: &[Symbol]) -> Vec<Vec<Term>> {
+        let rows = of.iter().map(|&term| {
+            let row = by.iter().map(|&symbol| self.statement.derivative(term, symbol));
+            row.collect()
+        });
+        rows.collect()
+    }
+
+    /// The rank of a matrix at the point, where its entries are rational there.
+    fn rank(&mut self, matrix: Vec<Vec<Term>>) -> Outcome<usize> {
+        let mut rows: Vec<Vec<Rational>> = Vec::new();
+        for row in matrix {
+            let mut values = Vec::new();
+            for term in row {
+                let term = self.translate(term, None)?;
+                let term = self.sampled(term);
+                let quotient = self.numerator(term)?;
+                match quotient.numerator.as_constant() {
+                    Some(value) if value.is_zero() || quotient.divisors.is_empty() => values.push(value),
+                    _ => return refused("a derivative of a generic symbol is not rational"),
+                }
+            }
+            rows.push(values);
+        }
+        let (mut rank, columns) = (0, rows.first().map_or(0, Vec::len));
+        for column in 0..columns {
+            let Some(pivot) = (rank..rows.len()).find(|&row| !rows[row][column].is_zero()) else {
+                continue;
+            };
+            rows.swap(rank, pivot);
+            for row in rank + 1..rows.len() {
+                let factor = rows[row][column].clone() / rows[rank][column].clone();
+                for place in column..columns {
+                    let taken = factor.clone() * rows[rank][place].clone();
+                    rows[row][place] = rows[row][place].clone() - taken;
+                }
+            }
+            rank += 1;
+        }
+        Ok(rank)
     }
 
     /// Functions that are named have values at all times, or are what their own law says; none is in the table too.
@@ -265,11 +340,25 @@ impl<'a> At<'a> {
         }
     }
 
-    /// A translated term with the sample put in.
+    /// A translated term with the sample put in; over the reals, powers whose exponents become integers are such.
     fn sampled(&mut self, term: Term) -> Term {
-        let sample = &self.sample;
-        self.statement.terms.rewrite(term, &mut |_, node| match node {
+        let (sample, complex) = (&self.sample, self.statement.complex);
+        self.statement.terms.rewrite(term, &mut |terms, node| match node {
             Node::Symbol(symbol) => sample.get(symbol).copied(),
+            Node::RealPower(base, exponent) if !complex => {
+                let Node::Number(exponent) = terms.node(*exponent) else {
+                    return None;
+                };
+                let exponent = i32::try_from(exponent.0.clone().into_parts().0)
+                    .ok()
+                    .filter(|_| *exponent.0.denominator() == dashu_int::UBig::ONE)?;
+                let power = terms.add(Node::Power(*base, exponent.checked_abs()?));
+                if exponent >= 0 {
+                    return Some(power);
+                }
+                let one = terms.integer(1);
+                Some(terms.quotient(one, power))
+            }
             _ => None,
         })
     }
@@ -390,9 +479,37 @@ impl<'a> At<'a> {
                 return refused("the premise does not hold identically in the generic symbols");
             }
         }
-        match self.property(given.property, given.term)? {
-            true => Ok(()),
-            false => refused("it does not hold at the point"),
+        if !self.property(given.property, given.term)? {
+            return refused("it does not hold at the point");
+        }
+        if given.property == Property::NonNegative && !self.statement.generic.is_empty() {
+            // a bound that is just met at the point must be met nearby too
+            let translated = self.translate(given.term, None)?;
+            if !self.property(Property::Positive, given.term)? && !self.vanishes_identically(translated)? {
+                return refused("the premise may hold in a thin set of the generic symbols only");
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a property fails at the point and, where there are generic symbols, all around it.
+    fn fails_of(&mut self, property: Property, term: Term) -> Outcome<bool> {
+        if self.property(property, term)? {
+            return Ok(false);
+        }
+        if self.statement.generic.is_empty() || property == Property::Zero {
+            return Ok(true);
+        }
+        let translated = self.translate(term, None)?;
+        if property != Property::NonNegative && self.vanishes_identically(translated)? {
+            return Ok(true);
+        }
+        let negative = self.statement.terms.negative(term);
+        let strictly = matches!(property, Property::Positive | Property::NonNegative)
+            && self.property(Property::Positive, negative)?;
+        match strictly {
+            true => Ok(true),
+            false => refused("the claim may fail in a thin set of the generic symbols only"),
         }
     }
 
@@ -736,12 +853,12 @@ impl<'a> At<'a> {
     pub fn fails(&mut self) -> Outcome<bool> {
         for (property, term) in self.statement.goal.clone() {
             for (condition, of) in self.statement.domain(term) {
-                if !self.property(condition, of)? {
+                if self.fails_of(condition, of)? {
                     // a solution that is not defined is none
                     return Ok(true);
                 }
             }
-            if !self.property(property, term)? {
+            if self.fails_of(property, term)? {
                 return Ok(true);
             }
         }

@@ -1,0 +1,801 @@
+//! Holes that were found by reading, each with the wrong verdict that it would have made.
+
+use super::forge::*;
+use vibro_audit::kernel::{
+    Axiom, Certificate, Elementary, Inference, LawSource, Node, Polynomial, Property, Quantity, Statement, Witness,
+    prove, refute, With,
+};
+use vibro_audit::number::{Field, Rational};
+
+fn square(polynomial: &Polynomial) -> Polynomial {
+    polynomial.times(polynomial)
+}
+
+/// `1 = 0` from a fact that is a sum of squares and 1.
+fn absurd_by_squares(root: Polynomial, fact: usize) -> Inference {
+    Inference::Zero {
+        target: Polynomial::integer(1),
+        power: 2,
+        squares: vec![(Rational::from_integer(1), root)],
+        factors: Vec::new(),
+        terms: vec![(Polynomial::integer(1), fact)],
+    }
+}
+
+#[test]
+fn the_imaginary_unit_is_no_real_number() {
+    let statement = statement("parameters = ['x', 'y']", &[], "x = y");
+    let outcome = accepts(&statement, |own| {
+        let unit = own.terms_mut().add(Node::Imaginary);
+        vec![axiom(Axiom::ImaginarySquare), absurd_by_squares(generator(unit), 0)]
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn a_term_does_not_hold_itself() {
+    let statement = statement("parameters = ['x', 'y']", &[], "x = y");
+    let outcome = accepts_whole(&statement, |own| {
+        let one = integer(own, 1);
+        let next = vibro_audit::kernel::Term(u32::try_from(own.terms().len()).unwrap());
+        let term = own.terms_mut().add(Node::Sum(vec![next, one]));
+        (vec![term], vec![axiom(Axiom::Unfold(term))])
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn a_root_has_an_index_of_two_or_more_and_no_larger_than_a_power_can_be() {
+    let statement = statement("parameters = ['x', 'y']", &[], "x = y");
+    for index in [0, 1 << 31, u32::MAX] {
+        let outcome = accepts(&statement, |own| {
+            let four = integer(own, 4);
+            let root = own.terms_mut().elementary(Elementary::Root(index), four);
+            let value = own.terms_mut().elementary(Elementary::Root(i32::MAX as u32), four);
+            vec![
+                axiom(Axiom::RootPower(root)),
+                axiom(Axiom::RootPower(value)),
+                axiom(Axiom::RootNonNegative(value)),
+                axiom(Axiom::RootUnique { root, value }),
+                zero(Polynomial::integer(1), Vec::new()),
+            ]
+        });
+        let refusal = outcome.unwrap_err().to_string();
+        assert!(refusal.contains("step 0"), "{refusal}");
+    }
+}
+
+#[test]
+fn the_terms_of_a_statement_are_not_exchanged() {
+    let question = statement("parameters = ['x', 'y']", &[], "x = y");
+    let trivial = statement("parameters = ['x', 'y']", &[], "x = x");
+    assert!(question.goal()[0].1 == trivial.goal()[0].1 || question.terms().len() != trivial.terms().len());
+    let exchanged = |evidence| {
+        let mut own = question.clone();
+        *own.terms_mut() = vibro_audit::kernel::Terms::default();
+        for _ in 0..question.terms().len() {
+            own.terms_mut().integer(0);
+        }
+        let zero = own.terms_mut().integer(0);
+        while own.terms().len() <= question.goal()[0].1.0 as usize {
+            let node = Node::Product(vec![zero; own.terms().len() + 1]);
+            own.terms_mut().add(node);
+        }
+        With {
+            statement: own,
+            evidence,
+        }
+    };
+    let certificate = exchanged(Certificate::default());
+    let mut own = question.clone();
+    let point = Witness {
+        sample: sample(&mut own, &[("x", 1), ("y", 1)]),
+        ..Witness::default()
+    };
+    let point = With {
+        statement: own,
+        evidence: point,
+    };
+    assert!(prove(&question, &certificate, &point).is_err());
+}
+
+#[test]
+fn exponents_do_not_saturate() {
+    for (claim, same) in [("(x^{2000000000})^3 = (x^{2000000000})^4", false), ("(x^{20})^3 = (x^{30})^2", true)] {
+        let statement = statement("parameters = ['x']", &[], claim);
+        assert_eq!(accepts(&statement, |_| Vec::new()).is_ok(), same, "{claim}");
+    }
+    let statement = statement(
+        "parameters = ['x', 'y']",
+        &[],
+        r"\left(\frac{1}{x+y}\right)^{2} = \left(\frac{1}{x+y}\right)^{3}",
+    );
+    assert!(accepts(&statement, |_| Vec::new()).is_err());
+}
+
+#[test]
+fn an_integer_power_needs_a_base_that_has_a_value() {
+    let statement = statement("parameters = ['x']", &[], r"x \neq 0");
+    let outcome = accepts(&statement, |own| {
+        let (one, two, x) = (integer(own, 1), integer(own, 2), of(own, "x"));
+        let base = own.terms_mut().quotient(one, x);
+        let power = own.terms_mut().add(Node::RealPower(base, two));
+        // the power times x² is 1, so x is not 0
+        vec![
+            axiom(Axiom::IntegerPower { power, exponent: 2 }),
+            Inference::Nonzero {
+                target: generator(x),
+                cofactor: generator(power).times(&generator(x)),
+                factors: Vec::new(),
+                terms: vec![(Polynomial::integer(1), 0)],
+            },
+        ]
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn a_logarithm_is_not_differentiated_across_its_cut() {
+    // ln(e^z) = z for z = 2 pi i would be 0 = 2 pi i
+    let question = statement("parameters = ['z']\ncomplex = ['z']", &[], r"\ln(e^z) = z");
+    let outcome = accepts(&question, |own| {
+        let time = own.fresh("t");
+        let z = of(own, "z");
+        let (t, one, nought) = (own.terms_mut().symbol(time), integer(own, 1), integer(own, 0));
+        let product = own.terms_mut().product(vec![z, t]);
+        let power = own.terms_mut().elementary(Elementary::Exp, product);
+        let logarithm = own.terms_mut().elementary(Elementary::Ln, power);
+        let difference = own.terms_mut().difference(logarithm, product);
+        let start = own.terms_mut().substitute(product, time, nought);
+        let start_power = own.terms_mut().elementary(Elementary::Exp, start);
+        let start_logarithm = own.terms_mut().elementary(Elementary::Ln, start_power);
+        let unit_logarithm = own.terms_mut().elementary(Elementary::Ln, one);
+        let at_one = own.terms_mut().substitute(product, time, one);
+        let power_at_one = own.terms_mut().elementary(Elementary::Exp, at_one);
+        let power_of_z = own.terms_mut().elementary(Elementary::Exp, z);
+        let logarithm_at_one = own.terms_mut().elementary(Elementary::Ln, power_at_one);
+        let logarithm_of_z = own.terms_mut().elementary(Elementary::Ln, power_of_z);
+        let _ = unit_logarithm;
+        vec![
+            Inference::Constant {
+                of: difference,
+                time,
+                at: nought,
+                flight: None,
+                steps: vec![axiom(Axiom::ExpNonzero(product))],
+            },
+            // 0: exp(0 z) is not 0; 1, 2: exp z and exp(z 1) are not 0
+            axiom(Axiom::ExpNonzero(start)),
+            axiom(Axiom::ExpNonzero(z)),
+            axiom(Axiom::ExpNonzero(at_one)),
+            // 3: ln exp(z 1) - z - ln exp(z 0)
+            Inference::Law {
+                source: LawSource::Derived(0),
+                at: Some(one),
+            },
+            // 4: exp(z 0) = 1
+            axiom(Axiom::ExpOfZero(start)),
+            // 5: exp(z 1) = exp z
+            Inference::Congruence {
+                left: power_at_one,
+                right: power_of_z,
+            },
+            // 6: ln of these
+            Inference::Congruence {
+                left: logarithm_at_one,
+                right: logarithm_of_z,
+            },
+            // 7: ln exp(0 z) = ln 1
+            Inference::Congruence {
+                left: start_logarithm,
+                right: unit_logarithm,
+            },
+            zero(
+                generator(logarithm_of_z).minus(&generator(z)).minus(&generator(unit_logarithm)),
+                vec![
+                    (Polynomial::integer(1), 3),
+                    (Polynomial::integer(-1), 6),
+                    (Polynomial::integer(1), 7),
+                ],
+            ),
+        ]
+    });
+    let refusal = outcome.unwrap_err().to_string();
+    assert!(refusal.contains("step 0"), "{refusal}");
+}
+
+#[test]
+fn a_law_of_real_times_says_nothing_of_complex_ones() {
+    let statement = statement(
+        "parameters = ['z']\ncomplex = ['z']\ntimes = ['t']\nfunctions = { f = '' }",
+        &[r"f(t) = 0", r"e^t > 0"],
+        r"e^z \neq -1",
+    );
+    let given = given(&statement, "p1", true);
+    let outcome = accepts(&statement, |own| {
+        let z = of(own, "z");
+        vec![law(given, 0, Some(z))]
+    });
+    let refusal = outcome.unwrap_err().to_string();
+    assert!(refusal.contains("step 0"), "{refusal}");
+}
+
+#[test]
+fn the_domain_of_a_premise_is_that_of_principal_branches_where_complex_numbers_take_part() {
+    // x = -1 and z = i
+    let statement = statement("parameters = ['x', 'z']\ncomplex = ['z']", &[r"z = \sqrt{x}"], r"x \ge 0");
+    let given = statement.givens().iter().position(|given| given.property == Property::NonNegative);
+    assert!(given.is_none());
+}
+
+#[test]
+fn a_complex_number_is_not_split_by_parts_that_are_complex() {
+    for claim in [r"e^{i\pi/2} = i", r"\sqrt{-1} = i", r"\frac{1}{1 + e^{i \pi}} = 2"] {
+        let statement = statement("parameters = ['x']", &[], claim);
+        assert!(refutes(&statement, |_| Witness::default()).is_err(), "{claim}");
+    }
+    let statement = statement("parameters = ['x']", &[], r"1 + i = 2");
+    assert!(refutes(&statement, |_| Witness::default()).is_ok());
+}
+
+#[test]
+fn an_odd_root_of_a_negative_number_is_complex_where_complex_numbers_take_part() {
+    // the principal root of -8 is 1 + sqrt 3 i
+    let statement = statement(r"parameters = ['z']
+complex = ['z']", &[], r"z + \sqrt[3]{-8} = z - 2");
+    let outcome = accepts(&statement, |own| {
+        let minus = statement_term(own, |node| matches!(node, Node::Elementary(Elementary::Root(3), _)));
+        let root = generator(minus);
+        let quadratic = square(&root).minus(&root.scaled(&Rational::from_integer(2))).plus(&Polynomial::integer(4));
+        vec![
+            axiom(Axiom::RootPower(minus)),
+            axiom(Axiom::Enclosure(quadratic)),
+            zero_after(root.plus(&Polynomial::integer(2)), vec![(1, 1)], vec![(Polynomial::integer(1), 0)]),
+        ]
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn an_inverse_function_has_no_enclosure_outside_its_domain() {
+    let statement = statement("parameters = ['z', 'x', 'y']\ncomplex = ['z']", &[], r"z x = z y");
+    let outcome = accepts(&statement, |own| {
+        // a hair more than 1
+        let hair = own.terms_mut().number(Rational::from_integer(1) + Rational::from_ratio(1, 10).to_power(60));
+        let arc = own.terms_mut().elementary(Elementary::Arcsin, hair);
+        let sine = own.terms_mut().elementary(Elementary::Sin, arc);
+        let rest = Polynomial::constant(&(Rational::from_integer(1) + Rational::from_ratio(1, 10).to_power(70)))
+            .minus(&generator(sine));
+        vec![axiom(Axiom::SineOfArcsin(arc)), axiom(Axiom::Enclosure(rest))]
+    });
+    assert!(outcome.is_err());
+}
+
+/// The term with this node.
+fn statement_term(statement: &Statement, is: impl Fn(&Node) -> bool) -> vibro_audit::kernel::Term {
+    let all = (0..statement.terms().len()).map(|n| vibro_audit::kernel::Term(u32::try_from(n).unwrap()));
+    all.into_iter().find(|&term| is(statement.terms().node(term))).unwrap()
+}
+
+#[test]
+fn states_at_later_impacts_are_as_complex_as_the_others() {
+    let statement = statement(
+        "states = ['z_n']\nindices = ['n']\ncomplex = ['z']",
+        &["z_{n+1} = z_n"],
+        r"z_n^2 \neq -1",
+    );
+    let given = given(&statement, "p0", true);
+    let outcome = accepts(&statement, |own| {
+        let mut steps = vec![law(given, 5, None)];
+        let mut copy = own.clone();
+        let (_, term, _) = copy.instance(given, None, 5, None).unwrap();
+        assert!(own.adopt(&copy));
+        let _ = term;
+        let later = of(own, "z_{n+5}");
+        let square = square(&generator(later)).plus(&Polynomial::integer(1));
+        steps.push(Inference::Cases {
+            on: square.clone(),
+            order: false,
+            property: Property::Nonzero,
+            target: square,
+            branches: vec![vec![absurd_by_squares(generator(later), 1)], vec![]],
+        });
+        steps
+    });
+    let refusal = outcome.unwrap_err().to_string();
+    assert!(refusal.contains("complex"), "{refusal}");
+}
+
+#[test]
+fn a_derived_law_keeps_the_domain_of_its_conditions() {
+    // f is 0 for t >= 0 only
+    let statement = statement(
+        "parameters = ['a']\ntimes = ['t']\nfunctions = { f = '' }",
+        &[r"f(t) = 0 | assume = ['0 \sqrt{t} \neq 1']"],
+        r"f'(-1) = 0",
+    );
+    let given = given(&statement, "p0", true);
+    let outcome = accepts(&statement, |own| {
+        let minus = integer(own, -1);
+        vec![
+            Inference::Derivative(LawSource::Given { given, shift: 0 }),
+            Inference::Law {
+                source: LawSource::Derived(0),
+                at: Some(minus),
+            },
+        ]
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn a_law_with_an_index_in_it_is_shifted_as_a_whole() {
+    // x_{n+1} = n + 1
+    let statement = statement("states = ['x_n']\nindices = ['n']", &["x_n = n"], "x_{n+1} = x_n");
+    let given = given(&statement, "p0", true);
+    let outcome = accepts(&statement, |own| {
+        let (later, now) = (of(own, "x_{n+1}"), of(own, "x_n"));
+        vec![
+            law(given, 0, None),
+            law(given, 1, None),
+            zero(
+                generator(later).minus(&generator(now)),
+                vec![(Polynomial::integer(1), 1), (Polynomial::integer(-1), 0)],
+            ),
+        ]
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn an_index_is_an_integer() {
+    let statement = statement("parameters = ['a']\nindices = ['n']", &[], r"\cos(2 \pi n) = 1");
+    let outcome = refutes(&statement, |own| Witness {
+        sample: {
+            let half = own.terms_mut().number(Rational::from_ratio(1, 2));
+            vec![(symbol(own, "n"), half)]
+        },
+        ..Witness::default()
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn laws_hold_at_all_times_and_not_only_at_that_of_the_claim() {
+    let statement = statement(
+        "parameters = ['a']\ntimes = ['t']\nfunctions = { f = '' }",
+        &["f(t) = t^2"],
+        "f(t) + f(a) = t^2 + a^2",
+    );
+    for running_is_solved in [false, true] {
+        let outcome = refutes(&statement, |own| {
+            let (f, time) = (function(own, "f"), own.fresh("s"));
+            let nought = integer(own, 0);
+            let mut values = sample(own, &[("a", 1)]);
+            let t = (symbol(own, "t"), nought);
+            if !running_is_solved {
+                values.push(t);
+            }
+            Witness {
+                sample: values,
+                solved: if running_is_solved { vec![t] } else { Vec::new() },
+                functions: vec![(f, time, nought)],
+                ..Witness::default()
+            }
+        });
+        assert!(outcome.is_err());
+    }
+}
+
+#[test]
+fn a_parameter_does_not_run_with_the_time() {
+    let statement = statement(
+        "parameters = ['x', 'a', 'b']\ntimes = ['t']\nfunctions = { g = '' }",
+        &["g(t) = x"],
+        "g(a) + g(t) = g(b) + g(t)",
+    );
+    let outcome = refutes(&statement, |own| {
+        let (g, time) = (function(own, "g"), own.fresh("s"));
+        let (t, s) = (of(own, "t"), own.terms_mut().symbol(time));
+        Witness {
+            solved: vec![(symbol(own, "x"), t)],
+            sample: sample(own, &[("t", 0), ("a", 0), ("b", 1)]),
+            functions: vec![(g, time, s)],
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn real_functions_have_real_values() {
+    let statement = statement(
+        "parameters = ['a']\ntimes = ['t']\nfunctions = { f = '' }",
+        &[],
+        r"f(a)^2 \ge 0",
+    );
+    let outcome = refutes(&statement, |own| {
+        let (f, unit, a) = (function(own, "f"), own.terms_mut().add(Node::Imaginary), of(own, "a"));
+        Witness {
+            sample: sample(own, &[("a", 1)]),
+            table: vec![(f, 0, a, unit)],
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+    let outcome = refutes(&statement, |own| {
+        let (f, unit, time) = (function(own, "f"), own.terms_mut().add(Node::Imaginary), own.fresh("s"));
+        Witness {
+            sample: sample(own, &[("a", 1)]),
+            functions: vec![(f, time, unit)],
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn functions_with_the_same_derivative_differ_by_a_constant() {
+    let statement = statement(
+        "parameters = ['a', 'b']\ntimes = ['t']\nfunctions = { F = 'h', G = 'h', h = '' }",
+        &[],
+        "F(a) - F(b) = G(a) - G(b)",
+    );
+    let outcome = refutes(&statement, |own| {
+        let (first, second) = (function(own, "F"), function(own, "G"));
+        let (a, b, nought, one) = (of(own, "a"), of(own, "b"), integer(own, 0), integer(own, 1));
+        Witness {
+            sample: sample(own, &[("a", 0), ("b", 1)]),
+            table: vec![
+                (first, 0, a, nought),
+                (first, 0, b, one),
+                (second, 0, a, nought),
+                (second, 0, b, nought),
+            ],
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+    let outcome = refutes(&statement, |own| {
+        let (first, second, time) = (function(own, "F"), function(own, "G"), own.fresh("s"));
+        let (s, nought) = (own.terms_mut().symbol(time), integer(own, 0));
+        Witness {
+            sample: sample(own, &[("a", 0), ("b", 1)]),
+            functions: vec![(first, time, s), (second, time, nought)],
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn named_functions_are_derivatives_of_each_other_over_several_steps() {
+    let statement = statement(
+        "parameters = ['a']\ntimes = ['t']\nfunctions = { F = 'G', G = 'f', f = '' }",
+        &["F(t) = 0"],
+        "f(a) = 0",
+    );
+    let outcome = refutes(&statement, |own| {
+        let (first, last, time) = (function(own, "F"), function(own, "f"), own.fresh("s"));
+        let (nought, one) = (integer(own, 0), integer(own, 1));
+        Witness {
+            sample: sample(own, &[("a", 0)]),
+            functions: vec![(first, time, nought), (last, time, one)],
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+    let outcome = refutes(&statement, |own| {
+        let (first, last, time) = (function(own, "F"), function(own, "f"), own.fresh("s"));
+        let (nought, one, a) = (integer(own, 0), integer(own, 1), of(own, "a"));
+        Witness {
+            sample: sample(own, &[("a", 0)]),
+            functions: vec![(first, time, nought)],
+            table: vec![(last, 0, a, one)],
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn a_function_with_a_pole_is_not_smooth() {
+    // no function is 1/(2 - t) at all times
+    let statement = statement(
+        "parameters = ['a']\ntimes = ['t']\nfunctions = { f = '' }",
+        &["f(t) (2 - t) = 1"],
+        "f(a) = 7",
+    );
+    let outcome = refutes(&statement, |own| {
+        let (f, time) = (function(own, "f"), own.fresh("s"));
+        let (s, one, two) = (own.terms_mut().symbol(time), integer(own, 1), integer(own, 2));
+        let below = own.terms_mut().difference(two, s);
+        let quotient = own.terms_mut().quotient(one, below);
+        let mut values = sample(own, &[("a", 0)]);
+        values.push((time, one));
+        Witness {
+            sample: values,
+            functions: vec![(f, time, quotient)],
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn functions_are_not_named_in_a_circle() {
+    let statement = statement(
+        "parameters = ['a']\ntimes = ['t']\nfunctions = { f = '', g = '' }",
+        &[],
+        "f(a) = g(a)",
+    );
+    let outcome = refutes(&statement, |own| {
+        let (f, g, time) = (function(own, "f"), function(own, "g"), own.fresh("s"));
+        let (s, one) = (own.terms_mut().symbol(time), integer(own, 1));
+        let (f_value, g_value) = (own.value(f, 0, s), own.value(g, 0, s));
+        let (f_next, g_next) = (
+            own.terms_mut().sum(vec![f_value, one]),
+            own.terms_mut().sum(vec![g_value, one]),
+        );
+        Witness {
+            sample: sample(own, &[("a", 0)]),
+            functions: vec![(f, time, g_next), (g, time, f_next)],
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn what_a_function_is_a_period_of_is_the_same_at_all_times() {
+    // f(t) = f(2t + 1) at all times: f is constant
+    let statement = statement(
+        "parameters = ['a', 'b']\ntimes = ['t']\nfunctions = { f = '' }",
+        &["f(t) = f(2t + 1)"],
+        "f(a) = f(b)",
+    );
+    let outcome = refutes(&statement, |own| {
+        let (f, a, b) = (function(own, "f"), of(own, "a"), of(own, "b"));
+        let half = own.terms_mut().number(Rational::from_ratio(1, 2));
+        let mut values = sample(own, &[("a", 0)]);
+        values.push((symbol(own, "b"), half));
+        let (nought, one) = (integer(own, 0), integer(own, 1));
+        Witness {
+            sample: values,
+            table: vec![(f, 0, a, nought), (f, 0, b, one)],
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn a_value_that_only_a_law_speaks_of_exists_too() {
+    // x = 1/sin pi does not exist
+    let statement = statement(
+        "parameters = ['a', 'x', 'c']\ntimes = ['t']\nfunctions = { f = '' }",
+        &["f(t) x = 1"],
+        r"f(a) \neq 0",
+    );
+    let outcome = refutes(&statement, |own| {
+        let (f, time, pi) = (function(own, "f"), own.fresh("s"), own.terms_mut().add(Node::Pi));
+        let c = own.fresh("c");
+        let (nothing, one) = (own.terms_mut().elementary(Elementary::Sin, pi), integer(own, 1));
+        let value = own.terms_mut().symbol(c);
+        let inverse = own.terms_mut().quotient(one, value);
+        let mut values = sample(own, &[("a", 0)]);
+        values.push((c, nothing));
+        Witness {
+            sample: values,
+            solved: vec![(symbol(own, "x"), inverse)],
+            functions: vec![(f, time, value)],
+            certificate: Certificate {
+                whole: Vec::new(),
+                steps: vec![axiom(Axiom::SineOfPi)],
+            },
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn a_state_at_the_end_of_a_flight_is_what_the_flight_comes_to() {
+    let statement = statement(
+        "times = ['t', 't_k']\nstates = ['x']\ncontinuous = ['x']",
+        &["x(t) = 0"],
+        "x_{k+1} + 0 x_k = 0",
+    );
+    let outcome = refutes(&statement, |own| {
+        let flight = own.functions().iter().position(|_| true).unwrap();
+        let flight = vibro_audit::kernel::Function(u32::try_from(flight).unwrap());
+        let (time, nought) = (own.fresh("s"), integer(own, 0));
+        let values = sample(own, &[("x_{k+1}", 5), ("x_{k}", 0)]);
+        Witness {
+            sample: values,
+            functions: vec![(flight, time, nought)],
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn derivatives_along_a_map_are_what_the_premises_make_them() {
+    let statement = statement(
+        "parameters = ['r']\ntimes = ['t', 't_k']\nstates = ['x']\nmaps = { D = { of = ['x_{k+1}'], by = ['x_k'] } }",
+        &["x_{k+1} = r x_k"],
+        r"\frac{\partial x_{k+1}}{\partial x_k} = r",
+    );
+    let outcome = refutes(&statement, |own| {
+        let partial = own.quantities().iter().position(|q| matches!(q, Quantity::Partial { .. })).unwrap();
+        let partial = vibro_audit::kernel::Symbol(u32::try_from(partial).unwrap());
+        let seven = integer(own, 7);
+        let mut values = Vec::new();
+        for n in 0..own.quantities().len() {
+            let symbol = vibro_audit::kernel::Symbol(u32::try_from(n).unwrap());
+            let one = integer(own, 1);
+            values.push((symbol, if symbol == partial { seven } else { one }));
+        }
+        Witness {
+            sample: values,
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn generic_symbols_are_not_taken_where_they_are_thin() {
+    // x = y is thin in x
+    let question = statement(
+        "parameters = ['x', 'y', 'u', 'v']\ngeneric = ['x']",
+        &["(x - y) u = (x - y) v"],
+        "u = v",
+    );
+    let outcome = refutes(&question, |own| Witness {
+        solved: {
+            let y = of(own, "y");
+            vec![(symbol(own, "x"), y)]
+        },
+        sample: sample(own, &[("y", 1), ("u", 1), ("v", 2)]),
+        ..Witness::default()
+    });
+    assert!(outcome.is_err());
+    for claim in [r"x \neq y", r"(x - y)^2 > 0"] {
+        let question = statement("parameters = ['x', 'y']\ngeneric = ['x']", &[], claim);
+        let outcome = refutes(&question, |own| Witness {
+            sample: sample(own, &[("x", 1), ("y", 1)]),
+            ..Witness::default()
+        });
+        assert!(outcome.is_err(), "{claim}");
+    }
+}
+
+#[test]
+fn a_pair_of_solutions_is_admissible() {
+    // x is positive: -1 is no solution
+    let asked = read("parameters = ['x']\npositive = ['x']", &["x^2 = 1"], r"x_{1,2} = 0 \pm 1").unwrap();
+    assert!(asked.iter().any(|question| accepts(&question.statement, |_| Vec::new()).is_err()
+        && refute(
+            &question.statement,
+            &With {
+                statement: question.statement.clone(),
+                evidence: Witness {
+                    sample: {
+                        let mut own = question.statement.clone();
+                        sample(&mut own, &[("x", 1)])
+                    },
+                    ..Witness::default()
+                },
+            }
+        )
+        .is_ok()));
+}
+
+#[test]
+fn a_pair_of_solutions_is_of_no_law() {
+    let asked = read(
+        "parameters = ['x']\ntimes = ['t']\nfunctions = { f = '' }",
+        &["x^2 = 1", "f(t + 1) = x f(t)"],
+        r"x_{1,2} = 0 \pm 1",
+    );
+    assert!(asked.is_err());
+}
+
+#[test]
+fn what_is_assumed_of_a_claim_determines_no_map() {
+    // the assumption is of the point: the derivative is r
+    let statement = statement(
+        "parameters = ['r']\ntimes = ['t', 't_k']\nstates = ['x', 'y']\nmaps = { D = { of = ['t_{k+1}', 'x_{k+1}'], by = ['t_k', 'x_k'] } }",
+        &["x_{k+1} = t_{k+1} - t_k", "t_{k+1} = t_k + 1"],
+        r"\frac{\partial x_{k+1}}{\partial x_k} = 0 | assume = ['x_{k+1} = 1 + t_{k+1} 0']",
+    );
+    for (label, _) in &statement.maps()[0].equations {
+        assert_ne!(label, "the assumptions");
+    }
+}
+
+#[test]
+fn a_recursion_with_a_factor_that_vanishes_somewhere_is_no_recursion() {
+    // (n - 3) x_{n+1} = x_n makes x_3 = 0 and with it all before
+    let statement = statement(
+        "states = ['x_n']\nindices = ['n']",
+        &["(n - 3) x_{n+1} = x_n"],
+        "x_n = 0 | assume = ['n < 3']",
+    );
+    let outcome = refutes(&statement, |own| Witness {
+        sample: sample(own, &[("n", 2), ("x_n", 1), ("x_{n+1}", -1)]),
+        ..Witness::default()
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn a_state_that_is_positive_is_so_at_every_impact() {
+    // no such sequence goes on for ever
+    let statement = statement(
+        "states = ['x_n']\nindices = ['n']\npositive = ['x']",
+        &["x_{n+1} = x_n - 1"],
+        "x_n = 5",
+    );
+    let outcome = refutes(&statement, |own| Witness {
+        sample: sample(own, &[("x_n", 2), ("x_{n+1}", 1)]),
+        ..Witness::default()
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn a_law_of_sequences_and_times_holds_at_every_index() {
+    let statement = statement(
+        "times = ['t']\nstates = ['x_n']\nindices = ['n']\nfunctions = { f = '' }",
+        &["f(t) = x_n t"],
+        "x_{n+1} = x_n",
+    );
+    let outcome = refutes(&statement, |own| {
+        let (f, time) = (function(own, "f"), own.fresh("s"));
+        let s = own.terms_mut().symbol(time);
+        Witness {
+            sample: sample(own, &[("x_n", 1), ("x_{n+1}", 2)]),
+            functions: vec![(f, time, s)],
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn what_is_assumed_of_a_premise_at_running_times_is_no_fact() {
+    let statement = statement(
+        "parameters = ['x', 'a']\ntimes = ['t']\nfunctions = { f = '' }",
+        &["x = 1 | assume = ['t > 0']"],
+        "f(t) t \\le f(t) t + t + a - a",
+    );
+    let assumed = statement
+        .givens()
+        .iter()
+        .any(|given| given.property == Property::Positive && given.law.is_none());
+    assert!(!assumed, "{:#?}", statement.givens());
+}
+
+#[test]
+fn a_fractional_exponent_needs_a_base_that_is_not_negative_in_assumptions_too() {
+    let statement = statement(
+        "parameters = ['x']",
+        &[],
+        r"|x| = x | assume = ['x^{1/3} \le 1']",
+    );
+    let outcome = refutes(&statement, |own| Witness {
+        sample: sample(own, &[("x", -1)]),
+        certificate: Certificate::default(),
+        ..Witness::default()
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn the_inverse_hyperbolic_cosine_is_principal_where_complex_numbers_take_part() {
+    let statement = statement("parameters = ['z']\ncomplex = ['z']", &[], r"\arcosh z = \ln(z + \sqrt{z^2 - 1})");
+    assert!(accepts(&statement, |_| Vec::new()).is_err());
+}
