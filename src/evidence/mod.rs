@@ -8,10 +8,12 @@
 //! form.
 
 mod compiler;
+mod course;
 mod derivative;
 mod domain;
 mod flow;
 mod formula;
+mod gap;
 mod judgement;
 mod maps;
 mod motion;

@@ -3,10 +3,11 @@
 //! Whether a point is one of the paper's motion is not told by labels: the flight from it must arrive when, where
 //! and as fast as the point says.
 
-use super::judgement::digits;
+use super::course::{HARMONICS, LONG, POWERS_OF_LAW};
+use super::gap::digits;
 use super::maps::Step;
 use super::space::{Course, Slot};
-use super::system::{HARMONICS, LONG, POWERS_OF_LAW, System};
+use super::system::System;
 use super::tolerance::{MOST_DIGITS, MOTION};
 use crate::model::{Flight, Forcing, Impact, Leg, Motion, Order, Passage, Side};
 use crate::number::{Dual, seeded};
