@@ -50,8 +50,8 @@ pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided
     for question in questions {
         let found = match outcome(&question.statement, options.effort) {
             Outcome::Proved(_, certificate, point) => Found::Proved { certificate, point },
-            Outcome::Refuted(_, witness) => Found::Refuted { witness },
-            Outcome::Undecided(_) => continue,
+            Outcome::Refuted(refuted, witness) if !refuted.is_nowhere_defined() => Found::Refuted { witness },
+            _ => continue,
         };
         all.push(Decided {
             label: label.to_string(),
