@@ -317,6 +317,14 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
             if at != running || !once || named.iter().any(|(f, ..)| *f == function) || order > 0 {
                 continue;
             }
+            // a law of flight says what the motion is, not what drives it
+            let flies = matches!(
+                statement.functions().get(function.0 as usize),
+                Some(FunctionOf::Flight { .. })
+            );
+            if law.flies() && !flies {
+                continue;
+            }
             let coefficients = coefficients_in(&form, generator);
             let [rest, lead] = coefficients.as_slice() else {
                 continue;
@@ -1439,6 +1447,27 @@ impl Search<'_> {
         let spread = 3 + attempt / 40;
         let mut pick = |most: usize| (self.random.draw() % most.max(1) as u64) as i64;
         let closed = attempt % 5 == 4;
+        if let Some(Quantity::Time { index, .. }) = self.statement.quantity(symbol) {
+            // impacts follow each other
+            let number = Rational::from_ratio(8 * i64::from(*index) + pick(8), 8);
+            return self.statement.terms_mut().number(number);
+        }
+        let bounded = givens.iter().any(|given| {
+            given.property == Property::NonNegative
+                && numerator(&self.statement, given.term).is_some_and(|form| {
+                    // 1 - symbol
+                    let generators = form.generators();
+                    let constant = form.terms().iter().any(|(monomial, value)| {
+                        monomial.is_empty() && Rational(value.clone()) == Rational::from_integer(1)
+                    });
+                    generators.len() == 1 && term_is(generators[0]) && constant && form.terms().len() == 2
+                })
+        });
+        if bounded && positive {
+            let above = pick(spread) + 1;
+            let number = Rational::from_ratio(above, above + pick(spread) + 1);
+            return self.statement.terms_mut().number(number);
+        }
         let (above, below) = match (positive, integer) {
             (true, true) => (pick(spread + 2) + 1, 1),
             (false, true) => (pick(2 * spread + 1) - spread as i64, 1),
@@ -1459,12 +1488,15 @@ impl Search<'_> {
 
     fn speaks_of_circles(&self) -> bool {
         let terms = self.statement.terms();
-        (0..terms.len()).any(|n| {
+        let given = self.statement.givens().iter().map(|given| given.term);
+        let goal = self.statement.goal().iter().map(|(_, term)| *term);
+        let circle = |inner: &Term| {
             matches!(
-                terms.node(Term(n as u32)),
+                terms.node(*inner),
                 Node::Elementary(Elementary::Sin | Elementary::Cos, _)
             )
-        })
+        };
+        given.chain(goal).any(|term| terms.inside(term).iter().any(circle))
     }
 
     /// The witness of a choice, with what shows that its numbers meet the premises.
