@@ -340,7 +340,10 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
             let formula = ratio_term(&mut session, &rest.negated(), lead);
             named.push((function, time, formula));
         }
-        bound.extend(own.iter().map(|(f, ..)| *f));
+        // a law of flight binds the motion, not what drives it
+        let lines = statement.functions().to_vec();
+        let is_line = |f: &Function| matches!(lines.get(f.0 as usize), Some(FunctionOf::Line(_)));
+        bound.extend(own.iter().map(|(f, ..)| *f).filter(|f| !law.flies() || !is_line(f)));
     }
     for function in statement.derivatives().keys().copied().collect::<Vec<_>>() {
         if is_own_derivative(statement, function) {
@@ -1021,6 +1024,8 @@ impl Search<'_> {
                     self.statement.terms().len()
                 );
                 let symbol = self.statement.fresh(&name);
+                // functions that are derivatives of each other have their values at the same times
+                let at = self.known_time(function, at).unwrap_or(at);
                 self.table.push((function, order, at, symbol));
             }
         }
@@ -1061,38 +1066,51 @@ impl Search<'_> {
 
     /// The symbol for a value at a time that is the same, but for whole periods.
     fn lookup(&mut self, function: Function, order: u32, at: Term) -> Option<Symbol> {
+        let table = self.table.clone().into_iter();
+        for (_, _, time, symbol) in table.filter(|(f, n, ..)| (*f, *n) == (function, order)) {
+            if self.is_same_time(function, at, time) {
+                return Some(symbol);
+            }
+        }
+        None
+    }
+
+    /// A time of the table for a function of the same family that is the same, but for whole periods.
+    fn known_time(&mut self, function: Function, at: Term) -> Option<Term> {
+        let family = family(&self.statement, function);
+        let table = self.table.clone().into_iter();
+        for (_, _, time, _) in table.filter(|(f, ..)| family.contains(f)) {
+            if self.is_same_time(function, at, time) {
+                return Some(time);
+            }
+        }
+        None
+    }
+
+    /// Whether two times are the same for a function, but for whole periods of it.
+    fn is_same_time(&mut self, function: Function, at: Term, time: Term) -> bool {
+        let apart = self.statement.terms_mut().difference(at, time);
+        if numerator(&self.statement, apart).is_some_and(|form| form.is_zero()) {
+            return true;
+        }
         let period = self
             .known_periods
             .iter()
             .find(|(f, _)| *f == function)
             .map(|(_, period)| *period);
-        for (_, _, time, symbol) in self
-            .table
-            .clone()
-            .into_iter()
-            .filter(|(f, n, ..)| (*f, *n) == (function, order))
-        {
-            let apart = self.statement.terms_mut().difference(at, time);
-            let form = numerator(&self.statement, apart)?;
-            if form.is_zero() {
-                return Some(symbol);
-            }
-            if let Some(period) = period {
-                let turns = self.statement.terms_mut().quotient(apart, period);
-                let Ok(quotient) = Expansion::new(BTreeSet::new(), 100_000).of(self.statement.terms(), turns) else {
-                    continue;
-                };
-                let whole = match quotient.divisors.as_slice() {
-                    [] => quotient.numerator.as_constant(),
-                    [(divisor, 1)] => ratio(&quotient.numerator, divisor),
-                    _ => None,
-                };
-                if whole.is_some_and(|turns| *turns.0.denominator() == dashu_int::UBig::ONE) {
-                    return Some(symbol);
-                }
-            }
-        }
-        None
+        let Some(period) = period else {
+            return false;
+        };
+        let turns = self.statement.terms_mut().quotient(apart, period);
+        let Ok(quotient) = Expansion::new(BTreeSet::new(), 100_000).of(self.statement.terms(), turns) else {
+            return false;
+        };
+        let whole = match quotient.divisors.as_slice() {
+            [] => quotient.numerator.as_constant(),
+            [(divisor, 1)] => ratio(&quotient.numerator, divisor),
+            _ => None,
+        };
+        whole.is_some_and(|turns| *turns.0.denominator() == dashu_int::UBig::ONE)
     }
 
     /// Tries numbers for what is free.
