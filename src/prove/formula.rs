@@ -57,6 +57,10 @@ impl<'a> Formulas<'a> {
         for premise in &self.statements.premises {
             let within = self.within(&premise.equation, &premise.locals, None);
             push(&premise.label, &within, within.relation(&premise.equation));
+            for condition in &premise.assume {
+                let label = format!("the domain of ({})", premise.label);
+                push(&label, &within, within.condition(condition));
+            }
         }
         let claim = &self.question.equation;
         let own = Within {
@@ -65,11 +69,7 @@ impl<'a> Formulas<'a> {
             ..self.within(claim, &self.statements.locals, None)
         };
         for condition in &self.statements.assume {
-            let formula = match condition {
-                Condition::Relation(equation) => own.relation(equation),
-                Condition::Integer(tree) => own.python(tree),
-            };
-            push("the assumptions", &own, formula);
+            push("the assumptions", &own, own.condition(condition));
         }
         for relation in &self.vocabulary.relations {
             push(&relation.to_string(), &own, own.relation(relation));
@@ -175,6 +175,13 @@ impl Within<'_> {
         match equation.relation {
             Relation::Less | Relation::LessOrEqual => format!("{right} - {left}"),
             _ => format!("{left} - {right}"),
+        }
+    }
+
+    fn condition(&self, condition: &Condition) -> String {
+        match condition {
+            Condition::Relation(equation) => self.relation(equation),
+            Condition::Integer(tree) => self.python(tree),
         }
     }
 
