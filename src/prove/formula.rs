@@ -1,6 +1,5 @@
 //! The printed formulas as Python expressions, from their trees alone: the kernel's terms are compared with these.
 
-use super::script::{list, quoted};
 use crate::claim::{Local, Map, Statements, Vocabulary, flies, index_of, pair_of, subscript_of};
 use crate::kernel::{Question, Symbol};
 use crate::tex::{Condition, Equation, Invariant, Name, Relation, Tree};
@@ -346,4 +345,26 @@ fn undotted(state: &Name) -> (Name, u32) {
     };
     root.accents.pop();
     (root, dots)
+}
+
+/// A string as JSON and Python write it.
+pub(super) fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            c if c.is_control() || !c.is_ascii() => {
+                let mut units = [0; 2];
+                out.extend(c.encode_utf16(&mut units).iter().map(|unit| format!("\\u{unit:04x}")));
+            }
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}
+
+pub(super) fn list(items: impl IntoIterator<Item = String>) -> String {
+    format!("[{}]", items.into_iter().collect::<Vec<_>>().join(", "))
 }
