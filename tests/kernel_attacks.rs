@@ -2,7 +2,7 @@
 
 #![cfg(feature = "audit")]
 
-use num_traits::{One, Zero};
+use num_traits::One;
 use vibro_audit::claim::{Sheet, Statements, vocabulary};
 use vibro_audit::kernel::{
     Axiom, Certificate, Elementary, FunctionOf, Inference, LawSource, Node, Polynomial, Property, Quantity, Question,
@@ -36,16 +36,6 @@ fn proof(statement: Statement, steps: Vec<Inference>) -> With<Certificate> {
             whole: Vec::new(),
             steps,
         },
-    }
-}
-
-fn identity(target: Polynomial, fact: usize) -> Inference {
-    Inference::Zero {
-        target,
-        power: 1,
-        squares: Vec::new(),
-        factors: Vec::new(),
-        terms: vec![(Polynomial::integer(1), fact)],
     }
 }
 
@@ -86,18 +76,9 @@ fn a_principal_root_jumps_where_its_radicand_crosses_the_cut() {
     let logarithm = terms.elementary(Elementary::Ln, power);
     let of = terms.difference(logarithm, angle);
     let zero = terms.integer(0);
-    let one = terms.integer(1);
     let nothing = terms.product(vec![unit, zero]);
     let x = symbol(&statement, "x");
     let x = statement.terms_mut().symbol(x);
-    let terms = statement.terms_mut();
-    let (at_nothing, ln_one) = (
-        terms.elementary(Elementary::Exp, nothing),
-        terms.elementary(Elementary::Ln, one),
-    );
-    let whole = terms.elementary(Elementary::Ln, at_nothing);
-    let goal = statement.goal()[0].1;
-    let _ = (ln_one, goal);
     let steps = vec![
         Inference::Constant {
             of,
@@ -119,11 +100,11 @@ fn a_principal_root_jumps_where_its_radicand_crosses_the_cut() {
         },
     ];
     let result = follows(&proof(statement, steps));
-    // all but the value of ln exp(i 0), which is 0 by ln(exp 0), is derived: the law itself must not be
+    // all but the value of ln exp(i 0), which is 0, is derived: the law itself must not be
     let refused = result.as_ref().err().map(ToString::to_string).unwrap_or_default();
     assert!(
         refused.contains("step 0"),
-        "the derivative of a principal branch is taken across its cut: {refused:?} ({whole:?})"
+        "a principal branch is differentiated across its cut: {refused:?}"
     );
 }
 
@@ -154,7 +135,7 @@ fn a_number_with_a_complex_part_that_is_not_real_may_be_0() {
 fn a_derivative_of_a_derivative_is_not_free() {
     // f(t) = t^2, g = f', h = g': h(1) = 2
     let asked = question(
-        "[symbols]\nparameters = ['x']\ntimes = ['t_k']\nfunctions = { h = '', g = 'h', f = 'g' }\n\
+        "[symbols]\nparameters = ['x']\ntimes = ['t', 't_k']\nfunctions = { h = '', g = 'h', f = 'g' }\n\
          [[equation]]\nlabel = \"1\"\nrole = \"premise\"\ntex = 'f(t) = t^2'\n\
          [[equation]]\nlabel = \"2\"\nrole = \"claim\"\ntex = 'h(x) = 2'\nfollows_from = [\"1\"]\n",
     );
@@ -192,7 +173,7 @@ fn a_derivative_of_a_derivative_is_not_free() {
 fn a_law_holds_at_all_times_not_at_that_of_the_sample() {
     // f(t) = t^2 at all t: f(2) = 4
     let asked = question(
-        "[symbols]\ntimes = ['t_k']\nfunctions = { f = '' }\n\
+        "[symbols]\ntimes = ['t', 't_k']\nfunctions = { f = '' }\n\
          [[equation]]\nlabel = \"1\"\nrole = \"premise\"\ntex = 'f(t) = t^2'\n\
          [[equation]]\nlabel = \"2\"\nrole = \"claim\"\ntex = 'f(2) = 4'\nfollows_from = [\"1\"]\n",
     );
@@ -335,7 +316,6 @@ fn solutions_obey_what_is_declared_of_their_symbol() {
         *property == Property::Positive && lower.statement.terms().is_closed(*term)
     };
     assert!(lower.statement.goal().iter().any(says), "{:?}", lower.statement.goal());
-    let _ = (identity(Polynomial::integer(0), 0), Rational::zero());
 }
 
 /// A sheet that claims x = 1 of all x that are not 0.
@@ -372,7 +352,7 @@ fn exponents_do_not_saturate() {
 fn printed_powers_do_not_saturate() {
     let asked = question(
         "[symbols]\nparameters = ['x']\npositive = ['x']\n[[equation]]\nlabel = \"1\"\nrole = \"claim\"\n\
-         tex = '(x^{65536})^{65536} x = (x^{65536})^{65536}'\n",
+         tex = '(((x^{1000})^{1000})^{1000})^{1000} x = (((x^{1000})^{1000})^{1000})^{1000}'\n",
     );
     assert!(follows(&proof(asked.statement.clone(), Vec::new())).is_err());
 }
@@ -402,11 +382,13 @@ fn roots_of_huge_indices_are_not_alike() {
         Inference::Axiom(Axiom::Enclosure(
             Polynomial::generator(a).minus(&Polynomial::generator(b)),
         )),
-        Inference::Nonzero {
-            target: Polynomial::integer(0),
-            cofactor: Polynomial::integer(1),
+        // (a - b) 1 = -(b - a)
+        Inference::Zero {
+            target: Polynomial::integer(1),
+            power: 1,
+            squares: Vec::new(),
             factors: vec![(3, 1)],
-            terms: vec![(Polynomial::integer(1), 2)],
+            terms: vec![(Polynomial::integer(-1), 2)],
         },
     ];
     assert!(follows(&proof(statement, steps)).is_err());
@@ -440,9 +422,7 @@ fn the_terms_of_a_statement_are_not_exchanged() {
     // the term of this number vanishes
     let mut last = terms.integer(0);
     while last.0 < goal.0 {
-        let one = terms.integer(1);
         last = terms.add(Node::Power(last, 1));
-        let _ = one;
     }
     for n in 0..statement.terms().symbols() {
         terms.new_symbol(statement.terms().symbol_name(Symbol(n as u32)));
