@@ -39,9 +39,17 @@ impl Vocabulary {
         if let Some(name) = circular(&abbreviations.collect::<Vec<_>>()) {
             return Err(Fault::new(format!("`{name}` is defined by itself")));
         }
-        for name in &self.generic {
-            if !self.knows(name) {
-                return Err(Fault::new(format!("`{name}` in `generic` is not declared")));
+        let lists = [
+            ("generic", &self.generic),
+            ("positive", &self.positive),
+            ("nonnegative", &self.nonnegative),
+            ("nonzero", &self.nonzero),
+            ("integers", &self.integers),
+            ("complex", &self.complex),
+        ];
+        for (list, names) in lists {
+            if let Some(name) = names.iter().find(|name| !self.declares(name)) {
+                return Err(Fault::new(format!("`{name}` in `{list}` is not declared")));
             }
         }
         for letter in &self.indices {
@@ -63,8 +71,8 @@ impl Vocabulary {
     }
 
     fn check_tree(&self, tree: &Tree, about: &str) -> Result<(), Fault> {
-        match self.undeclared(tree, &|_| false) {
-            Some(found) => Err(Fault::new(format!("{about}: {}", found.message))),
+        match self.undeclared(tree, &|_| false).first() {
+            Some(found) => Err(Fault::new(format!("{about}: {}{}", found.message, found.known))),
             None => Ok(()),
         }
     }

@@ -2,19 +2,29 @@
 
 use super::definition::{Local, pair_of};
 use super::nearest::nearest;
-use super::substitute::{any_side, below, find};
+use super::substitute::{any, any_side, below};
 use super::vocabulary::{Map, Vocabulary, index_of};
 use crate::tex::{Name, Tree};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 
 /// Names shown in a message, and names among which the nearest is looked for.
 const MOST_SHOWN: usize = 40;
 const MOST_COMPARED: usize = 1000;
+/// Names of one formula that are reported.
+const MOST_REPORTED: usize = 10;
 
-/// A name that stands for nothing: where, and what to say of it.
+/// A name that stands for nothing: where, what to say of it, and the names that are known.
 pub(super) struct Undeclared {
     pub at: usize,
     pub message: String,
+    pub known: String,
+}
+
+impl Undeclared {
+    fn plain(at: usize, message: String) -> Self {
+        let known = String::new();
+        Self { at, message, known }
+    }
 }
 
 impl Vocabulary {
@@ -77,9 +87,25 @@ impl Vocabulary {
         self.states.iter().any(|state| derivatives(state).contains(&plain))
     }
 
-    /// The first name of the formula that stands for nothing; `extra` are names that are known besides.
-    pub(super) fn undeclared(&self, tree: &Tree, extra: &dyn Fn(&Name) -> bool) -> Option<Undeclared> {
-        find(tree, &mut |node| self.undeclared_here(node, extra))
+    /// The names of the formula that stand for nothing, each once; `extra` are names that are known besides.
+    pub(super) fn undeclared(&self, tree: &Tree, extra: &dyn Fn(&Name) -> bool) -> Vec<Undeclared> {
+        let mut found: Vec<Undeclared> = Vec::new();
+        let mut reported: HashSet<Name> = HashSet::new();
+        any(tree, &mut |node| {
+            if matches!(node, Tree::Symbol(name, _) if reported.contains(name)) {
+                return false;
+            }
+            if let Some(new) = self.undeclared_here(node, extra)
+                && found.iter().all(|old| old.message != new.message)
+            {
+                if let Tree::Symbol(name, _) = node {
+                    reported.insert(name.clone());
+                }
+                found.push(new);
+            }
+            found.len() >= MOST_REPORTED
+        });
+        found
     }
 
     fn undeclared_here(&self, node: &Tree, extra: &dyn Fn(&Name) -> bool) -> Option<Undeclared> {
@@ -87,12 +113,9 @@ impl Vocabulary {
             Tree::Symbol(name, _) if self.is_single(name) || extra(name) => None,
             Tree::Symbol(name, at) if self.names.matrices.contains(name) => {
                 let message = format!("`{name}` is a matrix: write Tr({name}) or Det({name})");
-                Some(Undeclared { at: at.0, message })
+                Some(Undeclared::plain(at.0, message))
             }
-            Tree::Symbol(name, at) if !self.knows(name) => Some(Undeclared {
-                at: at.0,
-                message: self.unknown(name),
-            }),
+            Tree::Symbol(name, at) if !self.knows(name) => Some(self.unknown(name, at.0)),
             Tree::Call(name, argument, at) => {
                 let elementary = name.base.starts_with('\\') && *name == base_alone(name);
                 let at_impact = matches!(argument.as_ref(), Tree::Symbol(time, _) if self.is_time_of_impact(time));
@@ -104,16 +127,18 @@ impl Vocabulary {
                     }
                     () => format!("`{name}` is not a function here"),
                 };
-                Some(Undeclared { at: at.0, message })
+                Some(Undeclared::plain(at.0, message))
             }
             Tree::Partial { of, by, at } => {
                 let unknown = [of, by].into_iter().find(|name| !self.knows(name) && !extra(name));
-                let message = match unknown {
-                    Some(name) => self.unknown(name),
-                    None if self.has_partial(of, by) => return None,
-                    None => format!("no map gives the derivative of `{of}` by `{by}`"),
-                };
-                Some(Undeclared { at: at.0, message })
+                match unknown {
+                    Some(name) => Some(self.unknown(name, at.0)),
+                    None if self.has_partial(of, by) => None,
+                    None => {
+                        let message = format!("no map gives the derivative of `{of}` by `{by}`");
+                        Some(Undeclared::plain(at.0, message))
+                    }
+                }
             }
             _ => None,
         }
@@ -138,7 +163,7 @@ impl Vocabulary {
     }
 
     /// What to say of a name that nothing declares.
-    pub(super) fn unknown(&self, name: &Name) -> String {
+    pub(super) fn unknown(&self, name: &Name, at: usize) -> Undeclared {
         let found = name.to_string();
         let all = self.all();
         let plain: Vec<String> = all
@@ -147,7 +172,9 @@ impl Vocabulary {
             .map(|(name, _)| name.to_string())
             .collect();
         let meant = nearest(&found, plain.iter().map(String::as_str));
-        let meant = meant.map_or(String::new(), |name| format!("did you mean `{name}`? "));
+        // Of one letter alone any other is near.
+        let meant = meant.filter(|meant| found.chars().count() > 1 || meant.eq_ignore_ascii_case(&found));
+        let meant = meant.map_or(String::new(), |name| format!(", did you mean `{name}`?"));
         let mut known: Vec<&str> = all.iter().take(MOST_SHOWN).map(|(_, shown)| shown.as_str()).collect();
         let more = all.len().saturating_sub(MOST_SHOWN);
         let more = (more > 0).then(|| format!("and {more} more"));
@@ -157,7 +184,11 @@ impl Vocabulary {
         } else {
             format!("known: {}", known.join(", "))
         };
-        format!("unknown symbol `{found}` ({meant}{known})")
+        Undeclared {
+            at,
+            message: format!("unknown symbol `{found}`{meant}"),
+            known: format!(" ({known})"),
+        }
     }
 
     /// Every declared name, and how it is shown in a message.
@@ -187,8 +218,12 @@ impl Vocabulary {
             .collect()
     }
 
-    /// Whether a map has this derivative, or a chain of maps: 1 or 0 among the quantities that a map starts from.
+    /// Whether a map has this derivative, or a chain of maps: 1 or 0 among the quantities that a map starts from. Where
+    /// no maps are declared, the premises may give the derivative of any time or state at an impact by another.
     fn has_partial(&self, of: &Name, by: &Name) -> bool {
+        if self.maps.is_empty() {
+            return self.is_indexed(of) && self.is_indexed(by);
+        }
         let steps: Vec<(Vec<Name>, Vec<Name>)> = self.maps.iter().filter_map(|(_, map)| self.step(map)).collect();
         let (of, mut reached) = (self.quantity(of), vec![self.quantity(by)]);
         if steps

@@ -3,12 +3,14 @@
 use super::declared::is_defined;
 use super::definition::{Local, circular};
 use super::fault::{Fault, Source};
+use super::nearest::nearest;
 use super::substitute::any;
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
-use crate::tex::{Condition, Equation, Name, Relation, Tree};
+use crate::tex::{Condition, Equation, Name, Relation, Tree, read, read_conditions};
 use serde::Deserialize;
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
+use toml::Spanned;
 
 /// What a formula is to its sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
@@ -51,6 +53,24 @@ pub struct Entry {
     pub(super) given: Vec<(Equation, Source)>,
     /// Names that some definition of the sheet must give, and where they stand.
     pub(super) borrowed: Vec<(Name, usize)>,
+}
+
+/// One `[[equation]]` as it stands in the file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawEntry {
+    pub label: Spanned<String>,
+    pub role: Role,
+    pub tex: Spanned<String>,
+    #[serde(default, rename = "where")]
+    pub local: Vec<Spanned<String>>,
+    #[serde(default)]
+    pub with: Vec<Spanned<String>>,
+    #[serde(default)]
+    pub assume: Vec<Spanned<String>>,
+    pub follows_from: Option<Vec<Spanned<String>>>,
+    #[serde(default)]
+    pub expect: Verdict,
 }
 
 impl Entry {
@@ -103,22 +123,26 @@ impl Entry {
     ) -> Result<(), Fault> {
         if self.role == Role::Claim && self.stated.is_empty() {
             let name = self.own.last().map(|local| local.name.clone()).unwrap_or_default();
-            let problem = format!(
-                "{}; nothing is left to decide: each left side is a symbol that is declared nowhere",
-                vocabulary.unknown(&name)
-            );
-            return Err(self.tex.fault(0, problem).of(&self.label));
+            let unknown = vocabulary.unknown(&name, 0);
+            let problem = "nothing is left to decide: each left side is a symbol that is declared nowhere";
+            let message = format!("{}; {problem}{}", unknown.message, unknown.known);
+            return Err(self.tex.fault(0, message).of(&self.label));
         }
-        let mut borrowed = Vec::new();
+        let (mut borrowed, mut faults, mut messages) = (Vec::new(), Vec::new(), HashSet::new());
         let mine = |name: &Name| is_defined(name, &self.own) || is_defined(name, shared);
         let borrows = self.role != Role::Claim;
         for (tree, source) in self.trees(vocabulary) {
             let extra = |name: &Name| mine(name) || (borrows && elsewhere.contains(name));
-            if let Some(found) = vocabulary.undeclared(tree, &extra) {
-                return Err(source.fault(found.at, found.message).of(&self.label));
+            for found in vocabulary.undeclared(tree, &extra) {
+                if messages.insert(found.message.clone()) {
+                    // The names that are known are the same for all.
+                    let known = if faults.is_empty() { found.known } else { String::new() };
+                    faults.push(source.fault(found.at, found.message + &known));
+                }
             }
             any(tree, &mut |node| {
                 if let Tree::Symbol(name, at) = node
+                    && elsewhere.contains(name)
                     && !mine(name)
                     && !vocabulary.knows(name)
                 {
@@ -126,6 +150,9 @@ impl Entry {
                 }
                 false
             });
+        }
+        if let Some(fault) = faults.into_iter().reduce(Fault::and) {
+            return Err(fault.of(&self.label));
         }
         self.check_order(vocabulary)?;
         for (equation, source) in &self.with {
@@ -210,4 +237,101 @@ impl Vocabulary {
 /// Both sides of an equation with its source.
 fn sides<'a>(equation: &'a Equation, source: &'a Source) -> [(&'a Tree, &'a Source); 2] {
     [(&equation.left, source), (&equation.right, source)]
+}
+
+/// Reads an entry; what cannot be read of it is kept in `unread`. Of one that is not `wanted` the TeX is kept alone.
+///
+/// # Errors
+/// The [`Fault`] of a label in `follows_from` that no entry has.
+pub(super) fn read_entry(
+    text: &str,
+    raw: &RawEntry,
+    positions: &BTreeMap<&str, usize>,
+    vocabulary: &Vocabulary,
+    wanted: bool,
+) -> Result<Entry, Fault> {
+    let mut follows_from = Vec::new();
+    let mut seen = HashSet::new();
+    for label in raw.follows_from.iter().flatten() {
+        let Some(&position) = positions.get(label.get_ref().as_str()) else {
+            return Err(no_label(label.get_ref(), positions).at(&Source::new(text, label)));
+        };
+        if seen.insert(position) {
+            follows_from.push(position);
+        }
+    }
+    let tex = Source::new(text, &raw.tex);
+    let mut faults = Vec::new();
+    let mut keep = |read: Result<Vec<Equation>, Fault>| {
+        read.unwrap_or_else(|fault| {
+            faults.push(fault);
+            Vec::new()
+        })
+    };
+    let equations = if wanted {
+        keep(read_tex(&tex, vocabulary))
+    } else {
+        Vec::new()
+    };
+    let mut sourced = |list: &[Spanned<String>]| -> Vec<(Equation, Source)> {
+        let sources = list.iter().filter(|_| wanted).map(|value| Source::new(text, value));
+        let read = sources.map(|source| {
+            let equations = keep(read_tex(&source, vocabulary));
+            equations.into_iter().map(move |equation| (equation, source.clone()))
+        });
+        read.flatten().collect()
+    };
+    let (local, with) = (sourced(&raw.local), sourced(&raw.with));
+    let mut assume = Vec::new();
+    for value in raw.assume.iter().filter(|_| wanted) {
+        let source = Source::new(text, value);
+        match read_conditions(&source.tex, &vocabulary.names) {
+            Ok(conditions) => assume.extend(conditions.into_iter().map(|condition| (condition, source.clone()))),
+            Err(error) => faults.push(source.fault(error.at, error.reason.to_string())),
+        }
+    }
+    Ok(Entry {
+        label: raw.label.get_ref().clone(),
+        role: raw.role,
+        equations,
+        local,
+        with,
+        assume,
+        follows_from,
+        expect: raw.expect,
+        unread: faults
+            .into_iter()
+            .reduce(Fault::and)
+            .map(|fault| fault.of(raw.label.get_ref())),
+        tex,
+        own: Vec::new(),
+        stated: Vec::new(),
+        given: Vec::new(),
+        borrowed: Vec::new(),
+    })
+}
+
+/// Labels shown in a message.
+const MOST_LABELS: usize = 40;
+
+fn no_label(found: &str, positions: &BTreeMap<&str, usize>) -> Fault {
+    let mut known: Vec<(&usize, &str)> = positions.iter().map(|(label, position)| (position, *label)).collect();
+    known.sort_unstable();
+    let shown: Vec<&str> = known.iter().take(MOST_LABELS).map(|(_, label)| *label).collect();
+    let more = known.len().saturating_sub(MOST_LABELS);
+    let more = if more > 0 {
+        format!(" and {more} more")
+    } else {
+        String::new()
+    };
+    let meant = nearest(found, known.iter().map(|(_, label)| *label));
+    let meant = meant.map_or(String::new(), |label| format!("did you mean `{label}`? "));
+    Fault::new(format!(
+        "follows from `{found}`, which is no label here ({meant}there are: {}{more})",
+        shown.join(", ")
+    ))
+}
+
+fn read_tex(source: &Source, vocabulary: &Vocabulary) -> Result<Vec<Equation>, Fault> {
+    read(&source.tex, &vocabulary.names).map_err(|error| source.fault(error.at, error.reason.to_string()))
 }

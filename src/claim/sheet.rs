@@ -2,14 +2,12 @@
 
 use super::circle::circle;
 use super::declared::is_defined;
-use super::entry::{Entry, Role};
+use super::entry::{Entry, RawEntry, Role, read_entry};
 use super::fault::{Fault, Source};
-use super::nearest::nearest;
 use super::premise::shared;
 use super::symbols::{MapEntry, Symbols};
-use super::verdict::Verdict;
 use super::vocabulary::Vocabulary;
-use crate::tex::{Equation, Name, read, read_conditions};
+use crate::tex::Name;
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use toml::Spanned;
@@ -29,23 +27,6 @@ struct RawSheet {
     symbols: Option<Spanned<Symbols>>,
     #[serde(default)]
     equation: Vec<RawEntry>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RawEntry {
-    label: Spanned<String>,
-    role: Role,
-    tex: Spanned<String>,
-    #[serde(default, rename = "where")]
-    local: Vec<Spanned<String>>,
-    #[serde(default)]
-    with: Vec<Spanned<String>>,
-    #[serde(default)]
-    assume: Vec<Spanned<String>>,
-    follows_from: Option<Vec<Spanned<String>>>,
-    #[serde(default)]
-    expect: Verdict,
 }
 
 /// The `[symbols]` block of a file that holds nothing else.
@@ -309,97 +290,4 @@ fn needed(entries: &[RawEntry], positions: &BTreeMap<&str, usize>) -> HashSet<us
         }
     }
     needed
-}
-
-fn read_entry(
-    text: &str,
-    raw: &RawEntry,
-    positions: &BTreeMap<&str, usize>,
-    vocabulary: &Vocabulary,
-    wanted: bool,
-) -> Result<Entry, Fault> {
-    let mut follows_from = Vec::new();
-    let mut seen = HashSet::new();
-    for label in raw.follows_from.iter().flatten() {
-        let Some(&position) = positions.get(label.get_ref().as_str()) else {
-            return Err(no_label(label.get_ref(), positions).at(&Source::new(text, label)));
-        };
-        if seen.insert(position) {
-            follows_from.push(position);
-        }
-    }
-    let tex = Source::new(text, &raw.tex);
-    let mut faults = Vec::new();
-    let mut keep = |read: Result<Vec<Equation>, Fault>| {
-        read.unwrap_or_else(|fault| {
-            faults.push(fault);
-            Vec::new()
-        })
-    };
-    let equations = if wanted {
-        keep(read_tex(&tex, vocabulary))
-    } else {
-        Vec::new()
-    };
-    let mut sourced = |list: &[Spanned<String>]| -> Vec<(Equation, Source)> {
-        let sources = list.iter().filter(|_| wanted).map(|value| Source::new(text, value));
-        let read = sources.map(|source| {
-            let equations = keep(read_tex(&source, vocabulary));
-            equations.into_iter().map(move |equation| (equation, source.clone()))
-        });
-        read.flatten().collect()
-    };
-    let (local, with) = (sourced(&raw.local), sourced(&raw.with));
-    let mut assume = Vec::new();
-    for value in raw.assume.iter().filter(|_| wanted) {
-        let source = Source::new(text, value);
-        match read_conditions(&source.tex, &vocabulary.names) {
-            Ok(conditions) => assume.extend(conditions.into_iter().map(|condition| (condition, source.clone()))),
-            Err(error) => faults.push(source.fault(error.at, error.reason.to_string())),
-        }
-    }
-    Ok(Entry {
-        label: raw.label.get_ref().clone(),
-        role: raw.role,
-        equations,
-        local,
-        with,
-        assume,
-        follows_from,
-        expect: raw.expect,
-        unread: faults
-            .into_iter()
-            .reduce(Fault::and)
-            .map(|fault| fault.of(raw.label.get_ref())),
-        tex,
-        own: Vec::new(),
-        stated: Vec::new(),
-        given: Vec::new(),
-        borrowed: Vec::new(),
-    })
-}
-
-/// Labels shown in a message.
-const MOST_LABELS: usize = 40;
-
-fn no_label(found: &str, positions: &BTreeMap<&str, usize>) -> Fault {
-    let mut known: Vec<(&usize, &str)> = positions.iter().map(|(label, position)| (position, *label)).collect();
-    known.sort_unstable();
-    let shown: Vec<&str> = known.iter().take(MOST_LABELS).map(|(_, label)| *label).collect();
-    let more = known.len().saturating_sub(MOST_LABELS);
-    let more = if more > 0 {
-        format!(" and {more} more")
-    } else {
-        String::new()
-    };
-    let meant = nearest(found, known.iter().map(|(_, label)| *label));
-    let meant = meant.map_or(String::new(), |label| format!("did you mean `{label}`? "));
-    Fault::new(format!(
-        "follows from `{found}`, which is no label here ({meant}there are: {}{more})",
-        shown.join(", ")
-    ))
-}
-
-fn read_tex(source: &Source, vocabulary: &Vocabulary) -> Result<Vec<Equation>, Fault> {
-    read(&source.tex, &vocabulary.names).map_err(|error| source.fault(error.at, error.reason.to_string()))
 }

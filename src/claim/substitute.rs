@@ -69,16 +69,6 @@ pub fn any_side(equation: &Equation, test: &mut dyn FnMut(&Tree) -> bool) -> boo
     any(&equation.left, test) || any(&equation.right, test)
 }
 
-/// What the test finds first, at the node or below it.
-pub(super) fn find<T>(tree: &Tree, test: &mut dyn FnMut(&Tree) -> Option<T>) -> Option<T> {
-    let mut found = None;
-    any(tree, &mut |node| {
-        found = test(node);
-        found.is_some()
-    });
-    found
-}
-
 /// The number of nodes of a tree.
 pub(super) fn nodes_of(tree: &Tree) -> usize {
     let mut count = 0;

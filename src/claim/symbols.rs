@@ -28,17 +28,10 @@ pub struct Symbols {
 }
 
 impl Symbols {
-    /// The lists that say of which kind a symbol is, by their keys. What stands in one need not stand among the
-    /// parameters too.
-    pub(super) fn kinds(&self) -> [(&'static str, &[String]); 6] {
-        [
-            ("positive", &self.positive),
-            ("at_most_one", &self.at_most_one),
-            ("nonnegative", &self.nonnegative),
-            ("nonzero", &self.nonzero),
-            ("integers", &self.integers),
-            ("complex", &self.complex),
-        ]
+    /// The lists of `nonnegative`, `nonzero`, `integers` and `complex`: what stands in one of these need not stand among
+    /// the parameters too.
+    pub(super) fn kinds(&self) -> [&[String]; 4] {
+        [&self.nonnegative, &self.nonzero, &self.integers, &self.complex]
     }
 }
 

@@ -154,33 +154,34 @@ impl Vocabulary {
 
     /// The lists that say of which kind a symbol is.
     fn read_kinds(&mut self, symbols: &Symbols) -> Result<(), Fault> {
-        let kinds = symbols.kinds();
-        let mut lists = kinds.map(|_| Vec::new());
-        for ((_, texts), list) in kinds.iter().zip(&mut lists) {
-            *list = self.list(texts)?;
-        }
-        let others: HashSet<&Name> = lists.iter().take(5).flatten().collect();
-        let [.., complex] = &lists;
-        if let Some(name) = complex.iter().find(|name| others.contains(name)) {
-            let problem = "is complex and of a kind that is real: list it in `complex` alone, or in `nonzero` alone";
+        let kinds = symbols.kinds().map(|texts| self.list(texts));
+        let [nonnegative, nonzero, integers, complex] = kinds;
+        (self.nonnegative, self.nonzero) = (nonnegative?, nonzero?);
+        (self.integers, self.complex) = (integers?, complex?);
+        self.at_most_one = self.list(&symbols.at_most_one)?;
+        self.positive = self.list(&symbols.positive)?;
+        self.positive.extend(self.at_most_one.iter().cloned());
+        let real: HashSet<&Name> = self
+            .positive
+            .iter()
+            .chain(&self.nonnegative)
+            .chain(&self.integers)
+            .collect();
+        if let Some(name) = self.complex.iter().find(|name| real.contains(name)) {
+            let problem = "is in `complex` and in a list of real symbols";
             return Err(Fault::new(format!("`{name}` {problem}")));
         }
-        let known: HashSet<Name> = self.parameters.iter().cloned().collect();
-        let mut new: Vec<Name> = Vec::new();
-        for name in lists.iter().flatten() {
-            let elsewhere = self.abbreviations.iter().any(|(known, _)| known == name)
-                || self.is_indexed(name)
-                || self.running.as_ref() == Some(name);
-            if !known.contains(name) && !elsewhere && !new.contains(name) {
-                new.push(name.clone());
-            }
-        }
+        let mut known: HashSet<Name> = self.parameters.iter().cloned().collect();
+        known.extend(self.abbreviations.iter().map(|(name, _)| name.clone()));
+        known.extend(self.running.clone());
+        let kinds = [&self.nonnegative, &self.nonzero, &self.integers, &self.complex];
+        let new: Vec<Name> = kinds
+            .into_iter()
+            .flatten()
+            .filter(|name| !self.is_indexed(name) && known.insert((*name).clone()))
+            .cloned()
+            .collect();
         self.parameters.extend(new);
-        let [positive, at_most_one, nonnegative, nonzero, integers, complex] = lists;
-        (self.nonnegative, self.nonzero, self.integers, self.complex) = (nonnegative, nonzero, integers, complex);
-        self.positive = positive;
-        self.positive.extend(at_most_one.iter().cloned());
-        self.at_most_one = at_most_one;
         Ok(())
     }
 
@@ -331,7 +332,7 @@ fn first_names(symbols: &Symbols) -> Result<Names, Fault> {
     for pair in pairs {
         texts.extend(pair.pairs()?.into_iter().map(|(name, _)| name));
     }
-    let kinds = symbols.kinds().into_iter().flat_map(|(_, list)| list);
+    let kinds = symbols.kinds().into_iter().flatten().chain(&symbols.indices);
     let plain = symbols.parameters.iter().chain(&symbols.times).chain(&symbols.states);
     texts.extend(plain.chain(kinds).cloned());
     texts.extend(symbols.maps.keys().cloned());

@@ -4,8 +4,11 @@ use super::{Answer, Content, Exit, Failure, Options, Source};
 use crate::claim::{self, Fault, Sheet, Verdict};
 use crate::evidence::{Evidence, witness};
 use crate::prove::{self, Decision, mention_refuted};
-use crate::report::{Cell, Table};
+use crate::report::{Cell, OutputError, OutputProblem, Table};
 use rayon::prelude::*;
+use std::fs::OpenOptions;
+use std::io::Write;
+use std::path::Path;
 
 /// Decide for each formula of a sheet whether it follows from its premises
 #[derive(Debug, clap::Args)]
@@ -20,8 +23,12 @@ pub struct Arguments {
     /// How far to search for proofs and counterexamples, as a multiple of the usual limit in steps
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=MOST_EFFORT))]
     effort: u64,
+    /// Write each proof and each counterexample into this directory, as a Python script that checks itself with SymPy
+    /// and mpmath
+    #[arg(long, value_name = "DIR", conflicts_with = "explain")]
+    proof: Option<std::path::PathBuf>,
     /// Print a sheet to start from, with every key explained
-    #[arg(long, conflicts_with_all = ["sheet", "explain", "effort"])]
+    #[arg(long, conflicts_with_all = ["sheet", "explain", "effort", "proof"])]
     template: bool,
 }
 
@@ -33,7 +40,7 @@ const PROMISES: &str = "\
 A claim is true when both sides agree for all values of its symbols for which its premises and
 assumptions hold and everything written in premises and claim is defined. Symbols are real unless
 [symbols] says otherwise.
-  proved     A proof was accepted by a small kernel that shares nothing with the search, and so
+  proved     A proof was accepted by a small kernel that uses nothing of the search, and so
              was a point at which the premises hold. The column `provided` lists what it excludes.
   refuted    Exact values of the symbols were accepted at which every premise holds and the two
              sides differ, or the claim is nowhere defined.
@@ -57,8 +64,8 @@ const COLUMNS: [&str; 9] = [
     "repair",
 ];
 
-/// Random points at which each claim is tried.
-const POINTS: usize = 6;
+/// Random points at which each claim is tried; fewer where one costs much.
+const POINTS: usize = 24;
 
 /// A decision, and the evidence beside it where there is a claim to be tried.
 type Row = (Decision, Option<Evidence>);
@@ -88,10 +95,42 @@ pub fn run(arguments: &Arguments, _options: &Options) -> Result<Answer, Failure>
     let options = prove::Options {
         effort: arguments.effort,
     };
+    if let Some(directory) = &arguments.proof {
+        write_proofs(&sheet, directory, &options)?;
+    }
     match &arguments.explain {
         Some(label) => explain(&sheet, label, &options).map_err(in_sheet),
         None => decide_sheet(&sheet, &name, &options),
     }
+}
+
+/// Writes a script for each question that is decided, over nothing that is there already.
+fn write_proofs(sheet: &Sheet, directory: &Path, options: &prove::Options) -> Result<(), Failure> {
+    let rows = sheet.rows();
+    let scripts: Vec<(String, String)> = rows
+        .par_iter()
+        .flat_map_iter(|&position| prove::scripts(sheet, position, options))
+        .collect();
+    super::run::create(directory)?;
+    for (name, script) in &scripts {
+        let path = directory.join(name);
+        // nothing that is there is written over
+        let opened = OpenOptions::new().write(true).create_new(true).open(&path);
+        let written = opened.and_then(|mut file| file.write_all(script.as_bytes()));
+        written.map_err(|source| OutputError {
+            place: path.display().to_string(),
+            problem: OutputProblem::System {
+                doing: "writing a new file",
+                source,
+            },
+        })?;
+    }
+    super::note(&format!(
+        "{} scripts in {}: run each with Python, SymPy and mpmath",
+        scripts.len(),
+        directory.display()
+    ));
+    Ok(())
 }
 
 /// The table of the sheet with this text, which errors call `name`.
@@ -111,7 +150,8 @@ fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options) -> Result<A
         fault,
     })?;
     mention_refuted(sheet, rows.iter_mut().map(|(decision, _)| decision));
-    for fault in sheet.entries.iter().filter_map(|entry| entry.unread.as_ref()) {
+    let unread = sheet.entries.iter().filter(|entry| entry.expect != Verdict::Unread);
+    for fault in unread.filter_map(|entry| entry.unread.as_ref()) {
         super::note(&format!("{name}: {fault}"));
     }
     Ok(Answer {
@@ -220,6 +260,7 @@ fn in_words(evidence: &Evidence) -> String {
             "left and right agree to {digits:.1} digits at the worst of {} random points of the premises in f64, to {median:.1} at half of them",
             evidence.points
         )),
+        _ if evidence.points > 0 => lines.push(format!("the inequality was tried at {} random points", evidence.points)),
         _ => lines.push("no point".to_string()),
     }
     lines.extend((!evidence.worst.is_empty()).then(|| format!("worst point: {}", evidence.worst)));

@@ -1,129 +1,216 @@
-//! From trees to programs: every name is resolved once.
+//! From trees to formulas: every name is resolved once.
 
-use super::course::Course;
+use super::formula::{Formula, Formulas, Op};
 use super::maps::Maps;
-use super::program::Node;
 use super::space::{Slot, Space};
+use super::value::Function;
 use crate::claim::{Local, Vocabulary, index_of};
-use crate::number::Rational;
 use crate::tex::{Invariant, Name, Tree};
+use std::collections::HashMap;
 
-/// Why there is no witness: what is spoken of has no concrete form here.
+/// Why there is no witness.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unwitnessed {
     /// A name without a meaning.
     #[error("`{0}` has no value here")]
     Unknown(String),
-    /// A function that is no integral or derivative of one that is free.
-    #[error("`{0}` is a function with a law of its own")]
-    Law(String),
     /// A symbol defined by itself.
     #[error("`{0}` is defined by itself")]
     Circular(String),
     /// A derivative that no map has.
     #[error("no map gives the derivative of `{0}` by `{1}`")]
     NoMap(String, String),
-    /// Premises of a kind that has no witness yet.
+    /// Premises of a kind that has no witness.
     #[error("{0}")]
     Kind(&'static str),
 }
 
-/// How many harmonics stand for any function: with the powers of time there are as many coefficients as values of a
-/// function and two integrals at three times, or at two where it repeats.
-const HARMONICS: usize = 3;
-/// Powers of time in a flight: constants of integration, gravity, and one to spare.
-const POWERS_OF_FLIGHT: usize = 4;
-/// Powers of time that a function has where a premise says what it is: up to the square.
-const POWERS_OF_LAW: usize = 2;
-
-/// Turns trees into programs.
+/// Turns trees into formulas.
 pub struct Compiler<'a> {
     pub vocabulary: &'a Vocabulary,
     pub space: &'a mut Space,
-    pub maps: Option<&'a Maps>,
+    pub formulas: &'a mut Formulas,
+    pub maps: &'a Maps,
     pub locals: &'a [Local],
     /// The first impact of the equation: there a state without a mark, in a bracket, is the one just after.
     pub first: Option<i32>,
     /// The impact that the flight spoken of starts from.
     pub flight: i32,
-    pub open: Vec<Name>,
+    /// Which sign `\pm` stands for.
+    pub upper: bool,
+    /// By how much a running index is shifted.
+    pub index_shift: i32,
+    open: Vec<Name>,
+    known: HashMap<Name, Formula>,
 }
 
-impl Compiler<'_> {
-    /// The program of a tree.
-    pub fn tree(&mut self, tree: &Tree) -> Result<Node, Unwitnessed> {
-        let boxed = |node| Box::new(node);
+impl<'a> Compiler<'a> {
+    pub fn new(vocabulary: &'a Vocabulary, space: &'a mut Space, formulas: &'a mut Formulas, maps: &'a Maps) -> Self {
+        Self {
+            vocabulary,
+            space,
+            formulas,
+            maps,
+            locals: &[],
+            first: None,
+            flight: 0,
+            upper: true,
+            index_shift: 0,
+            open: Vec::new(),
+            known: HashMap::new(),
+        }
+    }
+
+    /// The formula of a tree.
+    pub fn tree(&mut self, tree: &Tree) -> Result<Formula, Unwitnessed> {
         Ok(match tree {
-            Tree::Number(value) => number(value),
+            Tree::Number(value) => self.formulas.rational(value),
             Tree::Symbol(name, _) => self.symbol(name)?,
             Tree::Call(function, argument, _) => self.call(function, argument)?,
             Tree::Partial { of, by, .. } => self.partial(of, by)?,
             Tree::Invariant { kind, of, .. } => self.invariant(*kind, of)?,
-            Tree::Negate(body) => Node::Negate(boxed(self.tree(body)?)),
-            Tree::Sum(terms) => Node::Sum(self.trees(terms)?),
-            Tree::Product(factors) => Node::Product(self.trees(factors)?),
-            Tree::Quotient(above, below, _) => Node::Quotient(boxed(self.tree(above)?), boxed(self.tree(below)?)),
-            Tree::Power(base, exponent, _) => Node::Power(boxed(self.tree(base)?), *exponent),
-            Tree::Root(radicand, 2, _) => Node::Root(boxed(self.tree(radicand)?)),
-            Tree::Root(..) => return Err(Unwitnessed::Kind("roots other than square roots have no witness yet")),
-            Tree::RealPower(..) => {
-                return Err(Unwitnessed::Kind(
-                    "powers whose exponent is no integer have no witness yet",
-                ));
+            Tree::Negate(body) => self.signed(body, false)?,
+            Tree::Sum(terms) => {
+                let terms = self.trees(terms)?;
+                self.formulas.sum(terms)
             }
-            Tree::PlusMinus(body) => Node::Signed(boxed(self.tree(body)?), true),
-            Tree::MinusPlus(body) => Node::Signed(boxed(self.tree(body)?), false),
+            Tree::Product(factors) => {
+                let factors = self.trees(factors)?;
+                self.formulas.product(factors)
+            }
+            Tree::Quotient(above, below, _) => {
+                let (above, below) = (self.tree(above)?, self.tree(below)?);
+                self.formulas.divide(above, below)
+            }
+            Tree::Power(base, exponent, _) => {
+                let base = self.tree(base)?;
+                self.formulas.make(Op::Power(base, *exponent))
+            }
+            Tree::RealPower(base, exponent, _) => self.power(base, exponent)?,
+            Tree::Root(radicand, index, _) => {
+                let radicand = self.tree(radicand)?;
+                self.formulas.make(Op::Root(radicand, *index))
+            }
+            Tree::PlusMinus(body) => self.signed(body, self.upper)?,
+            Tree::MinusPlus(body) => self.signed(body, !self.upper)?,
         })
     }
 
-    fn trees(&mut self, trees: &[Tree]) -> Result<Vec<Node>, Unwitnessed> {
+    fn trees(&mut self, trees: &[Tree]) -> Result<Vec<Formula>, Unwitnessed> {
         trees.iter().map(|tree| self.tree(tree)).collect()
     }
 
-    fn symbol(&mut self, name: &Name) -> Result<Node, Unwitnessed> {
-        if let Some(local) = self.locals.iter().find(|local| local.name == *name) {
-            if self.open.contains(name) {
-                return Err(Unwitnessed::Circular(name.to_string()));
+    fn signed(&mut self, body: &Tree, plus: bool) -> Result<Formula, Unwitnessed> {
+        let body = self.tree(body)?;
+        Ok(if plus {
+            body
+        } else {
+            self.formulas.make(Op::Negate(body))
+        })
+    }
+
+    fn power(&mut self, base: &Tree, exponent: &Tree) -> Result<Formula, Unwitnessed> {
+        let whole = self.has_integer_values(exponent);
+        let is_e = matches!(base, Tree::Symbol(name, _) if self.is_constant(name, "e"));
+        let (base, exponent) = (self.tree(base)?, self.tree(exponent)?);
+        Ok(match (is_e, whole) {
+            (true, _) => self.formulas.apply(Function::Exp, exponent),
+            (false, true) => self.formulas.make(Op::IntegerPower(base, exponent)),
+            (false, false) => self.formulas.make(Op::RealPower(base, exponent)),
+        })
+    }
+
+    /// Whether a tree is made of integers by sums, products and powers.
+    fn has_integer_values(&self, tree: &Tree) -> bool {
+        match tree {
+            Tree::Number(value) => !value.to_string().contains('/'),
+            Tree::Symbol(name, _) => {
+                self.vocabulary.integers.contains(name) || super::domain::is_index(self.vocabulary, name)
             }
-            self.open.push(name.clone());
-            let node = self.tree(&local.tree);
-            self.open.pop();
-            return node;
+            Tree::Negate(body) | Tree::PlusMinus(body) | Tree::MinusPlus(body) => self.has_integer_values(body),
+            Tree::Power(body, exponent, _) => *exponent >= 0 && self.has_integer_values(body),
+            Tree::Sum(parts) | Tree::Product(parts) => parts.iter().all(|part| self.has_integer_values(part)),
+            _ => false,
+        }
+    }
+
+    /// Whether a name is this constant, which nothing declares anew.
+    fn is_constant(&self, name: &Name, base: &str) -> bool {
+        name.base == base
+            && *name
+                == Name {
+                    base: base.to_string(),
+                    ..Name::default()
+                }
+            && !self.vocabulary.parameters.contains(name)
+            && !self.locals.iter().any(|local| local.name == *name)
+    }
+
+    fn symbol(&mut self, name: &Name) -> Result<Formula, Unwitnessed> {
+        if let Some(known) = self.known.get(name) {
+            return Ok(*known);
+        }
+        if let Some(local) = self.locals.iter().find(|local| local.name == *name) {
+            return self.defined(name, &local.tree);
         }
         if self.vocabulary.parameters.contains(name) {
-            return Ok(Node::Slot(self.space.slot(Slot::Parameter(name.clone()))));
+            let slot = self.space.slot(Slot::Parameter(name.clone()));
+            return Ok(self.formulas.slot(slot));
         }
         if let Some((_, tree)) = self.vocabulary.abbreviations.iter().find(|(known, _)| known == name) {
-            return self.tree(tree);
+            return self.defined(name, tree);
         }
         if let Some(slot) = self.quantity(name) {
-            return Ok(Node::Slot(slot));
+            return Ok(self.formulas.slot(slot));
         }
         if self.vocabulary.running.as_ref() == Some(name) {
-            return Ok(Node::Running);
+            return Ok(self.formulas.make(Op::Running));
         }
         if name.mark.is_empty()
             && let Ok((course, level)) = self.course(name)
         {
-            return Ok(Node::Value {
-                course,
-                level,
-                time: Box::new(Node::Running),
-            });
+            let time = self.formulas.make(Op::Running);
+            return Ok(self.formulas.make(Op::Value { course, level, time }));
         }
-        match *name
-            == (Name {
-                base: r"\pi".to_string(),
-                ..Name::default()
-            }) {
-            true => Ok(Node::Pi),
-            false => Err(Unwitnessed::Unknown(name.to_string())),
+        if super::domain::is_index(self.vocabulary, name) {
+            let slot = self.space.slot(Slot::Parameter(name.clone()));
+            let (index, shift) = (
+                self.formulas.slot(slot),
+                self.formulas.integer(i64::from(self.index_shift)),
+            );
+            return Ok(self.formulas.add(index, shift));
         }
+        if self.is_constant(name, r"\pi") {
+            return Ok(self.formulas.make(Op::Pi));
+        }
+        if self.is_constant(name, "i") {
+            return Ok(self.formulas.make(Op::Imaginary));
+        }
+        if self.is_constant(name, "e") {
+            let one = self.formulas.integer(1);
+            return Ok(self.formulas.apply(Function::Exp, one));
+        }
+        Err(Unwitnessed::Unknown(name.to_string()))
+    }
+
+    fn defined(&mut self, name: &Name, tree: &Tree) -> Result<Formula, Unwitnessed> {
+        if self.open.contains(name) {
+            return Err(Unwitnessed::Circular(name.to_string()));
+        }
+        self.open.push(name.clone());
+        let formula = self.tree(tree);
+        self.open.pop();
+        self.known.insert(name.clone(), formula.clone()?);
+        formula
     }
 
     /// The slot of an indexed time or state.
     pub fn quantity(&mut self, name: &Name) -> Option<usize> {
-        let (bare, index) = (bare(name), index_of(&name.subscript, &self.vocabulary.index)?);
+        let member = || super::domain::member(self.vocabulary, name);
+        let (bare, index) = (
+            bare(name),
+            index_of(&name.subscript, &self.vocabulary.index).or_else(member)?,
+        );
         if name.primes > 0 {
             return None;
         }
@@ -148,7 +235,7 @@ impl Compiler<'_> {
         self.space.slot(Slot::Time { family, index })
     }
 
-    fn call(&mut self, function: &Name, argument: &Tree) -> Result<Node, Unwitnessed> {
+    fn call(&mut self, function: &Name, argument: &Tree) -> Result<Formula, Unwitnessed> {
         let state = bare(function);
         if function.primes == 0
             && self.vocabulary.states.contains(&state)
@@ -157,58 +244,79 @@ impl Compiler<'_> {
             && let Some(index) = index_of(&time.subscript, &self.vocabulary.index)
         {
             let departs = function.mark == "+" || (function.mark.is_empty() && self.first == Some(index));
-            return Ok(Node::Slot(self.state(state, index, departs)));
+            let slot = self.state(state, index, departs);
+            return Ok(self.formulas.slot(slot));
         }
         if !function.mark.is_empty() {
             return Err(Unwitnessed::Unknown(function.to_string()));
         }
-        let (course, level) = self.course(function)?;
-        let time = Box::new(self.tree(argument)?);
-        Ok(Node::Value { course, level, time })
+        match self.course(function) {
+            Ok((course, level)) => {
+                let time = self.tree(argument)?;
+                Ok(self.formulas.make(Op::Value { course, level, time }))
+            }
+            Err(unknown) if function.primes > 0 => Err(unknown),
+            Err(unknown) => {
+                let argument = self.tree(argument)?;
+                self.elementary(&function.base, argument).ok_or(unknown)
+            }
+        }
+    }
+
+    fn elementary(&mut self, command: &str, u: Formula) -> Option<Formula> {
+        use Function::{Abs, Arccos, Arcosh, Arcsin, Arctan, Arsinh, Artanh, Cos, Cosh, Exp, Ln, Sgn, Sin, Sinh};
+        let function = match command.trim_start_matches('\\') {
+            "sin" => Sin,
+            "cos" => Cos,
+            "exp" => Exp,
+            "ln" | "log" => Ln,
+            "sinh" => Sinh,
+            "cosh" => Cosh,
+            "arcsin" => Arcsin,
+            "arccos" => Arccos,
+            "arctan" => Arctan,
+            "arsinh" => Arsinh,
+            "arcosh" => Arcosh,
+            "artanh" => Artanh,
+            "abs" => Abs,
+            "sgn" => Sgn,
+            quotient => {
+                let (above, below) = match quotient {
+                    "tan" => (Some(Sin), Cos),
+                    "cot" => (Some(Cos), Sin),
+                    "sec" => (None, Cos),
+                    "csc" => (None, Sin),
+                    "tanh" => (Some(Sinh), Cosh),
+                    "coth" => (Some(Cosh), Sinh),
+                    _ => return None,
+                };
+                let above = match above {
+                    Some(function) => self.formulas.apply(function, u),
+                    None => self.formulas.integer(1),
+                };
+                let below = self.formulas.apply(below, u);
+                return Some(self.formulas.divide(above, below));
+            }
+        };
+        Some(self.formulas.apply(function, u))
     }
 
     /// The course of a function or of a state in flight, and how many derivatives below the highest integral.
     fn course(&mut self, name: &Name) -> Result<(usize, usize), Unwitnessed> {
-        let (plain, primes) = (
-            Name {
-                primes: 0,
-                ..name.clone()
-            },
-            usize::from(name.primes),
-        );
-        if let Some(names) = self.motion(&plain) {
-            let level = names.iter().position(|known| *known == plain).unwrap_or(0);
-            let flight = Some(self.flight);
-            return Ok((self.known_course(names, flight), level + primes));
-        }
-        let names = self.chain(&plain)?;
+        let plain = Name {
+            primes: 0,
+            ..name.clone()
+        };
+        let (names, flight) = match self.motion(&plain) {
+            Some(names) => (names, Some(self.flight)),
+            None => (
+                self.chain(&plain)
+                    .ok_or_else(|| Unwitnessed::Unknown(name.to_string()))?,
+                None,
+            ),
+        };
         let level = names.iter().position(|known| *known == plain).unwrap_or(0);
-        Ok((self.known_course(names, None), level + primes))
-    }
-
-    fn known_course(&mut self, names: Vec<Name>, flight: Option<i32>) -> usize {
-        let same = |course: &Course| course.flight == flight && course.names == names;
-        if let Some(known) = self.space.courses.iter().position(same) {
-            return known;
-        }
-        // Without functions a flight is moved by gravity alone.
-        let powers = match flight {
-            Some(_) => POWERS_OF_FLIGHT,
-            None => names.len() + POWERS_OF_LAW,
-        };
-        let harmonics = if flight.is_some() && self.vocabulary.functions.is_empty() {
-            0
-        } else {
-            HARMONICS
-        };
-        self.space.add_course(Course {
-            names,
-            flight,
-            first: 0,
-            powers,
-            harmonics,
-            period: None,
-        })
+        Ok((self.space.course(names, flight), level + usize::from(name.primes)))
     }
 
     /// A state with its derivatives: position, velocity, acceleration.
@@ -222,60 +330,67 @@ impl Compiler<'_> {
             .find(|names| names.contains(name))
     }
 
-    /// A function with the integrals and derivatives that have names, from the highest integral down.
-    fn chain(&self, name: &Name) -> Result<Vec<Name>, Unwitnessed> {
-        let functions = &self.vocabulary.functions;
-        let below = |name: &Name| functions.iter().find(|(known, _)| known == name).map(|(_, tree)| tree);
-        if below(name).is_none() {
-            return Err(Unwitnessed::Unknown(name.to_string()));
-        }
-        let mut names = vec![name.clone()];
-        while names.len() <= functions.len() {
-            let Some(first) = names.first().cloned() else { break };
-            let is = |tree: &Option<Tree>| matches!(tree, Some(Tree::Symbol(known, _)) if *known == first);
-            let mut above = functions.iter().filter(|(_, tree)| is(tree)).map(|(above, _)| above);
-            match (above.next(), above.next()) {
-                (Some(above), None) => names.insert(0, above.clone()),
-                (None, _) => break,
-                _ => return Err(Unwitnessed::Law(first.to_string())),
-            }
-        }
-        while let Some(Some(tree)) = names.last().and_then(below) {
-            match tree {
-                Tree::Symbol(next, _) if below(next).is_some() && !names.contains(next) => names.push(next.clone()),
-                _ => return Err(Unwitnessed::Law(name.to_string())),
-            }
-        }
-        Ok(names)
+    /// The chain of a function: it with the integrals and derivatives that have names, from the highest integral down.
+    fn chain(&self, name: &Name) -> Option<Vec<Name>> {
+        chains(self.vocabulary).into_iter().find(|chain| chain.contains(name))
     }
 
-    fn partial(&mut self, of: &Name, by: &Name) -> Result<Node, Unwitnessed> {
+    fn partial(&mut self, of: &Name, by: &Name) -> Result<Formula, Unwitnessed> {
         let none = || Unwitnessed::NoMap(of.to_string(), by.to_string());
         let (Some(above), Some(below)) = (self.quantity(of), self.quantity(by)) else {
             return Err(none());
         };
-        let maps = self.maps.ok_or_else(none)?;
-        maps.entry(above, below, self.space).ok_or_else(none)
+        self.maps
+            .entry(above, below, self.space, self.formulas)
+            .ok_or_else(none)
     }
 
-    fn invariant(&mut self, kind: Invariant, of: &Name) -> Result<Node, Unwitnessed> {
-        let unknown = || Unwitnessed::Unknown(of.to_string());
-        let maps = self.maps.ok_or_else(unknown)?;
-        if maps.opaque {
-            return Ok(Node::Slot(self.space.slot(Slot::Invariant { kind, of: of.clone() })));
+    fn invariant(&mut self, kind: Invariant, of: &Name) -> Result<Formula, Unwitnessed> {
+        if self.maps.opaque {
+            let slot = self.space.slot(Slot::Invariant { kind, of: of.clone() });
+            return Ok(self.formulas.slot(slot));
         }
-        maps.invariant(kind, of, self.space).ok_or_else(unknown)
+        let found = self.maps.invariant(kind, of, self.space, self.formulas);
+        found.ok_or_else(|| Unwitnessed::Unknown(of.to_string()))
     }
 }
 
-fn number(value: &Rational) -> Node {
-    let part = |part: &str| part.parse::<i64>().ok();
-    let text = value.to_string();
-    let (above, below) = text.split_once('/').unwrap_or((&text, "1"));
-    match (part(above), part(below)) {
-        (Some(above), Some(below)) => Node::Number(above, below),
-        _ => Node::Float(value.embed().unwrap_or(f64::NAN)),
+/// The functions of a vocabulary in chains, each the derivative of the one before it.
+pub fn chains(vocabulary: &Vocabulary) -> Vec<Vec<Name>> {
+    let functions = &vocabulary.functions;
+    let below = |name: &Name| {
+        let (_, tree) = functions.iter().find(|(known, _)| known == name)?;
+        match tree {
+            Some(Tree::Symbol(next, _)) => functions.iter().map(|(known, _)| known).find(|known| *known == next),
+            _ => None,
+        }
+    };
+    let is_head = |name: &Name| {
+        !functions
+            .iter()
+            .any(|(other, _)| other != name && below(other) == Some(name))
+    };
+    let (heads, rest): (Vec<&Name>, Vec<&Name>) =
+        functions.iter().map(|(name, _)| name).partition(|name| is_head(name));
+    let mut chains: Vec<Vec<Name>> = Vec::new();
+    for name in heads.into_iter().chain(rest) {
+        let is_new = |chains: &[Vec<Name>], chain: &[Name], name: &Name| {
+            !chain.contains(name) && !chains.iter().any(|known| known.contains(name))
+        };
+        if !is_new(&chains, &[], name) {
+            continue;
+        }
+        let mut chain = vec![name.clone()];
+        while let Some(next) = chain
+            .last()
+            .and_then(below)
+            .filter(|next| is_new(&chains, &chain, next))
+        {
+            chain.push(next.clone());
+        }
+        chains.push(chain);
     }
+    chains
 }
 
 /// The name without subscript, mark and primes.

@@ -1,42 +1,116 @@
 //! Partial derivatives of a one-impact map by implicit differentiation of the premises, with dual numbers.
 
-use super::newton::{Slopes, least, norm};
-use super::program::{Env, Node};
+use super::formula::{Formula, Op, Program};
+use super::newton::{Unknown, least, norm};
 use super::space::Slot;
 use super::system::System;
 use super::tolerance::{DEPENDENT, SLOPE, SLOPE_WIDE};
+use super::value::{Numbers, Real, Reals, Value};
 use crate::number::{Analytic, Dual};
-use num_dual::DualNum;
+use std::collections::BTreeSet;
 
 /// What implicit differentiation found for one map.
-pub struct Found<T> {
+struct Found<T> {
     /// The slot of each partial derivative and its value.
-    pub partials: Vec<(usize, T)>,
+    partials: Vec<(usize, T)>,
     /// Whether the premises determine them.
-    pub determined: bool,
+    determined: bool,
+}
+
+/// The rows of a map, in the order in which they are asked, and the slots that move in all and in each of them.
+#[derive(Debug)]
+pub struct StepRows {
+    all: Vec<usize>,
+    each: Vec<Vec<usize>>,
+    program: Program,
 }
 
 /// The rows that determine a map, and the slots that move along with it.
-struct Moving<'a> {
-    rows: Vec<&'a Node>,
+struct Moving {
+    program: Program,
     slots: Vec<usize>,
+    /// The derivatives of the rows by these slots.
+    jacobian: Vec<Vec<f64>>,
     determined: bool,
 }
 
 impl System {
+    /// Finds the derivatives, then what premises say of them; the largest relative residual of these.
+    pub fn derive<N: Numbers, T: Real>(&self, values: &mut [N::Of<T>], enough: f64) -> Option<f64> {
+        if self.late.is_empty() && self.step_rows.iter().all(Vec::is_empty) {
+            return Some(0.0);
+        }
+        let mut fixed: BTreeSet<usize> = self.row_slots.iter().copied().collect();
+        let mut open = BTreeSet::new();
+        for (number, rows) in self.step_rows.iter().enumerate() {
+            if rows.is_empty() {
+                continue;
+            }
+            // Maps are real; a symbol of the claim may be complex all the same.
+            let reals: Vec<T> = values.iter().map(|value| value.parts()[0].clone()).collect();
+            let found = self.differentiate(number, &reals)?;
+            let slots = found.partials.iter().map(|(slot, _)| *slot);
+            if found.determined {
+                fixed.extend(slots)
+            } else {
+                open.extend(slots)
+            }
+            for (slot, value) in found.partials {
+                *values.get_mut(slot)? = N::Of::<T>::real(value);
+            }
+        }
+        if self.late.is_empty() {
+            return Some(0.0);
+        }
+        let slots = self.formulas.slots(&self.late);
+        let is_coefficient = |slot: usize| matches!(self.space.slots.get(slot), Some(Slot::Coefficient { .. }));
+        if !slots.iter().any(|slot| open.contains(slot)) {
+            let unknowns = slots
+                .into_iter()
+                .filter(|slot| !fixed.contains(slot) && !is_coefficient(*slot));
+            let program = self.formulas.program(&self.late);
+            return Some(self.solve::<N, T>(&program, values, &self.unknowns(unknowns), enough));
+        }
+        // The coefficients of what the premises say of open derivatives are those of f64.
+        if <T as Analytic>::epsilon().to_f64() < 1e-20 {
+            return None;
+        }
+        let rough: Vec<f64> = values.iter().map(|value| value.parts()[0].to_f64()).collect();
+        let mut formulas = self.formulas.clone();
+        let mut rows = self.late.clone();
+        for step in 0..self.step_rows.len() {
+            rows.extend(self.linear_rows(step, &rough, &mut formulas)?);
+        }
+        let unknowns = formulas
+            .slots(&rows)
+            .into_iter()
+            .filter(|slot| !fixed.contains(slot) && !is_coefficient(*slot));
+        let program = formulas.program(&rows);
+        Some(self.solve::<N, T>(&program, values, &self.unknowns(unknowns), enough))
+    }
+
+    fn partial(&self, of: usize, by: usize) -> Option<usize> {
+        self.space.find(&Slot::Partial { of, by })
+    }
+
     /// The derivatives of map number `step` at a point. What the premises leave open keeps, as near as they allow,
     /// the value that is in `values`.
-    pub fn differentiate<T: Analytic + DualNum>(&self, step: usize, values: &[T]) -> Option<Found<T>> {
+    fn differentiate<T: Real>(&self, step: usize, values: &[T]) -> Option<Found<T>> {
         let map = self.maps.steps.get(step)?;
         let rough: Vec<f64> = values.iter().map(Analytic::to_f64).collect();
         let moving = self.moving(step, &rough)?;
         let mut partials = Vec::new();
         for &by in &map.by {
-            let slopes = self.along(&moving, by, values, &rough)?;
-            for &of in &map.of {
-                let Some(slot) = self.space.slots.iter().position(|s| *s == Slot::Partial { of, by }) else {
-                    continue;
-                };
+            let slots: Vec<(usize, usize)> = map
+                .of
+                .iter()
+                .filter_map(|&of| Some((of, self.partial(of, by)?)))
+                .collect();
+            if slots.is_empty() {
+                continue;
+            }
+            let slopes = self.along(&moving, by, values)?;
+            for (of, slot) in slots {
                 let known = moving.slots.iter().position(|s| *s == of).and_then(|n| slopes.get(n));
                 partials.push((slot, known.or(values.get(slot))?.clone()));
             }
@@ -47,99 +121,86 @@ impl System {
 
     /// What the premises say of the derivatives of a map that they leave open, as equations between these; nothing
     /// where they speak of derivatives that have no slot.
-    pub fn linear_rows(&self, step: usize, rough: &[f64]) -> Option<Vec<Node>> {
+    fn linear_rows(&self, step: usize, rough: &[f64], formulas: &mut super::formula::Formulas) -> Option<Vec<Formula>> {
         let map = self.maps.steps.get(step)?;
         let moving = self.moving(step, rough)?;
+        let by: Vec<Unknown> = map.by.iter().map(|&slot| Unknown { slot, imaginary: false }).collect();
+        let driven = self.jacobian::<Reals>(&moving.program, rough, &by);
         let mut rows = Vec::new();
-        for row in &moving.rows {
-            let gradient = self.gradient(row, rough);
-            let slope = |slot: usize| gradient.get(slot).copied().unwrap_or(0.0);
-            for &by in &map.by {
-                let mut terms = vec![Node::Float(slope(by))];
-                for &of in &moving.slots {
-                    let partial = self.space.slots.iter().position(|s| *s == Slot::Partial { of, by })?;
-                    terms.push(Node::Product(vec![Node::Float(slope(of)), Node::Slot(partial)]));
+        for (slopes, driven) in moving.jacobian.iter().zip(&driven) {
+            for (&by, slope) in map.by.iter().zip(driven) {
+                let mut sum = formulas.float(*slope);
+                for (&of, slope) in moving.slots.iter().zip(slopes) {
+                    let (slope, partial) = (formulas.float(*slope), formulas.slot(self.partial(of, by)?));
+                    let term = formulas.multiply(slope, partial);
+                    sum = formulas.make(Op::Add(sum, term));
                 }
-                rows.push(Node::Sum(terms));
+                rows.push(sum);
             }
         }
         Some(rows)
     }
 
-    /// The first rows that have as much to say as there is to know; what is left over restricts the point.
-    fn moving<'a>(&'a self, step: usize, rough: &[f64]) -> Option<Moving<'a>> {
-        let map = self.maps.steps.get(step)?;
-        let candidates = self.step_rows.get(step)?;
-        let moves = |slot: &usize| match self.space.slots.get(*slot) {
-            Some(Slot::Time { .. } | Slot::State { .. }) => !map.by.contains(slot),
-            Some(Slot::Coefficient { course, .. }) => self
-                .space
-                .courses
-                .get(*course)
-                .is_some_and(|course| course.flight.is_some()),
-            _ => false,
+    /// Prepares the rows of each map.
+    pub fn prepare_steps(&mut self) {
+        let moves = |slot: &usize, by: &[usize]| {
+            matches!(
+                self.space.slots.get(*slot),
+                Some(Slot::Time { .. } | Slot::State { .. })
+            ) && !by.contains(slot)
         };
-        let mut moving = Moving {
-            rows: Vec::new(),
-            slots: Vec::new(),
-            determined: false,
-        };
-        let mut units: Vec<Vec<f64>> = Vec::new();
-        for row in candidates {
-            moving
-                .slots
-                .extend(row.node.slots(&self.space.courses).into_iter().filter(moves));
-            moving.slots.sort_unstable();
-            moving.slots.dedup();
-            moving.rows.push(&row.node);
-            let mut gradient = self.gradient(&row.node, rough);
-            for (slot, entry) in gradient.iter_mut().enumerate() {
-                if !moving.slots.contains(&slot) {
-                    *entry = 0.0;
-                }
+        let prepared = self.maps.steps.iter().zip(&self.step_rows).map(|(map, rows)| {
+            let of = |rows: &[Formula]| -> Vec<usize> {
+                self.formulas
+                    .slots(rows)
+                    .into_iter()
+                    .filter(|slot| moves(slot, &map.by))
+                    .collect()
+            };
+            StepRows {
+                all: of(rows),
+                each: rows.iter().map(|row| of(&[*row])).collect(),
+                program: self.formulas.program(rows),
             }
-            units.extend(new_direction(gradient, &units));
-            moving.determined = units.len() >= moving.slots.len();
-            if moving.determined && !row.in_flight && map.of.iter().all(|of| moving.slots.contains(of)) {
+        });
+        self.prepared_steps = prepared.collect();
+    }
+
+    /// The first rows that have as much to say as there is to know; what is left over restricts the point.
+    fn moving(&self, step: usize, rough: &[f64]) -> Option<Moving> {
+        let map = self.maps.steps.get(step)?;
+        let StepRows { all, each, program } = self.prepared_steps.get(step)?;
+        let unknowns: Vec<Unknown> = all.iter().map(|&slot| Unknown { slot, imaginary: false }).collect();
+        let jacobian = self.jacobian::<Reals>(program, rough, &unknowns);
+        let (mut slots, mut units) = (BTreeSet::new(), Vec::<Vec<f64>>::new());
+        let (mut taken, mut determined) = (0, false);
+        for (row, gradient) in each.iter().zip(&jacobian) {
+            slots.extend(row.iter().copied());
+            taken += 1;
+            units.extend(new_direction(gradient.clone(), &units));
+            determined = units.len() >= slots.len();
+            if determined && map.of.iter().all(|of| slots.contains(of)) {
                 break;
             }
         }
-        Some(moving)
-    }
-
-    /// The derivatives of a row by all slots.
-    fn gradient(&self, row: &Node, rough: &[f64]) -> Vec<f64> {
-        let mut gradient = vec![0.0; rough.len()];
-        let slots = row.slots(&self.space.courses);
-        let slopes = Slopes::new(rough, &self.space.courses).of(row, &slots);
-        for (slot, slope) in slots.into_iter().zip(slopes) {
-            if let Some(entry) = gradient.get_mut(slot) {
-                *entry = slope;
-            }
-        }
-        gradient
+        let columns: Vec<usize> = (0..all.len())
+            .filter(|&n| all.get(n).is_some_and(|slot| slots.contains(slot)))
+            .collect();
+        let chosen = |row: &Vec<f64>| columns.iter().filter_map(|&column| row.get(column).copied()).collect();
+        let mut program = program.clone();
+        program.outputs.truncate(taken);
+        Some(Moving {
+            program,
+            slots: slots.into_iter().collect(),
+            jacobian: jacobian.iter().take(taken).map(chosen).collect(),
+            determined,
+        })
     }
 
     /// The slopes of the moving slots by one quantity, all else held.
-    fn along<T: Analytic + DualNum>(&self, moving: &Moving, by: usize, values: &[T], rough: &[f64]) -> Option<Vec<T>> {
-        let mut jacobian = Vec::new();
-        for row in &moving.rows {
-            let gradient = self.gradient(row, rough);
-            jacobian.push(
-                moving
-                    .slots
-                    .iter()
-                    .map(|slot| gradient.get(*slot).copied().unwrap_or(0.0))
-                    .collect::<Vec<f64>>(),
-            );
-        }
+    fn along<T: Real>(&self, moving: &Moving, by: usize, values: &[T]) -> Option<Vec<T>> {
         let start = |of: &usize| {
-            let partial = self
-                .space
-                .slots
-                .iter()
-                .position(|s| *s == Slot::Partial { of: *of, by });
-            partial
+            self.partial(*of, by)
                 .and_then(|slot| values.get(slot))
                 .cloned()
                 .unwrap_or_else(T::zero)
@@ -148,16 +209,21 @@ impl System {
         let mut lifted: Vec<Dual<T>> = values.iter().map(|value| Dual::from_re(value.clone())).collect();
         lifted.get_mut(by)?.eps = T::one();
         // Each step gains the digits of the Jacobian in f64: two for f64 itself, six for 40 digits near grazing.
-        let wide = T::epsilon().to_f64() < 1e-20;
+        let wide = <T as Analytic>::epsilon().to_f64() < 1e-20;
         let (steps, enough) = if wide { (8, SLOPE_WIDE) } else { (3, SLOPE) };
         let mut last = f64::INFINITY;
         for _ in 0..steps {
             for (slot, slope) in moving.slots.iter().zip(&slopes) {
                 lifted.get_mut(*slot)?.eps = slope.clone();
             }
-            let env = self.env(&lifted);
-            let rest: Vec<f64> = moving.rows.iter().map(|row| row.value(&env).eps.to_f64()).collect();
-            let change = least(jacobian.clone(), &rest, moving.slots.len());
+            let found = moving.program.run(&self.inputs(&lifted, None));
+            let rest: Vec<f64> = moving
+                .program
+                .outputs(&found)
+                .iter()
+                .map(|value| value.eps.to_f64())
+                .collect();
+            let change = least(moving.jacobian.clone(), &rest, moving.slots.len());
             for (slope, change) in slopes.iter_mut().zip(&change) {
                 *slope -= <T as Analytic>::from_f64(*change);
             }
@@ -170,16 +236,6 @@ impl System {
         // Not larger: NaN is turned away too.
         (last <= enough).then_some(())?;
         Some(slopes)
-    }
-
-    /// What a formula of this system is evaluated with.
-    pub fn env<'a, T>(&'a self, values: &'a [T]) -> Env<'a, T> {
-        Env {
-            values,
-            running: None,
-            upper: None,
-            courses: &self.space.courses,
-        }
     }
 }
 

@@ -1,19 +1,25 @@
 //! What the points say of a verdict.
 
 use super::compiler::Unwitnessed;
+use super::course::Forcing;
+use super::formula::{Formula, Op};
+use super::gap::Gap;
 use super::motion::Flown;
-use super::point::Point;
-use super::question::{Gap, is_named};
-use super::system::{Kind, System};
-use super::tolerance::{APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE};
+use super::point::{Miss, Point, Style};
+use super::space::Slot;
+use super::system::{System, any};
+use super::tolerance::{APART_EXACT, APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE, STEADY};
+use super::value::{Complexes, Function, Numbers, Real, Reals, Value};
 use crate::claim::{Fault, Sheet, Statements, Verdict};
 use crate::number::Wide;
-use crate::tex::Tree;
+use crate::tex::{Equation, Relation, Tree};
+use std::collections::BTreeMap;
 
 /// What numbers say of one claim.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Evidence {
-    /// Decimal digits in which the sides agree, at the worst point; nothing where there is no point.
+    /// Decimal digits in which the sides agree, at the worst point; nothing where there is no point, or for an
+    /// inequality.
     pub digits: Option<f64>,
     /// The same at the median of the points.
     pub median: Option<f64>,
@@ -30,118 +36,431 @@ pub struct Evidence {
     pub notes: Vec<String>,
 }
 
-/// Witnesses for the claim at `position` of the sheet, at up to `points` points, held against the verdict.
+/// Starts for each point wanted; most starts lead to a point.
+const MOST_STARTS: usize = 12;
+/// Points at which agreement weighs against a refutation: for claims that are analytic, and for those in pieces.
+const MANY: usize = 24;
+const MANY_PIECES: usize = 60;
+/// Operations after which a few points are enough.
+const ENOUGH_WORK: u64 = 40_000;
+const FEW: usize = 6;
+/// Special starts from which a proof is tried.
+const PROBES: u64 = 60;
+/// Operations for these.
+const PROBE_WORK: u64 = 20_000;
+
+/// Witnesses for the claim at `position` of the sheet, at up to `points` points, held against the verdict. Where the
+/// points agree with a claim that is refuted or undecided, more are looked at.
 ///
 /// # Errors
 /// The [`Fault`] of a claim or premise that makes no sense.
 pub fn witness(sheet: &Sheet, position: usize, verdict: Verdict, points: usize) -> Result<Evidence, Fault> {
     let statements = Statements::gather(sheet, position)?;
-    let premises = statements.said(&sheet.vocabulary);
-    let statements = Statements { premises, ..statements };
-    Ok(of_statements(sheet, &statements, verdict, points))
+    let system = match System::new(&statements, &sheet.vocabulary, Forcing::Any) {
+        Ok(system) => system,
+        Err(reason) => return Ok(without_points(no_witness(&reason))),
+    };
+    let over = Witness {
+        sheet,
+        statements: &statements,
+        system,
+        verdict,
+    };
+    Ok(if over.system.is_complex {
+        over.evidence::<Complexes>(points)
+    } else {
+        over.evidence::<Reals>(points)
+    })
 }
 
-fn of_statements(sheet: &Sheet, statements: &Statements, verdict: Verdict, points: usize) -> Evidence {
-    let system = match System::new(statements, &sheet.vocabulary, Kind::Any) {
-        Ok(system) => system,
-        Err(reason) => {
-            return Evidence {
-                notes: vec![no_witness(&reason)],
-                ..Evidence::default()
-            };
-        }
-    };
-    let found = asked(&system, points);
-    let Some((worst, gap)) = found.iter().max_by(|(_, a), (_, b)| a.relative.total_cmp(&b.relative)) else {
-        let notes = vec!["no point was found at which the premises hold and both sides have a value".to_string()];
-        return Evidence {
-            notes,
-            ..Evidence::default()
-        };
-    };
-    let mut digits: Vec<f64> = found.iter().map(|(_, gap)| gap.digits()).collect();
-    digits.sort_by(f64::total_cmp);
-    let mut evidence = Evidence {
-        digits: digits.first().copied(),
-        median: digits.get(digits.len() / 2).copied(),
-        points: found.len(),
-        residual: found.iter().map(|(point, _)| system.residual(point)).reduce(f64::max),
-        worst: show(&system, worst, gap),
+fn without_points(note: String) -> Evidence {
+    Evidence {
+        notes: vec![note],
         ..Evidence::default()
-    };
-    let flown = found
-        .iter()
-        .filter_map(|(point, _)| system.flown(&point.values))
-        .reduce(Flown::and);
-    evidence.notes.extend(flown.map(|flown| flown.to_string()));
-    evidence.flown = flown;
-    match verdict {
-        Verdict::Proved => against_proof(&system, &found, &mut evidence),
-        Verdict::Refuted => {
-            // What random points with moderate numbers cannot tell is not held against an exact counterexample.
-            if statements.claims.iter().any(is_beyond_points) {
-                return evidence;
-            }
-            against_refutation(&system, &found, &mut evidence);
-            if evidence.against.is_none() && holds_for_cosine(sheet, statements) {
-                evidence
-                    .notes
-                    .push("true for this forcing: it holds where f is a cosine alone, cos(pi t + phi)".to_string());
-            }
-        }
-        Verdict::Undecided | Verdict::Unread => {}
     }
-    evidence
 }
 
 fn no_witness(reason: &Unwitnessed) -> String {
     format!("no witness: {reason}")
 }
 
-/// Points with the largest gap there of all equations of the claim.
-fn asked(system: &System, points: usize) -> Vec<(Point<f64>, Gap)> {
-    let gap = |point: &Point<f64>| {
-        let gaps = system
-            .questions
+/// A claim with its verdict.
+struct Witness<'a> {
+    sheet: &'a Sheet,
+    statements: &'a Statements,
+    system: System,
+    verdict: Verdict,
+}
+
+/// A point with the worst gap of the claim's equations there.
+type Asked<V> = (Point<V>, Gap);
+
+/// The points found so far, and why starts led to none.
+struct Search<V> {
+    found: Vec<Asked<V>>,
+    /// Points that a proof may exclude.
+    excluded: Vec<Asked<V>>,
+    missed: BTreeMap<Miss, usize>,
+    undefined: usize,
+    starts: usize,
+}
+
+impl<V> Search<V> {
+    /// Why there is no point.
+    fn reason(&self, system: &System) -> String {
+        if system.work.is_over() {
+            return "no point: the formulas are too large to be evaluated often enough".to_string();
+        }
+        if self.undefined > 0 {
+            return format!(
+                "no point was found at which the premises hold and both sides have a value: of {} points of the premises none lies where the claim is defined",
+                self.undefined
+            );
+        }
+        let most = self
+            .missed
             .iter()
-            .map(|question| question.gap(system, &point.values, &point.running));
-        let gaps: Option<Vec<Gap>> = gaps.collect();
-        gaps?.into_iter().max_by(|a, b| a.relative.total_cmp(&b.relative))
-    };
-    let found = system.points(points, 1);
-    found
-        .into_iter()
-        .filter_map(|point| gap(&point).map(|gap| (point, gap)))
-        .collect()
+            .max_by_key(|(_, count)| **count)
+            .map(|(miss, _)| *miss);
+        let starts = self.starts;
+        match most {
+            Some(Miss::Conditions) => format!("no point was found at which the assumptions hold, from {starts} starts"),
+            Some(Miss::Derivatives) => {
+                format!("no point was found at which the premises give the derivatives, from {starts} starts")
+            }
+            _ => format!("no point was found at which the premises hold, from {starts} starts"),
+        }
+    }
 }
 
-/// The largest relative gap at a point over 40 digits.
-fn wide_gap(system: &System, point: &Point<f64>) -> Option<f64> {
-    let wide: Point<Wide<40>> = system.widened(point)?;
-    let gaps = system
-        .questions
-        .iter()
-        .map(|question| question.gap(system, &wide.values, &wide.running));
-    gaps.map(|gap| gap.map(|gap| gap.relative))
-        .try_fold(0.0, |worst: f64, gap| Some(worst.max(gap?)))
-}
+impl Witness<'_> {
+    fn evidence<N: Numbers>(&self, points: usize) -> Evidence {
+        let mut search = Search::<N::Of<f64>> {
+            found: Vec::new(),
+            excluded: Vec::new(),
+            missed: BTreeMap::new(),
+            undefined: 0,
+            starts: 0,
+        };
+        self.look::<N>(&mut search, points, 0);
+        let agrees = |search: &Search<N::Of<f64>>| {
+            search.found.iter().all(|(_, gap)| match gap.is_inequality {
+                true => !gap.fails,
+                false => gap.digits() >= DOUBTFUL_REFUTATION,
+            })
+        };
+        if self.verdict != Verdict::Proved && !search.found.is_empty() && agrees(&search) {
+            let pieces = self.system.has_pieces();
+            let many = if self.verdict == Verdict::Refuted && pieces {
+                MANY_PIECES
+            } else {
+                MANY
+            };
+            self.look::<N>(&mut search, many, 1);
+        }
+        if self.verdict == Verdict::Proved && !search.found.is_empty() && agrees(&search) {
+            self.probe::<N>(&mut search);
+            self.look_closer::<N>(&mut search);
+        }
+        if search.found.is_empty() {
+            search.found = std::mem::take(&mut search.excluded);
+            if search.found.is_empty() {
+                return without_points(search.reason(&self.system));
+            }
+            let note = "only points were found at which a factor in generic symbols vanishes";
+            return Evidence {
+                notes: vec![note.to_string()],
+                ..self.summary::<N>(&search.found)
+            };
+        }
+        let mut evidence = self.summary::<N>(&search.found);
+        match self.verdict {
+            Verdict::Proved => self.against_proof::<N>(&search.found, &mut evidence),
+            Verdict::Refuted if agrees(&search) => self.against_refutation::<N>(&search.found, &mut evidence),
+            Verdict::Refuted => {
+                if self.holds_for_cosine::<N>() {
+                    let note = "true for this forcing: it holds where f is a cosine alone, cos(pi t + phi)";
+                    evidence.notes.push(note.to_string());
+                }
+            }
+            _ if agrees(&search) => {
+                evidence
+                    .notes
+                    .push(format!("holds at {} random points", search.found.len()));
+            }
+            _ => {
+                let confirmed = self.worst_first(&search.found).into_iter().take(3);
+                let mut confirmed = confirmed.filter(|(point, _)| self.differs::<N>(point) == Some(true));
+                evidence.notes.push(match confirmed.next() {
+                    Some((point, gap)) => format!("fails at a random point: {}", show::<N>(&self.system, point, gap)),
+                    None => "the points do not tell".to_string(),
+                });
+            }
+        }
+        evidence
+    }
 
-fn against_proof(system: &System, found: &[(Point<f64>, Gap)], evidence: &mut Evidence) {
-    let mut doubtful: Vec<&(Point<f64>, Gap)> = found.iter().filter(|(_, gap)| gap.digits() < DOUBTFUL_PROOF).collect();
-    doubtful.sort_by(|(_, a), (_, b)| b.relative.total_cmp(&a.relative));
-    for (point, gap) in doubtful.into_iter().take(3) {
-        match wide_gap(system, point) {
-            Some(relative) if relative > APART_WIDE => {
-                evidence.against = Some(format!("proved, but the sides differ: {}", show(system, point, gap)));
+    /// Looks for points until there are `wanted`.
+    fn look<N: Numbers>(&self, search: &mut Search<N::Of<f64>>, wanted: usize, seed: u64) {
+        let before = self.system.work.left();
+        let has_motion = !self.system.space.courses.is_empty() || self.system.start.is_some();
+        for start in 0..wanted * MOST_STARTS {
+            let hopeless = start >= 3 * MOST_STARTS && search.found.is_empty() && search.undefined == 0;
+            let dear = before - self.system.work.left() > ENOUGH_WORK && search.found.len() >= FEW && seed == 0;
+            if search.found.len() >= wanted || hopeless || dear || self.system.work.is_over() {
+                break;
+            }
+            let style = match start % 3 {
+                _ if has_motion && start % 6 != 5 => Style::Moderate,
+                0 => Style::Moderate,
+                1 => Style::Spread,
+                _ => Style::Special,
+            };
+            search.starts += 1;
+            let number = (seed + 1).wrapping_mul(1000).wrapping_add(start as u64);
+            let point = match self.system.point::<N>(number, style) {
+                Ok(point) => point,
+                Err(miss) => {
+                    *search.missed.entry(miss).or_default() += 1;
+                    continue;
+                }
+            };
+            match self.gap::<N>(&point) {
+                Some(gap) if self.system.is_excluded::<N>(&point) => search.excluded.push((point, gap)),
+                Some(gap) => search.found.push((point, gap)),
+                None => search.undefined += 1,
+            }
+        }
+    }
+
+    /// Looks at the first point in 40 digits, where that costs little: what differs there alone is seen.
+    fn look_closer<N: Numbers>(&self, search: &mut Search<N::Of<f64>>) {
+        let is_small = self.system.space.courses.is_empty() && self.system.maps.steps.is_empty();
+        let Some((point, known)) = search
+            .found
+            .first_mut()
+            .filter(|(_, gap)| is_small && !gap.is_inequality)
+        else {
+            return;
+        };
+        let wide = self.system.widened::<N>(point);
+        let gap = wide.and_then(|wide| self.worst_gap::<N, Wide<40>>(&wide.values, &wide.running));
+        if let Some(gap) = gap.filter(|gap| gap.relative > self.apart()) {
+            *known = gap;
+        }
+    }
+
+    /// Looks at special points, as long as these cost little: what fails there is added.
+    fn probe<N: Numbers>(&self, search: &mut Search<N::Of<f64>>) {
+        let before = self.system.work.left();
+        for start in 0..PROBES {
+            if before - self.system.work.left() > PROBE_WORK {
                 return;
             }
-            Some(_) => evidence
-                .notes
-                .push("few digits in f64 at one point; in 40 digits the sides agree there".to_string()),
-            None => evidence
-                .notes
-                .push("few digits in f64 at one point, which could not be refined".to_string()),
+            let style = if start % 4 == 3 { Style::Spread } else { Style::Special };
+            let Ok(point) = self.system.point::<N>(9000 + start, style) else {
+                continue;
+            };
+            let gap = self
+                .gap::<N>(&point)
+                .filter(|gap| gap.fails && (gap.is_inequality || gap.digits() < DOUBTFUL_PROOF));
+            if let Some(gap) = gap.filter(|_| !self.system.is_excluded::<N>(&point)) {
+                search.found.push((point, gap));
+            }
         }
+    }
+
+    /// The worst gap of the claim's equations at a point; nothing where a side has no value.
+    fn gap<N: Numbers>(&self, point: &Point<N::Of<f64>>) -> Option<Gap> {
+        self.worst_gap::<N, f64>(&point.values, &point.running)
+    }
+
+    fn worst_gap<N: Numbers, T: Real>(&self, values: &[N::Of<T>], running: &N::Of<T>) -> Option<Gap> {
+        let gaps = self
+            .system
+            .questions
+            .iter()
+            .map(|question| self.system.gap::<N, T>(question, values, running));
+        let gaps: Option<Vec<Gap>> = gaps.collect();
+        gaps?.into_iter().max_by(|a, b| a.badness().total_cmp(&b.badness()))
+    }
+
+    /// Whether the claim fails at a point in 40 digits: steadily so while the point is refined.
+    fn differs<N: Numbers>(&self, point: &Point<N::Of<f64>>) -> Option<bool> {
+        let wide = self.system.widened::<N>(point)?;
+        let gap = self.worst_gap::<N, Wide<40>>(&wide.values, &wide.running)?;
+        if gap.is_inequality {
+            return Some(gap.fails);
+        }
+        if gap.relative <= self.apart() {
+            return Some(false);
+        }
+        let finer = self.system.refined::<N>(wide)?;
+        let again = self.worst_gap::<N, Wide<40>>(&finer.values, &finer.running)?;
+        ((again.apart - gap.apart).abs() <= STEADY * gap.apart).then_some(true)
+    }
+
+    /// The relative gap in 40 digits above which sides differ.
+    fn apart(&self) -> f64 {
+        if self.system.rows.is_empty() {
+            APART_EXACT
+        } else {
+            APART_WIDE
+        }
+    }
+
+    fn worst_first<'b, V>(&self, found: &'b [Asked<V>]) -> Vec<&'b Asked<V>> {
+        let mut sorted: Vec<&Asked<V>> = found.iter().collect();
+        sorted.sort_by(|(_, a), (_, b)| b.badness().total_cmp(&a.badness()));
+        sorted
+    }
+
+    /// Digits, the worst point, and how the maps flown compare.
+    fn summary<N: Numbers>(&self, found: &[Asked<N::Of<f64>>]) -> Evidence {
+        let equal = found.iter().all(|(_, gap)| !gap.is_inequality);
+        let mut digits: Vec<f64> = found.iter().map(|(_, gap)| gap.digits()).collect();
+        digits.sort_by(f64::total_cmp);
+        let residuals = found.iter().map(|(point, _)| self.system.residual::<N>(&point.values));
+        let worst = self
+            .worst_first(found)
+            .first()
+            .map(|(point, gap)| show::<N>(&self.system, point, gap));
+        let reals =
+            |point: &Point<N::Of<f64>>| -> Vec<f64> { point.values.iter().map(|value| value.parts()[0]).collect() };
+        let flown = found
+            .iter()
+            .filter_map(|(point, _)| self.system.flown(&reals(point)))
+            .reduce(Flown::and);
+        Evidence {
+            digits: digits.first().copied().filter(|_| equal),
+            median: digits.get(digits.len() / 2).copied().filter(|_| equal),
+            points: found.len(),
+            residual: residuals.reduce(f64::max),
+            worst: worst.unwrap_or_default(),
+            against: None,
+            notes: flown.iter().map(ToString::to_string).collect(),
+            flown,
+        }
+    }
+
+    fn against_proof<N: Numbers>(&self, found: &[Asked<N::Of<f64>>], evidence: &mut Evidence) {
+        let doubtful = |(_, gap): &&&Asked<N::Of<f64>>| match gap.is_inequality {
+            true => gap.fails,
+            false => gap.digits() < DOUBTFUL_PROOF || gap.is_close,
+        };
+        for (point, gap) in self.worst_first(found).iter().filter(doubtful).take(3) {
+            match self.differs::<N>(point) {
+                Some(true) => {
+                    let text = if gap.is_inequality {
+                        "the inequality fails"
+                    } else {
+                        "the sides differ"
+                    };
+                    evidence.against = Some(format!("proved, but {text}: {}", show::<N>(&self.system, point, gap)));
+                    return;
+                }
+                Some(false) => evidence
+                    .notes
+                    .push("few digits in f64 at one point; in 40 digits the sides agree there".to_string()),
+                None => evidence
+                    .notes
+                    .push("few digits in f64 at one point, which could not be refined".to_string()),
+            }
+        }
+    }
+
+    /// What agreement at all points means for a refutation.
+    fn against_refutation<N: Numbers>(&self, found: &[Asked<N::Of<f64>>], evidence: &mut Evidence) {
+        let count = found.len();
+        let what = match self
+            .statements
+            .claims
+            .iter()
+            .any(|claim| claim.relation != Relation::Equal)
+        {
+            true => "the inequality holds",
+            false => "the sides agree",
+        };
+        let special = || format!("{what} at {count} random points; the counterexample is special");
+        let enough = if self.system.has_pieces() {
+            MANY_PIECES * 3 / 4
+        } else {
+            MANY / 2
+        };
+        if count < enough || self.hides_from_points() {
+            evidence.notes.push(special());
+            return;
+        }
+        let gap = |point: &Point<N::Of<f64>>| {
+            let wide = self.system.widened::<N>(point)?;
+            self.worst_gap::<N, Wide<40>>(&wide.values, &wide.running)
+                .map(|gap| gap.relative)
+        };
+        let wide: Option<Vec<f64>> = found.iter().take(3).map(|(point, _)| gap(point)).collect();
+        let Some(wide) = wide else {
+            evidence
+                .notes
+                .push("the sides agree in f64; the points could not be refined".to_string());
+            return;
+        };
+        let worst = wide.into_iter().fold(0.0, f64::max);
+        if worst < EQUAL_WIDE {
+            let text = format!("refuted, but the sides agree at each of {count} points, at three of them to 25 digits");
+            evidence.against = Some(text);
+        } else {
+            evidence
+                .notes
+                .push(format!("the sides differ by {worst:.0e} of their size"));
+        }
+    }
+
+    /// Whether a claim can fail where no random point sees it: where inequalities become equalities, by numbers and
+    /// powers so large or small that one side drowns the other, on a jump or a branch cut, on a part of the premises'
+    /// solutions that is thinner than the rest, or for functions of another shape.
+    fn hides_from_points(&self) -> bool {
+        let system = &self.system;
+        self.statements
+            .claims
+            .iter()
+            .any(|claim| claim.relation != Relation::Equal || is_extreme(claim))
+            || system.shaped
+            || system.kinds.iter().any(|kind| kind.integer)
+            || system.has_jumps()
+            || system.flows_may_end()
+            || !system.is_a_graph()
+    }
+
+    /// Whether the claim holds, to the precision of f64, where the forcing is a cosine of period 2.
+    fn holds_for_cosine<N: Numbers>(&self) -> bool {
+        let is_forced = |system: &System| {
+            system
+                .space
+                .courses
+                .iter()
+                .any(|course| course.flight.is_none() && course.law.is_none())
+        };
+        if !is_forced(&self.system) {
+            return false;
+        }
+        let Ok(system) = System::new(self.statements, &self.sheet.vocabulary, Forcing::Cosine) else {
+            return false;
+        };
+        let other = Witness { system, ..*self };
+        let mut found = 0;
+        for start in 0..MOST_STARTS as u64 {
+            let Ok(point) = other.system.point::<N>(1000 + start, Style::Moderate) else {
+                continue;
+            };
+            match other.gap::<N>(&point) {
+                Some(gap) if gap.digits() > DOUBTFUL_REFUTATION => found += 1,
+                Some(_) => return false,
+                None => {}
+            }
+            if found == 3 {
+                return true;
+            }
+        }
+        false
     }
 }
 
@@ -149,65 +468,166 @@ fn against_proof(system: &System, found: &[(Point<f64>, Gap)], evidence: &mut Ev
 const LONGEST_NUMBER: usize = 9;
 const HIGHEST_POWER: u32 = 8;
 
-/// Whether a formula can part from a right one where no random point in f64 sees it: at another sign of a root, or by
-/// numbers and powers so large or small that one side drowns the other.
-fn is_beyond_points(equation: &crate::tex::Equation) -> bool {
-    [&equation.left, &equation.right].into_iter().any(beyond_points)
-}
-
-fn beyond_points(tree: &Tree) -> bool {
-    match tree {
-        Tree::Root(..) | Tree::RealPower(..) => true,
+fn is_extreme(equation: &Equation) -> bool {
+    any(equation, &|tree| match tree {
         Tree::Number(value) => value.to_string().len() > LONGEST_NUMBER,
-        Tree::Power(base, exponent, _) => exponent.unsigned_abs() > HIGHEST_POWER || beyond_points(base),
-        Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => false,
-        Tree::Call(_, inner, _) | Tree::Negate(inner) | Tree::PlusMinus(inner) | Tree::MinusPlus(inner) => {
-            beyond_points(inner)
+        Tree::Power(_, exponent, _) => exponent.unsigned_abs() > HIGHEST_POWER,
+        _ => false,
+    })
+}
+
+impl System {
+    /// The operations of claim and premises.
+    fn ops(&self) -> impl Iterator<Item = Op> + '_ {
+        let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
+        let all: Vec<_> = sides.chain(&self.rows).chain(&self.late).copied().collect();
+        self.formulas.parts(&all).into_iter().map(|part| self.formulas.op(part))
+    }
+
+    /// Whether claim or premises have pieces on which they may differ.
+    fn has_pieces(&self) -> bool {
+        let within = |function| {
+            matches!(
+                function,
+                Function::Sin | Function::Cos | Function::Exp | Function::Sinh | Function::Cosh
+            )
+        };
+        self.ops().any(|op| match op {
+            Op::Root(..) | Op::RealPower(..) => true,
+            Op::Apply(function, _) => !within(function),
+            _ => false,
+        })
+    }
+
+    /// Whether claim or premises have jumps or branch cuts.
+    fn has_jumps(&self) -> bool {
+        self.ops().any(|op| match op {
+            Op::Apply(Function::Sgn, _) => true,
+            Op::Root(..) | Op::RealPower(..) => self.is_complex,
+            Op::Apply(Function::Sin | Function::Cos | Function::Exp | Function::Sinh | Function::Cosh, _) => false,
+            Op::Apply(..) => self.is_complex,
+            _ => false,
+        })
+    }
+
+    /// The slots that stand once in a row, below operations that can be undone.
+    fn solvable(&self, row: Formula) -> Vec<usize> {
+        let parts = self.formulas.parts(&[row]);
+        // In how many ways a part is reached, and whether what is above it can be undone.
+        let mut reached: BTreeMap<Formula, (usize, bool)> = BTreeMap::from([(row, (1, true))]);
+        let mut slots = Vec::new();
+        for &part in parts.iter().rev() {
+            let Some(&(ways, undone)) = reached.get(&part) else {
+                continue;
+            };
+            let op = self.formulas.op(part);
+            for operand in op.operands() {
+                let undoes = match op {
+                    Op::Multiply(a, b) => self.is_nonzero(if operand == a { b } else { a }) && a != b,
+                    Op::Divide(a, b) => a != b && (operand == a || self.is_nonzero(a)),
+                    Op::Add(..) | Op::Negate(_) | Op::Root(..) => true,
+                    Op::Power(_, exponent) => exponent != 0,
+                    Op::Apply(function, _) => matches!(
+                        function,
+                        Function::Exp
+                            | Function::Ln
+                            | Function::Sinh
+                            | Function::Arctan
+                            | Function::Arsinh
+                            | Function::Artanh
+                    ),
+                    _ => false,
+                };
+                let known = reached.entry(operand).or_insert((0, true));
+                known.0 = (known.0 + ways).min(2);
+                known.1 &= undone && undoes;
+            }
+            if let Op::Slot(slot) = op
+                && (ways, undone) == (1, true)
+            {
+                slots.push(slot);
+            }
         }
-        Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(beyond_points),
-        Tree::Quotient(above, below, _) => beyond_points(above) || beyond_points(below),
+        slots
     }
-}
 
-fn against_refutation(system: &System, found: &[(Point<f64>, Gap)], evidence: &mut Evidence) {
-    if found.len() < 3 || found.iter().any(|(_, gap)| gap.digits() < DOUBTFUL_REFUTATION) {
-        return;
+    /// Whether a formula vanishes nowhere that the sheet speaks of, as far as its form shows.
+    fn is_nonzero(&self, formula: Formula) -> bool {
+        let kind = |slot: usize| self.kinds.get(slot).copied().unwrap_or_default();
+        match self.formulas.op(formula) {
+            Op::Slot(slot) => kind(slot).positive || kind(slot).nonzero || kind(slot).generic,
+            Op::Multiply(a, b) => self.is_nonzero(a) && self.is_nonzero(b),
+            Op::Divide(a, _) | Op::Negate(a) | Op::Power(a, _) | Op::Root(a, _) => self.is_nonzero(a),
+            _ => self.is_positive(formula) || matches!(self.formulas.op(formula), Op::Ratio(n, _) if n != 0),
+        }
     }
-    let wide: Option<Vec<f64>> = found.iter().take(3).map(|(point, _)| wide_gap(system, point)).collect();
-    let Some(wide) = wide else {
-        evidence
-            .notes
-            .push("the sides agree in f64; the points could not be refined".to_string());
-        return;
-    };
-    let worst = wide.into_iter().fold(0.0, f64::max);
-    if worst < EQUAL_WIDE {
-        let text = format!(
-            "refuted, but the sides agree at each of {} points, at three of them to 25 digits",
-            found.len()
-        );
-        evidence.against = Some(text);
-    } else {
-        evidence
-            .notes
-            .push(format!("the sides differ by {worst:.0e} of their size"));
-    }
-}
 
-/// Whether the claim holds, to the precision of f64, where the forcing is a cosine of period 2.
-fn holds_for_cosine(sheet: &Sheet, statements: &Statements) -> bool {
-    let Ok(system) = System::new(statements, &sheet.vocabulary, Kind::Cosine) else {
-        return false;
-    };
-    if system.space.courses.iter().all(|course| course.flight.is_some()) {
-        return false;
+    fn is_positive(&self, formula: Formula) -> bool {
+        match self.formulas.op(formula) {
+            Op::Ratio(above, _) => above > 0,
+            Op::Pi | Op::Apply(Function::Exp | Function::Cosh, _) => !self.is_complex,
+            Op::Slot(slot) => self.kinds.get(slot).is_some_and(|kind| kind.positive),
+            Op::Add(a, b) | Op::Multiply(a, b) | Op::Divide(a, b) => self.is_positive(a) && self.is_positive(b),
+            Op::Power(a, _) | Op::Root(a, _) | Op::RealPower(a, _) => self.is_positive(a),
+            _ => false,
+        }
     }
-    let found = asked(&system, 3);
-    found.len() == 3 && found.iter().all(|(_, gap)| gap.digits() > DOUBTFUL_REFUTATION)
+
+    /// Whether a law for a derivative may have poles: beyond them the constants of integration are others.
+    fn flows_may_end(&self) -> bool {
+        let used = |n: &usize| self.ops().any(|op| matches!(op, Op::Flow { law, .. } if law == *n));
+        let bodies = (0..self.formulas.laws.len())
+            .filter(used)
+            .filter_map(|n| self.formulas.laws.get(n));
+        let mut parts = bodies.flat_map(|law| self.formulas.parts(&[law.body]));
+        parts.any(|part| match self.formulas.op(part) {
+            Op::Divide(_, below) => self.formulas.runs(below),
+            Op::Power(base, exponent) => exponent < 0 && self.formulas.runs(base),
+            Op::Apply(Function::Ln, _) | Op::RealPower(..) | Op::Root(..) => self.formulas.runs(part),
+            _ => false,
+        })
+    }
+
+    /// Whether each premise gives a symbol of its own, which it can be solved for wherever it is defined: then no part of
+    /// the solutions is thinner than the rest, but where such symbols depend on each other.
+    fn is_a_graph(&self) -> bool {
+        let mut alone: Vec<Vec<usize>> = self
+            .rows
+            .iter()
+            .chain(&self.late)
+            .map(|row| self.solvable(*row))
+            .collect();
+        alone.sort_by_key(Vec::len);
+        let mut taken: BTreeMap<usize, usize> = BTreeMap::new();
+        // An augmenting path from row to row (Kuhn 1955).
+        fn place(row: usize, alone: &[Vec<usize>], taken: &mut BTreeMap<usize, usize>, seen: &mut Vec<usize>) -> bool {
+            for &slot in alone.get(row).map_or(&[][..], Vec::as_slice) {
+                if seen.contains(&slot) {
+                    continue;
+                }
+                seen.push(slot);
+                let other = taken.get(&slot).copied();
+                if other.is_none_or(|other| place(other, alone, taken, seen)) {
+                    taken.insert(slot, row);
+                    return true;
+                }
+            }
+            false
+        }
+        (0..alone.len()).all(|row| place(row, &alone, &mut taken, &mut Vec::new()))
+    }
 }
 
 /// Names with values, and the two sides.
-fn show(system: &System, point: &Point<f64>, gap: &Gap) -> String {
+fn show<N: Numbers>(system: &System, point: &Point<N::Of<f64>>, gap: &Gap) -> String {
+    let complex = |[re, im]: [f64; 2], digits: &dyn Fn(f64) -> String| match im {
+        0.0 => digits(re),
+        im => format!("{} + {} i", digits(re), digits(im)),
+    };
+    let short = |x: f64| format!("{x:.6}");
+    let long = |x: f64| format!("{x:.15e}");
+    let spoken_of = system.spoken_of();
+    let is_named = |slot: &Slot| matches!(slot, Slot::Parameter(_) | Slot::Time { .. } | Slot::State { .. });
     let named = system
         .space
         .slots
@@ -215,13 +635,19 @@ fn show(system: &System, point: &Point<f64>, gap: &Gap) -> String {
         .zip(&point.values)
         .enumerate()
         .filter(|(_, (slot, _))| is_named(slot));
+    let named = named.filter(|(number, _)| spoken_of.binary_search(number).is_ok());
     let mut parts: Vec<String> = named
-        .filter_map(|(number, (_, value))| Some(format!("{}={value:.6}", system.space.show(number, &system.letter)?)))
+        .filter_map(|(number, (_, value))| {
+            let name = system.space.show(number, &system.letter)?;
+            Some(format!("{name}={}", complex(value.parts(), &short)))
+        })
         .collect();
     if system.runs {
-        parts.push(format!("t={:.6}", point.running));
+        parts.push(format!("t={}", complex(point.running.parts(), &short)));
     }
-    format!("{}; left={:.15e}; right={:.15e}", parts.join("; "), gap.left, gap.right)
+    parts.push(format!("left={}", complex(gap.left, &long)));
+    parts.push(format!("right={}", complex(gap.right, &long)));
+    parts.join("; ")
 }
 
 #[cfg(test)]

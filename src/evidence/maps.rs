@@ -1,7 +1,7 @@
 //! Jacobians: which partial derivatives stand in which matrix.
 
 use super::compiler::{Compiler, Unwitnessed};
-use super::program::Node;
+use super::formula::{Formula, Formulas, Op};
 use super::space::{Slot, Space};
 use crate::claim::{Map, Vocabulary};
 use crate::tex::{Equation, Invariant, Name, Tree};
@@ -13,7 +13,7 @@ pub struct Step {
     pub of: Vec<usize>,
     pub by: Vec<usize>,
     /// The equations that are meant, where the vocabulary gives them.
-    pub equations: Vec<Node>,
+    pub equations: Vec<Formula>,
 }
 
 /// All maps of a vocabulary.
@@ -25,65 +25,67 @@ pub struct Maps {
     pub opaque: bool,
 }
 
-type Matrix = Vec<Vec<Node>>;
+type Matrix = Vec<Vec<Formula>>;
+
+fn partial(of: usize, by: usize, space: &mut Space, formulas: &mut Formulas) -> Formula {
+    let slot = space.slot(Slot::Partial { of, by });
+    formulas.slot(slot)
+}
 
 impl Maps {
     /// The derivative of one quantity by another, by the chain rule where impacts lie between.
-    pub fn entry(&self, of: usize, by: usize, space: &mut Space) -> Option<Node> {
-        self.chain(of, by, space, self.steps.len())
+    pub fn entry(&self, of: usize, by: usize, space: &mut Space, formulas: &mut Formulas) -> Option<Formula> {
+        self.chain(of, by, space, formulas, self.steps.len())
     }
 
-    fn chain(&self, of: usize, by: usize, space: &mut Space, left: usize) -> Option<Node> {
+    fn chain(&self, of: usize, by: usize, space: &mut Space, formulas: &mut Formulas, left: usize) -> Option<Formula> {
         let here = || self.steps.iter().filter(|step| step.by.contains(&by));
         if here().any(|step| step.of.contains(&of)) {
-            return Some(Node::Slot(space.slot(Slot::Partial { of, by })));
+            return Some(partial(of, by, space, formulas));
         }
         if left == 0 {
             return None;
         }
         here().find_map(|step| {
-            let terms = step.of.iter().map(|&between| {
-                let inner = Node::Slot(space.slot(Slot::Partial { of: between, by }));
-                Some(Node::Product(vec![self.chain(of, between, space, left - 1)?, inner]))
-            });
-            terms.collect::<Option<Vec<_>>>().map(Node::Sum)
+            let mut terms = Vec::new();
+            for &between in &step.of {
+                let inner = partial(between, by, space, formulas);
+                let outer = self.chain(of, between, space, formulas, left - 1)?;
+                terms.push(formulas.multiply(outer, inner));
+            }
+            Some(formulas.sum(terms))
         })
     }
 
     /// Trace or determinant of a map.
-    pub fn invariant(&self, kind: Invariant, name: &Name, space: &mut Space) -> Option<Node> {
-        let matrix = self.matrix(name, space, self.products.len() + 1)?;
-        if matrix.iter().any(|row| row.len() != matrix.len()) {
+    pub fn invariant(
+        &self,
+        kind: Invariant,
+        name: &Name,
+        space: &mut Space,
+        formulas: &mut Formulas,
+    ) -> Option<Formula> {
+        let matrix = self.matrix(name, space, formulas, self.products.len() + 1)?;
+        if matrix.is_empty() || matrix.iter().any(|row| row.len() != matrix.len()) {
             return None;
         }
         Some(match kind {
-            Invariant::Trace => Node::Sum(
-                matrix
-                    .iter()
-                    .enumerate()
-                    .filter_map(|(n, row)| row.get(n).cloned())
-                    .collect(),
-            ),
-            Invariant::Determinant => determinant(&matrix),
+            Invariant::Trace => formulas.sum(matrix.iter().enumerate().filter_map(|(n, row)| row.get(n).copied())),
+            Invariant::Determinant => determinant(&matrix, formulas),
         })
     }
 
-    fn matrix(&self, name: &Name, space: &mut Space, left: usize) -> Option<Matrix> {
+    fn matrix(&self, name: &Name, space: &mut Space, formulas: &mut Formulas, left: usize) -> Option<Matrix> {
         if let Some(step) = self.steps.iter().find(|step| step.name == *name) {
-            let mut entry = |of: usize, by: usize| Node::Slot(space.slot(Slot::Partial { of, by }));
-            return Some(
-                step.of
-                    .iter()
-                    .map(|&of| step.by.iter().map(|&by| entry(of, by)).collect())
-                    .collect(),
-            );
+            let mut row = |of: &usize| step.by.iter().map(|&by| partial(*of, by, space, formulas)).collect();
+            return Some(step.of.iter().map(&mut row).collect());
         }
         let (_, factors) = self.products.iter().find(|(known, _)| known == name)?;
         let mut product: Option<Matrix> = None;
         for factor in factors {
-            let next = (left > 0).then(|| self.matrix(factor, space, left - 1))??;
+            let next = (left > 0).then(|| self.matrix(factor, space, formulas, left - 1))??;
             product = Some(match product {
-                Some(product) => multiplied(&product, &next)?,
+                Some(product) => multiplied(&product, &next, formulas)?,
                 None => next,
             });
         }
@@ -91,14 +93,15 @@ impl Maps {
     }
 }
 
-fn multiplied(left: &Matrix, right: &Matrix) -> Option<Matrix> {
+fn multiplied(left: &Matrix, right: &Matrix, formulas: &mut Formulas) -> Option<Matrix> {
     let columns = right.first()?.len();
     if left.iter().any(|row| row.len() != right.len()) {
         return None;
     }
-    let entry = |row: &[Node], column: usize| {
-        let pairs = row.iter().zip(right).filter_map(|(a, b)| Some((a, b.get(column)?)));
-        Node::Sum(pairs.map(|(a, b)| Node::Product(vec![a.clone(), b.clone()])).collect())
+    let mut entry = |row: &[Formula], column: usize| {
+        let pairs = row.iter().zip(right).filter_map(|(a, b)| Some((*a, *b.get(column)?)));
+        let terms: Vec<Formula> = pairs.map(|(a, b)| formulas.multiply(a, b)).collect();
+        formulas.sum(terms)
     };
     Some(
         left.iter()
@@ -108,29 +111,28 @@ fn multiplied(left: &Matrix, right: &Matrix) -> Option<Matrix> {
 }
 
 /// By the first row: the matrices are small.
-fn determinant(matrix: &Matrix) -> Node {
+fn determinant(matrix: &Matrix, formulas: &mut Formulas) -> Formula {
     let Some((first, rest)) = matrix.split_first() else {
-        return Node::Number(1, 1);
+        return formulas.integer(1);
     };
-    let terms = first.iter().enumerate().map(|(column, entry)| {
-        let minor: Matrix = rest
-            .iter()
-            .map(|row| {
-                row.iter()
-                    .enumerate()
-                    .filter(|(n, _)| *n != column)
-                    .map(|(_, node)| node.clone())
-                    .collect()
-            })
-            .collect();
-        let term = Node::Product(vec![entry.clone(), determinant(&minor)]);
-        if column % 2 == 0 {
+    let mut terms = Vec::new();
+    for (column, entry) in first.iter().enumerate() {
+        let without = |row: &Vec<Formula>| {
+            row.iter()
+                .enumerate()
+                .filter(|(n, _)| *n != column)
+                .map(|(_, e)| *e)
+                .collect()
+        };
+        let minor = determinant(&rest.iter().map(without).collect(), formulas);
+        let term = formulas.multiply(*entry, minor);
+        terms.push(if column % 2 == 0 {
             term
         } else {
-            Node::Negate(Box::new(term))
-        }
-    });
-    Node::Sum(terms.collect())
+            formulas.make(Op::Negate(term))
+        });
+    }
+    formulas.sum(terms)
 }
 
 /// The maps of a vocabulary.
@@ -147,13 +149,11 @@ pub fn read_maps(vocabulary: &Vocabulary, compiler: &mut Compiler) -> Result<Map
             }
             Map::Premises { of, by } => {
                 let mut slots = |trees: &[Tree]| {
-                    trees
-                        .iter()
-                        .filter_map(|tree| match tree {
-                            Tree::Symbol(name, _) => compiler.quantity(name),
-                            _ => None,
-                        })
-                        .collect()
+                    let slot = |tree: &Tree| match tree {
+                        Tree::Symbol(name, _) => compiler.quantity(name),
+                        _ => None,
+                    };
+                    trees.iter().filter_map(slot).collect()
                 };
                 Step {
                     name: name.clone(),
@@ -169,15 +169,44 @@ pub fn read_maps(vocabulary: &Vocabulary, compiler: &mut Compiler) -> Result<Map
     Ok(maps)
 }
 
+impl Maps {
+    /// Adds the map from one impact to another where a derivative between them belongs to no map: all times and states
+    /// of the one, each with the others held.
+    pub fn add_step(&mut self, of: &Name, by: &Name, compiler: &mut Compiler) {
+        let (Some(above), Some(below)) = (compiler.quantity(of), compiler.quantity(by)) else {
+            return;
+        };
+        if self.entry(above, below, compiler.space, compiler.formulas).is_some() {
+            return;
+        }
+        let vocabulary = compiler.vocabulary;
+        let mut all = |subscript: &str| -> Vec<usize> {
+            let families = vocabulary.times.iter().chain(&vocabulary.states);
+            let indexed = families.map(|name| Name {
+                subscript: subscript.to_string(),
+                ..name.clone()
+            });
+            indexed.filter_map(|name| compiler.quantity(&name)).collect()
+        };
+        let step = Step {
+            name: Name::default(),
+            of: all(&of.subscript),
+            by: all(&by.subscript),
+            equations: Vec::new(),
+        };
+        self.steps.push(step);
+    }
+}
+
 /// The map from the first impact that its equations name to the last: times before states, as declared.
 fn explicit(name: &Name, equations: &[Equation], compiler: &mut Compiler) -> Result<Step, Unwitnessed> {
-    let mut nodes = Vec::new();
+    let mut rows = Vec::new();
     for equation in equations {
-        let left = compiler.tree(&equation.left)?;
-        nodes.push(left.minus(compiler.tree(&equation.right)?));
+        let (left, right) = (compiler.tree(&equation.left)?, compiler.tree(&equation.right)?);
+        rows.push(compiler.formulas.subtract(left, right));
     }
     let mut order: Vec<(i32, usize, usize)> = Vec::new();
-    for slot in nodes.iter().flat_map(Node::written) {
+    for slot in compiler.formulas.slots(&rows) {
         match compiler.space.slots.get(slot) {
             Some(Slot::Time { index, .. }) => order.push((*index, 0, slot)),
             Some(Slot::State { state, index, .. }) => {
@@ -190,39 +219,36 @@ fn explicit(name: &Name, equations: &[Equation], compiler: &mut Compiler) -> Res
     order.sort_unstable();
     order.dedup();
     let side = |index: Option<i32>| {
-        order
-            .iter()
-            .filter(|(i, ..)| Some(*i) == index)
-            .map(|(.., slot)| *slot)
-            .collect()
+        let there = order.iter().filter(|(i, ..)| Some(*i) == index);
+        there.map(|(.., slot)| *slot).collect()
     };
-    let (of, by) = (side(order.last().map(|o| o.0)), side(order.first().map(|o| o.0)));
     Ok(Step {
         name: name.clone(),
-        of,
-        by,
-        equations: nodes,
+        of: side(order.last().map(|o| o.0)),
+        by: side(order.first().map(|o| o.0)),
+        equations: rows,
     })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::program::Env;
+    use super::super::formula::{Inputs, Work};
     use super::*;
 
     #[test]
     fn the_determinant_of_three_rows() {
+        let mut formulas = Formulas::default();
         let rows = [[2, 0, 1], [1, 3, 2], [1, 1, 4]];
-        let matrix: Matrix = rows
-            .iter()
-            .map(|row| row.iter().map(|&n| Node::Number(n, 1)).collect())
-            .collect();
-        let env = Env {
-            values: &[],
+        let matrix: Matrix = rows.map(|row| row.map(|n| formulas.integer(n)).to_vec()).to_vec();
+        let determinant = determinant(&matrix, &mut formulas);
+        let program = formulas.program(&[determinant]);
+        let inputs = Inputs::<f64> {
+            slots: &[],
             running: None,
-            upper: None,
-            courses: &[],
+            formulas: &formulas,
+            work: &Work::new(1000),
+            depth: 0,
         };
-        assert_eq!(determinant(&matrix).value::<f64>(&env), 18.0);
+        assert_eq!(program.outputs(&program.run(&inputs)), [18.0]);
     }
 }

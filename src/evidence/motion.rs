@@ -3,8 +3,10 @@
 //! Whether a point is one of the paper's motion is not told by labels: the flight from it must arrive when, where
 //! and as fast as the point says.
 
+use super::course::{HARMONICS, LONG, POWERS_OF_LAW};
+use super::gap::digits;
 use super::maps::Step;
-use super::space::Slot;
+use super::space::{Course, Slot};
 use super::system::System;
 use super::tolerance::{MOST_DIGITS, MOTION};
 use crate::model::{Flight, Forcing, Impact, Leg, Motion, Order, Passage, Side};
@@ -91,16 +93,17 @@ impl System {
                 .try_fold(Matrix2::identity(), |product, factor| Some(product * of(factor)?));
             let Some(product) = product else { continue };
             let product: Matrix2<f64> = product;
-            for (kind, known) in [
-                (Invariant::Trace, product.trace()),
-                (Invariant::Determinant, product.determinant()),
-            ] {
-                let mut space = self.space.clone();
-                let Some(node) = self.maps.invariant(kind, name, &mut space) else {
+            for (_, kind, program) in self.invariants.iter().filter(|(other, ..)| other == name) {
+                let known = match kind {
+                    Invariant::Trace => product.trace(),
+                    Invariant::Determinant => product.determinant(),
+                };
+                let found = program.run(&self.inputs(values, None));
+                let (Some(&output), Some(sizes)) = (program.outputs.first(), program.sizes(&found, &|_| 0.0)) else {
                     continue;
                 };
-                let (value, size): (f64, f64) = node.sized(&self.env(values));
-                flown.products = flown.products.min(digits(f64::abs(value - known) / size));
+                let (value, size) = (found.get(output)?, sizes.get(output)?);
+                flown.products = flown.products.min(digits((value - known).abs() / size));
             }
         }
         Some(flown)
@@ -113,13 +116,29 @@ impl System {
 
     /// The forcing of the point, and the mean that its f has besides.
     fn forcing(&self, values: &[f64]) -> Option<(Forcing<f64>, f64)> {
-        let course = self.space.courses.iter().find(|course| course.flight.is_none())?;
-        let period = course.length(&self.env(values));
-        let coefficient = |term: usize| values.get(course.first + term).copied().unwrap_or(0.0);
-        let harmonic = |part: usize| (0..course.harmonics).map(move |n| course.powers + 2 * n + part);
+        let course = self
+            .space
+            .courses
+            .iter()
+            .find(|course| course.flight.is_none() && course.law.is_none())?;
+        let first = course.first?;
+        let period = self.length(course, values)?;
+        let coefficient = |term: usize| values.get(first + term).copied().unwrap_or(0.0);
+        let harmonic = |part: usize| (0..HARMONICS).map(move |n| course.names.len() + POWERS_OF_LAW + 2 * n + part);
         let [cosines, sines] = [0, 1].map(|part| harmonic(part).map(coefficient).collect::<Vec<f64>>());
-        let mean = coefficient(course.names.len().checked_sub(1)?);
+        let constant = course.names.len().checked_sub(1)?;
+        let has_mean = course.period.is_none_or(|(level, _)| level >= constant);
+        let mean = if has_mean { coefficient(constant) } else { 0.0 };
         Some((Forcing::periodic(period, &cosines, &sines).ok()?, mean))
+    }
+
+    /// The period of a forcing.
+    fn length(&self, course: &Course, values: &[f64]) -> Option<f64> {
+        let Some((_, period)) = course.period else {
+            return Some(LONG);
+        };
+        let program = self.formulas.program(&[period]);
+        program.outputs(&program.run(&self.inputs(values, None))).pop()
     }
 
     /// The flight of one map, from the impact that it starts with.
@@ -147,14 +166,7 @@ impl System {
         if duration <= 0.0 || !near(state.displacement, wall) || !near(state.velocity, arrival) {
             return None;
         }
-        let partial = |of: usize, by: usize| {
-            let slot = self
-                .space
-                .slots
-                .iter()
-                .position(|known| *known == Slot::Partial { of, by })?;
-            values.get(slot).copied()
-        };
+        let partial = |of: usize, by: usize| values.get(self.space.find(&Slot::Partial { of, by })?).copied();
         let implicit = Matrix2::new(
             partial(*of_time, *by_time)?,
             partial(*of_time, *by_velocity)?,
@@ -198,12 +210,4 @@ fn by_map(motion: &Motion<f64>, forcing: &Forcing<f64>, impact: &Impact<f64>, du
 
 fn agreement(a: &Matrix2<f64>, b: &Matrix2<f64>) -> f64 {
     digits((a - b).abs().max() / b.abs().max())
-}
-
-fn digits(relative: f64) -> f64 {
-    if relative > 0.0 {
-        (-relative.log10()).clamp(0.0, MOST_DIGITS)
-    } else {
-        MOST_DIGITS
-    }
 }

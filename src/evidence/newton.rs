@@ -1,161 +1,201 @@
 //! Gauss-Newton steps of minimum norm: from anywhere near onto the solution set, however many unknowns are left free.
 
-use super::course::Course;
-use super::program::{Env, Node};
+use super::formula::{Inputs, Program};
+use super::system::System;
 use super::tolerance::{DEPENDENT, PREMISE};
+use super::value::{Numbers, Real, Value};
 use crate::number::{Analytic, Gradient};
 use nalgebra::{Const, U1};
 
-/// Equations to be met, and the slots that may be moved for it.
-#[derive(Clone, Debug)]
-pub struct Equations<'a> {
-    rows: Vec<&'a Node>,
-    unknowns: Vec<usize>,
-    /// For each row the unknowns it depends on, by position.
-    columns: Vec<Vec<usize>>,
-    courses: &'a [Course],
+/// The real or the imaginary part of a slot, to be moved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Unknown {
+    pub slot: usize,
+    pub imaginary: bool,
 }
 
 /// The most steps from a start; quadratic convergence takes some six.
 const MOST_STEPS: usize = 25;
 
-impl<'a> Equations<'a> {
-    /// The rows as equations for the unknowns.
-    pub fn new(rows: Vec<&'a Node>, unknowns: Vec<usize>, courses: &'a [Course]) -> Self {
-        let columns = rows.iter().map(|row| {
-            row.slots(courses)
-                .iter()
-                .filter_map(|slot| unknowns.binary_search(slot).ok())
-                .collect()
-        });
-        let columns = columns.collect();
-        Self {
-            rows,
-            unknowns,
-            columns,
-            courses,
+/// Derivatives by this many unknowns are found at once.
+const LANES: usize = 8;
+
+/// The value in f64.
+pub fn rough<N: Numbers, T: Real>(value: &N::Of<T>) -> N::Of<f64> {
+    let [re, im] = value.parts().map(|part| part.to_f64());
+    N::Of::<f64>::new(re, im)
+}
+
+/// The value over another number type.
+pub fn lift<N: Numbers, T: Real>(value: &N::Of<f64>) -> N::Of<T> {
+    let [re, im] = value.parts().map(|part| <T as Analytic>::from_f64(part));
+    N::Of::<T>::new(re, im)
+}
+
+impl System {
+    /// What a program is evaluated with at a point.
+    pub fn inputs<'a, V>(&'a self, slots: &'a [V], running: Option<&'a V>) -> Inputs<'a, V> {
+        Inputs {
+            slots,
+            running,
+            formulas: &self.formulas,
+            work: &self.work,
+            depth: 0,
         }
     }
 
-    /// The Jacobian by dual numbers.
-    fn jacobian(&self, values: &[f64]) -> Vec<Vec<f64>> {
-        let mut slopes = Slopes::new(values, self.courses);
-        let row = |(row, columns): (&&Node, &Vec<usize>)| {
-            let mut entries = vec![0.0; self.unknowns.len()];
-            let slots: Vec<usize> = columns
-                .iter()
-                .filter_map(|&column| self.unknowns.get(column).copied())
-                .collect();
-            for (column, slope) in columns.iter().zip(slopes.of(row, &slots)) {
-                if let Some(entry) = entries.get_mut(*column) {
-                    *entry = slope;
-                }
+    /// What may be moved of these slots.
+    pub fn unknowns(&self, slots: impl IntoIterator<Item = usize>) -> Vec<Unknown> {
+        let mut unknowns = Vec::new();
+        for slot in slots.into_iter().filter(|slot| !self.fixed.contains(slot)) {
+            unknowns.push(Unknown { slot, imaginary: false });
+            if self.is_complex && self.kinds.get(slot).is_some_and(|kind| kind.complex) {
+                unknowns.push(Unknown { slot, imaginary: true });
             }
-            entries
-        };
-        self.rows.iter().zip(&self.columns).map(row).collect()
+        }
+        unknowns
     }
 
-    /// The residuals, and the largest relative to the size of its terms.
-    fn residuals<T: Analytic>(&self, values: &[T]) -> (Vec<f64>, f64) {
-        let rough: Vec<f64> = values.iter().map(Analytic::to_f64).collect();
-        let env = Env {
-            values,
-            running: None,
-            upper: None,
-            courses: self.courses,
-        };
-        let rough_env = Env {
-            values: &rough,
-            running: None,
-            upper: None,
-            courses: self.courses,
-        };
+    /// The Jacobian of a program by dual numbers: a row for the real part of each output and, over the complex numbers,
+    /// one for its imaginary part.
+    pub fn jacobian<N: Numbers>(
+        &self,
+        program: &Program,
+        values: &[N::Of<f64>],
+        unknowns: &[Unknown],
+    ) -> Vec<Vec<f64>> {
+        let parts = if N::COMPLEX { 2 } else { 1 };
+        let mut rows = vec![vec![0.0; unknowns.len()]; program.outputs.len() * parts];
+        let mut lifted: Vec<N::Of<Gradient<LANES>>> = values.iter().map(lift::<N, Gradient<LANES>>).collect();
+        for (chunk, some) in unknowns.chunks(LANES).enumerate() {
+            for (lane, unknown) in some.iter().enumerate() {
+                if let Some(value) = lifted.get_mut(unknown.slot) {
+                    let [mut re, mut im] = value.parts();
+                    let part = if unknown.imaginary { &mut im } else { &mut re };
+                    // Both parts of one slot may be seeded: each keeps the lane that it has.
+                    *part += Gradient::from_re(0.0).derivative(lane);
+                    *value = N::Of::<Gradient<LANES>>::new(re, im);
+                }
+            }
+            let found = program.outputs(&program.run(&self.inputs(&lifted, None)));
+            for (output, value) in found.iter().enumerate() {
+                for (part, value) in value.parts().into_iter().take(parts).enumerate() {
+                    let slopes = value.eps.unwrap_generic(Const::<LANES>, U1);
+                    if let Some(row) = rows.get_mut(output * parts + part) {
+                        for (entry, slope) in row.iter_mut().skip(chunk * LANES).zip(slopes.iter()) {
+                            *entry = *slope;
+                        }
+                    }
+                }
+            }
+            for unknown in some {
+                if let (Some(value), Some(known)) = (lifted.get_mut(unknown.slot), values.get(unknown.slot)) {
+                    *value = lift::<N, Gradient<LANES>>(known);
+                }
+            }
+        }
+        rows
+    }
+
+    /// The residuals, and the largest relative to the size of its terms; NaN where there is none.
+    fn residuals<N: Numbers, T: Real>(&self, program: &Program, values: &[N::Of<T>]) -> (Vec<f64>, f64) {
+        let parts = if N::COMPLEX { 2 } else { 1 };
+        let found = program.run(&self.inputs(values, None));
+        let near: Vec<N::Of<f64>> = found.iter().map(rough::<N, T>).collect();
+        let sizes = program.sizes(&near, &|_| 0.0);
         let mut worst = 0.0_f64;
-        let each = self.rows.iter().map(|row| {
-            let (value, size) = (row.value(&env).to_f64(), row.sized(&rough_env).1);
-            // NaN counts as large.
-            let relative = if value == 0.0 { 0.0 } else { (value / size).abs() };
+        let mut residuals = Vec::with_capacity(program.outputs.len() * parts);
+        for &output in &program.outputs {
+            let value = near.get(output).map(Value::parts).unwrap_or([f64::NAN; 2]);
+            residuals.extend(value.into_iter().take(parts));
+            let gap = value[0].hypot(value[1]);
+            let size = sizes
+                .as_ref()
+                .and_then(|sizes| sizes.get(output))
+                .copied()
+                .unwrap_or(f64::NAN);
+            let relative = if gap == 0.0 { 0.0 } else { gap / size };
+            // NaN counts as large, and stays.
             worst = if relative <= worst { worst } else { relative };
-            value
-        });
-        let residuals = each.collect();
+            if worst.is_nan() {
+                break;
+            }
+        }
         (residuals, worst)
     }
 
-    /// Moves the values onto the solution set; the largest relative residual that is left. Over a wide number the
+    /// The size that errors of a slot are relative to, at a point where the premises were solved.
+    pub fn solved<N: Numbers, T: Real>(&self, values: &[N::Of<T>]) -> impl Fn(usize) -> f64 {
+        let sizes = self
+            .row_slots
+            .iter()
+            .filter_map(|slot| values.get(*slot))
+            .map(Value::size);
+        let largest = sizes.fold(0.0, f64::max);
+        move |slot| {
+            if self.row_slots.binary_search(&slot).is_ok() {
+                largest
+            } else {
+                0.0
+            }
+        }
+    }
+
+    /// The largest residual of the premises at a point, relative to the size of its terms.
+    pub fn residual<N: Numbers>(&self, values: &[N::Of<f64>]) -> f64 {
+        self.residuals::<N, f64>(&self.rows_program, values).1
+    }
+
+    /// Moves the unknowns onto the solution set; the largest relative residual that is left. Over a wide number the
     /// Jacobian stays that of f64, and the steps refine the point by its digits each.
-    pub fn solve<T: Analytic>(&self, values: &mut [T], enough: f64) -> f64 {
+    pub fn solve<N: Numbers, T: Real>(
+        &self,
+        program: &Program,
+        values: &mut [N::Of<T>],
+        unknowns: &[Unknown],
+        enough: f64,
+    ) -> f64 {
         let mut best = f64::INFINITY;
         let mut after = 0;
-        for _ in 0..MOST_STEPS {
-            let (residuals, worst) = self.residuals(values);
+        // Beside a double root a step gains one bit.
+        let most = if <T as Analytic>::epsilon().to_f64() < 1e-20 {
+            4 * MOST_STEPS
+        } else {
+            MOST_STEPS
+        };
+        for _ in 0..most {
+            let (residuals, worst) = self.residuals::<N, T>(program, values);
             // One step more than enough, for the last digits.
             after += usize::from(worst <= enough);
-            if after > 1 || worst == 0.0 || (worst <= PREMISE && worst > 0.5 * best) || worst.is_nan() {
+            let stalls = worst <= PREMISE && worst > 0.5 * best;
+            if after > 1 || worst == 0.0 || stalls || worst.is_nan() || self.work.is_over() {
                 return worst;
             }
             best = best.min(worst);
-            let rough: Vec<f64> = values.iter().map(Analytic::to_f64).collect();
-            let step = least(self.jacobian(&rough), &residuals, self.unknowns.len());
-            let length = step.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let near: Vec<N::Of<f64>> = values.iter().map(rough::<N, T>).collect();
+            let step = least(self.jacobian::<N>(program, &near, unknowns), &residuals, unknowns.len());
+            let length = norm(&step);
             if !length.is_finite() {
                 return f64::NAN;
             }
             // Far from the solution a step is a direction only.
-            let part = if length > 1.5 { 1.5 / length } else { 1.0 };
-            for (slot, change) in self.unknowns.iter().zip(&step) {
-                if let Some(value) = values.get_mut(*slot) {
-                    *value -= T::from_f64(change * part);
+            let place = |unknown: &Unknown| near.get(unknown.slot).map_or(0.0, Value::size);
+            let longest = (0.1 * norm(&unknowns.iter().map(place).collect::<Vec<f64>>())).max(1.5);
+            let part = if length > longest { longest / length } else { 1.0 };
+            for (unknown, change) in unknowns.iter().zip(&step) {
+                if let Some(value) = values.get_mut(unknown.slot) {
+                    let [mut re, mut im] = value.parts();
+                    let change = <T as Analytic>::from_f64(change * part);
+                    if unknown.imaginary {
+                        im -= change
+                    } else {
+                        re -= change
+                    }
+                    *value = N::Of::<T>::new(re, im);
                 }
             }
         }
-        self.residuals(values).1
-    }
-}
-
-/// Derivatives by this many slots are found at once: a row has some ten to twenty.
-const LANES: usize = 8;
-
-/// Derivatives of formulas at one point.
-pub struct Slopes<'a> {
-    lifted: Vec<Gradient<LANES>>,
-    courses: &'a [Course],
-}
-
-impl<'a> Slopes<'a> {
-    /// At a point.
-    pub fn new(values: &[f64], courses: &'a [Course]) -> Self {
-        Self {
-            lifted: values.iter().map(|value| Gradient::from_re(*value)).collect(),
-            courses,
-        }
-    }
-
-    /// The derivatives of a formula by these slots, in their order.
-    pub fn of(&mut self, node: &Node, slots: &[usize]) -> Vec<f64> {
-        let mut slopes = Vec::with_capacity(slots.len());
-        for some in slots.chunks(LANES) {
-            for (lane, slot) in some.iter().enumerate() {
-                if let Some(value) = self.lifted.get_mut(*slot) {
-                    *value = value.derivative(lane);
-                }
-            }
-            let env = Env {
-                values: &self.lifted,
-                running: None,
-                upper: None,
-                courses: self.courses,
-            };
-            let found = node.value(&env).eps.unwrap_generic(Const::<LANES>, U1);
-            slopes.extend(found.iter().take(some.len()));
-            for slot in some {
-                if let Some(value) = self.lifted.get_mut(*slot) {
-                    *value = Gradient::from_re(value.re);
-                }
-            }
-        }
-        slopes
+        self.residuals::<N, T>(program, values).1
     }
 }
 
@@ -171,23 +211,26 @@ pub fn least(mut rows: Vec<Vec<f64>>, right: &[f64], unknowns: usize) -> Vec<f64
         }
     }
     let mut solution = vec![0.0; unknowns];
-    while let Some((most, size)) = rows
-        .iter()
-        .map(|row| norm(row))
-        .enumerate()
-        .max_by(|(_, a), (_, b)| a.total_cmp(b))
-    {
-        if size.is_nan() || size < DEPENDENT {
+    let mut lengths: Vec<f64> = rows.iter().map(|row| norm(row)).collect();
+    while let Some((most, &size)) = lengths.iter().enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b)) {
+        if size.is_nan() {
+            return vec![f64::NAN; unknowns];
+        }
+        if size < DEPENDENT {
             break;
         }
+        lengths.swap_remove(most);
         let (mut unit, value) = (rows.swap_remove(most), right.swap_remove(most) / size);
         unit.iter_mut().for_each(|entry| *entry /= size);
-        for (row, rest) in rows.iter_mut().zip(&mut right) {
+        for ((row, rest), length) in rows.iter_mut().zip(&mut right).zip(&mut lengths) {
             let along: f64 = row.iter().zip(&unit).map(|(a, b)| a * b).sum();
-            row.iter_mut()
-                .zip(&unit)
-                .for_each(|(entry, part)| *entry -= along * part);
-            *rest -= along * value;
+            if along != 0.0 {
+                row.iter_mut()
+                    .zip(&unit)
+                    .for_each(|(entry, part)| *entry -= along * part);
+                *rest -= along * value;
+                *length = norm(row);
+            }
         }
         solution
             .iter_mut()
@@ -202,33 +245,51 @@ pub fn norm(row: &[f64]) -> f64 {
     row.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
+/// Columns on which the rows can be solved, one for each row that says something new; `weights` prefer some to others.
+pub fn basis(mut rows: Vec<Vec<f64>>, weights: &[f64]) -> Vec<usize> {
+    let mut columns = Vec::new();
+    for number in 0..rows.len() {
+        let Some((row, rest)) = rows.get_mut(number..).and_then(|rows| rows.split_first_mut()) else {
+            break;
+        };
+        let weighed =
+            |(column, entry): (usize, &f64)| (column, entry.abs() * weights.get(column).copied().unwrap_or(1.0));
+        let largest = row
+            .iter()
+            .enumerate()
+            .map(weighed)
+            .max_by(|(_, a), (_, b)| a.total_cmp(b));
+        let Some((column, size)) = largest else { break };
+        if size.is_nan() || size <= DEPENDENT {
+            continue;
+        }
+        columns.push(column);
+        for other in rest {
+            let part = other[column] / row[column];
+            other
+                .iter_mut()
+                .zip(row.iter())
+                .for_each(|(entry, base)| *entry -= part * base);
+        }
+    }
+    columns.sort_unstable();
+    columns
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Wide;
-
-    /// x² + y² = 2 and x y = 1 with z free: rows that are dependent at the solution itself.
-    fn circle() -> [Node; 2] {
-        let square = |slot| Node::Power(Box::new(Node::Slot(slot)), 2);
-        let circle = Node::Sum(vec![square(0), square(1)]).minus(Node::Number(2, 1));
-        let line = Node::Slot(0).minus(Node::Slot(2));
-        [circle, line]
-    }
-
-    #[test]
-    fn finds_the_solution_next_to_the_start() {
-        let rows = circle();
-        let equations = Equations::new(rows.iter().collect(), vec![0, 1, 2], &[]);
-        let mut values = [0.3_f64, 1.9, -0.2];
-        assert!(equations.solve(&mut values, 1e-15) < 1e-14);
-        assert!((values[0] * values[0] + values[1] * values[1] - 2.0).abs() < 1e-14);
-        let mut wide = values.map(Wide::<40>::from_f64);
-        assert!(equations.solve(&mut wide, 1e-36) < 1e-36);
-    }
 
     #[test]
     fn the_shortest_solution_leaves_out_what_is_said_twice() {
         let solution = least(vec![vec![1.0, 1.0], vec![2.0, 2.0]], &[2.0, 4.0], 2);
         assert!((solution[0] - 1.0).abs() < 1e-15 && (solution[1] - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_basis_has_a_column_for_each_independent_row() {
+        let rows = vec![vec![1.0, 1.0, 0.0], vec![2.0, 2.0, 0.0], vec![0.0, 1.0, 3.0]];
+        assert_eq!(basis(rows.clone(), &[1.0, 2.0, 1.0]), [1, 2]);
+        assert_eq!(basis(rows, &[2.0, 1.0, 1.0]), [0, 2]);
     }
 }

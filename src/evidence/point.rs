@@ -1,226 +1,269 @@
-//! Points at which all premises of a claim hold.
+//! Points at which all premises and assumptions of a claim hold.
 
-use super::newton::Equations;
-use super::program::Node;
+use super::newton::{basis, lift};
 use super::space::Slot;
-use super::system::{Kind, System};
-use super::tolerance::{PREMISE, PREMISE_WIDE};
-use crate::number::{Analytic, Sequence, Wide};
-use num_dual::DualNum;
-use std::collections::BTreeSet;
+use super::system::System;
+use super::tolerance::{PREMISE, PREMISE_WIDE, VANISHING};
+use super::value::{Numbers, Value};
+use crate::number::{Sequence, Wide};
 
 /// Sets the sequences of neighbouring seeds far apart.
 const SPREAD: u64 = 0xd134_2543_de82_ef95;
 const START: u64 = 0x2545_f491_4f6c_dd1d;
 
+/// Draws until one meets the conditions of the sheet by itself.
+const DRAWS: usize = 40;
+
+/// No quantity of a point is larger.
+const LARGEST: f64 = 1e4;
+
 /// A point: a value for each slot, and a running time for claims that have one.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Point<T> {
-    pub values: Vec<T>,
-    pub running: T,
+pub struct Point<V> {
+    pub values: Vec<V>,
+    pub running: V,
 }
 
-/// Starts for each point wanted; most starts lead to a point.
-const MOST_STARTS: usize = 12;
+/// From where a point is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Style {
+    /// Numbers about 1, all moved as little as possible until the premises hold.
+    Moderate,
+    /// Small integers and simple fractions, 0 among them; as few as possible are moved.
+    Special,
+    /// Numbers between 1/100 and 100; as few as possible are moved.
+    Spread,
+}
+
+/// Why a start leads to no point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Miss {
+    Premises,
+    Conditions,
+    Derivatives,
+}
+
+/// The numbers of [`Style::Special`].
+const SPECIAL: [f64; 14] = [
+    0.0,
+    1.0,
+    -1.0,
+    2.0,
+    -2.0,
+    0.5,
+    -0.5,
+    3.0,
+    -3.0,
+    1.5,
+    1.0 / 3.0,
+    -2.0 / 3.0,
+    0.0,
+    1.0,
+];
 
 impl System {
-    /// Up to `count` points, the same ones each time.
-    pub fn points(&self, count: usize, seed: u64) -> Vec<Point<f64>> {
-        let mut points = Vec::new();
-        for start in 0..count * MOST_STARTS {
-            if points.len() == count || (start >= 3 * MOST_STARTS && points.is_empty()) {
+    /// The point that a random start leads to, if it does.
+    pub fn point<N: Numbers>(&self, seed: u64, style: Style) -> Result<Point<N::Of<f64>>, Miss> {
+        let mut random = Sequence::new(seed.wrapping_mul(SPREAD).wrapping_add(START));
+        let mut point = self.start::<N>(&mut random, style);
+        for _ in 0..DRAWS {
+            if self.allows::<N>(&point) {
                 break;
             }
-            points.extend(self.point(seed.wrapping_mul(1000).wrapping_add(start as u64)));
+            point = self.start::<N>(&mut random, style);
         }
-        points
+        let is_allowed = self.allows::<N>(&point);
+        if self.rows.is_empty() && (is_allowed || self.slacks.is_empty()) {
+            return if is_allowed {
+                self.derived::<N>(point)
+            } else {
+                Err(Miss::Conditions)
+            };
+        }
+        let mut moved = point.clone();
+        let mut missed = self.settle::<N>(&mut moved, style, &mut random, false);
+        if missed.is_ok() && !self.allows::<N>(&moved) {
+            missed = Err(Miss::Conditions);
+        }
+        if missed == Err(Miss::Conditions) && !self.slacks.is_empty() {
+            moved = point;
+            missed = self.settle::<N>(&mut moved, style, &mut random, true);
+            if missed.is_ok() && !self.allows::<N>(&moved) {
+                missed = Err(Miss::Conditions);
+            }
+        }
+        missed?;
+        self.derived::<N>(moved)
     }
 
-    /// The point that a random start leads to, if it does.
-    fn point(&self, seed: u64) -> Option<Point<f64>> {
-        let mut random = Sequence::new(seed.wrapping_mul(SPREAD).wrapping_add(START));
-        let mut point = self.start(&mut random);
+    fn derived<N: Numbers>(&self, mut point: Point<N::Of<f64>>) -> Result<Point<N::Of<f64>>, Miss> {
+        match self.derive::<N, f64>(&mut point.values, PREMISE) {
+            Some(rest) if rest <= PREMISE => Ok(point),
+            _ => Err(Miss::Derivatives),
+        }
+    }
+
+    /// Moves a start until the premises hold, and the conditions with what their slacks leave over where asked.
+    fn settle<N: Numbers>(
+        &self,
+        point: &mut Point<N::Of<f64>>,
+        style: Style,
+        random: &mut Sequence,
+        with_slacks: bool,
+    ) -> Result<(), Miss> {
+        let joined;
+        let (program, slots) = if with_slacks {
+            let rows: Vec<_> = self.rows.iter().chain(&self.slacks).copied().collect();
+            joined = self.formulas.program(&rows);
+            (&joined, self.formulas.slots(&rows))
+        } else {
+            (&self.rows_program, self.row_slots.clone())
+        };
+        let mut unknowns = self.unknowns(slots);
+        if style != Style::Moderate {
+            let jacobian = self.jacobian::<N>(program, &point.values, &unknowns);
+            let weights: Vec<f64> = unknowns
+                .iter()
+                .map(|_| 10_f64.powf(random.between(-2.0, 2.0)))
+                .collect();
+            let columns = basis(jacobian, &weights);
+            unknowns = columns
+                .into_iter()
+                .filter_map(|column| unknowns.get(column).copied())
+                .collect();
+        }
         // Not less or equal: NaN fails too.
         let meets = |rest: f64| rest <= PREMISE;
-        if !meets(self.settle(&mut point.values, PREMISE)) {
-            return None;
+        if meets(self.solve::<N, f64>(program, &mut point.values, &unknowns, PREMISE))
+            && point.values.iter().all(|value| value.size() < LARGEST)
+        {
+            return Ok(());
         }
-        let env = self.env(&point.values);
-        let positive = self.positive.iter().all(|node| node.value(&env) > 1e-3);
-        let sane = point.values.iter().all(|value| value.abs() < 1e3);
-        let small = self.at_most_one.iter().all(|node| node.value(&env) <= 1.0);
-        if !positive || !small || !sane {
-            return None;
-        }
-        meets(self.derive(&mut point.values, PREMISE)?).then_some(())?;
-        let env = self.env(&point.values);
-        let holds = |node: &Node| {
-            let (value, size) = node.sized(&env);
-            value.abs() <= 100.0 * PREMISE * size
-        };
-        self.checks.iter().all(holds).then_some(point)
+        Err(Miss::Premises)
     }
 
-    /// The largest residual of a premise at a point, relative to the size of its terms.
-    pub fn residual(&self, point: &Point<f64>) -> f64 {
-        let env = self.env(&point.values);
-        let relative = |node: &Node| {
-            let (value, size) = node.sized(&env);
-            if value == 0.0 { 0.0 } else { value.abs() / size }
-        };
-        self.rows
-            .iter()
-            .map(|row| &row.node)
-            .chain(&self.late)
-            .map(relative)
-            .fold(0.0, f64::max)
-    }
-
-    /// The point over 40 digits, where all premises hold to them.
-    pub fn widened(&self, point: &Point<f64>) -> Option<Point<Wide<40>>> {
-        let wide = |value: &f64| <Wide<40> as Analytic>::from_f64(*value);
-        let mut values: Vec<Wide<40>> = point.values.iter().map(wide).collect();
-        let met = self.settle(&mut values, PREMISE_WIDE) <= PREMISE_WIDE;
-        let derived = met && self.derive(&mut values, PREMISE_WIDE)? <= PREMISE_WIDE;
-        derived.then(|| Point {
-            values,
-            running: wide(&point.running),
+    /// Whether the conditions hold.
+    fn allows<N: Numbers>(&self, point: &Point<N::Of<f64>>) -> bool {
+        let program = &self.conditions_program;
+        let values = program.run(&self.inputs(&point.values, Some(&point.running)));
+        let mut found = program.outputs(&values).into_iter().zip(&self.conditions);
+        found.all(|(value, condition)| {
+            let [re, im] = value.parts();
+            match condition.relation {
+                crate::tex::Relation::NotEqual => condition.holds(value.size()),
+                _ => im == 0.0 && condition.holds(re),
+            }
         })
     }
 
-    fn start(&self, random: &mut Sequence) -> Point<f64> {
-        let positive: BTreeSet<usize> = slots_of(&self.positive);
-        let small: BTreeSet<usize> = slots_of(&self.at_most_one);
+    /// Whether a factor in generic symbols alone vanishes: a proof may exclude such a point.
+    pub fn is_excluded<N: Numbers>(&self, point: &Point<N::Of<f64>>) -> bool {
+        let program = &self.factors_program;
+        let values = program.run(&self.inputs(&point.values, Some(&point.running)));
+        let Some(sizes) = program.sizes(&values, &self.solved::<N, f64>(&point.values)) else {
+            return true;
+        };
+        let vanishes = |&output: &usize| {
+            let (value, size) = (
+                values.get(output).map_or(0.0, Value::size),
+                sizes.get(output).copied().unwrap_or(0.0),
+            );
+            value <= VANISHING * size || value == 0.0
+        };
+        program.outputs.iter().any(vanishes)
+    }
+
+    /// The point over 40 digits, where all premises hold to them.
+    pub fn widened<N: Numbers>(&self, point: &Point<N::Of<f64>>) -> Option<Point<N::Of<Wide<40>>>> {
+        let values = point.values.iter().map(lift::<N, Wide<40>>).collect();
+        let wide = Point {
+            values,
+            running: lift::<N, Wide<40>>(&point.running),
+        };
+        self.refined::<N>(wide)
+    }
+
+    /// The point after further steps.
+    pub fn refined<N: Numbers>(&self, mut wide: Point<N::Of<Wide<40>>>) -> Option<Point<N::Of<Wide<40>>>> {
+        let unknowns = self.unknowns(self.row_slots.iter().copied());
+        let met = self.solve::<N, Wide<40>>(&self.rows_program, &mut wide.values, &unknowns, PREMISE_WIDE);
+        let derived =
+            met <= PREMISE_WIDE && self.derive::<N, Wide<40>>(&mut wide.values, PREMISE_WIDE)? <= PREMISE_WIDE;
+        derived.then_some(wide)
+    }
+
+    fn start<N: Numbers>(&self, random: &mut Sequence, style: Style) -> Point<N::Of<f64>> {
         let mut clock = random.between(0.0, 0.5);
-        let mut values = vec![0.0; self.space.slots.len()];
+        let mut values = vec![N::Of::<f64>::integer(0); self.space.slots.len()];
         // Impacts one after the other, towards one wall and the other in turn.
         let mut order: Vec<usize> = (0..values.len()).collect();
         order.sort_by_key(|slot| (self.space.impact(*slot), *slot));
         for slot in order {
-            let value = match self.space.slots.get(slot) {
-                Some(Slot::Time { .. }) => {
-                    clock += random.between(0.6, 1.4);
-                    clock
-                }
-                Some(Slot::State { index, .. }) => {
-                    let size = random.between(0.3, 1.5);
-                    if index % 2 == 0 { size } else { -size }
-                }
-                _ if small.contains(&slot) => random.between(0.2, 0.9),
-                Some(Slot::Parameter(_)) if positive.contains(&slot) => random.between(0.4, 2.2),
-                Some(Slot::Coefficient { .. }) => random.between(-1.0, 1.0),
-                _ => random.between(-1.5, 1.5),
+            let value = self.draw(slot, &mut clock, random, style);
+            let imaginary = match self.kinds.get(slot) {
+                Some(kind) if kind.complex => match style {
+                    Style::Special => pick(random),
+                    _ => random.between(-1.5, 1.5),
+                },
+                _ => 0.0,
             };
             if let Some(place) = values.get_mut(slot) {
-                *place = if self.zeros.contains(&slot) { 0.0 } else { value };
+                *place = N::Of::<f64>::new(value, imaginary);
             }
         }
-        if self.kind == Kind::Cosine {
-            self.make_cosine(&mut values, random);
-        }
-        let start = values.get(self.start).copied().unwrap_or(0.0);
+        let running = match self.start.and_then(|slot| values.get(slot)) {
+            Some(start) => start.parts()[0] + random.between(0.1, 1.0),
+            None if style == Style::Special => pick(random),
+            None => random.between(-2.0, 3.0),
+        };
         Point {
             values,
-            running: start + random.between(0.1, 1.0),
+            running: N::Of::<f64>::float(running),
         }
     }
 
-    /// Sets the coefficients of functions to those of cos(pi t + phi).
-    fn make_cosine(&self, values: &mut [f64], random: &mut Sequence) {
-        let is_phase = |slot: &Slot| matches!(slot, Slot::Parameter(name) if name.to_string() == r"\phi");
-        let phase = self
-            .space
-            .slots
-            .iter()
-            .position(is_phase)
-            .and_then(|slot| values.get(slot).copied());
-        let phase = phase.unwrap_or_else(|| random.between(0.0, 6.0));
-        for course in self.space.courses.iter().filter(|course| course.flight.is_none()) {
-            for slot in course.slots() {
-                let value = match slot - course.first {
-                    term if term == course.powers => phase.cos(),
-                    term if term == course.powers + 1 => -phase.sin(),
-                    _ => 0.0,
-                };
-                if let Some(place) = values.get_mut(slot) {
-                    *place = value;
-                }
+    fn draw(&self, slot: usize, clock: &mut f64, random: &mut Sequence, style: Style) -> f64 {
+        let kind = self.kinds.get(slot).copied().unwrap_or_default();
+        let moderate = style == Style::Moderate;
+        let value = match self.space.slots.get(slot) {
+            Some(Slot::Time { .. }) => {
+                *clock += random.between(0.6, 1.4);
+                return *clock;
             }
-        }
-    }
-
-    /// Moves times, states, parameters and flights until the premises hold.
-    fn settle<T: Analytic>(&self, values: &mut [T], enough: f64) -> f64 {
-        let rows: Vec<&Node> = self.rows.iter().map(|row| &row.node).collect();
-        let movable = |slot: &usize| match self.space.slots.get(*slot) {
-            Some(Slot::Coefficient { course, .. }) => {
-                let flight = self
-                    .space
-                    .courses
-                    .get(*course)
-                    .is_some_and(|course| course.flight.is_some());
-                !self.zeros.contains(slot) && (flight || (self.shaped && self.kind == Kind::Any))
+            Some(Slot::Slack(_)) => return random.between(0.2, 1.5),
+            _ if kind.index => return f64::from(super::domain::INDEX),
+            _ if kind.integer && moderate => random.between(-3.5, 6.5).round(),
+            _ if kind.integer => random.between(-8.5, 9.5).round(),
+            Some(Slot::Coefficient { .. }) => return random.between(-1.0, 1.0),
+            Some(Slot::State { index, .. }) if moderate => {
+                let size = random.between(0.3, 1.5);
+                if index % 2 == 0 { size } else { -size }
             }
-            _ => true,
+            _ if kind.at_most_one && style != Style::Special => random.between(0.1, 0.95),
+            _ if moderate && kind.positive => random.between(0.4, 2.2),
+            _ if moderate => random.between(-1.5, 1.5),
+            _ if style == Style::Special => pick(random),
+            _ => {
+                let size = 10_f64.powf(random.between(-2.0, 2.0));
+                if random.draw() & 1 == 0 { size } else { -size }
+            }
         };
-        let unknowns: BTreeSet<usize> = rows
-            .iter()
-            .flat_map(|row| row.slots(&self.space.courses))
-            .filter(movable)
-            .collect();
-        Equations::new(rows, unknowns.into_iter().collect(), &self.space.courses).solve(values, enough)
-    }
-
-    /// Finds the derivatives, then what premises say of them.
-    fn derive<T: Analytic + DualNum>(&self, values: &mut [T], enough: f64) -> Option<f64> {
-        let mut fixed: BTreeSet<usize> = self
-            .rows
-            .iter()
-            .flat_map(|row| row.node.slots(&self.space.courses))
-            .collect();
-        let mut open = BTreeSet::new();
-        for (number, rows) in self.step_rows.iter().enumerate() {
-            if rows.is_empty() {
-                continue;
-            }
-            let found = self.differentiate(number, values)?;
-            let slots = found.partials.iter().map(|(slot, _)| *slot);
-            if found.determined {
-                fixed.extend(slots)
-            } else {
-                open.extend(slots)
-            }
-            for (slot, value) in found.partials {
-                *values.get_mut(slot)? = value;
-            }
-        }
-        if self.late.is_empty() {
-            return Some(0.0);
-        }
-        let mut rows: Vec<Node> = self.late.clone();
-        let all: BTreeSet<usize> = rows.iter().flat_map(|row| row.slots(&self.space.courses)).collect();
-        if all.iter().any(|slot| open.contains(slot)) {
-            // The coefficients are those of f64.
-            if T::epsilon().to_f64() < 1e-20 {
-                return None;
-            }
-            let rough: Vec<f64> = values.iter().map(Analytic::to_f64).collect();
-            for step in 0..self.step_rows.len() {
-                rows.extend(self.linear_rows(step, &rough)?);
-            }
-        }
-        let all: BTreeSet<usize> = rows.iter().flat_map(|row| row.slots(&self.space.courses)).collect();
-        let movable = |slot: &usize| !matches!(self.space.slots.get(*slot), Some(Slot::Coefficient { .. }));
-        let unknowns = all.difference(&fixed).copied().filter(movable).collect();
-        Some(Equations::new(rows.iter().collect(), unknowns, &self.space.courses).solve(values, enough))
+        let value = if kind.positive || kind.nonnegative {
+            value.abs()
+        } else {
+            value
+        };
+        let value = if (kind.positive || kind.nonzero) && value == 0.0 {
+            1.0
+        } else {
+            value
+        };
+        if kind.at_most_one { value.min(1.0) } else { value }
     }
 }
 
-/// The slots that stand alone in this list.
-fn slots_of(nodes: &[Node]) -> BTreeSet<usize> {
-    let alone = |node: &Node| match node {
-        Node::Slot(slot) => Some(*slot),
-        _ => None,
-    };
-    nodes.iter().filter_map(alone).collect()
+/// A special number.
+fn pick(random: &mut Sequence) -> f64 {
+    let position = (random.draw() >> 33) as usize % SPECIAL.len();
+    SPECIAL.get(position).copied().unwrap_or(1.0)
 }

@@ -1,271 +1,402 @@
-//! The premises of a claim as equations over slots.
+//! The premises of a claim as equations over slots, and the claim as questions.
 
 use super::compiler::{Compiler, Unwitnessed};
-use super::course::Course;
-use super::flight;
+use super::course::Forcing;
+use super::derivative::StepRows;
+use super::domain::{self, Condition, Kind};
+use super::formula::{Formula, Formulas, Op, Program, Work};
 use super::maps::{Maps, read_maps};
-use super::period::Period;
-use super::program::Node;
-use super::question::Question;
-use super::sorted::{Sorted, speaks_of_matrix};
-use super::space::Space;
-use crate::claim::{Local, Statements, Vocabulary};
-use crate::tex::{At, Tree};
-use std::collections::BTreeSet;
+use super::space::{Slot, Space};
+use crate::claim::{Local, Premise, Statements, Vocabulary};
+use crate::tex::{At, Condition as Assumption, Equation, Invariant, Name, Relation, Tree};
+use std::collections::{BTreeSet, HashMap};
 
-/// An equation that holds.
+/// An equation of the claim.
 #[derive(Clone, Debug)]
-pub struct Row {
-    pub node: Node,
-    /// The impacts it speaks of.
-    pub impacts: BTreeSet<i32>,
-    /// Whether it says what a flight is, at one of its times.
-    pub in_flight: bool,
-}
-
-/// Which forcing stands for the function of the claim.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// One of many harmonics, for any function.
-    Any,
-    /// cos(pi t + phi).
-    Cosine,
+pub struct Question {
+    /// The two sides, under the upper sign and, where there is one, under the lower.
+    pub sides: Vec<[Formula; 2]>,
+    pub relation: Relation,
+    /// The slot of a symbol whose two values are meant, as in `\lambda_{1,2}`.
+    pub pair: Option<usize>,
+    pub program: Program,
 }
 
 /// All that bears on one claim, over slots.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct System {
     pub space: Space,
+    pub formulas: Formulas,
     pub maps: Maps,
     /// What holds of times, states and parameters.
-    pub rows: Vec<Row>,
+    pub rows: Vec<Formula>,
     /// For each map the rows that its derivatives follow from, in the order in which they are asked.
-    pub step_rows: Vec<Vec<Row>>,
+    pub step_rows: Vec<Vec<Formula>>,
     /// What holds of derivatives, traces and determinants.
-    pub late: Vec<Node>,
-    /// What must come out as zero besides.
-    pub checks: Vec<Node>,
-    /// Coefficients that are zero, because a course repeats.
-    pub zeros: BTreeSet<usize>,
-    /// Whether a premise says what the functions are, so that their coefficients are unknowns.
-    pub shaped: bool,
-    /// What must be positive, and what must not exceed 1.
-    pub positive: Vec<Node>,
-    pub at_most_one: Vec<Node>,
+    pub late: Vec<Formula>,
+    pub prepared_steps: Vec<StepRows>,
+    /// Traces and determinants of products of maps.
+    pub invariants: Vec<(Name, Invariant, Program)>,
+    pub kinds: Vec<Kind>,
+    /// Slots that an assumption says are integers.
+    integers: Vec<usize>,
+    /// By how much a running index is shifted in what is read.
+    index_shift: i32,
+    /// Where symbols may lie.
+    pub conditions: Vec<Condition>,
+    /// For each inequality of the premises a row that it holds by what its slack leaves over.
+    pub slacks: Vec<Formula>,
+    /// Slots that keep the value they start with.
+    pub fixed: BTreeSet<usize>,
     pub questions: Vec<Question>,
-    /// The time of the impact from which the flight of the claim starts, and whether the claim has a running time.
-    pub start: usize,
+    /// The time of the impact from which the flight of the claim starts.
+    pub start: Option<usize>,
+    /// Whether the claim has a running time.
     pub runs: bool,
-    pub kind: Kind,
+    /// Whether a premise restricts functions of which it does not say what they are.
+    pub shaped: bool,
+    /// Whether anything is complex.
+    pub is_complex: bool,
     /// The letter that numbers impacts.
     pub letter: String,
+    pub rows_program: Program,
+    /// The slots that the rows depend on.
+    pub row_slots: Vec<usize>,
+    /// Factors in generic symbols alone.
+    pub factors_program: Program,
+    pub conditions_program: Program,
+    pub work: Work,
+    pub forcing: Forcing,
+    /// What derivatives given by laws are at the running time; nothing while it is being found.
+    pub resolved: HashMap<(usize, usize), Option<Formula>>,
 }
+
+/// What a row says, before functions are replaced by what stands for them.
+struct Written {
+    slots: BTreeSet<usize>,
+    has_functions: bool,
+}
+
+/// Operations for one claim.
+const WORK: u64 = 100_000_000;
 
 impl System {
     /// Reads premises and claim.
     ///
     /// # Errors
     /// [`Unwitnessed`] where something has no concrete form.
-    pub fn new(statements: &Statements, vocabulary: &Vocabulary, kind: Kind) -> Result<Self, Unwitnessed> {
-        let (mut space, first) = (Space::default(), statements.first.unwrap_or(0));
-        let maps = read_maps(
-            vocabulary,
-            &mut compiler(vocabulary, &mut space, None, &[], None, first),
-        )?;
-        let sorted = Sorted::read(statements, vocabulary, &mut space, &maps)?;
+    pub fn new(statements: &Statements, vocabulary: &Vocabulary, forcing: Forcing) -> Result<Self, Unwitnessed> {
         let mut system = Self {
-            space,
-            maps,
+            space: Space::default(),
+            formulas: Formulas::default(),
+            maps: Maps::default(),
             rows: Vec::new(),
             step_rows: Vec::new(),
-            late: sorted.late.clone(),
-            checks: Vec::new(),
-            zeros: BTreeSet::new(),
-            shaped: false,
-            positive: Vec::new(),
-            at_most_one: Vec::new(),
+            late: Vec::new(),
+            prepared_steps: Vec::new(),
+            invariants: Vec::new(),
+            kinds: Vec::new(),
+            integers: Vec::new(),
+            index_shift: 0,
+            conditions: Vec::new(),
+            slacks: Vec::new(),
+            fixed: BTreeSet::new(),
             questions: Vec::new(),
-            start: 0,
+            start: None,
             runs: statements.claim_runs,
-            kind,
+            shaped: false,
+            is_complex: false,
             letter: vocabulary.index.clone(),
+            rows_program: Program::default(),
+            row_slots: Vec::new(),
+            factors_program: Program::default(),
+            conditions_program: Program::default(),
+            work: Work::new(WORK),
+            forcing,
+            resolved: HashMap::new(),
         };
-        system.fill(statements, vocabulary, sorted)?;
-        system.ask(statements, vocabulary)?;
-        system.align_periods();
+        system.read(statements, vocabulary)?;
         Ok(system)
     }
 
-    /// The equations that come of what was sorted.
-    fn fill(&mut self, statements: &Statements, vocabulary: &Vocabulary, sorted: Sorted) -> Result<(), Unwitnessed> {
+    pub fn compiler<'a>(&'a mut self, vocabulary: &'a Vocabulary, locals: &'a [Local]) -> Compiler<'a> {
+        let shift = self.index_shift;
+        let mut compiler = Compiler::new(vocabulary, &mut self.space, &mut self.formulas, &self.maps);
+        (compiler.locals, compiler.index_shift) = (locals, shift);
+        compiler
+    }
+
+    fn read(&mut self, statements: &Statements, vocabulary: &Vocabulary) -> Result<(), Unwitnessed> {
         let first = statements.first.unwrap_or(0);
-        let flights = {
-            let mut compiler = compiler(vocabulary, &mut self.space, None, &[], None, first);
-            self.start = compiler.time(first);
-            flight::rows(&sorted.flights, statements.claim_runs, &mut compiler)
-        };
-        for period in sorted.periods {
-            self.declare(period)?;
+        let mut maps = read_maps(vocabulary, &mut self.compiler(vocabulary, &[]))?;
+        for (of, by) in partials(statements) {
+            maps.add_step(&of, &by, &mut self.compiler(vocabulary, &[]));
         }
-        self.shaped = !sorted.functions.is_empty();
-        if !self.shaped {
-            // Constants of integration are enough for any function at a few times.
-            let functions = self.space.courses.iter().filter(|course| course.flight.is_none());
-            let powers = functions.flat_map(|c| c.first + c.names.len()..c.first + c.powers);
-            self.zeros.extend(powers);
+        self.maps = maps;
+        if let (Some(first), false) = (statements.first, vocabulary.times.is_empty()) {
+            self.start = Some(self.compiler(vocabulary, &[]).time(first));
         }
-        for law in sorted.functions {
-            self.rows.extend(flight::everywhere(&law, self.start));
+        let mut laws = Vec::new();
+        let mut of_matrices = Vec::new();
+        let premises = said(statements, vocabulary);
+        for (premise, by) in &premises {
+            self.index_shift = *by;
+            let flight = if statements.claim_runs {
+                first
+            } else {
+                premise.first.unwrap_or(first)
+            };
+            if speaks_of_matrix(&premise.equation) {
+                of_matrices.push(premise);
+                continue;
+            }
+            let sides = self.sides(&premise.equation, vocabulary, &premise.locals, premise.first, flight)?;
+            if matches!(&premise.equation.left, Tree::Symbol(name, _) if is_pair(name)) {
+                // The symbol has either value.
+                let apart: Vec<Formula> = sides
+                    .into_iter()
+                    .map(|(left, right)| self.formulas.subtract(left, right))
+                    .collect();
+                let product = self.formulas.product(apart);
+                self.rows.push(product);
+                continue;
+            }
+            for (left, right) in sides {
+                self.sort(left, right, premise.equation.relation, &mut laws)?;
+            }
         }
-        let bound = self.bound(&sorted.rows);
-        for node in sorted.rows {
-            let impacts = self.impacts(&node, &bound);
-            self.rows.push(Row {
-                node,
-                impacts,
-                in_flight: false,
+        let claimed = statements
+            .assume
+            .iter()
+            .map(|condition| (condition, statements.locals.as_slice(), None));
+        self.index_shift = 0;
+        let brought = premises.iter().flat_map(|(premise, _)| {
+            premise
+                .assume
+                .iter()
+                .map(|condition| (condition, premise.locals.as_slice(), premise.first))
+        });
+        for (condition, locals, at) in claimed.chain(brought) {
+            self.assume(condition, vocabulary, locals, at, &mut laws)?;
+        }
+        for equation in &vocabulary.relations {
+            for (left, right) in self.sides(equation, vocabulary, &[], None, first)? {
+                self.sort(left, right, equation.relation, &mut laws)?;
+            }
+        }
+        for (name, shift) in &vocabulary.periods {
+            let mut compiler = self.compiler(vocabulary, &[]);
+            let value = compiler.tree(&Tree::Symbol(name.clone(), At(0)))?;
+            let shift = compiler.tree(shift)?;
+            if let Op::Value { course, level, .. } = self.formulas.op(value) {
+                self.declare(course, level, shift);
+            }
+        }
+        self.choose_laws(laws, vocabulary)?;
+        self.tie_flights(statements, vocabulary);
+        let rows = std::mem::take(&mut self.rows);
+        let written: Vec<Written> = rows.iter().map(|row| self.written(*row)).collect();
+        let rows: Vec<Formula> = rows.into_iter().map(|row| self.resolve(row, vocabulary)).collect();
+        self.rows = rows;
+        self.choose_step_rows(statements.speaks_of_maps, &written, vocabulary);
+        self.maps.opaque = self.step_rows.iter().all(Vec::is_empty) && !statements.has_partials;
+        for premise in of_matrices {
+            for (left, right) in self.sides(&premise.equation, vocabulary, &premise.locals, premise.first, first)? {
+                let row = self.formulas.subtract(left, right);
+                self.late.push(row);
+            }
+        }
+        let late = std::mem::take(&mut self.late);
+        self.late = late.into_iter().map(|row| self.resolve(row, vocabulary)).collect();
+        for equation in &statements.claims {
+            let pair = self.pair(equation, vocabulary, &statements.locals);
+            let sides = self.sides(equation, vocabulary, &statements.locals, None, first)?;
+            let resolved = |(left, right): (Formula, Formula)| [left, right].map(|side| self.resolve(side, vocabulary));
+            let sides = sides.into_iter().map(resolved).collect();
+            self.questions.push(Question {
+                sides,
+                relation: equation.relation,
+                pair,
+                program: Program::default(),
             });
         }
-        let flights = flights.into_iter().map(|(start, node)| Row {
-            node,
-            impacts: BTreeSet::from([start, start + 1]),
-            in_flight: true,
+        self.finish(vocabulary)
+    }
+
+    /// Both sides of an equation, under the upper sign and, where there is one, under the lower.
+    fn sides(
+        &mut self,
+        equation: &Equation,
+        vocabulary: &Vocabulary,
+        locals: &[Local],
+        first: Option<i32>,
+        flight: i32,
+    ) -> Result<Vec<(Formula, Formula)>, Unwitnessed> {
+        let signed = any(equation, &|tree| {
+            matches!(tree, Tree::PlusMinus(_) | Tree::MinusPlus(_))
         });
-        self.rows.extend(flights);
-        self.choose_step_rows(statements.speaks_of_maps);
-        self.maps.opaque = self.step_rows.iter().all(Vec::is_empty) && !statements.has_partials;
-        Ok(())
-    }
-
-    /// The claim, and the premises that speak of maps.
-    fn ask(&mut self, statements: &Statements, vocabulary: &Vocabulary) -> Result<(), Unwitnessed> {
-        let first = statements.first.unwrap_or(0);
-        let maps = self.maps.clone();
-        for statement in statements
-            .premises
-            .iter()
-            .filter(|statement| speaks_of_matrix(&statement.equation))
-        {
-            let locals = &statement.locals;
-            let mut compiler = compiler(vocabulary, &mut self.space, Some(&maps), locals, statement.first, first);
-            let left = compiler.tree(&statement.equation.left)?;
-            self.late.push(left.minus(compiler.tree(&statement.equation.right)?));
-        }
-        for equation in &statements.claims {
-            let mut compiler = compiler(
-                vocabulary,
-                &mut self.space,
-                Some(&maps),
-                &statements.locals,
-                None,
-                first,
-            );
-            let question = Question::new(equation, &mut compiler)?;
-            self.questions.push(question);
-        }
-        for name in &vocabulary.positive {
-            let mut compiler = compiler(vocabulary, &mut self.space, Some(&maps), &[], None, first);
-            let node = compiler.tree(&Tree::Symbol(name.clone(), At(0)))?;
-            if vocabulary.at_most_one.contains(name) {
-                self.at_most_one.push(node.clone());
-            }
-            self.positive.push(node);
-        }
-        Ok(())
-    }
-
-    /// A flight has the harmonics of what drives it; a cosine has the period 2.
-    fn align_periods(&mut self) {
-        let is_function = |course: &Course| course.flight.is_none();
-        if self.kind == Kind::Cosine {
-            for course in self.space.courses.iter_mut().filter(|course| is_function(course)) {
-                course.period = Some(Box::new(Node::Number(2, 1)));
-            }
-        }
-        let driving = self.space.courses.iter().find(|course| is_function(course));
-        let period = driving.and_then(|course| course.period.clone());
-        for course in self.space.courses.iter_mut().filter(|course| !is_function(course)) {
-            course.period.clone_from(&period);
-        }
-    }
-
-    /// Makes a course repeat.
-    fn declare(&mut self, period: Period) -> Result<(), Unwitnessed> {
-        let Some(course) = self.space.courses.get_mut(period.course) else {
-            return Ok(());
+        let left = match &equation.left {
+            Tree::Symbol(name, at) if is_pair(name) => Tree::Symbol(single(name), *at),
+            left => left.clone(),
         };
-        if course.flight.is_some() {
-            return Err(Unwitnessed::Kind("a motion that repeats has no witness yet"));
+        let mut sides = Vec::new();
+        for upper in if signed { vec![true, false] } else { vec![true] } {
+            let mut compiler = self.compiler(vocabulary, locals);
+            (compiler.first, compiler.flight, compiler.upper) = (first, flight, upper);
+            sides.push((compiler.tree(&left)?, compiler.tree(&equation.right)?));
         }
-        self.zeros
-            .extend((period.level + 1..course.powers).map(|power| course.first + power));
-        match (&course.period, self.kind) {
-            (None, Kind::Any) => course.period = Some(Box::new(period.shift)),
-            (None, Kind::Cosine) => {
-                course.period = Some(Box::new(Node::Number(2, 1)));
-                let square = Node::Power(Box::new(period.shift), 2);
-                self.rows.push(Row {
-                    node: square.minus(Node::Number(4, 1)),
-                    impacts: BTreeSet::new(),
-                    in_flight: false,
-                });
+        Ok(sides)
+    }
+
+    /// Takes in one assumption.
+    fn assume(
+        &mut self,
+        condition: &Assumption,
+        vocabulary: &Vocabulary,
+        locals: &[Local],
+        first: Option<i32>,
+        laws: &mut Vec<[Formula; 2]>,
+    ) -> Result<(), Unwitnessed> {
+        match condition {
+            Assumption::Relation(equation) => {
+                for (left, right) in self.sides(equation, vocabulary, locals, first, first.unwrap_or(0))? {
+                    self.sort(left, right, equation.relation, laws)?;
+                }
             }
-            // A second period must agree with the first at some times.
-            (Some(_), _) => self.checks.extend(period.checks()),
+            Assumption::Integer(tree) => {
+                let formula = self.compiler(vocabulary, locals).tree(tree)?;
+                match self.formulas.op(formula) {
+                    Op::Slot(slot) => self.integers.push(slot),
+                    _ => {
+                        let slot = self.space.slot(Slot::Slack(1000 + self.integers.len()));
+                        self.integers.push(slot);
+                        let integer = self.formulas.slot(slot);
+                        let row = self.formulas.subtract(formula, integer);
+                        self.rows.push(row);
+                    }
+                }
+            }
         }
         Ok(())
+    }
+
+    fn pair(&mut self, equation: &Equation, vocabulary: &Vocabulary, locals: &[Local]) -> Option<usize> {
+        let Tree::Symbol(name, at) = &equation.left else {
+            return None;
+        };
+        if !is_pair(name) {
+            return None;
+        }
+        let symbol = self
+            .compiler(vocabulary, locals)
+            .tree(&Tree::Symbol(single(name), *at))
+            .ok()?;
+        match self.formulas.op(symbol) {
+            Op::Slot(slot) => Some(slot),
+            _ => None,
+        }
+    }
+
+    /// Takes in one premise.
+    fn sort(
+        &mut self,
+        left: Formula,
+        right: Formula,
+        relation: Relation,
+        laws: &mut Vec<[Formula; 2]>,
+    ) -> Result<(), Unwitnessed> {
+        let formula = self.formulas.subtract(left, right);
+        if relation != Relation::Equal {
+            if self.formulas.runs(formula) {
+                return Err(Unwitnessed::Kind("an inequality for every time has no witness"));
+            }
+            self.conditions.push(Condition { formula, relation });
+            return Ok(());
+        }
+        if let Some((course, level, shift)) = self.period_of(left, right) {
+            self.declare(course, level, shift);
+            return Ok(());
+        }
+        let slots = &self.space.slots;
+        let is_partial = |op: Op| matches!(op, Op::Slot(slot) if matches!(slots.get(slot), Some(Slot::Partial { .. })));
+        if self.formulas.any(formula, is_partial) {
+            self.late.push(formula);
+        } else if self.formulas.runs(formula) {
+            laws.push([left, right]);
+        } else {
+            self.rows.push(formula);
+        }
+        Ok(())
+    }
+
+    /// What is written in a row: the slots of a function's period and coefficients are left out, those of a flight are
+    /// the time and the states that it starts with.
+    fn written(&self, row: Formula) -> Written {
+        let mut slots: BTreeSet<usize> = self.formulas.slots(&[row]).into_iter().collect();
+        let mut has_functions = false;
+        for part in self.formulas.parts(&[row]) {
+            let Op::Value { course, .. } = self.formulas.op(part) else {
+                continue;
+            };
+            has_functions = true;
+            let Some(course) = self.space.courses.get(course).filter(|course| course.flight.is_some()) else {
+                continue;
+            };
+            if let Some(law) = course.flow.and_then(|law| self.formulas.laws.get(law)) {
+                slots.extend(self.formulas.slots(&[law.start]));
+                slots.extend(&law.initial);
+            }
+        }
+        Written { slots, has_functions }
     }
 
     /// The impacts of a row, with those of parameters that are bound to times.
-    fn impacts(&self, node: &Node, bound: &[(usize, BTreeSet<i32>)]) -> BTreeSet<i32> {
-        let of = |slot: usize| -> BTreeSet<i32> {
+    fn impacts(&self, row: &Written, bound: &[(usize, BTreeSet<i32>)]) -> BTreeSet<i32> {
+        let of = |&slot: &usize| -> BTreeSet<i32> {
             let own = self.space.impact(slot).into_iter();
-            let bound = bound
-                .iter()
-                .filter(|(known, _)| *known == slot)
-                .flat_map(|(_, impacts)| impacts.clone());
-            own.chain(bound).collect()
+            let bound = bound.iter().filter(|(known, _)| *known == slot);
+            own.chain(bound.flat_map(|(_, impacts)| impacts.clone())).collect()
         };
-        node.written().into_iter().flat_map(of).collect()
+        row.slots.iter().flat_map(of).collect()
     }
 
     /// Parameters that an equation of times and parameters alone gives, such as the period `T = t_{k+2} - t_k`.
-    fn bound(&self, rows: &[Node]) -> Vec<(usize, BTreeSet<i32>)> {
+    fn bound(&self, written: &[Written]) -> Vec<(usize, BTreeSet<i32>)> {
         let mut bound = Vec::new();
-        for node in rows.iter().filter(|node| self.is_pure(node)) {
-            let impacts = self.impacts(node, &[]);
-            let parameters = node
-                .written()
-                .into_iter()
-                .filter(|&slot| self.space.impact(slot).is_none());
+        for row in written.iter().filter(|row| self.is_pure(row)) {
+            let impacts = self.impacts(row, &[]);
+            let parameters = row.slots.iter().filter(|&&slot| self.space.impact(slot).is_none());
             bound.extend(
                 parameters
                     .filter(|_| !impacts.is_empty())
-                    .map(|slot| (slot, impacts.clone())),
+                    .map(|&slot| (slot, impacts.clone())),
             );
         }
         bound
     }
 
     /// Whether a row speaks of times and parameters alone.
-    fn is_pure(&self, node: &Node) -> bool {
-        node.courses().is_empty() && !node.written().iter().any(|&slot| self.space.is_state(slot))
+    fn is_pure(&self, row: &Written) -> bool {
+        !row.has_functions && !row.slots.iter().any(|&slot| self.space.is_state(slot))
     }
 
-    /// The rows each map follows from: flights first, then what has a state, then the rest.
-    fn choose_step_rows(&mut self, speaks_of_maps: bool) {
-        for step in &self.maps.steps {
+    /// The rows each map follows from: what has a state first, then the rest.
+    fn choose_step_rows(&mut self, speaks_of_maps: bool, written: &[Written], vocabulary: &Vocabulary) {
+        let bound = self.bound(written);
+        let rows = self.rows.clone();
+        for step in self.maps.steps.clone() {
             if !speaks_of_maps {
                 self.step_rows.push(Vec::new());
                 continue;
             }
             if !step.equations.is_empty() {
-                let row = |node: &Node| Row {
-                    node: node.clone(),
-                    impacts: BTreeSet::new(),
-                    in_flight: false,
-                };
-                self.step_rows.push(step.equations.iter().map(row).collect());
+                let rows: Vec<Formula> = step
+                    .equations
+                    .iter()
+                    .map(|row| self.resolve(*row, vocabulary))
+                    .collect();
+                self.rows.extend(&rows);
+                self.step_rows.push(rows);
                 continue;
             }
             let impacts: BTreeSet<i32> = step
@@ -274,46 +405,271 @@ impl System {
                 .chain(&step.by)
                 .filter_map(|&s| self.space.impact(s))
                 .collect();
-            let speaks = |row: &Row| {
-                row.in_flight
-                    || row
-                        .node
-                        .written()
-                        .iter()
-                        .any(|&s| self.space.impact(s).is_some() && !step.by.contains(&s))
+            let speaks = |slot: &usize| self.space.impact(*slot).is_some() && !step.by.contains(slot);
+            let fits = |(_, row): &(&Formula, &Written)| {
+                !self.is_pure(row) && row.slots.iter().any(speaks) && self.impacts(row, &bound).is_subset(&impacts)
             };
-            let fits = |row: &&Row| !self.is_pure(&row.node) && speaks(row) && row.impacts.is_subset(&impacts);
-            let mut rows: Vec<Row> = self.rows.iter().filter(fits).cloned().collect();
-            let has_state = |row: &Row| row.node.written().iter().any(|&s| self.space.is_state(s));
-            rows.sort_by_key(|row| (!row.in_flight, !has_state(row)));
-            self.step_rows.push(rows);
+            let mut chosen: Vec<(&Formula, &Written)> = rows.iter().zip(written).filter(fits).collect();
+            chosen.sort_by_key(|(_, row)| !row.slots.iter().any(|&slot| self.space.is_state(slot)));
+            self.step_rows.push(chosen.into_iter().map(|(row, _)| *row).collect());
         }
-        let explicit: Vec<Node> = self.maps.steps.iter().flat_map(|step| step.equations.clone()).collect();
-        let row = |node| Row {
-            node,
-            impacts: BTreeSet::new(),
-            in_flight: false,
-        };
-        self.rows.extend(explicit.into_iter().map(row));
+    }
+
+    /// Programs, conditions, and what stays fixed.
+    fn finish(&mut self, vocabulary: &Vocabulary) -> Result<(), Unwitnessed> {
+        for law in 0..self.formulas.laws.len() {
+            let Some(body) = self.formulas.laws.get(law).map(|law| law.body) else {
+                continue;
+            };
+            let body = self.resolve(body, vocabulary);
+            if let Some(law) = self.formulas.laws.get_mut(law) {
+                law.body = body;
+            }
+        }
+        self.formulas.prepare_flows();
+        self.prepare_steps();
+        if !self.step_rows.iter().all(Vec::is_empty) {
+            for (name, _) in self.maps.products.clone() {
+                for kind in [Invariant::Trace, Invariant::Determinant] {
+                    if let Some(formula) = self.maps.invariant(kind, &name, &mut self.space, &mut self.formulas) {
+                        self.invariants
+                            .push((name.clone(), kind, self.formulas.program(&[formula])));
+                    }
+                }
+            }
+        }
+        let given = std::mem::take(&mut self.conditions);
+        for condition in given {
+            let formula = self.resolve(condition.formula, vocabulary);
+            let condition = Condition { formula, ..condition };
+            let slack = Slot::Slack(self.slacks.len());
+            let slack = self.space.slot(slack);
+            let slack = self.formulas.slot(slack);
+            let over = self.formulas.make(Op::Power(slack, 2));
+            self.slacks.extend(match condition.relation {
+                Relation::Less | Relation::LessOrEqual => Some(self.formulas.add(formula, over)),
+                Relation::Greater | Relation::GreaterOrEqual => Some(self.formulas.subtract(formula, over)),
+                Relation::Equal | Relation::NotEqual => None,
+            });
+            self.conditions.push(condition);
+        }
+        self.kinds = domain::kinds(vocabulary, &self.space);
+        let kinds = self.kinds.clone();
+        let listed = domain::listed(&mut self.compiler(vocabulary, &[]), &kinds)?;
+        self.conditions.extend(listed);
+        self.kinds = domain::kinds(vocabulary, &self.space);
+        for slot in &self.integers {
+            if let Some(kind) = self.kinds.get_mut(*slot) {
+                kind.integer = true;
+            }
+        }
+        for (number, slot) in self.space.slots.iter().enumerate() {
+            let fixed = match slot {
+                Slot::Coefficient { course, .. } => {
+                    let free = self
+                        .space
+                        .courses
+                        .get(*course)
+                        .is_some_and(|course| course.law.is_none());
+                    free && !(self.shaped && self.forcing == Forcing::Any)
+                }
+                _ => self.kinds.get(number).is_some_and(|kind| kind.integer),
+            };
+            if fixed {
+                self.fixed.insert(number);
+            }
+        }
+        self.drop_definitions();
+        self.rows_program = self.formulas.program(&self.rows);
+        let formulas: Vec<Formula> = self.conditions.iter().map(|condition| condition.formula).collect();
+        self.conditions_program = self.formulas.program(&formulas);
+        for question in &mut self.questions {
+            question.program = self.formulas.program(question.sides.as_flattened());
+        }
+        let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
+        let all: Vec<Formula> = sides.chain(&self.rows).chain(&self.late).copied().collect();
+        let complex = self
+            .formulas
+            .slots(&all)
+            .iter()
+            .any(|&slot| self.kinds.get(slot).is_some_and(|kind| kind.complex));
+        self.row_slots = self.formulas.slots(&self.rows);
+        self.factors_program = self.formulas.program(&self.generic_factors(&all));
+        let imaginary = |part: &Formula| self.formulas.op(*part) == Op::Imaginary;
+        self.is_complex = complex || self.formulas.parts(&all).iter().any(imaginary);
+        Ok(())
     }
 }
 
-/// A compiler for one equation.
-pub fn compiler<'a>(
-    vocabulary: &'a Vocabulary,
-    space: &'a mut Space,
-    maps: Option<&'a Maps>,
-    locals: &'a [Local],
-    first: Option<i32>,
-    flight: i32,
-) -> Compiler<'a> {
-    Compiler {
-        vocabulary,
-        space,
-        maps,
-        locals,
-        first,
-        flight,
-        open: Vec::new(),
+impl System {
+    /// Drops rows that only say what a symbol is of which nothing else is said.
+    fn drop_definitions(&mut self) {
+        let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
+        let conditions = self.conditions.iter().map(|condition| &condition.formula);
+        let steps = self.step_rows.iter().flatten();
+        let others: Vec<Formula> = sides
+            .chain(conditions)
+            .chain(steps)
+            .chain(&self.late)
+            .chain(&self.slacks)
+            .copied()
+            .collect();
+        let needed: BTreeSet<usize> = self.formulas.slots(&others).into_iter().collect();
+        let steps: BTreeSet<Formula> = self.step_rows.iter().flatten().copied().collect();
+        loop {
+            let mut counts: HashMap<usize, usize> = HashMap::new();
+            for row in &self.rows {
+                for slot in self.formulas.slots(&[*row]) {
+                    *counts.entry(slot).or_default() += 1;
+                }
+            }
+            let defines =
+                |slot: &usize| counts.get(slot) == Some(&1) && !needed.contains(slot) && !self.fixed.contains(slot);
+            let idle = |row: &Formula| !steps.contains(row) && self.alone(*row).iter().any(defines);
+            let Some(position) = self.rows.iter().position(idle) else {
+                return;
+            };
+            self.rows.remove(position);
+        }
     }
+
+    /// The slots that are a term of a row with a constant factor, and stand nowhere else in it.
+    pub fn alone(&self, row: Formula) -> Vec<usize> {
+        let (mut terms, mut open) = (Vec::new(), vec![row]);
+        while let Some(formula) = open.pop() {
+            match self.formulas.op(formula) {
+                Op::Add(a, b) => open.extend([a, b]),
+                Op::Negate(a) => open.push(a),
+                Op::Multiply(a, b) if matches!(self.formulas.op(a), Op::Ratio(n, _) if n != 0) => open.push(b),
+                Op::Divide(a, b) if matches!(self.formulas.op(b), Op::Ratio(..)) => open.push(a),
+                _ => terms.push(formula),
+            }
+        }
+        let slots: Vec<Vec<usize>> = terms.iter().map(|term| self.formulas.slots(&[*term])).collect();
+        let is_slot = |term: &Formula| match self.formulas.op(*term) {
+            Op::Slot(slot) => Some(slot),
+            _ => None,
+        };
+        let once = |slot: &usize| slots.iter().filter(|slots| slots.contains(slot)).count() == 1;
+        terms.iter().filter_map(is_slot).filter(once).collect()
+    }
+
+    /// The slots that claim and premises speak of.
+    pub fn spoken_of(&self) -> Vec<usize> {
+        let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
+        let all: Vec<Formula> = sides.chain(&self.rows).chain(&self.late).copied().collect();
+        self.formulas.slots(&all)
+    }
+
+    /// Factors, bases of powers and denominators in generic symbols alone.
+    fn generic_factors(&self, all: &[Formula]) -> Vec<Formula> {
+        let mut factors = Vec::new();
+        for part in self.formulas.parts(all) {
+            match self.formulas.op(part) {
+                Op::Multiply(a, b) => factors.extend([a, b]),
+                Op::Power(base, _) | Op::Divide(_, base) => factors.push(base),
+                _ => {}
+            }
+        }
+        let is_generic = |factor: &Formula| {
+            let slots = self.formulas.slots(&[*factor]);
+            !slots.is_empty()
+                && slots
+                    .iter()
+                    .all(|&slot| self.kinds.get(slot).is_some_and(|kind| kind.generic))
+        };
+        factors.sort_unstable();
+        factors.dedup();
+        factors.retain(is_generic);
+        factors
+    }
+}
+
+/// The derivatives written out in premises and claim: of what, by what.
+fn partials(statements: &Statements) -> Vec<(Name, Name)> {
+    let premises = statements.premises.iter().map(|premise| &premise.equation);
+    let found = std::cell::RefCell::new(Vec::new());
+    for equation in premises.chain(&statements.claims) {
+        any(equation, &|tree| {
+            if let Tree::Partial { of, by, .. } = tree {
+                found.borrow_mut().push((of.clone(), by.clone()));
+            }
+            false
+        });
+    }
+    found.into_inner()
+}
+
+/// The premises at each flight that the claim speaks of; where an index runs, at each value of it that premises and
+/// claim name.
+fn said(statements: &Statements, vocabulary: &Vocabulary) -> Vec<(Premise, i32)> {
+    let premises = statements.said(vocabulary);
+    if !domain::index_runs(vocabulary) {
+        return premises.into_iter().map(|premise| (premise, 0)).collect();
+    }
+    let equations = premises
+        .iter()
+        .map(|premise| &premise.equation)
+        .chain(&statements.claims);
+    let mut all = BTreeSet::from([0]);
+    for equation in equations {
+        all.extend(vocabulary.impacts(equation));
+        let members = std::cell::RefCell::new(&mut all);
+        any(equation, &|tree| {
+            if let Tree::Symbol(name, _) = tree {
+                members.borrow_mut().extend(domain::member(vocabulary, name));
+            }
+            false
+        });
+    }
+    let (low, high) = (all.first().copied().unwrap_or(0), all.last().copied().unwrap_or(0));
+    let mut instances = Vec::new();
+    for premise in premises {
+        let named = vocabulary.impacts(&premise.equation);
+        match (named.first(), named.last()) {
+            (Some(first), Some(last)) => {
+                let shifts = (low - first..=high - last).take(MOST_INSTANCES);
+                instances.extend(shifts.map(|by| (premise.shifted(by, vocabulary), by)));
+            }
+            _ => instances.push((premise, 0)),
+        }
+    }
+    instances
+}
+
+/// Values of a running index at which a premise is taken.
+const MOST_INSTANCES: usize = 8;
+
+/// Whether a name stands for two values, as `\lambda_{1,2}` does.
+fn is_pair(name: &Name) -> bool {
+    matches!(name.subscript.as_str(), "1,2" | r"\pm")
+}
+
+fn single(name: &Name) -> Name {
+    Name {
+        subscript: String::new(),
+        ..name.clone()
+    }
+}
+
+/// Whether a trace or a determinant stands in an equation.
+fn speaks_of_matrix(equation: &Equation) -> bool {
+    any(equation, &|tree| matches!(tree, Tree::Invariant { .. }))
+}
+
+/// Whether any node of an equation passes the test.
+pub fn any(equation: &Equation, test: &dyn Fn(&Tree) -> bool) -> bool {
+    fn below(tree: &Tree, test: &dyn Fn(&Tree) -> bool) -> bool {
+        test(tree)
+            || match tree {
+                Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => false,
+                Tree::Call(_, body, _) | Tree::Negate(body) | Tree::Power(body, ..) | Tree::Root(body, ..) => {
+                    below(body, test)
+                }
+                Tree::PlusMinus(body) | Tree::MinusPlus(body) => below(body, test),
+                Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| below(part, test)),
+                Tree::Quotient(a, b, _) | Tree::RealPower(a, b, _) => below(a, test) || below(b, test),
+            }
+    }
+    below(&equation.left, test) || below(&equation.right, test)
 }

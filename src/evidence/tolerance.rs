@@ -17,19 +17,28 @@ pub const SLOPE: f64 = 1e-11;
 pub const SLOPE_WIDE: f64 = 1e-28;
 
 /// A proved claim with fewer digits than this in f64 is looked at again in 40 digits.
-pub const DOUBTFUL_PROOF: f64 = 8.0;
+pub const DOUBTFUL_PROOF: f64 = 9.0;
 
 /// A refuted claim with more digits than this at every point in f64 is looked at again in 40 digits.
 pub const DOUBTFUL_REFUTATION: f64 = 9.0;
 
 /// Relative gaps in 40 digits: below the first the sides are equal, above the second they differ; between the two
-/// nothing is said. A formula that is wrong only by a term below 1e-12 of its size is told apart in 40 digits.
+/// nothing is said. A formula that is wrong only by a term of 1e-24 of its size is told apart in 40 digits.
 pub const EQUAL_WIDE: f64 = 1e-25;
 /// See [`EQUAL_WIDE`].
-pub const APART_WIDE: f64 = 1e-20;
+pub const APART_WIDE: f64 = 1e-24;
+
+/// The same where no premise had to be solved: some hundred roundings.
+pub const APART_EXACT: f64 = 1e-36;
+
+/// A gap in 40 digits that changes by more than this part when the point is refined further is one of the point.
+pub const STEADY: f64 = 1e-3;
 
 /// How well the paper's own motion (9) to (12) is met at a point before the maps of `model/` are asked.
 pub const MOTION: f64 = 1e-11;
 
 /// The most digits said of an f64 comparison: half a rounding.
 pub const MOST_DIGITS: f64 = 16.0;
+
+/// A factor is 0 at a point where it is less than this part of its terms: many times the residual of a premise.
+pub const VANISHING: f64 = 1e-9;

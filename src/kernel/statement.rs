@@ -190,6 +190,16 @@ impl Statement {
         &self.times
     }
 
+    /// The states that may be named at impacts.
+    pub fn states(&self) -> &[Name] {
+        &self.states
+    }
+
+    /// The states that an impact does not change.
+    pub fn continuous(&self) -> &[Name] {
+        &self.continuous
+    }
+
     /// The flight that the running time of the claim is in.
     pub fn flight(&self) -> Option<i32> {
         self.flight

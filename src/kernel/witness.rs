@@ -69,6 +69,7 @@ impl<'a> At<'a> {
         at.check_table()?;
         at.check_existence()?;
         at.check_flights()?;
+        at.check_generic()?;
         at.check_maps()?;
         for number in 0..at.statement.givens.len() {
             let given = at.statement.givens[number].clone();
@@ -157,6 +158,80 @@ impl<'a> At<'a> {
             }
         }
         Ok(())
+    }
+
+    /// The point lies in no thin set of the generic symbols: around it they take all values that the premises in them
+    /// alone allow, as the ranks of two Jacobians show.
+    fn check_generic(&mut self) -> Outcome<()> {
+        let generic = self.statement.generic.clone();
+        let free: Vec<Symbol> = self.witness.sample.iter().map(|(symbol, _)| *symbol).collect();
+        let mut values = Vec::new();
+        for &symbol in &generic {
+            let term = self.statement.terms.symbol(symbol);
+            values.push(self.translate(term, None)?);
+        }
+        let own = |at: &Self, given: &Given| {
+            let only = |inner: Term| match at.statement.terms.node(inner) {
+                Node::Symbol(symbol) => generic.contains(symbol),
+                Node::Value(..) => false,
+                _ => true,
+            };
+            let inside = at.statement.terms.inside(given.term);
+            given.law.is_none() && given.property == Property::Zero && inside.into_iter().all(only)
+        };
+        let givens = self.statement.givens.iter().filter(|given| own(self, given));
+        let mut premises: Vec<Term> = givens.map(|given| given.term).collect();
+        // abbreviations among the generic symbols are symbols of their own here
+        let definitions = std::mem::take(&mut self.statement.definitions);
+        let within = self.jacobian(&mut premises, &generic);
+        self.statement.definitions = definitions;
+        let (within, around) = (self.rank(within)?, self.jacobian(&mut values, &free));
+        match self.rank(around)? + within >= generic.len() {
+            true => Ok(()),
+            false => refused("the point may lie in a thin set of the generic symbols"),
+        }
+    }
+
+    fn jacobian(&mut self, of: &mut [Term], by: &[Symbol]) -> Vec<Vec<Term>> {
+        let rows = of.iter().map(|&term| {
+            let row = by.iter().map(|&symbol| self.statement.derivative(term, symbol));
+            row.collect()
+        });
+        rows.collect()
+    }
+
+    /// The rank of a matrix at the point, where its entries are rational there.
+    fn rank(&mut self, matrix: Vec<Vec<Term>>) -> Outcome<usize> {
+        let mut rows: Vec<Vec<Rational>> = Vec::new();
+        for row in matrix {
+            let mut values = Vec::new();
+            for term in row {
+                let term = self.translate(term, None)?;
+                let term = self.sampled(term, None);
+                let quotient = self.numerator(term)?;
+                match quotient.numerator.as_constant() {
+                    Some(value) if value.is_zero() || quotient.divisors.is_empty() => values.push(value),
+                    _ => return refused("a derivative of a generic symbol is not rational"),
+                }
+            }
+            rows.push(values);
+        }
+        let (mut rank, columns) = (0, rows.first().map_or(0, Vec::len));
+        for column in 0..columns {
+            let Some(pivot) = (rank..rows.len()).find(|&row| !rows[row][column].is_zero()) else {
+                continue;
+            };
+            rows.swap(rank, pivot);
+            for row in rank + 1..rows.len() {
+                let factor = rows[row][column].clone() / rows[rank][column].clone();
+                for place in column..columns {
+                    let taken = factor.clone() * rows[rank][place].clone();
+                    rows[row][place] = rows[row][place].clone() - taken;
+                }
+            }
+            rank += 1;
+        }
+        Ok(rank)
     }
 
     /// Functions that are named have values at all times, or are what their own law says; none is in the table too.
@@ -427,11 +502,26 @@ impl<'a> At<'a> {
         }
     }
 
-    /// A translated term with the sample put in; the `running` time stays.
+    /// A translated term with the sample put in; the `running` time stays. Over the reals, powers whose exponents become
+    /// integers are such.
     fn sampled(&mut self, term: Term, running: Option<Symbol>) -> Term {
-        let sample = &self.sample;
-        self.statement.terms.rewrite(term, &mut |_, node| match node {
+        let (sample, complex) = (&self.sample, self.statement.complex);
+        self.statement.terms.rewrite(term, &mut |terms, node| match node {
             Node::Symbol(symbol) if running != Some(*symbol) => sample.get(symbol).copied(),
+            Node::RealPower(base, exponent) if !complex => {
+                let Node::Number(exponent) = terms.node(*exponent) else {
+                    return None;
+                };
+                let exponent = i32::try_from(exponent.0.clone().into_parts().0)
+                    .ok()
+                    .filter(|_| *exponent.0.denominator() == dashu_int::UBig::ONE)?;
+                let power = terms.add(Node::Power(*base, exponent.checked_abs()?));
+                if exponent >= 0 {
+                    return Some(power);
+                }
+                let one = terms.integer(1);
+                Some(terms.quotient(one, power))
+            }
             _ => None,
         })
     }
@@ -459,10 +549,16 @@ impl<'a> At<'a> {
         let [real, imaginary] = self.parts(&polynomial);
         Ok(match (self.sign(&real), self.sign(&imaginary)) {
             (Some(real), Some(imaginary)) => Some([real, imaginary]),
-            // one part that is not 0 is enough to tell that the number is not, where the other one is real
+            // one part that is not 0 is enough to tell that the number is not, if all else but the unit is real
             (Some(sign), None) if sign != 0 && self.is_real(&imaginary) => Some([sign, 2]),
             (None, Some(sign)) if sign != 0 && self.is_real(&real) => Some([2, sign]),
-            _ => None,
+            _ => match enclosure::complex_signs(&self.statement.terms, &polynomial) {
+                Some([real, imaginary]) if self.statement.complex => {
+                    let apart = |sign: Option<i8>| sign.is_some_and(|sign| sign != 0);
+                    (apart(real) || apart(imaginary)).then_some([real.unwrap_or(2), imaginary.unwrap_or(2)])
+                }
+                _ => None,
+            },
         })
     }
 
@@ -495,14 +591,19 @@ impl<'a> At<'a> {
     }
 
     fn in_domain(&mut self, property: Property, polynomial: &Polynomial) -> Outcome<()> {
-        let parts = self.parts(polynomial);
-        let (real, imaginary) = (self.sign(&parts[0]), self.sign(&parts[1]));
-        let is_real = |number: usize, sign: Option<i8>| sign.is_some() || self.is_real(&parts[number]);
-        let fits = match property {
-            Property::Nonzero => {
-                (real.is_some_and(|s| s != 0) && is_real(1, imaginary))
-                    || (imaginary.is_some_and(|s| s != 0) && is_real(0, real))
+        if property == Property::Nonzero && self.statement.complex {
+            let signs = enclosure::complex_signs(&self.statement.terms, polynomial);
+            let apart = |sign: Option<i8>| sign.is_some_and(|sign| sign != 0);
+            if signs.is_some_and(|signs| signs.into_iter().any(apart)) {
+                return Ok(());
             }
+        }
+        let [real, imaginary] = self.parts(polynomial);
+        let all_real = self.is_real(&real) && self.is_real(&imaginary);
+        let (real, imaginary) = (self.sign(&real), self.sign(&imaginary));
+        let apart = |part: Option<i8>, other: Option<i8>| part.is_some_and(|s| s != 0) && (all_real || other.is_some());
+        let fits = match property {
+            Property::Nonzero => apart(real, imaginary) || apart(imaginary, real),
             Property::Positive => real == Some(1) && imaginary == Some(0),
             Property::NonNegative => real.is_some_and(|s| s >= 0) && imaginary == Some(0),
             Property::Zero | Property::Integer => false,
@@ -543,6 +644,10 @@ impl<'a> At<'a> {
         let Some([real, imaginary]) = self.number(sampled)? else {
             return refused("a value is too close to 0 to tell");
         };
+        let ordered = matches!(property, Property::Positive | Property::NonNegative);
+        if ordered && (real == 2 || imaginary == 2) {
+            return refused("a value is not known to be real");
+        }
         Ok(match property {
             Property::Zero => [real, imaginary] == [0, 0],
             Property::Nonzero => [real, imaginary] != [0, 0],
@@ -570,9 +675,37 @@ impl<'a> At<'a> {
                 return refused("the premise does not hold identically in the generic symbols");
             }
         }
-        match self.property(given.property, given.term)? {
-            true => Ok(()),
-            false => refused("it does not hold at the point"),
+        if !self.property(given.property, given.term)? {
+            return refused("it does not hold at the point");
+        }
+        if given.property == Property::NonNegative && !self.statement.generic.is_empty() {
+            // a bound that is just met at the point must be met nearby too
+            let translated = self.translate(given.term, None)?;
+            if !self.property(Property::Positive, given.term)? && !self.vanishes_identically(translated)? {
+                return refused("the premise may hold in a thin set of the generic symbols only");
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a property fails at the point and, where there are generic symbols, all around it.
+    fn fails_of(&mut self, property: Property, term: Term) -> Outcome<bool> {
+        if self.property(property, term)? {
+            return Ok(false);
+        }
+        if self.statement.generic.is_empty() || property == Property::Zero {
+            return Ok(true);
+        }
+        let translated = self.translate(term, None)?;
+        if property != Property::NonNegative && self.vanishes_identically(translated)? {
+            return Ok(true);
+        }
+        let negative = self.statement.terms.negative(term);
+        let strictly = matches!(property, Property::Positive | Property::NonNegative)
+            && self.property(Property::Positive, negative)?;
+        match strictly {
+            true => Ok(true),
+            false => refused("the claim may fail in a thin set of the generic symbols only"),
         }
     }
 
@@ -974,75 +1107,12 @@ impl<'a> At<'a> {
     pub fn fails(&mut self) -> Outcome<bool> {
         for (property, term) in self.statement.goal.clone() {
             for (condition, of) in self.statement.domain(term) {
-                if !self.property(condition, of)? {
+                if self.fails_of(condition, of)? {
                     // a solution that is not defined is none
                     return Ok(true);
                 }
             }
-            if !self.property(property, term)? {
-                self.check_generic(property, term)?;
-                return Ok(true);
-            }
-        }
-        Ok(false)
-    }
-
-    /// That a goal fails is not due to a set that is thin in generic symbols alone.
-    fn check_generic(&mut self, property: Property, term: Term) -> Outcome<()> {
-        let generic = self.statement.generic.clone();
-        if generic.is_empty() {
-            return Ok(());
-        }
-        let translated = self.translate(term, None)?;
-        let sampled = self.sampled(translated, None);
-        if property != Property::Zero
-            && self.number(sampled)? == Some([0, 0])
-            && !self.vanishes_identically(translated)?
-        {
-            return refused("the claim may fail in a thin set only");
-        }
-        // generic symbols that are solved for do not depend on each other
-        let solved: Vec<Term> = generic
-            .iter()
-            .filter_map(|symbol| self.solved.get(symbol).copied())
-            .collect();
-        let mut free: BTreeSet<Symbol> = BTreeSet::new();
-        for &value in &solved {
-            for inner in self.statement.terms.inside(value) {
-                if let Node::Symbol(symbol) = self.statement.terms.node(inner)
-                    && !generic.contains(symbol)
-                {
-                    free.insert(*symbol);
-                }
-            }
-        }
-        let mut rows: Vec<Vec<Term>> = Vec::new();
-        for &value in &solved {
-            rows.push(free.iter().map(|&by| self.statement.derivative(value, by)).collect());
-        }
-        match self.has_full_rank(&rows)? {
-            true => Ok(()),
-            false => refused("generic symbols are taken in a thin set"),
-        }
-    }
-
-    /// Whether some minor of a matrix with all its rows is not 0 at the point.
-    fn has_full_rank(&mut self, rows: &[Vec<Term>]) -> Outcome<bool> {
-        let columns = rows.first().map_or(0, Vec::len);
-        if rows.is_empty() || columns < rows.len() || columns > 12 {
-            return Ok(rows.is_empty());
-        }
-        for chosen in 0_u32..1 << columns {
-            if chosen.count_ones() as usize != rows.len() {
-                continue;
-            }
-            let minor = rows.iter().map(|row| {
-                let kept = row.iter().enumerate().filter(|(column, _)| chosen >> column & 1 == 1);
-                kept.map(|(_, term)| *term).collect::<Vec<Term>>()
-            });
-            let minor: Vec<Vec<Term>> = minor.collect();
-            let determinant = super::build::determinant(self.statement, &minor);
-            if matches!(self.property(Property::Nonzero, determinant), Ok(true)) {
+            if self.fails_of(property, term)? {
                 return Ok(true);
             }
         }

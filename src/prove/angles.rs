@@ -100,6 +100,9 @@ fn expand_family(session: &mut Session, family: Family, arguments: &BTreeSet<Ter
         } else {
             session.terms().product(vec![factor, term])
         };
+        if family == Family::Circular {
+            half_turns(session, pi, &atom, base);
+        }
         if is_pi {
             let Ok(count) = i64::try_from(&below) else { continue };
             if count > LARGEST_MULTIPLE {
@@ -137,6 +140,23 @@ fn expand_family(session: &mut Session, family: Family, arguments: &BTreeSet<Ter
         }
     }
     session.checker.facts.len() > before
+}
+
+/// The sine of a whole multiple of pi.
+fn half_turns(session: &mut Session, pi: Term, atom: &Atom, base: Term) -> Option<()> {
+    let others: Vec<_> = atom.0.iter().copied().filter(|&(term, _)| term != pi).collect();
+    if others.len() + 1 != atom.0.len() || others.is_empty() || !atom.1.is_empty() {
+        return None;
+    }
+    let count = atom_term(session, &(others.into_iter().collect(), Vec::new()));
+    session.axiom(Axiom::SineOfHalfTurns(count))?;
+    let whole = session.terms().product(vec![pi, count]);
+    let twice = session.show_equal(base, whole);
+    if twice.is_some() {
+        let [left, right] = [base, whole].map(|at| session.terms().elementary(Elementary::Sin, at));
+        let _ = session.step(Inference::Congruence { left, right });
+    }
+    Some(())
 }
 
 fn least_common(a: &UBig, b: &UBig) -> UBig {
@@ -376,11 +396,8 @@ fn pi_over(session: &mut Session, pi: Term, base: Term, count: i64) {
 impl Session<'_> {
     /// Shows that a polynomial in sines and cosines of one argument vanishes, from what is known by now.
     fn show_with_family(&mut self, polynomial: &Polynomial) -> Option<usize> {
-        let outer = std::mem::take(&mut self.triangle);
         self.triangulate_all();
-        let shown = self.show_zero(polynomial);
-        self.triangle = outer;
-        shown
+        self.show_zero(polynomial)
     }
 }
 

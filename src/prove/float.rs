@@ -1,7 +1,7 @@
 //! Terms in floating point: to choose points before anything exact is done.
 
 use crate::kernel::{Elementary, Node, Symbol, Term, Terms};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// A complex number; over the reals the imaginary part is 0.
 pub type Complex = (f64, f64);
@@ -28,52 +28,139 @@ fn ln((a, b): Complex) -> Complex {
     (a.hypot(b).ln(), b.atan2(a))
 }
 
-/// The value of a term; NaN where it has none, or where `real` and a function leaves the reals.
-pub fn value(
-    terms: &Terms,
-    term: Term,
-    symbols: &HashMap<Symbol, Complex>,
-    real: bool,
-    known: &mut HashMap<Term, Complex>,
-) -> Complex {
-    const NONE: Complex = (f64::NAN, f64::NAN);
-    for inner in terms.inside(term) {
-        if known.contains_key(&inner) {
-            continue;
+/// A value with the size of what cancels in it: the sum of the sizes of the terms of sums.
+#[derive(Clone, Copy, Debug)]
+pub struct Sized {
+    pub value: Complex,
+    pub size: f64,
+}
+
+impl Sized {
+    const NONE: Self = Self {
+        value: (f64::NAN, f64::NAN),
+        size: f64::NAN,
+    };
+
+    fn plain(value: Complex) -> Self {
+        Self {
+            value,
+            size: value.0.hypot(value.1),
         }
-        let of = |part: &Term| known.get(part).copied().unwrap_or(NONE);
-        let result = match terms.node(inner) {
-            Node::Number(value) => (value.0.to_f64().value(), 0.0),
-            Node::Pi => (std::f64::consts::PI, 0.0),
-            Node::Imaginary => (0.0, 1.0),
-            Node::Symbol(symbol) => symbols.get(symbol).copied().unwrap_or(NONE),
-            Node::Sum(parts) => parts.iter().map(of).fold((0.0, 0.0), |(a, b), (c, d)| (a + c, b + d)),
-            Node::Product(parts) => parts.iter().map(of).fold((1.0, 0.0), times),
-            Node::Power(base, exponent) => {
-                let base = of(base);
-                if base.1 == 0.0 {
-                    (base.0.powi(*exponent), 0.0)
-                } else {
-                    (0..(*exponent).min(1000)).fold((1.0, 0.0), |power, _| times(power, base))
-                }
-            }
-            Node::Quotient(above, below) => over(of(above), of(below)),
-            Node::RealPower(base, exponent) => {
-                let (base, exponent) = (of(base), of(exponent));
-                if base == (0.0, 0.0) && exponent.0 > 0.0 {
-                    (0.0, 0.0)
-                } else if base.1 == 0.0 && exponent.1 == 0.0 && (real || base.0 > 0.0) {
-                    (base.0.powf(exponent.0), 0.0)
-                } else {
-                    exp(times(exponent, ln(base)))
-                }
-            }
-            Node::Elementary(function, at) => elementary(*function, of(at), real),
-            Node::Value(..) => NONE,
-        };
-        known.insert(inner, result);
     }
-    known.get(&term).copied().unwrap_or(NONE)
+
+    pub fn is_finite(&self) -> bool {
+        self.value.0.is_finite() && self.value.1.is_finite()
+    }
+
+    /// Whether it may be 0 but for rounding.
+    pub fn may_vanish(&self) -> bool {
+        self.value.0.hypot(self.value.1) <= 1e-9 * self.size.max(1e-3)
+    }
+
+    /// Whether it is 0 as far as can be told.
+    pub fn vanishes(&self) -> bool {
+        self.value.0.hypot(self.value.1) <= 1e-12 * self.size.max(1.0)
+    }
+
+    /// Whether its imaginary part is 0 as far as can be told.
+    pub fn is_real(&self) -> bool {
+        self.value.1.abs() <= 1e-12 * self.size.max(1.0)
+    }
+}
+
+/// Terms, to be evaluated at many points.
+pub struct Program {
+    /// Each with the places of its parts.
+    nodes: Vec<(Node, Vec<usize>)>,
+    wanted: Vec<usize>,
+    real: bool,
+}
+
+impl Program {
+    /// The program for these terms.
+    pub fn new(terms: &Terms, wanted: &[Term], real: bool) -> Self {
+        let all: BTreeSet<Term> = wanted.iter().flat_map(|&term| terms.inside(term)).collect();
+        let places: HashMap<Term, usize> = all.iter().enumerate().map(|(place, term)| (*term, place)).collect();
+        let place = |term: &Term| places.get(term).copied().unwrap_or_default();
+        let nodes = all
+            .iter()
+            .map(|&term| (terms.node(term).clone(), terms.parts(term).iter().map(place).collect()));
+        Self {
+            nodes: nodes.collect(),
+            wanted: wanted.iter().map(place).collect(),
+            real,
+        }
+    }
+
+    /// The values at a point; NaN where there is none, or where a function leaves the reals.
+    pub fn at(&self, symbols: &HashMap<Symbol, Complex>) -> Vec<Sized> {
+        let mut values: Vec<Sized> = Vec::with_capacity(self.nodes.len());
+        for (node, parts) in &self.nodes {
+            let of = |n: usize| {
+                parts
+                    .get(n)
+                    .and_then(|&place| values.get(place))
+                    .copied()
+                    .unwrap_or(Sized::NONE)
+            };
+            let all = || (0..parts.len()).map(of);
+            let value = match node {
+                Node::Number(value) => Sized::plain((value.0.to_f64().value(), 0.0)),
+                Node::Pi => Sized::plain((std::f64::consts::PI, 0.0)),
+                Node::Imaginary => Sized::plain((0.0, 1.0)),
+                Node::Symbol(symbol) => symbols.get(symbol).copied().map_or(Sized::NONE, Sized::plain),
+                Node::Sum(_) => Sized {
+                    value: all().fold((0.0, 0.0), |(a, b), part| (a + part.value.0, b + part.value.1)),
+                    size: all().map(|part| part.size).sum(),
+                },
+                Node::Product(_) => Sized {
+                    value: all().fold((1.0, 0.0), |product, part| times(product, part.value)),
+                    size: all().map(|part| part.size).product(),
+                },
+                Node::Power(_, exponent) => Sized {
+                    value: power(of(0).value, *exponent),
+                    size: of(0).size.powi(*exponent),
+                },
+                Node::Quotient(..) => {
+                    let (above, below) = (of(0), of(1));
+                    if below.value == (0.0, 0.0) {
+                        Sized::NONE
+                    } else {
+                        Sized {
+                            value: over(above.value, below.value),
+                            size: above.size / below.value.0.hypot(below.value.1),
+                        }
+                    }
+                }
+                Node::RealPower(..) => Sized::plain(real_power(of(0).value, of(1).value, self.real)),
+                Node::Elementary(function, _) => Sized::plain(elementary(*function, of(0).value, self.real)),
+                Node::Value(..) => Sized::NONE,
+            };
+            values.push(value);
+        }
+        let wanted = self.wanted.iter();
+        wanted
+            .map(|&place| values.get(place).copied().unwrap_or(Sized::NONE))
+            .collect()
+    }
+}
+
+fn power(base: Complex, exponent: i32) -> Complex {
+    if base.1 == 0.0 {
+        (base.0.powi(exponent), 0.0)
+    } else {
+        (0..exponent.min(1000)).fold((1.0, 0.0), |power, _| times(power, base))
+    }
+}
+
+fn real_power(base: Complex, exponent: Complex, real: bool) -> Complex {
+    if base == (0.0, 0.0) && exponent.0 > 0.0 {
+        (0.0, 0.0)
+    } else if base.1 == 0.0 && exponent.1 == 0.0 && (real || base.0 > 0.0) {
+        (base.0.powf(exponent.0), 0.0)
+    } else {
+        exp(times(exponent, ln(base)))
+    }
 }
 
 fn elementary(function: Elementary, at: Complex, real: bool) -> Complex {

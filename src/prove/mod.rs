@@ -4,13 +4,21 @@ mod angles;
 mod counterexample;
 mod decision;
 mod float;
+mod formula;
+mod inverse;
+mod logarithms;
 mod point;
+mod print;
 mod proof;
+mod roots;
+mod script;
 mod session;
+mod signs;
 mod values;
 
 pub use counterexample::Counterexample;
 pub use decision::{Decision, mention_refuted};
+pub use script::{CHECKER, Decided, Found, decided, scripts};
 
 use crate::claim::{Sheet, Verdict};
 use crate::kernel;
@@ -49,13 +57,27 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     for question in questions {
         let outcome = outcome(&question.statement, options.effort);
         match outcome {
-            Outcome::Proved(proof) => decision.provided.extend(proof.provided().iter().cloned()),
-            Outcome::Refuted(_, witness) => {
+            Outcome::Proved(proof, ..) => decision.provided.extend(proof.provided().iter().cloned()),
+            Outcome::Refuted(refuted, witness) => {
                 decision.verdict = Verdict::Refuted;
-                decision.reason = "does not follow from its premises".into();
-                let _ = witness;
+                decision.reason = match refuted.is_nowhere_defined() {
+                    true => "nowhere defined".into(),
+                    false => "does not follow from its premises".into(),
+                };
+                if !refuted.is_nowhere_defined() {
+                    decision.counterexample = counterexample::at(&witness);
+                }
                 decision.failed = Some(question.equation.clone());
                 break;
+            }
+            Outcome::Contradictory(labels) => {
+                let labels: Vec<String> = labels.iter().map(|label| format!("({label})")).collect();
+                decision.verdict = Verdict::Undecided;
+                decision.reason = match labels.as_slice() {
+                    [single] => format!("the premise {single} contradicts itself"),
+                    _ => format!("the premises {} contradict each other", labels.join(", ")),
+                };
+                decision.failed = Some(question.equation.clone());
             }
             Outcome::Undecided(reason) => {
                 decision.verdict = Verdict::Undecided;
@@ -86,33 +108,105 @@ fn follows_from(sheet: &Sheet, position: usize) -> String {
 
 /// What came of a question.
 enum Outcome {
-    Proved(kernel::Proved),
+    Proved(
+        kernel::Proved,
+        kernel::With<kernel::Certificate>,
+        kernel::With<kernel::Witness>,
+    ),
     Refuted(kernel::Refuted, kernel::With<kernel::Witness>),
+    /// The labels of a smallest set of premises that contradict each other.
+    Contradictory(Vec<String>),
     Undecided(String),
 }
 
-/// Steps of the search for a proof, for each unit of effort.
+/// Steps of the search for a proof, and for a contradiction, for each unit of effort.
 const PROOF_STEPS: u64 = 5_000_000;
+const QUICK_STEPS: u64 = 200_000;
+const CONTRADICTION_STEPS: u64 = 300_000;
 
 fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
-    // a wrong formula costs less than its proof would
+    // what has a short proof needs no search for a counterexample; else a wrong formula costs less than its proof would
+    if let Some(certificate) = proof::search(statement, QUICK_STEPS) {
+        return proved(statement, certificate, effort);
+    }
     let fails = |witness: &kernel::With<kernel::Witness>| kernel::refute(statement, witness).is_ok();
     if let Some(witness) = point::search(statement, point::Wanted::Failure, effort, &fails)
         && let Ok(refuted) = kernel::refute(statement, &witness)
     {
         return Outcome::Refuted(refuted, witness);
     }
-    if let Some(certificate) = proof::search(statement, PROOF_STEPS * effort) {
-        let holds = |point: &kernel::With<kernel::Witness>| kernel::prove(statement, &certificate, point).is_ok();
-        let point = point::search(statement, point::Wanted::Premises, effort, &holds);
-        if let Some(point) = point
-            && let Ok(proved) = kernel::prove(statement, &certificate, &point)
-        {
-            return Outcome::Proved(proved);
-        }
-        return Outcome::Undecided("no point is found at which the premises hold".into());
+    match proof::search(statement, PROOF_STEPS * effort) {
+        Some(certificate) => proved(statement, certificate, effort),
+        None => without_points(statement, effort)
+            .unwrap_or_else(|| Outcome::Undecided("neither a proof nor a counterexample is found".into())),
     }
-    Outcome::Undecided("neither a proof nor a counterexample is found".into())
+}
+
+/// A claim that follows is proved where a point is found at which its premises hold.
+fn proved(statement: &kernel::Statement, certificate: kernel::With<kernel::Certificate>, effort: u64) -> Outcome {
+    let refusal = std::cell::RefCell::new(None);
+    let holds = |point: &kernel::With<kernel::Witness>| match kernel::prove(statement, &certificate, point) {
+        Ok(_) => true,
+        Err(why) => {
+            refusal.replace(Some(why.to_string()));
+            false
+        }
+    };
+    let point = point::search(statement, point::Wanted::Premises, effort, &holds);
+    if let Some(point) = point
+        && let Ok(proved) = kernel::prove(statement, &certificate, &point)
+    {
+        return Outcome::Proved(proved, certificate, point);
+    }
+    without_points(statement, effort).unwrap_or_else(|| {
+        let last = refusal
+            .take()
+            .map_or_else(String::new, |why| format!(" (of the last one tried: {why})"));
+        Outcome::Undecided(format!(
+            "it follows, but no point is found at which the premises hold{last}"
+        ))
+    })
+}
+
+/// What is to be said where all that is given, with the domain of the claim, contradicts itself.
+fn without_points(statement: &kernel::Statement, effort: u64) -> Option<Outcome> {
+    let budget = CONTRADICTION_STEPS * effort;
+    let certificate = proof::contradiction(statement, budget).filter(|found| kernel::contradicts(found).is_ok())?;
+    let accepts =
+        |witness: &kernel::With<kernel::Witness>| kernel::refute_nowhere(statement, &certificate, witness).is_ok();
+    if let Some(witness) = point::search(statement, point::Wanted::PremisesAlone, effort, &accepts)
+        && let Ok(refuted) = kernel::refute_nowhere(statement, &certificate, &witness)
+    {
+        return Some(Outcome::Refuted(refuted, witness));
+    }
+    smallest_contradiction(&statement.premises(), budget).map(Outcome::Contradictory)
+}
+
+/// The labels of givens that contradict each other, none of which can be left out.
+fn smallest_contradiction(premises: &kernel::Statement, budget: u64) -> Option<Vec<String>> {
+    let contradicts = |kept: &[String]| {
+        let fewer = premises.with_givens(&|given| kept.contains(&given.label));
+        proof::contradiction(&fewer, budget).is_some_and(|found| kernel::contradicts(&found).is_ok())
+    };
+    let mut kept: Vec<String> = Vec::new();
+    for given in premises.givens() {
+        if !kept.contains(&given.label) {
+            kept.push(given.label.clone());
+        }
+    }
+    if !contradicts(&kept) {
+        return None;
+    }
+    let mut place = 0;
+    while place < kept.len() && kept.len() <= 40 {
+        let mut fewer = kept.clone();
+        fewer.remove(place);
+        match contradicts(&fewer) {
+            true => kept = fewer,
+            false => place += 1,
+        }
+    }
+    Some(kept)
 }
 
 /// The certificates that the search finds for the questions of the claim at a position, each with its statement.

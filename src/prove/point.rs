@@ -5,16 +5,17 @@
 //! may vanish, the case that it does is a point of its own.
 
 use super::angles::polynomial_term;
-use super::float::{Complex, value};
+use super::float::{Complex, Program, Sized};
 use super::proof;
 use super::session::Session;
 use super::values::{self, Usable};
-use crate::algebra::{coefficients_in, degree_in, primitive};
+use crate::algebra::{Steps, coefficients_in, degree_in, factors, primitive, rational_root, square_root};
 use crate::kernel::{
-    Certificate, Elementary, Expansion, Function, FunctionOf, Inference, Law, Node, Polynomial, Property, Quantity,
-    Statement, Symbol, Term, With, Witness,
+    CLAIM_DOMAIN, Certificate, Elementary, Expansion, Function, FunctionOf, Inference, Law, Node, Polynomial, Property,
+    Quantity, Statement, Symbol, Term, With, Witness,
 };
 use crate::number::{Field, Rational, Sequence};
+use num_traits::Zero;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Whether the goals must fail at the point, or the point is of the premises alone.
@@ -22,14 +23,28 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 pub enum Wanted {
     Failure,
     Premises,
+    /// The point is of the premises, whether or not the claim is defined there.
+    PremisesAlone,
 }
 
 /// Cases in which a coefficient vanishes that are followed.
 const MOST_CASES: usize = 24;
 
-/// Samples tried in floating point for each case, and those of them that the kernel is asked for.
-const MOST_SAMPLES: usize = 600;
-const MOST_ASKED: usize = 6;
+/// Products of terms for one numerator, and terms of all numerators for one unit of effort.
+const LARGEST_FORM: u64 = 20_000;
+const MOST_STEPS: u64 = 200_000;
+
+/// Choices of functions that meet the laws in floating point.
+const MOST_MODELS: usize = 60;
+
+/// Points that the kernel is asked for, for each case and for each choice of functions.
+const ASKED_OF_CASE: usize = 4;
+const MOST_ASKED: usize = 16;
+
+/// Points drawn at random for each case; those at which all that is given holds and the claim does too, before it is
+/// taken to hold.
+const MOST_SAMPLES: usize = 300;
+const ENOUGH_SAMPLES: usize = 24;
 
 /// A search for one point.
 struct Search<'a> {
@@ -40,10 +55,31 @@ struct Search<'a> {
     /// Values of functions at single times that are symbols of their own.
     table: Vec<(Function, u32, Term, Symbol)>,
     periods: Vec<(Function, Term)>,
+    /// The periods with what is solved put in.
+    known_periods: Vec<(Function, Term)>,
     cases: usize,
     effort: u64,
     random: Sequence,
+    /// Numerators by term; `None` of those that are too large.
+    forms: HashMap<Term, Option<Polynomial>>,
+    /// Equations that were factored.
+    split: BTreeSet<Term>,
+    /// Terms of polynomials that may still be made.
+    steps_left: u64,
+    /// Points that the kernel may still be asked for.
+    asks_left: usize,
     found: Option<With<Witness>>,
+}
+
+/// A way to go on with an equation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Way {
+    /// Another equation in its place.
+    Instead(usize, Term),
+    /// Something else vanishes too.
+    Also(Term),
+    /// It is solved for a symbol.
+    Put(usize, Symbol, Term),
 }
 
 /// Premises being solved: what is still open, and what is solved, in terms of what is not.
@@ -66,7 +102,13 @@ pub fn search(
     if models.is_empty() {
         models.push(Vec::new());
     }
+    let many = models.len() > 4;
+    let (mut steps_left, mut tried) = (MOST_STEPS * effort, 0);
     for functions in models {
+        let functions = resolved(&mut session_statement, functions);
+        if many && !laws_may_hold(&mut session_statement, &functions) {
+            continue;
+        }
         let mut search = Search {
             statement: session_statement.clone(),
             wanted,
@@ -74,9 +116,14 @@ pub fn search(
             functions,
             table: Vec::new(),
             periods: periods(&mut session_statement.clone()),
+            known_periods: Vec::new(),
             cases: MOST_CASES,
             effort,
             random: Sequence::new(7),
+            forms: HashMap::new(),
+            split: BTreeSet::new(),
+            steps_left,
+            asks_left: MOST_ASKED,
             found: None,
         };
         let system = System {
@@ -90,8 +137,73 @@ pub fn search(
         if search.found.is_some() {
             return search.found;
         }
+        steps_left = search.steps_left;
+        tried += 1;
+        if tried >= MOST_MODELS {
+            break;
+        }
     }
     None
+}
+
+/// Named functions whose terms name no other of them.
+fn resolved(statement: &mut Statement, functions: Vec<(Function, Symbol, Term)>) -> Vec<(Function, Symbol, Term)> {
+    let mut resolved = functions;
+    for _ in 0..4 {
+        let known = resolved.clone();
+        for (_, _, term) in &mut resolved {
+            *term = statement.with_functions(*term, &known);
+        }
+        if known == resolved {
+            break;
+        }
+    }
+    resolved
+}
+
+/// Whether the laws hold of named functions in floating point, for some values of all else.
+fn laws_may_hold(statement: &mut Statement, functions: &[(Function, Symbol, Term)]) -> bool {
+    let mut laws = Vec::new();
+    for given in statement.givens().to_vec() {
+        let Some(Law {
+            time: Some(time),
+            flight: None,
+            ..
+        }) = given.law
+        else {
+            continue;
+        };
+        let term = statement.written_out(given.term);
+        let term = statement.with_functions(term, functions);
+        if values::values_of(statement, term).is_empty() {
+            laws.push((time, term));
+        }
+    }
+    let wanted: Vec<Term> = laws.iter().map(|(_, term)| *term).collect();
+    let program = Program::new(statement.terms(), &wanted, !statement.is_complex());
+    let symbols = statement.terms().symbols() as u32;
+    (0..6_u32).any(|choice| {
+        [0.3, 1.7, -0.7].iter().all(|&at| {
+            let mut values: HashMap<Symbol, Complex> = (0..symbols)
+                .map(|number| {
+                    let value = match choice {
+                        0 => 1.0,
+                        1 => f64::from(1 + number % 2),
+                        2 => f64::from(2 - number % 2),
+                        3 => 0.0,
+                        4 => -1.0,
+                        _ => 0.37 + 0.61 * f64::from(number),
+                    };
+                    (Symbol(number), (value, 0.0))
+                })
+                .collect();
+            for (time, _) in &laws {
+                values.insert(*time, (at, 0.0));
+            }
+            let found = program.at(&values);
+            found.iter().all(|value| !value.is_finite() || value.may_vanish())
+        })
+    })
 }
 
 /// What must vanish by the givens: premises, laws at the times spoken of, derivatives along maps.
@@ -188,17 +300,16 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
     let mut bound: BTreeSet<Function> = BTreeSet::new();
     let time = statement.fresh("t");
     let running = statement.terms_mut().symbol(time);
-    for law in laws {
+    // the premises themselves before what was derived from them
+    let (given, derived): (Vec<&Usable>, Vec<&Usable>) = laws.iter().partition(|law| law.is_given());
+    for law in given.into_iter().chain(derived) {
         let term = statement.terms_mut().substitute(law.term(), law.time(), running);
         let Some(form) = numerator(statement, term) else {
             continue;
         };
         let own = values::values_of(statement, term);
-        for (monomial, lead) in form.terms() {
-            let [(generator, 1)] = monomial.as_slice() else {
-                continue;
-            };
-            let Node::Value(function, order, at) = *statement.terms().node(*generator) else {
+        for generator in form.generators() {
+            let Node::Value(function, order, at) = *statement.terms().node(generator) else {
                 continue;
             };
             let family = family(statement, function);
@@ -206,14 +317,27 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
             if at != running || !once || named.iter().any(|(f, ..)| *f == function) || order > 0 {
                 continue;
             }
-            let rest = form
-                .minus(&Polynomial::generator(*generator).scaled(&Rational(lead.clone())))
-                .scaled(&Rational(-dashu_ratio::RBig::ONE / lead));
+            let coefficients = coefficients_in(&form, generator);
+            let [rest, lead] = coefficients.as_slice() else {
+                continue;
+            };
+            let steady = |part: &Term| {
+                !statement.terms().holds(*part, time) && !matches!(statement.terms().node(*part), Node::Value(..))
+            };
+            let inside = |part: &Term| statement.terms().inside(*part).contains(&generator);
+            if !lead.generators().iter().all(steady) || rest.generators().iter().any(inside) {
+                continue;
+            }
             let mut session = Session::new(statement, Vec::new(), 1000);
-            let formula = polynomial_term(&mut session, &rest);
+            let formula = ratio_term(&mut session, &rest.negated(), lead);
             named.push((function, time, formula));
         }
         bound.extend(own.iter().map(|(f, ..)| *f));
+    }
+    for function in statement.derivatives().keys().copied().collect::<Vec<_>>() {
+        if is_own_derivative(statement, function) {
+            bound.insert(function);
+        }
     }
     complete(statement, &mut named, time);
     let covered: BTreeSet<Function> = named.iter().map(|(f, ..)| *f).collect();
@@ -255,6 +379,19 @@ fn simple_periodic(statement: &mut Statement, laws: &[Usable]) -> BTreeSet<Funct
         .collect()
 }
 
+/// Whether a function comes back among its derivatives.
+fn is_own_derivative(statement: &Statement, function: Function) -> bool {
+    let mut next = statement.derivatives().get(&function);
+    for _ in 0..statement.derivatives().len() {
+        match next {
+            Some(&derivative) if derivative == function => return true,
+            Some(derivative) => next = statement.derivatives().get(derivative),
+            None => return false,
+        }
+    }
+    false
+}
+
 /// A function with all that are connected with it by derivatives.
 fn family(statement: &Statement, function: Function) -> BTreeSet<Function> {
     let mut family = BTreeSet::from([function]);
@@ -285,14 +422,24 @@ fn complete(statement: &mut Statement, named: &mut Vec<(Function, Symbol, Term)>
                     named.push((inner, time, slope));
                 }
                 (None, Some(term)) => {
-                    let Some(form) = numerator(statement, term) else {
-                        continue;
+                    let integral = match integral(statement, term, time) {
+                        Some(integral) => integral,
+                        None => {
+                            let Some(integral) = integral_of_squares(statement, term, time) else {
+                                continue;
+                            };
+                            // the function as the derivative; the law holds of it by Pythagoras
+                            let slope = statement.derivative(integral, time);
+                            for (function, _, term) in named.iter_mut() {
+                                if *function == inner {
+                                    *term = slope;
+                                }
+                            }
+                            integral
+                        }
                     };
-                    let mut session = Session::new(statement, Vec::new(), 1000);
-                    let Some(integral) = values::antiderivative_of(&mut session, &form, time) else {
-                        continue;
-                    };
-                    let constant = statement.fresh("c");
+                    let name = format!("c_{{{}}}", statement.terms().function_name(outer));
+                    let constant = statement.fresh(&name);
                     let constant = statement.terms_mut().symbol(constant);
                     let integral = statement.terms_mut().sum(vec![integral, constant]);
                     named.push((outer, time, integral));
@@ -301,6 +448,53 @@ fn complete(statement: &mut Statement, named: &mut Vec<(Function, Symbol, Term)>
             }
         }
     }
+}
+
+/// An antiderivative, where no divisor holds the time.
+fn integral(statement: &mut Statement, term: Term, time: Symbol) -> Option<Term> {
+    let quotient = Expansion::new(BTreeSet::new(), 100_000)
+        .of(statement.terms(), term)
+        .ok()?;
+    let mut session = Session::new(statement, Vec::new(), 1000);
+    let mut integral = values::antiderivative_of(&mut session, &quotient.numerator, time)?;
+    for (divisor, power) in &quotient.divisors {
+        let below = polynomial_term(&mut session, divisor);
+        if session.checker.statement.terms().holds(below, time) {
+            return None;
+        }
+        let below = session.terms().add(Node::Power(below, i32::try_from(*power).ok()?));
+        integral = session.terms().quotient(integral, below);
+    }
+    Some(integral)
+}
+
+/// An antiderivative of the square of a sine or a cosine of an affine argument.
+fn integral_of_squares(statement: &mut Statement, term: Term, time: Symbol) -> Option<Term> {
+    let Node::Power(base, 2) = *statement.terms().node(term) else {
+        return None;
+    };
+    let Node::Elementary(function, of) = *statement.terms().node(base) else {
+        return None;
+    };
+    let slope = statement.derivative(of, time);
+    if statement.terms().holds(slope, time) {
+        return None;
+    }
+    let running = statement.terms_mut().symbol(time);
+    let terms = statement.terms_mut();
+    let (sine, cosine) = (
+        terms.elementary(Elementary::Sin, of),
+        terms.elementary(Elementary::Cos, of),
+    );
+    let product = terms.product(vec![sine, cosine]);
+    let circular = terms.quotient(product, slope);
+    let circular = match function {
+        Elementary::Cos => circular,
+        Elementary::Sin => terms.negative(circular),
+        _ => return None,
+    };
+    let (sum, two) = (terms.sum(vec![running, circular]), terms.integer(2));
+    Some(terms.quotient(sum, two))
 }
 
 /// Constants, lines, exponentials and circles for functions that laws bind to each other.
@@ -404,94 +598,219 @@ impl Search<'_> {
         None
     }
 
-    fn numerator(&self, term: Term) -> Option<Polynomial> {
-        numerator(&self.statement, term).map(|form| primitive(&form).map_or(form.clone(), |(_, part)| part))
-    }
-
     /// Solves what is open; samples where nothing is, or nothing more can be solved.
     fn solve(&mut self, mut system: System) {
         loop {
-            if self.found.is_some() {
+            if self.found.is_some() || self.steps_left == 0 || !self.drop_zeros(&mut system) {
                 return;
             }
             // times first, so that values of functions at equal times are one
-            if !self.table_is_made() && self.solve_one(&mut system, true) {
-                continue;
-            }
-            self.make_table(&mut system);
-            system
-                .open
-                .retain(|&term| numerator(&self.statement, term).is_none_or(|form| !form.is_zero()));
-            for &term in &system.open {
-                if numerator(&self.statement, term).is_some_and(|form| form.as_constant().is_some()) {
+            let mut ways = if self.table.is_empty() {
+                self.ways(&system, true)
+            } else {
+                Vec::new()
+            };
+            if ways.is_empty() {
+                self.make_table(&mut system);
+                if !self.drop_zeros(&mut system) {
                     return;
                 }
+                ways = self.ways(&system, false);
             }
-            if !self.solve_one(&mut system, false) {
-                break;
+            ways.truncate(self.cases + 1);
+            let Some(last) = ways.pop() else { break };
+            for way in ways {
+                self.cases = self.cases.saturating_sub(1);
+                let table = self.table.clone();
+                let mut case = system.clone();
+                self.follow(&mut case, way);
+                self.solve(case);
+                if self.found.is_some() {
+                    return;
+                }
+                self.table = table;
             }
+            self.follow(&mut system, last);
         }
         self.sample(&system);
     }
 
-    fn table_is_made(&self) -> bool {
-        !self.table.is_empty()
-    }
-
-    /// Solves one of the open equations. With `times`, one without values of functions only.
-    fn solve_one(&mut self, system: &mut System, times: bool) -> bool {
-        let mut best: Option<((u8, u8, usize), usize, Symbol, Term, Option<Polynomial>)> = None;
-        for (number, &term) in system.open.iter().enumerate() {
-            let has_values = !values::values_of(&self.statement, term).is_empty();
-            if times && has_values {
-                continue;
-            }
-            let Some(form) = self.numerator(term) else { continue };
-            for (rank, symbol, solution, lead) in self.solutions(&form) {
-                if best.as_ref().is_none_or(|(known, ..)| rank < *known) {
-                    best = Some((rank, number, symbol, solution, lead));
-                }
+    /// Drops equations that hold; `false` where one cannot.
+    fn drop_zeros(&mut self, system: &mut System) -> bool {
+        let mut kept = Vec::new();
+        for term in std::mem::take(&mut system.open) {
+            match self.form(term) {
+                Some(form) if form.is_zero() => {}
+                Some(form) if form.as_constant().is_some() => return false,
+                _ if kept.contains(&term) => {}
+                _ => kept.push(term),
             }
         }
-        let Some((_, number, symbol, solution, lead)) = best else {
-            return false;
-        };
-        if let Some(lead) = lead
-            && self.cases > 0
-        {
-            // the case that the coefficient vanishes is one of its own
-            self.cases -= 1;
-            let mut other = system.clone();
-            let mut session_statement = self.statement.clone();
-            let mut session = Session::new(&mut session_statement, Vec::new(), 1000);
-            let lead = polynomial_term(&mut session, &lead);
-            self.statement = session_statement;
-            other.open.push(lead);
-            let table = self.table.clone();
-            let first = self.cases;
-            self.try_first(system, number, symbol, solution);
-            if self.found.is_some() {
-                return false;
-            }
-            self.table = table;
-            self.cases = self.cases.min(first);
-            if !self.is_generic_only(lead) {
-                *system = other;
-                // the coefficient may not be solved for again by the same equation
-                return true;
-            }
-            system.open.clear();
-            system.open.push(self.statement.terms_mut().integer(1));
-            return true;
-        }
-        self.put_in(system, number, symbol, solution);
+        system.open = kept;
         true
     }
 
-    fn try_first(&mut self, system: &System, number: usize, symbol: Symbol, solution: Term) {
-        let mut first = system.clone();
-        self.put_in(&mut first, number, symbol, solution);
-        self.solve(first);
+    /// The primitive numerator of a term, where it is small.
+    fn form(&mut self, term: Term) -> Option<Polynomial> {
+        if let Some(known) = self.forms.get(&term) {
+            return known.clone();
+        }
+        let form = Expansion::new(BTreeSet::new(), LARGEST_FORM)
+            .of(self.statement.terms(), term)
+            .ok()
+            .map(|quotient| self.without_imaginary_squares(&quotient.numerator))
+            .map(|form| primitive(&form).map_or(form.clone(), |(_, part)| part));
+        let cost = form.as_ref().map_or(LARGEST_FORM, |form| 1 + form.terms().len() as u64);
+        self.steps_left = self.steps_left.saturating_sub(cost);
+        self.forms.insert(term, form.clone());
+        form
+    }
+
+    fn without_imaginary_squares(&mut self, form: &Polynomial) -> Polynomial {
+        if !self.statement.is_complex() {
+            return form.clone();
+        }
+        let unit = self.statement.terms_mut().add(Node::Imaginary);
+        let reduced = form.terms().iter().map(|(monomial, value)| {
+            let power = monomial.iter().find(|(term, _)| *term == unit).map_or(0, |part| part.1);
+            let mut rest: Vec<(Term, u32)> = monomial.iter().copied().filter(|(term, _)| *term != unit).collect();
+            if power % 2 == 1 {
+                rest.push((unit, 1));
+                rest.sort();
+            }
+            let value = if power % 4 >= 2 { -value.clone() } else { value.clone() };
+            (rest.into_iter().collect(), value)
+        });
+        Polynomial::from_terms(reduced.collect::<Vec<_>>())
+    }
+
+    /// The ways to go on with the equation that is easiest to solve: cases that together cover it.
+    fn ways(&mut self, system: &System, times: bool) -> Vec<Way> {
+        let mut best: Option<((u8, u8, usize), usize, Polynomial, Term)> = None;
+        for (number, &term) in system.open.iter().enumerate() {
+            if times && !values::values_of(&self.statement, term).is_empty() {
+                continue;
+            }
+            let Some(form) = self.form(term) else { continue };
+            if form.terms().len() > 300 {
+                continue;
+            }
+            if let Some(factors) = self.split(term, &form) {
+                let some = factors.iter().any(|&factor| !self.is_generic_only(factor));
+                let kept = factors
+                    .into_iter()
+                    .filter(|&factor| !some || !self.is_generic_only(factor));
+                return kept.map(|factor| Way::Instead(number, factor)).collect();
+            }
+            for generator in form.generators() {
+                if let Some(rank) = self.rank(&form, generator)
+                    && best.as_ref().is_none_or(|(known, ..)| rank < *known)
+                {
+                    best = Some((rank, number, form.clone(), generator));
+                }
+            }
+        }
+        let Some((_, number, form, generator)) = best else {
+            return Vec::new();
+        };
+        let mut ways = self.solutions(number, &form, generator);
+        if ways.is_empty() {
+            // one that cannot be solved after all is only met by sampling
+            self.forms.insert(system.open[number], None);
+            return self.ways(system, times);
+        }
+        ways.dedup();
+        ways
+    }
+
+    /// The factors of an equation, where it has several or a square.
+    fn split(&mut self, term: Term, form: &Polynomial) -> Option<Vec<Term>> {
+        if !self.split.insert(term) || form.terms().len() > 60 {
+            return None;
+        }
+        let mut steps = Steps::new(100_000);
+        let found = factors(form, &[], &mut steps).ok()?;
+        self.steps_left = self.steps_left.saturating_sub(20);
+        let trivial = matches!(found.factors.as_slice(), [(_, 1)] | []);
+        if trivial {
+            return None;
+        }
+        let mut statement = std::mem::take(&mut self.statement);
+        let mut session = Session::new(&mut statement, Vec::new(), 1000);
+        let parts = found
+            .factors
+            .iter()
+            .map(|(factor, _)| polynomial_term(&mut session, factor));
+        let parts = parts.collect();
+        self.statement = statement;
+        Some(parts)
+    }
+
+    /// How easily an equation is solved for a generator; the lower the better.
+    fn rank(&self, form: &Polynomial, generator: Term) -> Option<(u8, u8, usize)> {
+        let terms = self.statement.terms();
+        let generic = !self.statement.generic().is_empty();
+        let degree = degree_in(form, generator);
+        let alone = |symbol: Symbol| {
+            !form
+                .generators()
+                .iter()
+                .any(|&other| other != generator && terms.holds(other, symbol))
+        };
+        match terms.node(generator) {
+            Node::Symbol(symbol) => {
+                let preference = preference(&self.statement, *symbol);
+                if preference == u8::MAX || !alone(*symbol) {
+                    return None;
+                }
+                let coefficients = coefficients_in(form, generator);
+                let lead = coefficients.last()?;
+                let class = match degree {
+                    1 if lead.as_constant().is_some() => 0,
+                    1 if form.terms().len() < 40 => 1,
+                    2 if !generic && form.terms().len() < 20 => 3,
+                    _ if !generic
+                        && form.terms().len() < 20
+                        && coefficients[1..coefficients.len() - 1].iter().all(Polynomial::is_zero) =>
+                    {
+                        4
+                    }
+                    _ => return None,
+                };
+                Some((class, preference, lead.terms().len() + form.terms().len()))
+            }
+            Node::Elementary(..) if degree == 1 && !generic => {
+                let symbol = self.undoable(generator, &alone)?;
+                Some((2, preference(&self.statement, symbol), form.terms().len()))
+            }
+            _ => None,
+        }
+    }
+
+    /// The symbol for which the argument of a function is solved.
+    fn undoable(&self, generator: Term, alone: &dyn Fn(Symbol) -> bool) -> Option<Symbol> {
+        let terms = self.statement.terms();
+        let Node::Elementary(_, of) = terms.node(generator) else {
+            return None;
+        };
+        let quotient = Expansion::new(BTreeSet::new(), 10_000).of(terms, *of).ok()?;
+        let form = quotient.numerator;
+        let divisors = quotient.divisors;
+        form.generators().into_iter().find_map(|term| match terms.node(term) {
+            Node::Symbol(symbol)
+                if degree_in(&form, term) == 1
+                    && alone(*symbol)
+                    && !divisors.iter().any(|(divisor, _)| degree_in(divisor, term) > 0)
+                    && preference(&self.statement, *symbol) != u8::MAX
+                    && !form
+                        .generators()
+                        .iter()
+                        .any(|&other| other != term && terms.holds(other, *symbol)) =>
+            {
+                Some(*symbol)
+            }
+            _ => None,
+        })
     }
 
     fn is_generic_only(&self, term: Term) -> bool {
@@ -509,109 +828,165 @@ impl Search<'_> {
                 })
     }
 
-    fn put_in(&mut self, system: &mut System, number: usize, symbol: Symbol, solution: Term) {
-        system.open.remove(number);
-        let terms = self.statement.terms_mut();
-        for term in &mut system.open {
-            *term = terms.substitute(*term, symbol, solution);
-        }
-        for (_, term) in &mut system.solved {
-            *term = terms.substitute(*term, symbol, solution);
-        }
-        system.solved.push((symbol, solution));
-        for (_, _, time, _) in &mut self.table {
-            *time = terms.substitute(*time, symbol, solution);
+    fn follow(&mut self, system: &mut System, way: Way) {
+        match way {
+            Way::Instead(number, term) => system.open[number] = term,
+            Way::Also(term) => system.open.push(term),
+            Way::Put(number, symbol, solution) => {
+                system.open.remove(number);
+                let terms = self.statement.terms_mut();
+                for term in &mut system.open {
+                    *term = terms.substitute(*term, symbol, solution);
+                }
+                for (_, term) in &mut system.solved {
+                    *term = terms.substitute(*term, symbol, solution);
+                }
+                system.solved.push((symbol, solution));
+                for (_, _, time, _) in &mut self.table {
+                    *time = terms.substitute(*time, symbol, solution);
+                }
+            }
         }
     }
 
-    /// Ways to solve a polynomial equation for a symbol: the better the lower the rank. The lead is what must not be 0.
-    fn solutions(&mut self, form: &Polynomial) -> Vec<((u8, u8, usize), Symbol, Term, Option<Polynomial>)> {
-        let mut found = Vec::new();
-        for generator in form.generators() {
-            let coefficients = coefficients_in(form, generator);
-            let others: Vec<Term> = form
-                .generators()
-                .into_iter()
-                .filter(|term| *term != generator)
-                .collect();
-            let mut session_statement = std::mem::take(&mut self.statement);
-            let mut session = Session::new(&mut session_statement, Vec::new(), 1000);
-            match session.node(generator) {
-                Node::Symbol(symbol) => {
-                    let inside = others
-                        .iter()
-                        .any(|&term| session.checker.statement.terms().holds(term, symbol));
-                    let rank = preference(session.checker.statement, symbol);
-                    if inside || rank == u8::MAX {
-                    } else if let [rest, lead] = coefficients.as_slice() {
-                        let above = polynomial_term(&mut session, &rest.negated());
-                        let solution = if *lead == Polynomial::integer(1) {
-                            above
-                        } else {
-                            let below = polynomial_term(&mut session, lead);
-                            session.terms().quotient(above, below)
-                        };
-                        let constant = lead.as_constant().is_some();
-                        let lead_size = if constant { 0 } else { 1 };
-                        found.push((
-                            (lead_size, rank, lead.terms().len()),
-                            symbol,
-                            solution,
-                            (!constant).then(|| lead.clone()),
-                        ));
-                    } else if let [c, b, a] = coefficients.as_slice()
-                        && session.checker.statement.generic().is_empty()
-                    {
-                        // (-b + sqrt(b² - 4ac)) / 2a
-                        let [a, b, c] = [a, b, c].map(|part| polynomial_term(&mut session, part));
-                        let terms = session.terms();
-                        let (square, four, two) = (terms.add(Node::Power(b, 2)), terms.integer(4), terms.integer(2));
-                        let product = terms.product(vec![four, a, c]);
-                        let radicand = terms.difference(square, product);
-                        let root = terms.elementary(Elementary::Root(2), radicand);
-                        let root = if self.random.draw() % 2 == 0 {
-                            root
-                        } else {
-                            terms.negative(root)
-                        };
-                        let (above, below) = (terms.difference(root, b), terms.product(vec![two, a]));
-                        let solution = terms.quotient(above, below);
-                        found.push(((3, rank, form.terms().len()), symbol, solution, None));
-                    } else if coefficients.len() > 3
-                        && coefficients[1..coefficients.len() - 1].iter().all(Polynomial::is_zero)
-                        && session.checker.statement.generic().is_empty()
-                    {
-                        let (Some(rest), Some(lead)) = (coefficients.first(), coefficients.last()) else {
-                            continue;
-                        };
-                        let above = polynomial_term(&mut session, &rest.negated());
-                        let below = polynomial_term(&mut session, lead);
-                        let index = u32::try_from(coefficients.len() - 1).unwrap_or(2);
-                        let terms = session.terms();
-                        let radicand = terms.quotient(above, below);
-                        let solution = terms.elementary(Elementary::Root(index), radicand);
-                        found.push(((4, rank, form.terms().len()), symbol, solution, None));
-                    }
+    /// The ways to solve an equation for a generator.
+    fn solutions(&mut self, number: usize, form: &Polynomial, generator: Term) -> Vec<Way> {
+        let coefficients = coefficients_in(form, generator);
+        let mut statement = std::mem::take(&mut self.statement);
+        let mut session = Session::new(&mut statement, Vec::new(), 1000);
+        let mut ways = Vec::new();
+        let mut leads = Vec::new();
+        match session.node(generator) {
+            Node::Symbol(symbol) => {
+                let lead = coefficients.last().cloned().unwrap_or_default();
+                if lead.as_constant().is_none() {
+                    leads.push(polynomial_term(&mut session, &lead));
                 }
-                Node::Elementary(function, of)
-                    if coefficients.len() == 2 && session.checker.statement.generic().is_empty() =>
-                {
-                    if let Some((symbol, solution)) = undone(&mut session, function, of, &coefficients, &others) {
-                        let rank = preference(session.checker.statement, symbol);
-                        if rank != u8::MAX {
-                            found.push(((2, rank, form.terms().len()), symbol, solution, None));
+                let is_complex = session.checker.statement.complex_symbols().contains(&symbol);
+                let found = match coefficients.as_slice() {
+                    [rest, lead] => vec![ratio_term(&mut session, &rest.negated(), lead)],
+                    [c, b, a] => {
+                        // (-b + sqrt(b^2 - 4ac)) / 2a
+                        let four = Rational::from_ratio(4, 1);
+                        let radicand = b.times(b).minus(&a.times(c).scaled(&four));
+                        let root = root_term(&mut session, &radicand, &Polynomial::integer(1), 2);
+                        let b = polynomial_term(&mut session, b);
+                        let below = polynomial_term(&mut session, &a.scaled(&Rational::from_ratio(2, 1)));
+                        let terms = session.terms();
+                        let other = terms.negative(root);
+                        [root, other]
+                            .into_iter()
+                            .map(|root| {
+                                let above = terms.difference(root, b);
+                                terms.quotient(above, below)
+                            })
+                            .collect()
+                    }
+                    _ => {
+                        let index = u32::try_from(coefficients.len() - 1).unwrap_or(2);
+                        let root = root_term(&mut session, &coefficients[0].negated(), &lead, index);
+                        let terms = session.terms();
+                        let mut found = vec![root];
+                        if index % 2 == 0 {
+                            found.push(terms.negative(root));
+                        }
+                        if is_complex {
+                            let unit = terms.add(Node::Imaginary);
+                            let factor = match index {
+                                3 => {
+                                    let (three, minus) = (terms.integer(3), terms.integer(-1));
+                                    let root = terms.elementary(Elementary::Root(2), three);
+                                    let imaginary = terms.product(vec![root, unit]);
+                                    let above = terms.sum(vec![minus, imaginary]);
+                                    let two = terms.integer(2);
+                                    Some(terms.quotient(above, two))
+                                }
+                                4 => Some(unit),
+                                _ => None,
+                            };
+                            if let Some(factor) = factor {
+                                found.push(terms.product(vec![factor, root]));
+                            }
+                        }
+                        found
+                    }
+                };
+                ways.extend(found.into_iter().map(|term| (symbol, term)));
+            }
+            Node::Elementary(function, of) => {
+                let wanted = ratio_term(&mut session, &coefficients[0].negated(), &coefficients[1]);
+                if coefficients[1].as_constant().is_none() {
+                    leads.push(polynomial_term(&mut session, &coefficients[1]));
+                }
+                self.statement = std::mem::take(session.checker.statement);
+                let alone = |symbol: Symbol| {
+                    !form
+                        .generators()
+                        .iter()
+                        .any(|&other| other != generator && self.statement.terms().holds(other, symbol))
+                };
+                let symbol = self.undoable(generator, &alone);
+                statement = std::mem::take(&mut self.statement);
+                session = Session::new(&mut statement, Vec::new(), 1000);
+                if let Some(symbol) = symbol {
+                    for argument in arguments(&mut session, function, wanted) {
+                        if let Some(solution) = solved_affine(&mut session, of, symbol, argument) {
+                            ways.push((symbol, solution));
                         }
                     }
                 }
-                _ => {}
             }
-            self.statement = session_statement;
+            _ => {}
+        }
+        self.statement = statement;
+        let mut found = Vec::new();
+        for (symbol, term) in ways {
+            if let Some(term) = self.made_real(symbol, term) {
+                found.push(Way::Put(number, symbol, term));
+            }
+        }
+        if !found.is_empty() {
+            for lead in leads {
+                if !self.is_generic_only(lead) {
+                    found.push(Way::Also(lead));
+                }
+            }
         }
         found
     }
 
+    /// The term without the imaginary unit, for a symbol that is real; `None` where it is not.
+    fn made_real(&mut self, symbol: Symbol, term: Term) -> Option<Term> {
+        let terms = self.statement.terms();
+        let holds_unit = |term: Term, terms: &crate::kernel::Terms| {
+            terms
+                .inside(term)
+                .iter()
+                .any(|&inner| *terms.node(inner) == Node::Imaginary)
+        };
+        if self.statement.complex_symbols().contains(&symbol) || !holds_unit(term, terms) {
+            return Some(term);
+        }
+        let quotient = Expansion::new(BTreeSet::new(), LARGEST_FORM).of(terms, term).ok()?;
+        if !quotient.divisors.is_empty() {
+            return None;
+        }
+        let form = self.without_imaginary_squares(&quotient.numerator);
+        let mut statement = std::mem::take(&mut self.statement);
+        let mut session = Session::new(&mut statement, Vec::new(), 1000);
+        let term = polynomial_term(&mut session, &form);
+        self.statement = statement;
+        (!holds_unit(term, self.statement.terms())).then_some(term)
+    }
+
     /// Makes the values of functions at single times symbols of their own, one for each time.
     fn make_table(&mut self, system: &mut System) {
+        let mut known = Vec::new();
+        for (function, period) in self.periods.clone() {
+            let written = self.statement.written_out(period);
+            known.push((function, self.with_solved(written, system)));
+        }
+        self.known_periods = known;
         let mut wanted: BTreeSet<(Function, u32, Term)> = BTreeSet::new();
         for &term in &system.open {
             wanted.extend(values::values_of(&self.statement, term));
@@ -679,7 +1054,7 @@ impl Search<'_> {
     /// The symbol for a value at a time that is the same, but for whole periods.
     fn lookup(&mut self, function: Function, order: u32, at: Term) -> Option<Symbol> {
         let period = self
-            .periods
+            .known_periods
             .iter()
             .find(|(f, _)| *f == function)
             .map(|(_, period)| *period);
@@ -716,38 +1091,218 @@ impl Search<'_> {
     fn sample(&mut self, system: &System) {
         let free = self.free_symbols(system);
         let conditions = self.conditions(system);
-        let goals: Vec<(Property, Term)> = self.statement.goal().to_vec();
-        let goals: Vec<(Property, Term)> = goals
+        let goals = self.statement.goal().to_vec();
+        let goals = goals
             .into_iter()
-            .filter_map(|(property, term)| Some((property, self.translated(term, system)?)))
+            .filter_map(|(property, term)| Some((property, self.translated(term, system)?)));
+        let goals: Vec<(Property, Term)> = goals.collect();
+        let mut vanishing = system.open.clone();
+        vanishing.extend(self.laws_at_times(system));
+        let wanted: Vec<Term> = vanishing
+            .iter()
+            .copied()
+            .chain(conditions.iter().chain(&goals).map(|(_, term)| *term))
             .collect();
-        let open = system.open.clone();
-        let mut asked = 0;
-        let samples = if open.is_empty() {
-            MOST_SAMPLES / 2
-        } else {
-            3 * MOST_SAMPLES
-        };
-        for attempt in 0..samples * usize::try_from(self.effort.min(8)).unwrap_or(1) {
-            let chosen: Vec<(Symbol, Term)> = free
+        let program = Program::new(self.statement.terms(), &wanted, !self.statement.is_complex());
+        let (mut asked, mut met) = (0, 0);
+        let special = self.special_points(&free);
+        let specials = special.len();
+        let most = specials + MOST_SAMPLES * usize::try_from(self.effort.min(8)).unwrap_or(1);
+        for attempt in 0..most {
+            let chosen: Vec<(Symbol, Term)> = match special.get(attempt) {
+                Some(point) => point.clone(),
+                None if free.is_empty() => return,
+                None => free
+                    .iter()
+                    .map(|symbol| (*symbol, self.number_for(*symbol, attempt - specials)))
+                    .collect(),
+            };
+            let symbols: HashMap<Symbol, Complex> = chosen
                 .iter()
-                .map(|symbol| (*symbol, self.number_for(*symbol, attempt)))
+                .map(|(symbol, number)| (*symbol, self.number_value(*number)))
                 .collect();
-            if !self.fits(&chosen, &conditions, &open, &goals) {
+            let values = program.at(&symbols);
+            let (open, rest) = values.split_at(vanishing.len());
+            let (bounds, claims) = rest.split_at(conditions.len());
+            let sure = free.is_empty();
+            if !open
+                .iter()
+                .all(|value| sure || value.value.0.is_nan() || value.may_vanish())
+                || !conditions
+                    .iter()
+                    .zip(bounds)
+                    .all(|((property, _), value)| may_hold(*property, *value))
+            {
                 continue;
             }
-            let witness = self.witness(system, &chosen);
+            let fails = goals
+                .iter()
+                .zip(claims)
+                .any(|((property, _), value)| !may_hold(*property, *value) || barely_fails(*property, *value));
+            if self.wanted == Wanted::Failure && !fails && !sure {
+                met += 1;
+                if attempt >= specials && met >= ENOUGH_SAMPLES {
+                    return;
+                }
+                continue;
+            }
             asked += 1;
-            if let Some(witness) = witness
+            self.asks_left = self.asks_left.saturating_sub(1);
+            let near: Vec<Term> = conditions
+                .iter()
+                .chain(&goals)
+                .map(|(_, term)| *term)
+                .zip(rest)
+                .filter(|(_, value)| value.may_vanish())
+                .map(|(term, _)| term)
+                .collect();
+            if let Some(witness) = self.witness(system, &chosen, &near)
                 && (self.accept)(&witness)
             {
                 self.found = Some(witness);
                 return;
             }
-            if asked >= MOST_ASKED {
+            if asked >= ASKED_OF_CASE || self.asks_left == 0 {
                 return;
             }
         }
+    }
+
+    fn number_value(&self, number: Term) -> Complex {
+        let program = Program::new(self.statement.terms(), &[number], false);
+        let values = program.at(&HashMap::new());
+        values.first().map_or((f64::NAN, 0.0), |value| value.value)
+    }
+
+    /// What laws say of named functions at some times, and at the running time of the claim.
+    fn laws_at_times(&mut self, system: &System) -> Vec<Term> {
+        let mut found = Vec::new();
+        if self.functions.is_empty() {
+            return found;
+        }
+        for given in self.statement.givens().to_vec() {
+            let Some(Law {
+                time: Some(time),
+                flight: None,
+                ..
+            }) = given.law
+            else {
+                continue;
+            };
+            let Some(term) = self.named_law(given.term, system) else {
+                continue;
+            };
+            for (above, below) in [(3, 10), (17, 10), (-7, 10)] {
+                let terms = self.statement.terms_mut();
+                let number = terms.number(Rational::from_ratio(above, below));
+                found.push(terms.substitute(term, time, number));
+            }
+        }
+        found
+    }
+
+    /// A law with the named functions put in; `None` where it speaks of others.
+    fn named_law(&mut self, term: Term, system: &System) -> Option<Term> {
+        let term = self.statement.written_out(term);
+        let term = self.named(term)?;
+        let term = self.with_solved(term, system);
+        values::values_of(&self.statement, term).is_empty().then_some(term)
+    }
+
+    /// Points of simple numbers, which random ones miss: all alike, single ones special, all pairs of two.
+    fn special_points(&mut self, free: &[Symbol]) -> Vec<Vec<(Symbol, Term)>> {
+        let mut points: Vec<Vec<(Symbol, Term)>> = Vec::new();
+        let choices: Vec<Vec<Term>> = free.iter().map(|&symbol| self.special_numbers(symbol)).collect();
+        let mut plain: Vec<(Symbol, Term)> = Vec::new();
+        for (place, &symbol) in free.iter().enumerate() {
+            let impact = match self.statement.quantity(symbol) {
+                Some(Quantity::Time { index, .. }) => Some(i64::from(*index)),
+                _ => None,
+            };
+            let number = match impact {
+                Some(index) => self.statement.terms_mut().integer(index),
+                None => {
+                    let order = [1, 3, 2, 0];
+                    let wanted = order[place % order.len()].min(choices[place].len() - 1);
+                    choices[place][wanted]
+                }
+            };
+            plain.push((symbol, number));
+        }
+        points.push(plain.clone());
+        let most = choices.iter().map(Vec::len).max().unwrap_or(0);
+        for n in 0..most {
+            let alike = free.iter().zip(&choices);
+            points.push(
+                alike
+                    .map(|(&symbol, numbers)| (symbol, numbers[n % numbers.len()]))
+                    .collect(),
+            );
+        }
+        for (place, numbers) in choices.iter().enumerate() {
+            for &number in numbers {
+                let mut point = plain.clone();
+                point[place].1 = number;
+                points.push(point);
+                if points.len() > 120 {
+                    return points;
+                }
+            }
+        }
+        if let [first, second] = choices.as_slice() {
+            for &a in first {
+                for &b in second {
+                    points.push(vec![(free[0], a), (free[1], b)]);
+                }
+            }
+        }
+        points
+    }
+
+    /// Simple numbers for a symbol.
+    fn special_numbers(&mut self, symbol: Symbol) -> Vec<Term> {
+        let (positive, integer) = (
+            self.is_declared(symbol, &[Property::Positive, Property::NonNegative]),
+            self.is_declared(symbol, &[Property::Integer]),
+        );
+        let circles = self.speaks_of_circles();
+        let complex = self.statement.complex_symbols().contains(&symbol);
+        let terms = self.statement.terms_mut();
+        let mut numbers = vec![(0, 1), (1, 1), (2, 1), (3, 1)];
+        if !integer {
+            numbers.push((1, 2));
+        }
+        if !positive {
+            numbers.extend([(-1, 1), (-2, 1)]);
+        }
+        let mut found: Vec<Term> = numbers
+            .into_iter()
+            .map(|(above, below)| terms.number(Rational::from_ratio(above, below)))
+            .collect();
+        if circles && !integer {
+            let pi = terms.add(Node::Pi);
+            found.push(pi);
+            for (above, below) in [(1, 2), (2, 1), (1, 4), (1, 3), (-1, 2), (3, 2)] {
+                if above < 0 && positive {
+                    continue;
+                }
+                let factor = terms.number(Rational::from_ratio(above, below));
+                found.push(terms.product(vec![factor, pi]));
+            }
+        }
+        if complex {
+            let unit = terms.add(Node::Imaginary);
+            let (negative, one) = (terms.negative(unit), terms.integer(1));
+            found.extend([unit, negative, terms.sum(vec![one, unit])]);
+        }
+        found
+    }
+
+    fn is_declared(&self, symbol: Symbol, properties: &[Property]) -> bool {
+        self.statement.givens().iter().any(|given| {
+            properties.contains(&given.property)
+                && matches!(self.statement.terms().node(given.term), Node::Symbol(known) if *known == symbol)
+        })
     }
 
     fn translated(&mut self, term: Term, system: &System) -> Option<Term> {
@@ -764,6 +1319,7 @@ impl Search<'_> {
             .givens()
             .iter()
             .filter(|given| given.law.is_none() && given.property != Property::Zero)
+            .filter(|given| self.wanted != Wanted::PremisesAlone || given.label != CLAIM_DOMAIN)
             .map(|given| (given.property, given.term))
             .collect();
         let mut conditions: Vec<(Property, Term)> = givens
@@ -775,7 +1331,46 @@ impl Search<'_> {
                 conditions.push(condition);
             }
         }
+        if !self.statement.generic().is_empty() {
+            // no bound is just met: that would be a thin set
+            for (property, _) in &mut conditions {
+                if *property == Property::NonNegative {
+                    *property = Property::Positive;
+                }
+            }
+        }
+        conditions.extend(self.times_apart(system));
         conditions
+    }
+
+    /// Times at which a function has values of its own are different, but for whole periods too.
+    fn times_apart(&mut self, system: &System) -> Vec<(Property, Term)> {
+        let mut apart = Vec::new();
+        for (n, (f, _, a, _)) in self.table.clone().iter().enumerate() {
+            let family = family(&self.statement, *f);
+            for (g, _, b, _) in self.table.clone().iter().skip(n + 1) {
+                if !family.contains(g) || a == b {
+                    continue;
+                }
+                let period = self
+                    .periods
+                    .iter()
+                    .find(|(f, _)| family.contains(f))
+                    .map(|found| found.1);
+                let terms = self.statement.terms_mut();
+                let mut term = terms.difference(*a, *b);
+                if let Some(period) = period {
+                    let pi = terms.add(Node::Pi);
+                    let turns = terms.quotient(term, period);
+                    let angle = terms.product(vec![pi, turns]);
+                    term = terms.elementary(Elementary::Sin, angle);
+                }
+                if let Some(term) = self.translated(term, system) {
+                    apart.push((Property::Nonzero, term));
+                }
+            }
+        }
+        apart
     }
 
     fn free_symbols(&mut self, system: &System) -> Vec<Symbol> {
@@ -872,50 +1467,8 @@ impl Search<'_> {
         })
     }
 
-    /// Whether a choice of numbers meets, in floating point, what it must.
-    fn fits(
-        &self,
-        chosen: &[(Symbol, Term)],
-        conditions: &[(Property, Term)],
-        open: &[Term],
-        goals: &[(Property, Term)],
-    ) -> bool {
-        let real = !self.statement.is_complex();
-        let terms = self.statement.terms();
-        let mut symbols: HashMap<Symbol, Complex> = HashMap::new();
-        for (symbol, number) in chosen {
-            let number = value(terms, *number, &HashMap::new(), real, &mut HashMap::new());
-            symbols.insert(*symbol, number);
-        }
-        let mut known = HashMap::new();
-        let mut of = |term: Term| value(terms, term, &symbols, real, &mut known);
-        let near = |(a, b): Complex| a.hypot(b) < 1e-9;
-        let holds = |property: Property, value: Complex| match property {
-            Property::Zero => near(value),
-            Property::Nonzero => !near(value) && value.0.is_finite(),
-            Property::Positive => value.0 > 1e-9,
-            Property::NonNegative => value.0 > -1e-12,
-            Property::Integer => (value.0 - value.0.round()).abs() < 1e-9,
-        };
-        if !conditions.iter().all(|(property, term)| holds(*property, of(*term))) {
-            return false;
-        }
-        if !open.iter().all(|term| near(of(*term))) {
-            return false;
-        }
-        match self.wanted {
-            Wanted::Premises => true,
-            Wanted::Failure => {
-                goals.iter().any(|(property, term)| {
-                    let value = of(*term);
-                    value.0.is_finite() && !holds(*property, value)
-                }) || goals.iter().any(|(_, term)| !of(*term).0.is_finite())
-            }
-        }
-    }
-
     /// The witness of a choice, with what shows that its numbers meet the premises.
-    fn witness(&mut self, system: &System, chosen: &[(Symbol, Term)]) -> Option<With<Witness>> {
+    fn witness(&mut self, system: &System, chosen: &[(Symbol, Term)], near: &[Term]) -> Option<With<Witness>> {
         let table: Vec<(Function, u32, Term, Term)> = self
             .table
             .clone()
@@ -930,6 +1483,14 @@ impl Search<'_> {
                 )
             })
             .collect();
+        let mut solved = Vec::new();
+        for &(symbol, term) in &system.solved {
+            solved.push((symbol, self.made_real(symbol, term)?));
+        }
+        let system = &System {
+            solved,
+            ..system.clone()
+        };
         let mut witness = Witness {
             solved: system.solved.clone(),
             sample: chosen.to_vec(),
@@ -946,6 +1507,7 @@ impl Search<'_> {
             .map(|given| given.term)
             .collect();
         let mut zeros = Vec::new();
+        let mut wished = Vec::new();
         for term in givens {
             let term = self.translated(term, system)?;
             if numerator(&self.statement, term)?.is_zero() {
@@ -959,15 +1521,62 @@ impl Search<'_> {
                 zeros.push(term);
             }
         }
+        let mut others = near.to_vec();
+        if !self.functions.is_empty() {
+            for given in self.statement.givens().to_vec() {
+                if given.law.is_some()
+                    && let Some(term) = self.named_law(given.term, system)
+                {
+                    others.push(term);
+                }
+            }
+        }
+        for term in others {
+            let term = self.statement.terms_mut().rewrite(term, &mut |_, node| match node {
+                Node::Symbol(symbol) => sample.get(symbol).copied(),
+                _ => None,
+            });
+            if !zeros.contains(&term) && !numerator(&self.statement, term).is_none_or(|form| form.is_zero()) {
+                wished.push(term);
+            }
+        }
         let mut statement = self.statement.clone();
-        if !zeros.is_empty() {
-            witness.certificate = numbers_vanish(&mut statement, &zeros)?;
+        if !zeros.is_empty() || !wished.is_empty() {
+            let all: Vec<Term> = zeros.iter().chain(&wished).copied().collect();
+            match numbers_vanish(&mut statement, &all) {
+                Some(certificate) => witness.certificate = certificate,
+                None => {
+                    statement = self.statement.clone();
+                    if !zeros.is_empty() {
+                        witness.certificate = numbers_vanish(&mut statement, &zeros)?;
+                    }
+                }
+            }
         }
         Some(With {
             statement,
             evidence: witness,
         })
     }
+}
+
+/// Whether a value has a property but for rounding.
+fn may_hold(property: Property, value: Sized) -> bool {
+    if !value.is_finite() {
+        return false;
+    }
+    match property {
+        Property::Zero => value.may_vanish(),
+        Property::Nonzero => !value.vanishes(),
+        Property::Positive => value.value.0 > 0.0 && !value.vanishes() && value.is_real(),
+        Property::NonNegative => (value.value.0 > 0.0 || value.vanishes()) && value.is_real(),
+        Property::Integer => (value.value.0 - value.value.0.round()).abs() < 1e-9,
+    }
+}
+
+/// Whether a value that is 0 but for rounding would not have a property.
+fn barely_fails(property: Property, value: Sized) -> bool {
+    matches!(property, Property::Positive | Property::Nonzero) && value.vanishes()
 }
 
 fn ratio(a: &Polynomial, b: &Polynomial) -> Option<Rational> {
@@ -999,59 +1608,131 @@ fn preference(statement: &Statement, symbol: Symbol) -> u8 {
     }
 }
 
-/// Solves a linear equation in a function of a symbol by the inverse function.
-fn undone(
-    session: &mut Session,
-    function: Elementary,
-    of: Term,
-    coefficients: &[Polynomial],
-    others: &[Term],
-) -> Option<(Symbol, Term)> {
-    let form = session.numerator(of)?;
-    let symbols: Vec<Term> = form
-        .generators()
-        .into_iter()
-        .filter(|&term| matches!(session.node(term), Node::Symbol(_)))
-        .collect();
-    let generator = symbols.into_iter().find(|&term| {
-        let Node::Symbol(symbol) = session.node(term) else {
-            return false;
-        };
-        degree_in(&form, term) == 1
-            && !others
-                .iter()
-                .any(|&other| session.checker.statement.terms().holds(other, symbol))
-            && preference(session.checker.statement, symbol) != u8::MAX
-    })?;
-    let Node::Symbol(symbol) = session.node(generator) else {
-        return None;
-    };
-    let quotient = session
-        .checker
-        .expansion
-        .of(session.checker.statement.terms(), of)
-        .ok()?;
-    if !quotient.divisors.is_empty() {
-        return None;
+/// A quotient of polynomials as a term.
+fn ratio_term(session: &mut Session, above: &Polynomial, below: &Polynomial) -> Term {
+    if let Some(number) = below.as_constant()
+        && !number.is_zero()
+    {
+        return polynomial_term(session, &above.scaled(&(Rational::from_ratio(1, 1) / number)));
     }
-    let above = polynomial_term(session, &coefficients[0].negated());
-    let below = polynomial_term(session, &coefficients[1]);
-    let wanted = session.terms().quotient(above, below);
+    let (above, below) = (polynomial_term(session, above), polynomial_term(session, below));
+    session.terms().quotient(above, below)
+}
+
+/// A root of a quotient of polynomials, written without it where it is rational.
+fn root_term(session: &mut Session, above: &Polynomial, below: &Polynomial, index: u32) -> Term {
+    if index == 2
+        && let (Some(a), Some(b)) = (above.as_constant(), below.as_constant())
+        && !b.is_zero()
+        && let Some(root) = rational_root(&(a / b).0)
+    {
+        return session.terms().number(Rational(root));
+    }
+    if index == 2
+        && *below == Polynomial::integer(1)
+        && let Ok(Some(root)) = square_root(above, &mut Steps::new(20_000))
+    {
+        return polynomial_term(session, &root);
+    }
+    if index == 2 && session.checker.statement.is_complex() {
+        let negative = below.as_constant().is_some_and(|below| below > Rational::zero())
+            && above.terms().iter().all(|(monomial, value)| {
+                value.sign() == dashu_int::Sign::Negative && monomial.iter().all(|(_, power)| power % 2 == 0)
+            });
+        if negative && !above.is_zero() {
+            let root = root_term(session, &above.negated(), below, 2);
+            let unit = session.terms().add(Node::Imaginary);
+            return session.terms().product(vec![unit, root]);
+        }
+    }
+    let radicand = ratio_term(session, above, below);
+    match session.node(radicand) {
+        Node::Number(value) if value == Rational::from_ratio(1, 1) || value.is_zero() => radicand,
+        _ => session.terms().elementary(Elementary::Root(index), radicand),
+    }
+}
+
+/// Arguments at which a function has a value.
+fn arguments(session: &mut Session, function: Elementary, wanted: Term) -> Vec<Term> {
+    let node = session.node(wanted);
     let terms = session.terms();
-    let argument = match function {
-        Elementary::Sin => terms.elementary(Elementary::Arcsin, wanted),
-        Elementary::Cos => terms.elementary(Elementary::Arccos, wanted),
-        Elementary::Exp => terms.elementary(Elementary::Ln, wanted),
-        Elementary::Ln => terms.elementary(Elementary::Exp, wanted),
-        Elementary::Root(index) => terms.add(Node::Power(wanted, i32::try_from(index).ok()?)),
-        _ => return None,
+    let pi = terms.add(Node::Pi);
+    let turn = |terms: &mut crate::kernel::Terms, above: i64, below: i64| {
+        let factor = terms.number(Rational::from_ratio(above, below));
+        match above {
+            0 => factor,
+            _ => terms.product(vec![factor, pi]),
+        }
     };
-    let parts = coefficients_in(&form, generator);
-    let rest = polynomial_term(session, &parts[0]);
-    let slope = polynomial_term(session, &parts[1]);
-    let terms = session.terms();
-    let difference = terms.difference(argument, rest);
-    Some((symbol, terms.quotient(difference, slope)))
+    let is = |above: i64, below: i64| node == Node::Number(Rational::from_ratio(above, below));
+    match function {
+        Elementary::Sin | Elementary::Cos => {
+            if let Node::Elementary(other, of) = node
+                && other == function
+            {
+                let whole = turn(terms, 2, 1);
+                let mirrored = match function {
+                    Elementary::Sin => terms.difference(pi, of),
+                    _ => terms.negative(of),
+                };
+                return vec![terms.sum(vec![of, whole]), mirrored, of];
+            }
+            let sines = [(0, 0), (1, 6), (1, 2), (-1, 6), (-1, 2)];
+            let known = [(0, 1), (1, 2), (1, 1), (-1, 2), (-1, 1)]
+                .iter()
+                .position(|&(above, below)| is(above, below))
+                .and_then(|place| sines.get(place));
+            if let Some(&(above, below)) = known {
+                let below = if below == 0 { 1 } else { below };
+                // cos(x) = sin(pi/2 - x)
+                return match function {
+                    Elementary::Sin => vec![turn(terms, above, below), turn(terms, below - above, below)],
+                    _ => vec![
+                        turn(terms, below - 2 * above, 2 * below),
+                        turn(terms, 2 * above - below, 2 * below),
+                    ],
+                };
+            }
+            match function {
+                Elementary::Sin => {
+                    let first = terms.elementary(Elementary::Arcsin, wanted);
+                    vec![first, terms.difference(pi, first)]
+                }
+                _ => {
+                    let first = terms.elementary(Elementary::Arccos, wanted);
+                    vec![first, terms.negative(first)]
+                }
+            }
+        }
+        Elementary::Exp if is(1, 1) => vec![terms.integer(0)],
+        Elementary::Exp => vec![terms.elementary(Elementary::Ln, wanted)],
+        Elementary::Ln if is(0, 1) => vec![terms.integer(1)],
+        Elementary::Ln => vec![terms.elementary(Elementary::Exp, wanted)],
+        Elementary::Root(index) => match i32::try_from(index) {
+            Ok(index) => vec![terms.add(Node::Power(wanted, index))],
+            Err(_) => Vec::new(),
+        },
+        Elementary::Arcsin => vec![terms.elementary(Elementary::Sin, wanted)],
+        Elementary::Arccos => vec![terms.elementary(Elementary::Cos, wanted)],
+        Elementary::Arctan => {
+            let (sine, cosine) = (
+                terms.elementary(Elementary::Sin, wanted),
+                terms.elementary(Elementary::Cos, wanted),
+            );
+            vec![terms.quotient(sine, cosine)]
+        }
+    }
+}
+
+/// The value of a symbol at which a term, affine in it, has a value.
+fn solved_affine(session: &mut Session, term: Term, symbol: Symbol, wanted: Term) -> Option<Term> {
+    let difference = session.terms().difference(term, wanted);
+    let form = session.numerator(difference)?;
+    let generator = session.terms().symbol(symbol);
+    match coefficients_in(&form, generator).as_slice() {
+        [rest, lead] => Some(ratio_term(session, &rest.negated(), lead)),
+        _ => None,
+    }
 }
 
 /// A certificate that these numbers, which are no rationals, are 0.

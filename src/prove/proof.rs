@@ -1,8 +1,12 @@
 //! The search for a proof: everything known is written over few generators, and the claim is reduced by it.
 
 use super::angles;
+use super::inverse;
+use super::logarithms;
+use super::roots;
 use super::session::Session;
 use super::values;
+use crate::algebra::factors;
 use crate::kernel::{
     Axiom, Certificate, Elementary, Inference, Node, Polynomial, Property, Quantity, Statement, Term, With,
 };
@@ -84,7 +88,10 @@ fn prove_goals(session: &mut Session) -> Option<()> {
         if session.checker.knows(property, term).ok()? {
             continue;
         }
-        let polynomial = session.numerator(term)?;
+        let polynomial = match property {
+            Property::Positive | Property::NonNegative => session.signed_numerator(term)?,
+            _ => session.numerator(term)?,
+        };
         show(session, property, &polynomial)?;
         if !session.checker.knows(property, term).ok()? {
             return None;
@@ -93,17 +100,135 @@ fn prove_goals(session: &mut Session) -> Option<()> {
     Some(())
 }
 
+/// How deep cases are within cases.
+const DEEPEST_CASES: usize = 3;
+
 fn show(session: &mut Session, property: Property, polynomial: &Polynomial) -> Option<()> {
-    match property {
-        Property::Zero => {
-            session.show_zero(polynomial)?;
-        }
-        Property::Nonzero => {
-            session.show_nonzero(polynomial)?;
-        }
-        Property::Positive | Property::NonNegative | Property::Integer => return None,
+    attempt(session, property, polynomial).or_else(|| settle(session, property, polynomial, DEEPEST_CASES))
+}
+
+/// By what is known now.
+fn attempt(session: &mut Session, property: Property, polynomial: &Polynomial) -> Option<()> {
+    let known =
+        |session: &Session| session.checker.is_absurd() || session.checker.knows_polynomial(property, polynomial);
+    if known(session) {
+        return Some(());
     }
-    Some(())
+    match property {
+        Property::Zero => session.show_zero(polynomial)?,
+        Property::Nonzero => match session.show_nonzero(polynomial) {
+            Some(fact) => fact,
+            None => session.nonzero_fact(polynomial)?.0,
+        },
+        Property::Positive => session.show_sign(polynomial, true)?,
+        Property::NonNegative => session.show_sign(polynomial, false)?,
+        Property::Integer => return None,
+    };
+    known(session).then_some(())
+}
+
+/// By what is known of roots, logarithms, inverse functions and signs, then by cases.
+fn settle(session: &mut Session, property: Property, polynomial: &Polynomial, depth: usize) -> Option<()> {
+    for _ in 0..PASSES {
+        let count = session.checker.facts.len();
+        deduce(session, polynomial);
+        if attempt(session, property, polynomial).is_some() {
+            return Some(());
+        }
+        if property == Property::Zero && inverse::show_angle(session, polynomial).is_some() {
+            return Some(());
+        }
+        if session.show_absurd() {
+            return Some(());
+        }
+        if session.checker.facts.len() == count {
+            break;
+        }
+    }
+    if depth == 0 {
+        return None;
+    }
+    let most = if depth == DEEPEST_CASES { 2 } else { 1 };
+    for (on, order) in splits(session, polynomial).into_iter().take(most) {
+        let found = session.by_cases(&on, order, property, polynomial, &mut |session| {
+            session.triangulate_all();
+            attempt(session, property, polynomial).or_else(|| settle(session, property, polynomial, depth - 1))
+        });
+        if found.is_some() {
+            return Some(());
+        }
+    }
+    None
+}
+
+/// Every generator of the facts and of a polynomial, and what is inside.
+fn met(session: &Session, polynomial: &Polynomial) -> BTreeSet<Term> {
+    let mut met: BTreeSet<Term> = BTreeSet::new();
+    for generator in session.generators(std::slice::from_ref(polynomial)) {
+        met.extend(session.checker.statement.terms().inside(generator));
+    }
+    met
+}
+
+fn deduce(session: &mut Session, polynomial: &Polynomial) {
+    session.divide_out();
+    session.vanishing_summands();
+    session.squeeze();
+    session.triangulate_all();
+    inverse::describe(session, &met(session, polynomial));
+    roots::simplify(session, &met(session, polynomial));
+    logarithms::simplify(session, &met(session, polynomial));
+    let met = met(session, polynomial);
+    single_functions(session, &met);
+    session.triangulate_all();
+    angles::expand(session, &met);
+    session.triangulate_all();
+}
+
+/// What cases may be told apart by: the sign of the base of a root of a square, a factor of what vanishes.
+fn splits(session: &mut Session, polynomial: &Polynomial) -> Vec<(Polynomial, bool)> {
+    let mut found: Vec<(Polynomial, bool)> = Vec::new();
+    for term in met(session, polynomial) {
+        if let Node::Elementary(Elementary::Root(index), of) = session.node(term)
+            && index % 2 == 0
+            && !session.is_determined(term)
+            && !session.checker.statement.is_complex()
+        {
+            for form in roots::forms(session, of) {
+                for (factor, exponent) in form {
+                    if exponent % 2 == 0
+                        && factor.as_constant().is_none()
+                        && session.show_sign(&factor, false).is_none()
+                        && session.show_sign(&factor.negated(), false).is_none()
+                        && !found.contains(&(factor.clone(), true))
+                    {
+                        found.push((factor, true));
+                    }
+                }
+            }
+        }
+    }
+    for fact in session.zeros() {
+        let Some(fact) = session.reduced_fact(fact) else {
+            continue;
+        };
+        let vanishing = session.polynomial(fact);
+        if vanishing.as_constant().is_some() || vanishing.terms().len() > 60 {
+            continue;
+        }
+        let most = session.budget.left() / 20;
+        let Some(parts) = session.budget.attempt(most, |steps| factors(&vanishing, &[], steps)) else {
+            continue;
+        };
+        if parts.factors.len() > 1 {
+            for (factor, _) in parts.factors {
+                if !found.contains(&(factor.clone(), false)) {
+                    found.push((factor, false));
+                }
+            }
+        }
+    }
+    found
 }
 
 /// Brings in all that is given, and what is known of the functions that occur.

@@ -1,16 +1,20 @@
 //! A proof in the making: the steps so far, and the facts that the kernel makes of them.
 
-use crate::algebra::{Order, Steps, coefficients_in, degree_in, exact_quotient, pseudo_divide, radical_member};
+use crate::algebra::{
+    Order, QuotientAlgebra, Steps, coefficients_in, degree_in, exact_quotient, pseudo_divide, radical_member,
+};
 use crate::kernel::{
-    Axiom, Certificate, Checker, Inference, Node, Polynomial, Property, Quantity, Refusal, Statement, Summand, Term,
-    Terms, sign,
+    Axiom, Certificate, Checker, Elementary, Inference, Node, Polynomial, Property, Quantity, Refusal, Statement,
+    Summand, Term, Terms, sign,
 };
 use crate::number::{Field, Rational};
 use num_traits::{One, Zero};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// A proof in the making.
 pub struct Session<'a> {
+    /// The laws found so far.
+    pub laws: super::values::Laws,
     pub checker: Checker<'a>,
     pub steps: Vec<Inference>,
     pub budget: Steps,
@@ -20,6 +24,39 @@ pub struct Session<'a> {
     taken: BTreeSet<String>,
     tried: BTreeSet<usize>,
     left_over: Vec<usize>,
+    /// Facts that follow from others by the triangle alone, and bring nothing new.
+    derived: BTreeSet<usize>,
+    /// The copy of a fact that is reduced by the triangle in its present state, if there is one.
+    reduced: HashMap<usize, (usize, Option<usize>)>,
+    /// Counts the changes of the triangle.
+    version: usize,
+    /// Facts that were divided by their factors, or taken apart into summands that vanish.
+    pub divided: BTreeSet<usize>,
+    pub summed: BTreeSet<usize>,
+    /// Facts whose exponentials were compared; functions of arguments of which signs and ranges were looked for.
+    pub compared: BTreeSet<usize>,
+    pub described: BTreeSet<(Elementary, Term)>,
+    /// Signs that were not found, in the state of what was known.
+    hopeless: BTreeSet<String>,
+}
+
+/// What a session knows besides the facts, to be returned to after a case.
+struct Snapshot {
+    laws: super::values::Laws,
+    mark: (usize, usize, bool),
+    triangle: Vec<Pivot>,
+    taken: BTreeSet<String>,
+    tried: BTreeSet<usize>,
+    left_over: Vec<usize>,
+    derived: BTreeSet<usize>,
+    reduced: HashMap<usize, (usize, Option<usize>)>,
+    version: usize,
+    divided: BTreeSet<usize>,
+    summed: BTreeSet<usize>,
+    hopeless: BTreeSet<String>,
+    compared: BTreeSet<usize>,
+    described: BTreeSet<(Elementary, Term)>,
+    steps: Vec<Inference>,
 }
 
 /// A fact that determines a generator, or a power of it, by those before it.
@@ -33,10 +70,10 @@ pub struct Pivot {
 }
 
 /// A proof that a polynomial vanishes, from the last step to the first: `factors * before = quotients + after`.
-struct Link {
-    before: Polynomial,
-    factors: Vec<(usize, u32)>,
-    terms: Vec<(Polynomial, usize)>,
+pub struct Link {
+    pub before: Polynomial,
+    pub factors: Vec<(usize, u32)>,
+    pub terms: Vec<(Polynomial, usize)>,
     after: Polynomial,
 }
 
@@ -48,13 +85,105 @@ impl<'a> Session<'a> {
         };
         Self {
             checker: Checker::new(statement, &certificate, 200_000_000),
+            laws: super::values::Laws::default(),
             steps: Vec::new(),
             budget: Steps::new(budget),
             triangle: Vec::new(),
             taken: BTreeSet::new(),
             tried: BTreeSet::new(),
             left_over: Vec::new(),
+            derived: BTreeSet::new(),
+            reduced: HashMap::new(),
+            version: 0,
+            divided: BTreeSet::new(),
+            summed: BTreeSet::new(),
+            hopeless: BTreeSet::new(),
+            compared: BTreeSet::new(),
+            described: BTreeSet::new(),
         }
+    }
+
+    /// Shows a property of a polynomial in each case of the sign of another (`order`), or of whether it is 0. `prove`
+    /// is called in every case and need not do anything where the case contradicts what is known.
+    pub fn by_cases(
+        &mut self,
+        on: &Polynomial,
+        order: bool,
+        property: Property,
+        target: &Polynomial,
+        prove: &mut dyn FnMut(&mut Self) -> Option<()>,
+    ) -> Option<usize> {
+        let cases = match order {
+            true => vec![
+                (Property::Positive, on.clone()),
+                (Property::Zero, on.clone()),
+                (Property::Positive, on.negated()),
+            ],
+            false => vec![(Property::Zero, on.clone()), (Property::Nonzero, on.clone())],
+        };
+        let mut branches = Vec::new();
+        for (case, polynomial) in cases {
+            let before = self.snapshot();
+            self.checker.suppose(case, polynomial);
+            let known =
+                |session: &Self| session.checker.is_absurd() || session.checker.knows_polynomial(property, target);
+            let shown = known(self) || {
+                let _ = prove(self);
+                known(self)
+            };
+            let steps = self.restore(before);
+            if !shown {
+                return None;
+            }
+            branches.push(steps);
+        }
+        self.step(Inference::Cases {
+            on: on.clone(),
+            order,
+            property,
+            target: target.clone(),
+            branches,
+        })
+        .ok()
+    }
+
+    fn snapshot(&mut self) -> Snapshot {
+        Snapshot {
+            laws: self.laws.clone(),
+            mark: self.checker.mark(),
+            triangle: self.triangle.clone(),
+            taken: self.taken.clone(),
+            tried: self.tried.clone(),
+            left_over: self.left_over.clone(),
+            derived: self.derived.clone(),
+            reduced: self.reduced.clone(),
+            version: self.version,
+            divided: self.divided.clone(),
+            summed: self.summed.clone(),
+            hopeless: self.hopeless.clone(),
+            compared: self.compared.clone(),
+            described: self.described.clone(),
+            steps: std::mem::take(&mut self.steps),
+        }
+    }
+
+    /// Forgets what was found since a snapshot; gives the steps that were taken.
+    fn restore(&mut self, before: Snapshot) -> Vec<Inference> {
+        self.checker.back_to(before.mark);
+        self.laws = before.laws;
+        self.triangle = before.triangle;
+        self.taken = before.taken;
+        self.tried = before.tried;
+        self.left_over = before.left_over;
+        self.derived = before.derived;
+        self.reduced = before.reduced;
+        self.version = before.version;
+        self.divided = before.divided;
+        self.summed = before.summed;
+        self.hopeless = before.hopeless;
+        self.compared = before.compared;
+        self.described = before.described;
+        std::mem::replace(&mut self.steps, before.steps)
     }
 
     pub fn terms(&mut self) -> &mut Terms {
@@ -70,10 +199,14 @@ impl<'a> Session<'a> {
 
     /// Adds an axiom once; nothing where the kernel does not accept it.
     pub fn axiom(&mut self, axiom: Axiom) -> Option<usize> {
-        if !self.taken.insert(format!("{axiom:?}")) {
+        let name = format!("{axiom:?}");
+        if self.taken.contains(&name) {
             return None;
         }
-        self.step(Inference::Axiom(axiom)).ok()
+        // what is not known now may be known later
+        let found = self.step(Inference::Axiom(axiom)).ok()?;
+        self.taken.insert(name);
+        Some(found)
     }
 
     pub fn polynomial(&self, fact: usize) -> Polynomial {
@@ -88,7 +221,8 @@ impl<'a> Session<'a> {
     pub fn zeros(&self) -> Vec<usize> {
         let facts = self.checker.facts.iter().enumerate();
         let zeros = facts.filter(|(_, fact)| fact.property == Property::Zero && !fact.polynomial.is_zero());
-        zeros.map(|(number, _)| number).collect()
+        let new = zeros.filter(|(number, _)| !self.derived.contains(number));
+        new.map(|(number, _)| number).collect()
     }
 
     /// The facts that say that something is not 0.
@@ -114,6 +248,9 @@ impl<'a> Session<'a> {
                 break;
             }
             let fact = self.polynomial(number);
+            if fact.terms().is_empty() || fact.generators().iter().any(|&inner| degree_in(&rest, inner) == 0) {
+                continue;
+            }
             let mut power = 0;
             while rest.as_constant().is_none()
                 && let Ok(Some(quotient)) = exact_quotient(&rest, &fact, &mut self.budget)
@@ -161,10 +298,14 @@ impl<'a> Session<'a> {
         if polynomial.as_constant().is_some() {
             return None;
         }
-        let mains: BTreeSet<Term> = self.triangle.iter().map(|pivot| pivot.generator).collect();
+        let mains: BTreeMap<Term, u32> = self
+            .triangle
+            .iter()
+            .map(|pivot| (pivot.generator, pivot.degree))
+            .collect();
         let mut best: Option<((u32, bool, (u8, i32), usize), Pivot)> = None;
         for generator in polynomial.generators() {
-            if mains.contains(&generator) || !may(self.checker.statement.terms(), generator) {
+            if !may(self.checker.statement.terms(), generator) {
                 continue;
             }
             let coefficients = coefficients_in(&polynomial, generator);
@@ -172,14 +313,31 @@ impl<'a> Session<'a> {
             let Some(lead) = coefficients.last().cloned() else {
                 continue;
             };
+            // a smaller power takes the place of a larger one
+            if mains
+                .get(&generator)
+                .is_some_and(|&known| known <= degree || lead.as_constant().is_none())
+            {
+                continue;
+            }
             // a power is reduced by a number only, or every reduction would need the coefficient
             if degree > 1 && lead.as_constant().is_none() {
                 continue;
             }
+            // a root is determined by its power, rather than a symbol with a coefficient by the root
+            let is_root = lead.as_constant().is_some()
+                && degree > 1
+                && matches!(self.node(generator), Node::Elementary(Elementary::Root(index), _) if index == degree);
             let rank = (
-                degree,
+                if is_root { 1 } else { degree },
                 lead.as_constant().is_none(),
-                self.late(generator),
+                if is_root {
+                    (10, 0)
+                } else if self.is_inside_another(generator, &polynomial) {
+                    (12, 0)
+                } else {
+                    self.late(generator)
+                },
                 lead.terms().len(),
             );
             if best.as_ref().is_some_and(|(known, _)| *known <= rank) {
@@ -199,7 +357,23 @@ impl<'a> Session<'a> {
             ));
         }
         let (_, pivot) = best?;
+        let replaced = self
+            .triangle
+            .iter()
+            .position(|known| known.generator == pivot.generator);
+        if let Some(place) = replaced {
+            self.left_over.push(self.triangle.remove(place).fact);
+        }
+        // powers that the new one determines a part of are taken in again, so that none reduces another in a circle
+        let generator = pivot.generator;
+        for place in (0..self.triangle.len()).rev() {
+            let known = &self.triangle[place];
+            if known.degree > 1 && degree_in(&self.polynomial(known.fact), generator) >= pivot.degree {
+                self.left_over.push(self.triangle.remove(place).fact);
+            }
+        }
         self.triangle.push(pivot);
+        self.version += 1;
         Some(())
     }
 
@@ -221,16 +395,18 @@ impl<'a> Session<'a> {
             for number in facts..self.checker.facts.len() {
                 self.tried.insert(number);
             }
-            if open.is_empty() || open.len() == count {
+            let replaced = std::mem::take(&mut self.left_over);
+            if replaced.is_empty() && (open.is_empty() || open.len() == count) {
                 break;
             }
+            open.extend(replaced);
         }
-        self.left_over = open;
+        self.left_over.extend(open);
     }
 
     /// Shows that a polynomial is not 0: as a product of what is known not to be.
     pub fn show_nonzero(&mut self, polynomial: &Polynomial) -> Option<usize> {
-        let (rest, links) = self.reduce(polynomial)?;
+        let (rest, links) = self.reduce(polynomial, false)?;
         let (scale, factors) = self.nonzero_product(&rest)?;
         let mut last = self
             .step(Inference::Nonzero {
@@ -260,6 +436,14 @@ impl<'a> Session<'a> {
         Some(last)
     }
 
+    /// Whether a function is part of what another generator is a function of.
+    fn is_inside_another(&self, generator: Term, polynomial: &Polynomial) -> bool {
+        let terms = self.checker.statement.terms();
+        let is_function = matches!(terms.node(generator), Node::Elementary(..));
+        let holds = |other: &Term| *other != generator && terms.inside(*other).contains(&generator);
+        is_function && polynomial.generators().iter().any(holds)
+    }
+
     /// How early a generator is expressed by others: definitions first, then what maps and premises determine, then
     /// values of functions, and parameters last.
     fn late(&self, generator: Term) -> (u8, i32) {
@@ -282,6 +466,21 @@ impl<'a> Session<'a> {
 
     /// A fact reduced by the triangle, as a new fact of the same property.
     pub fn reduced_fact(&mut self, fact: usize) -> Option<usize> {
+        let known = self.reduced.get(&fact).copied();
+        if let Some((version, copy)) = known
+            && version == self.version
+        {
+            return copy;
+        }
+        let copy = self.reduce_fact(fact);
+        self.reduced.insert(fact, (self.version, copy));
+        if let Some(copy) = copy {
+            self.reduced.insert(copy, (self.version, Some(copy)));
+        }
+        copy
+    }
+
+    fn reduce_fact(&mut self, fact: usize) -> Option<usize> {
         let property = self.checker.facts.get(fact)?.property;
         let mut current = fact;
         for _ in 0..50 {
@@ -336,6 +535,7 @@ impl<'a> Session<'a> {
                     Property::Integer => return Some(current),
                 };
                 current = self.step(step).ok()?;
+                self.derived.insert(current);
                 changed = true;
             }
             if !changed {
@@ -345,13 +545,61 @@ impl<'a> Session<'a> {
         Some(current)
     }
 
+    /// Whether a fact follows from others by the triangle alone.
+    pub fn is_derived(&self, fact: usize) -> bool {
+        self.derived.contains(&fact)
+    }
+
+    /// Says that a fact brings nothing new.
+    pub fn mark_derived(&mut self, fact: usize) {
+        self.derived.insert(fact);
+    }
+
+    /// Whether a sign was not tried yet in the present state.
+    pub fn is_hopeful(&mut self, polynomial: &Polynomial, strict: bool) -> bool {
+        let signs = |property: Property| matches!(property, Property::Positive | Property::NonNegative);
+        let facts = self.checker.facts.iter().enumerate();
+        let count = facts
+            .filter(|(number, fact)| signs(fact.property) && !self.derived.contains(number))
+            .count();
+        self.hopeless
+            .insert(format!("{polynomial:?} {strict} {count} {}", self.version))
+    }
+
+    /// Reduces a polynomial by the pivots with a number as leading coefficient, so that its value stays the same.
+    pub fn exact_reduction(&mut self, polynomial: &Polynomial) -> Option<(Polynomial, Vec<Link>)> {
+        self.reduce(polynomial, true)
+    }
+
+    /// A polynomial as a quotient that is reduced by the triangle.
+    pub fn reduced_quotient(&mut self, polynomial: &Polynomial) -> Option<(Polynomial, Polynomial)> {
+        let (rest, links) = self.reduce(polynomial, false)?;
+        let mut below = Polynomial::integer(1);
+        for (number, power) in links.iter().flat_map(|link| link.factors.clone()) {
+            for _ in 0..power {
+                below = below.times_within(&self.polynomial(number), 2000)?;
+            }
+        }
+        Some((rest, below))
+    }
+
+    /// The facts that vanish: those that are no copies, and the powers of the triangle.
+    pub fn vanishing(&self) -> Vec<usize> {
+        let mut numbers = self.zeros();
+        let powers = self.triangle.iter().filter(|pivot| pivot.degree > 1);
+        numbers.extend(powers.map(|pivot| pivot.fact));
+        numbers.sort_unstable();
+        numbers.dedup();
+        numbers
+    }
+
     /// Reduces a polynomial by the triangle: what is left, and the links that lead back to it.
-    fn reduce(&mut self, polynomial: &Polynomial) -> Option<(Polynomial, Vec<Link>)> {
+    fn reduce(&mut self, polynomial: &Polynomial, exact: bool) -> Option<(Polynomial, Vec<Link>)> {
         let (mut current, mut links) = (polynomial.clone(), Vec::new());
         for _ in 0..50 {
             let mut changed = false;
             for pivot in self.triangle.clone() {
-                if degree_in(&current, pivot.generator) < pivot.degree {
+                if degree_in(&current, pivot.generator) < pivot.degree || (exact && !pivot.lead.is_empty()) {
                     continue;
                 }
                 let divisor = self.polynomial(pivot.fact);
@@ -378,7 +626,7 @@ impl<'a> Session<'a> {
 
     /// What a polynomial is modulo the triangle.
     pub fn normal_form(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
-        self.reduce(polynomial).map(|(rest, _)| rest)
+        self.reduce(polynomial, false).map(|(rest, _)| rest)
     }
 
     /// Shows that a polynomial vanishes: by the triangle, then by an ideal of what is left.
@@ -386,7 +634,7 @@ impl<'a> Session<'a> {
         if polynomial.is_zero() {
             return self.zero_step(Polynomial::default(), Vec::new(), Vec::new());
         }
-        let (rest, links) = self.reduce(polynomial)?;
+        let (rest, links) = self.reduce(polynomial, false)?;
         let mut last = match rest.is_zero() {
             true => self.zero_step(rest, Vec::new(), Vec::new())?,
             false => self.show_rest(&rest)?,
@@ -397,6 +645,7 @@ impl<'a> Session<'a> {
                 terms.push((Polynomial::integer(1), last));
             }
             last = self.zero_step(link.before, link.factors, terms)?;
+            self.derived.insert(last);
         }
         Some(last)
     }
@@ -425,6 +674,16 @@ impl<'a> Session<'a> {
             })
         {
             return Some(known);
+        }
+        if rest
+            .generators()
+            .iter()
+            .all(|&g| self.checker.statement.terms().is_closed(g))
+        {
+            return self.show_closed(rest);
+        }
+        if let Some(found) = self.show_coefficients(rest) {
+            return Some(found);
         }
         let (zeros, nonzeros) = self.relevant(rest);
         if zeros.is_empty() {
@@ -459,6 +718,94 @@ impl<'a> Session<'a> {
         self.step(step).ok()
     }
 
+    /// Shows that an algebraic number is 0: its minimal polynomial modulo the relations of the triangle is a power of
+    /// the unknown times a factor that is not 0 by an enclosure. Complete, within the steps and digits, for numbers
+    /// whose generators the triangle determines.
+    fn show_closed(&mut self, number: &Polynomial) -> Option<usize> {
+        if sign(self.checker.statement.terms(), number).is_some() {
+            return None;
+        }
+        let mut wanted: BTreeSet<Term> = number.generators().into_iter().collect();
+        let (mut relations, mut facts): (Vec<(Term, Polynomial)>, Vec<usize>) = (Vec::new(), Vec::new());
+        while let Some(pivot) = self
+            .triangle
+            .iter()
+            .find(|pivot| wanted.contains(&pivot.generator) && !facts.contains(&pivot.fact))
+        {
+            let polynomial = self.polynomial(pivot.fact);
+            wanted.extend(polynomial.generators());
+            relations.push((pivot.generator, polynomial));
+            facts.push(pivot.fact);
+        }
+        let algebra = QuotientAlgebra::new(&relations)?;
+        let most = self.budget.left() / 2;
+        let (power, other, product) = self.budget.attempt(most, |steps| {
+            let Some(minimal) = algebra.minimal_polynomial(number, steps)? else {
+                return Ok(None);
+            };
+            let power = minimal.multiplicity_of_zero();
+            let mut other = Polynomial::default();
+            for coefficient in minimal.coefficients.iter().skip(power).rev() {
+                let product = crate::algebra::times(&other, number, steps)?;
+                other = algebra.normal_form(&product, steps)?.0;
+                other = other.plus(&Polynomial::constant(coefficient));
+            }
+            let raised = crate::algebra::power(number, u32::try_from(power).unwrap_or(u32::MAX), steps)?;
+            Ok(Some((
+                power,
+                other.clone(),
+                crate::algebra::times(&raised, &other, steps)?,
+            )))
+        })??;
+        if power == 0 {
+            return None;
+        }
+        let (factors, scale) = match other.as_constant() {
+            Some(value) => (Vec::new(), Rational::one() / value),
+            None => {
+                let (fact, sign) = self.closed_nonzero(&other)?;
+                (vec![(fact, 1)], Rational::from_integer(sign))
+            }
+        };
+        let product = product.scaled(&scale);
+        let (_, cofactors) = self
+            .budget
+            .attempt(most, |steps| algebra.normal_form(&product, steps))?;
+        let terms = cofactors.into_iter().zip(facts);
+        let step = Inference::Zero {
+            target: number.clone(),
+            power: u32::try_from(power).ok()?,
+            squares: Vec::new(),
+            factors,
+            terms: terms.filter(|(cofactor, _)| !cofactor.is_zero()).collect(),
+        };
+        self.step(step).ok()
+    }
+
+    /// Shows that a combination of open monomials vanishes as its coefficients, numbers, do.
+    fn show_coefficients(&mut self, rest: &Polynomial) -> Option<usize> {
+        let mut coefficients: BTreeMap<crate::kernel::Monomial, Vec<(crate::kernel::Monomial, dashu_ratio::RBig)>> =
+            BTreeMap::new();
+        let mut some_closed = false;
+        for (monomial, value) in rest.terms() {
+            let terms = self.checker.statement.terms();
+            let (closed, open): (Vec<_>, Vec<_>) = monomial.iter().partition(|(term, _)| terms.is_closed(*term));
+            some_closed |= !closed.is_empty();
+            let entry = coefficients.entry(open.into_iter().collect()).or_default();
+            entry.push((closed.into_iter().collect(), value.clone()));
+        }
+        if !some_closed {
+            return None;
+        }
+        let mut terms = Vec::new();
+        for (monomial, parts) in coefficients {
+            let coefficient = Polynomial::from_terms(parts);
+            let fact = self.show_closed(&coefficient)?;
+            terms.push((Polynomial::from_terms([(monomial, dashu_ratio::RBig::ONE)]), fact));
+        }
+        self.zero_step(rest.clone(), Vec::new(), terms)
+    }
+
     /// The facts that share generators with a polynomial, directly or through others: reduced ones only.
     pub fn relevant(&mut self, polynomial: &Polynomial) -> (Vec<usize>, Vec<usize>) {
         let reduced = |of: Vec<usize>, session: &mut Self| -> Vec<usize> {
@@ -487,7 +834,8 @@ impl<'a> Session<'a> {
             .filter(|p| p.degree > 1)
             .map(|pivot| pivot.fact)
             .collect();
-        let zeros: Vec<usize> = self.zeros().into_iter().filter(|fact| !pivots.contains(fact)).collect();
+        let zeros = self.zeros().into_iter().filter(|fact| !pivots.contains(fact));
+        let zeros: Vec<usize> = zeros.collect();
         let mut zeros = reduced(zeros, self);
         zeros.extend(
             powers
@@ -496,7 +844,8 @@ impl<'a> Session<'a> {
                 .copied()
                 .collect::<Vec<_>>(),
         );
-        let nonzeros = self.nonzeros();
+        let mut nonzeros = self.nonzeros();
+        nonzeros.retain(|fact| !self.derived.contains(fact));
         let nonzeros = reduced(nonzeros, self);
         let mut met: BTreeSet<Term> = polynomial.generators().into_iter().collect();
         loop {

@@ -14,8 +14,18 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The most whole periods between two times that are tried.
 const MOST_PERIODS: i64 = 8;
 
-/// Passes over laws that follow from laws: a motion has two integrals, its forcing two more.
-const MOST_INTEGRALS: usize = 5;
+/// How often a law is integrated, and differentiated: a motion has two integrals, its forcing two more.
+const MOST_INTEGRALS: u8 = 4;
+const MOST_DERIVATIVES: u8 = 3;
+
+/// The laws found so far, and which of them were differentiated and integrated.
+#[derive(Clone, Default)]
+pub struct Laws {
+    all: Vec<Usable>,
+    differentiated: BTreeSet<usize>,
+    integrated: BTreeSet<usize>,
+    taken: BTreeSet<(i32, usize)>,
+}
 
 /// A law that can be taken at a time.
 #[derive(Clone)]
@@ -24,6 +34,9 @@ pub struct Usable {
     time: Symbol,
     term: Term,
     flight: Option<i32>,
+    /// How many times it was differentiated, and integrated, to be what it is.
+    derivatives: u8,
+    integrals: u8,
 }
 
 impl Usable {
@@ -57,11 +70,10 @@ pub fn values_of(statement: &Statement, term: Term) -> Vec<(Function, u32, Term)
 /// Adds instances of the laws at the times that the facts and the goals speak of. Gives the laws.
 pub fn instantiate(session: &mut Session, goals: &[Polynomial]) -> Vec<Usable> {
     sequences(session, goals);
-    let mut laws = given_laws(session, goals);
-    integrate(session, &mut laws, goals);
-    for law in derivatives(session, &laws, goals) {
-        laws.push(law);
-    }
+    given_laws(session, goals);
+    integrate(session, goals);
+    derivatives(session, goals);
+    let laws = session.laws.all.clone();
     // a law that names a function brings the functions in its own formula along
     for _ in 0..3 {
         let count = session.checker.facts.len();
@@ -136,13 +148,12 @@ fn sequences(session: &mut Session, goals: &[Polynomial]) {
     }
 }
 
-fn given_laws(session: &mut Session, goals: &[Polynomial]) -> Vec<Usable> {
+fn given_laws(session: &mut Session, goals: &[Polynomial]) {
     let spoken = impacts(session, goals);
     let flights: Vec<i32> = match (spoken.first(), spoken.last()) {
-        (Some(&first), Some(&last)) => (first..=last.max(first)).collect(),
+        (Some(&first), Some(&last)) => (first..last.max(first + 1)).collect(),
         _ => vec![0],
     };
-    let mut laws = Vec::new();
     for given in 0..session.checker.statement.givens().len() {
         let entry = session.checker.statement.givens()[given].clone();
         let Some(law) = entry.law.filter(|_| entry.property == Property::Zero) else {
@@ -155,17 +166,21 @@ fn given_laws(session: &mut Session, goals: &[Polynomial]) -> Vec<Usable> {
             _ => vec![0],
         };
         for shift in shifts {
+            if !session.laws.taken.insert((shift, given)) {
+                continue;
+            }
             let written = session.checker.statement.written_out(entry.term);
             let term = session.checker.statement.moved(written, None, shift);
-            laws.push(Usable {
+            session.laws.all.push(Usable {
                 source: LawSource::Given { given, shift },
                 time,
                 term,
                 flight: law.flight.map(|flight| flight + shift),
+                derivatives: 0,
+                integrals: 0,
             });
         }
     }
-    laws
 }
 
 /// The law as a polynomial, its numerator.
@@ -240,6 +255,32 @@ fn instance(session: &mut Session, law: &Usable, at: Term) -> Option<usize> {
         let _ = known;
         return None;
     }
+    if let Ok(found) = session.step(step.clone()) {
+        return Some(found);
+    }
+    // what an instance needs may follow from what is known
+    let LawSource::Given { given, shift } = law.source else {
+        return None;
+    };
+    let (.., conditions) = session.checker.statement.instance(given, Some(at), shift, None)?;
+    for (property, of) in conditions {
+        if session.checker.knows(property, of).ok()? {
+            continue;
+        }
+        match property {
+            Property::Positive | Property::NonNegative => {
+                let signed = session.signed_numerator(of)?;
+                session.show_sign(&signed, property == Property::Positive)?;
+            }
+            Property::Nonzero => {
+                let numerator = session.numerator(of)?;
+                if session.show_nonzero(&numerator).is_none() {
+                    session.nonzero_fact(&numerator)?;
+                }
+            }
+            Property::Zero | Property::Integer => return None,
+        }
+    }
     session.step(step).ok()
 }
 
@@ -283,52 +324,46 @@ fn solved(session: &mut Session, inner: Term, time: Symbol, at: Term) -> Option<
 }
 
 /// Laws for the derivatives of functions that a law says something of, where these are spoken of.
-fn derivatives(session: &mut Session, laws: &[Usable], goals: &[Polynomial]) -> Vec<Usable> {
+fn derivatives(session: &mut Session, goals: &[Polynomial]) {
     let known = values(session, goals);
-    let mut derived: Vec<Usable> = Vec::new();
-    for law in laws {
-        let mut current = law.clone();
-        for _ in 0..3 {
-            let own = values_in(session, current.term, current.time);
-            let next: BTreeSet<(Function, u32)> = own
-                .iter()
-                .map(
-                    |&(function, order, at)| match session.checker.statement.value(function, order + 1, at) {
-                        value => match session.node(value) {
-                            Node::Value(function, order, _) => (function, order),
-                            _ => (function, order + 1),
-                        },
-                    },
-                )
-                .collect();
-            let wanted = known.iter().any(|(f, n, _)| {
-                next.contains(&(*f, *n)) || next.iter().any(|(g, m)| g == f && m < n) || reaches(session, &next, *f)
-            });
-            if !wanted || own.is_empty() {
-                break;
+    let mut number = 0;
+    // a law and those derived from it, each once
+    while let Some(law) = session.laws.all.get(number).cloned() {
+        let own = values_in(session, law.term, law.time);
+        let mut next: BTreeSet<(Function, u32)> = BTreeSet::new();
+        for (function, order, at) in own {
+            let value = session.checker.statement.value(function, order + 1, at);
+            if let Node::Value(function, order, _) = session.node(value) {
+                next.insert((function, order));
             }
-            if session.step_law(Inference::Derivative(current.source)).is_none() {
-                break;
-            }
-            let number = session.checker.laws() - 1;
-            let term = session.checker.statement.derivative(current.term, current.time);
-            current = Usable {
-                source: LawSource::Derived(number),
-                time: current.time,
-                term,
-                flight: current.flight,
-            };
-            derived.push(current.clone());
         }
+        let wanted = known
+            .iter()
+            .any(|(f, n, _)| next.iter().any(|(g, m)| g == f && m <= n) || reaches(session, &next, *f));
+        if wanted
+            && law.derivatives < MOST_DERIVATIVES
+            && session.laws.differentiated.insert(number)
+            && session.step_law(Inference::Derivative(law.source)).is_some()
+        {
+            let source = LawSource::Derived(session.checker.laws() - 1);
+            let term = session.checker.statement.derivative(law.term, law.time);
+            session.laws.all.push(Usable {
+                source,
+                term,
+                derivatives: law.derivatives + 1,
+                ..law
+            });
+        }
+        number += 1;
     }
-    derived
 }
 
 /// Whether one of the functions has the other as a derivative.
 fn reaches(session: &Session, from: &BTreeSet<(Function, u32)>, to: Function) -> bool {
     from.iter().any(|(function, _)| {
-        let mut current = Some(*function);
-        while let Some(f) = current {
+        // a function may be a derivative of its own
+        let (mut current, mut seen) = (Some(*function), BTreeSet::new());
+        while let Some(f) = current.filter(|f| seen.insert(*f)) {
             if f == to {
                 return true;
             }
@@ -440,21 +475,18 @@ fn chains(
 }
 
 /// Integrates laws that give a function, as far as its declared antiderivatives, or the motion of a flight, are spoken of.
-fn integrate(session: &mut Session, laws: &mut Vec<Usable>, goals: &[Polynomial]) {
-    for _ in 0..MOST_INTEGRALS {
-        let mut more: Vec<Usable> = Vec::new();
-        for law in laws.iter() {
-            if let Some(integral) = integral(session, law, goals) {
-                let known = |other: &Usable| other.term == integral.term && other.flight == integral.flight;
-                if !laws.iter().chain(&more).any(known) {
-                    more.push(integral);
-                }
-            }
+fn integrate(session: &mut Session, goals: &[Polynomial]) {
+    let mut number = 0;
+    while let Some(law) = session.laws.all.get(number).cloned() {
+        if law.derivatives == 0
+            && law.integrals < MOST_INTEGRALS
+            && !session.laws.integrated.contains(&number)
+            && let Some(integral) = integral(session, &law, goals)
+        {
+            session.laws.integrated.insert(number);
+            session.laws.all.push(integral);
         }
-        if more.is_empty() {
-            break;
-        }
-        laws.extend(more);
+        number += 1;
     }
 }
 
@@ -527,6 +559,8 @@ fn integral(session: &mut Session, law: &Usable, goals: &[Polynomial]) -> Option
         time: fresh,
         term,
         flight: law.flight,
+        derivatives: 0,
+        integrals: law.integrals + 1,
     })
 }
 

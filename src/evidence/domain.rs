@@ -1,0 +1,137 @@
+//! Where symbols may lie: what their lists in the vocabulary and the conditions of sheet and claim allow.
+
+use super::compiler::{Compiler, Unwitnessed, bare};
+use super::formula::{Formula, Op};
+use super::space::{Slot, Space};
+use crate::claim::Vocabulary;
+use crate::tex::{At, Name, Relation, Tree};
+
+/// `left - right`, compared with 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Condition {
+    pub formula: Formula,
+    pub relation: Relation,
+}
+
+impl Condition {
+    /// Whether the value allows it.
+    pub fn holds(&self, value: f64) -> bool {
+        match self.relation {
+            Relation::Equal => value == 0.0,
+            Relation::NotEqual => value.abs() > MARGIN,
+            Relation::Less => value < -MARGIN,
+            Relation::LessOrEqual => value <= 0.0,
+            Relation::Greater => value > MARGIN,
+            Relation::GreaterOrEqual => value >= 0.0,
+        }
+    }
+}
+
+/// Points keep this distance from where a strict inequality ends.
+const MARGIN: f64 = 1e-6;
+
+/// What a slot may hold.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Kind {
+    pub positive: bool,
+    pub nonnegative: bool,
+    pub nonzero: bool,
+    pub at_most_one: bool,
+    pub integer: bool,
+    pub index: bool,
+    pub complex: bool,
+    pub generic: bool,
+}
+
+/// Whether the name numbers impacts or members of a sequence, standing for itself.
+pub fn is_index(vocabulary: &Vocabulary, name: &Name) -> bool {
+    name.to_string() == vocabulary.index || vocabulary.indices.contains(name)
+}
+
+/// The value of an index that runs: premises and claim are read at it.
+pub const INDEX: i32 = 4;
+
+/// Whether the letter that numbers impacts or members of a sequence runs.
+pub fn index_runs(vocabulary: &Vocabulary) -> bool {
+    vocabulary
+        .indices
+        .iter()
+        .any(|index| index.to_string() == vocabulary.index)
+}
+
+/// The place of a member of a sequence that is numbered outright, as x_0, beside the running index.
+pub fn member(vocabulary: &Vocabulary, name: &Name) -> Option<i32> {
+    let known = vocabulary.states.contains(&bare(name)) && index_runs(vocabulary);
+    name.subscript
+        .parse::<i32>()
+        .ok()
+        .filter(|_| known)
+        .map(|number| number.saturating_sub(INDEX))
+}
+
+/// What each slot may hold.
+pub fn kinds(vocabulary: &Vocabulary, space: &Space) -> Vec<Kind> {
+    let kind = |(slot, what): (usize, &Slot)| {
+        let Some(name) = space.name(slot) else {
+            return Kind::default();
+        };
+        let indexed = !matches!(what, Slot::Parameter(_));
+        let listed = |list: &[Name]| {
+            list.iter()
+                .any(|known| known == name || (indexed && bare(known) == *name))
+        };
+        Kind {
+            positive: listed(&vocabulary.positive),
+            nonnegative: listed(&vocabulary.nonnegative),
+            nonzero: listed(&vocabulary.nonzero),
+            at_most_one: listed(&vocabulary.at_most_one),
+            integer: listed(&vocabulary.integers) || is_index(vocabulary, name),
+            index: index_runs(vocabulary) && is_index(vocabulary, name),
+            complex: listed(&vocabulary.complex),
+            generic: listed(&vocabulary.generic),
+        }
+    };
+    space.slots.iter().enumerate().map(kind).collect()
+}
+
+/// The conditions that the lists of the vocabulary set for slots, and for abbreviations among them.
+pub fn listed(compiler: &mut Compiler, kinds: &[Kind]) -> Result<Vec<Condition>, Unwitnessed> {
+    let vocabulary = compiler.vocabulary;
+    let mut named: Vec<(Formula, Kind)> = Vec::new();
+    for (slot, kind) in kinds.iter().enumerate() {
+        named.push((compiler.formulas.slot(slot), *kind));
+    }
+    let lists = [
+        (vocabulary.positive.as_slice(), Relation::Greater),
+        (vocabulary.nonnegative.as_slice(), Relation::GreaterOrEqual),
+        (vocabulary.nonzero.as_slice(), Relation::NotEqual),
+        (vocabulary.at_most_one.as_slice(), Relation::LessOrEqual),
+    ];
+    let one = compiler.formulas.integer(1);
+    let mut conditions = Vec::new();
+    let mut push = |compiler: &mut Compiler, formula: Formula, relation: Relation| {
+        let formula = match relation {
+            Relation::LessOrEqual => compiler.formulas.subtract(formula, one),
+            _ => formula,
+        };
+        conditions.push(Condition { formula, relation });
+    };
+    for (formula, kind) in named {
+        let asked = [kind.positive, kind.nonnegative, kind.nonzero, kind.at_most_one];
+        for ((_, relation), _) in lists.iter().zip(asked).filter(|(_, asked)| *asked) {
+            push(compiler, formula, *relation);
+        }
+    }
+    for (list, relation) in lists {
+        for name in list
+            .iter()
+            .filter(|name| vocabulary.abbreviations.iter().any(|(known, _)| known == *name))
+        {
+            let formula = compiler.tree(&Tree::Symbol(name.clone(), At(0)))?;
+            if !matches!(compiler.formulas.op(formula), Op::Slot(_)) {
+                push(compiler, formula, relation);
+            }
+        }
+    }
+    Ok(conditions)
+}

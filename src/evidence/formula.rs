@@ -1,0 +1,648 @@
+//! Formulas with their names resolved to slots: equal parts are kept once, and a program evaluates them in one pass.
+
+use super::flow::{Flow, Law};
+use super::value::{Function, Value, undefined};
+use crate::number::{Analytic, Rational};
+use std::cell::Cell;
+use std::collections::HashMap;
+
+/// A formula among [`Formulas`]. What it is made of has smaller numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Formula(pub u32);
+
+impl Formula {
+    pub fn position(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// The last operation of a formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Op {
+    Ratio(i64, i64),
+    /// The bits of an f64.
+    Float(u64),
+    /// A rational beyond i64, by its position in [`Formulas::rationals`].
+    Rational(usize),
+    Pi,
+    /// The imaginary unit.
+    Imaginary,
+    Slot(usize),
+    /// The running time.
+    Running,
+    /// A function or a state in flight at a time; replaced by what stands for it before anything is evaluated.
+    Value {
+        course: usize,
+        level: usize,
+        time: Formula,
+    },
+    /// A function of time that a differential equation or a law for its derivative gives.
+    Flow {
+        law: usize,
+        level: usize,
+        time: Formula,
+    },
+    Add(Formula, Formula),
+    Multiply(Formula, Formula),
+    Divide(Formula, Formula),
+    Negate(Formula),
+    Power(Formula, i32),
+    Root(Formula, u32),
+    RealPower(Formula, Formula),
+    /// A power whose exponent has integer values.
+    IntegerPower(Formula, Formula),
+    Apply(Function, Formula),
+}
+
+impl Op {
+    /// What the operation is applied to.
+    pub fn operands(self) -> impl Iterator<Item = Formula> {
+        let pair = match self {
+            Self::Add(a, b) | Self::Multiply(a, b) | Self::Divide(a, b) => [Some(a), Some(b)],
+            Self::RealPower(a, b) | Self::IntegerPower(a, b) => [Some(a), Some(b)],
+            Self::Negate(a) | Self::Power(a, _) | Self::Root(a, _) | Self::Apply(_, a) => [Some(a), None],
+            Self::Value { time, .. } | Self::Flow { time, .. } => [Some(time), None],
+            _ => [None, None],
+        };
+        pair.into_iter().flatten()
+    }
+
+    /// The operation on other operands.
+    pub fn map(self, new: impl Fn(Formula) -> Formula) -> Self {
+        match self {
+            Self::Add(a, b) => Self::Add(new(a), new(b)),
+            Self::Multiply(a, b) => Self::Multiply(new(a), new(b)),
+            Self::Divide(a, b) => Self::Divide(new(a), new(b)),
+            Self::RealPower(a, b) => Self::RealPower(new(a), new(b)),
+            Self::IntegerPower(a, b) => Self::IntegerPower(new(a), new(b)),
+            Self::Negate(a) => Self::Negate(new(a)),
+            Self::Power(a, n) => Self::Power(new(a), n),
+            Self::Root(a, n) => Self::Root(new(a), n),
+            Self::Apply(function, a) => Self::Apply(function, new(a)),
+            Self::Value { course, level, time } => Self::Value {
+                course,
+                level,
+                time: new(time),
+            },
+            Self::Flow { law, level, time } => Self::Flow {
+                law,
+                level,
+                time: new(time),
+            },
+            leaf => leaf,
+        }
+    }
+}
+
+/// All formulas of a claim, and the laws by which functions of time flow.
+#[derive(Clone, Debug, Default)]
+pub struct Formulas {
+    ops: Vec<Op>,
+    known: HashMap<Op, Formula>,
+    pub rationals: Vec<Rational>,
+    pub laws: Vec<Law>,
+    pub flows: Vec<Flow>,
+}
+
+impl Formulas {
+    pub fn op(&self, formula: Formula) -> Op {
+        self.ops
+            .get(formula.position())
+            .copied()
+            .unwrap_or(Op::Float(f64::NAN.to_bits()))
+    }
+
+    /// The formula with this last operation.
+    pub fn make(&mut self, op: Op) -> Formula {
+        if let Some(&known) = self.known.get(&op) {
+            return known;
+        }
+        let formula = Formula(self.ops.len() as u32);
+        self.ops.push(op);
+        self.known.insert(op, formula);
+        formula
+    }
+
+    pub fn integer(&mut self, value: i64) -> Formula {
+        self.make(Op::Ratio(value, 1))
+    }
+
+    pub fn float(&mut self, value: f64) -> Formula {
+        self.make(Op::Float(value.to_bits()))
+    }
+
+    pub fn rational(&mut self, value: &Rational) -> Formula {
+        let text = value.to_string();
+        let (above, below) = text.split_once('/').unwrap_or((&text, "1"));
+        match (above.parse(), below.parse()) {
+            (Ok(above), Ok(below)) => self.make(Op::Ratio(above, below)),
+            _ => {
+                self.rationals.push(value.clone());
+                self.make(Op::Rational(self.rationals.len() - 1))
+            }
+        }
+    }
+
+    pub fn slot(&mut self, slot: usize) -> Formula {
+        self.make(Op::Slot(slot))
+    }
+
+    fn is_integer(&self, formula: Formula, value: i64) -> bool {
+        self.op(formula) == Op::Ratio(value, 1)
+    }
+
+    pub fn add(&mut self, a: Formula, b: Formula) -> Formula {
+        match (self.is_integer(a, 0), self.is_integer(b, 0)) {
+            (true, _) => b,
+            (_, true) => a,
+            _ => self.make(Op::Add(a, b)),
+        }
+    }
+
+    pub fn subtract(&mut self, a: Formula, b: Formula) -> Formula {
+        if self.is_integer(b, 0) {
+            return a;
+        }
+        let b = self.make(Op::Negate(b));
+        self.add(a, b)
+    }
+
+    pub fn multiply(&mut self, a: Formula, b: Formula) -> Formula {
+        match (self.is_integer(a, 1), self.is_integer(b, 1)) {
+            (true, _) => b,
+            (_, true) => a,
+            _ => self.make(Op::Multiply(a, b)),
+        }
+    }
+
+    pub fn divide(&mut self, a: Formula, b: Formula) -> Formula {
+        self.make(Op::Divide(a, b))
+    }
+
+    pub fn apply(&mut self, function: Function, a: Formula) -> Formula {
+        self.make(Op::Apply(function, a))
+    }
+
+    pub fn sum(&mut self, terms: impl IntoIterator<Item = Formula>) -> Formula {
+        let zero = self.integer(0);
+        terms.into_iter().fold(zero, |sum, term| self.add(sum, term))
+    }
+
+    pub fn product(&mut self, factors: impl IntoIterator<Item = Formula>) -> Formula {
+        let one = self.integer(1);
+        factors
+            .into_iter()
+            .fold(one, |product, factor| self.multiply(product, factor))
+    }
+
+    /// Everything that these formulas are made of, themselves included, each after its operands.
+    pub fn parts(&self, of: &[Formula]) -> Vec<Formula> {
+        let above = of.iter().map(|formula| formula.position() + 1).max().unwrap_or(0);
+        let mut wanted = vec![false; above];
+        let mark = |wanted: &mut Vec<bool>, formula: Formula| {
+            if let Some(wanted) = wanted.get_mut(formula.position()) {
+                *wanted = true;
+            }
+        };
+        of.iter().for_each(|formula| mark(&mut wanted, *formula));
+        let mut parts = Vec::new();
+        for number in (0..above).rev() {
+            if wanted.get(number) == Some(&true) {
+                let formula = Formula(number as u32);
+                parts.push(formula);
+                self.op(formula)
+                    .operands()
+                    .for_each(|operand| mark(&mut wanted, operand));
+            }
+        }
+        parts.reverse();
+        parts
+    }
+
+    /// Whether any part passes the test.
+    pub fn any(&self, of: Formula, test: impl Fn(Op) -> bool) -> bool {
+        self.parts(&[of]).into_iter().any(|part| test(self.op(part)))
+    }
+
+    /// Whether the running time stands in a formula.
+    pub fn runs(&self, formula: Formula) -> bool {
+        self.any(formula, |op| op == Op::Running)
+    }
+
+    /// Every slot that the value depends on, those of laws included, in order.
+    pub fn slots(&self, of: &[Formula]) -> Vec<usize> {
+        let (mut slots, mut laws, mut open) = (Vec::new(), Vec::new(), of.to_vec());
+        while let Some(formula) = open.pop() {
+            for part in self.parts(&[formula]) {
+                match self.op(part) {
+                    Op::Slot(slot) => slots.push(slot),
+                    Op::Flow { law, .. } if !laws.contains(&law) => {
+                        laws.push(law);
+                        if let Some(law) = self.laws.get(law) {
+                            slots.extend(&law.initial);
+                            open.extend([law.start, law.body]);
+                        }
+                    }
+                    _ => {}
+                }
+            }
+        }
+        slots.sort_unstable();
+        slots.dedup();
+        slots
+    }
+
+    /// The formula with parts replaced, from the innermost out: `new` sees each operation on operands replaced before.
+    pub fn rewrite(&mut self, root: Formula, new: &mut dyn FnMut(&mut Self, Op) -> Option<Formula>) -> Formula {
+        let mut made: HashMap<Formula, Formula> = HashMap::new();
+        for part in self.parts(&[root]) {
+            let op = self
+                .op(part)
+                .map(|operand| made.get(&operand).copied().unwrap_or(operand));
+            let formula = new(self, op).unwrap_or_else(|| self.make(op));
+            made.insert(part, formula);
+        }
+        made.get(&root).copied().unwrap_or(root)
+    }
+
+    /// The formula at a time.
+    pub fn at(&mut self, formula: Formula, time: Formula) -> Formula {
+        self.rewrite(formula, &mut |_, op| (op == Op::Running).then_some(time))
+    }
+
+    /// The derivative of a function by its argument.
+    pub fn derivative_of(&mut self, function: Function, u: Formula) -> Formula {
+        let one = self.integer(1);
+        let square = self.make(Op::Power(u, 2));
+        let one_less = self.subtract(one, square);
+        let one_more = self.add(one, square);
+        match function {
+            Function::Sin => self.apply(Function::Cos, u),
+            Function::Cos => {
+                let sin = self.apply(Function::Sin, u);
+                self.make(Op::Negate(sin))
+            }
+            Function::Exp => self.apply(Function::Exp, u),
+            Function::Ln => self.divide(one, u),
+            Function::Sinh => self.apply(Function::Cosh, u),
+            Function::Cosh => self.apply(Function::Sinh, u),
+            Function::Arcsin => {
+                let root = self.make(Op::Root(one_less, 2));
+                self.divide(one, root)
+            }
+            Function::Arccos => {
+                let slope = self.derivative_of(Function::Arcsin, u);
+                self.make(Op::Negate(slope))
+            }
+            Function::Arctan => self.divide(one, one_more),
+            Function::Arsinh => {
+                let root = self.make(Op::Root(one_more, 2));
+                self.divide(one, root)
+            }
+            Function::Arcosh => {
+                let above = self.subtract(square, one);
+                let root = self.make(Op::Root(above, 2));
+                self.divide(one, root)
+            }
+            Function::Artanh => self.divide(one, one_less),
+            Function::Abs => self.apply(Function::Sgn, u),
+            Function::Sgn => self.integer(0),
+        }
+    }
+
+    /// The derivative by the running time.
+    pub fn slope(&mut self, root: Formula) -> Formula {
+        let zero = self.integer(0);
+        let mut slopes: HashMap<Formula, Formula> = HashMap::new();
+        for part in self.parts(&[root]) {
+            let op = self.op(part);
+            let of = |formula: Formula| slopes.get(&formula).copied().unwrap_or(zero);
+            let slope = match op {
+                Op::Running => self.integer(1),
+                _ if op.operands().all(|operand| of(operand) == zero) => zero,
+                Op::Value { course, level, time } => {
+                    let level = level + 1;
+                    let inner = self.make(Op::Value { course, level, time });
+                    self.multiply(inner, of(time))
+                }
+                Op::Add(a, b) => self.add(of(a), of(b)),
+                Op::Negate(a) => self.make(Op::Negate(of(a))),
+                Op::Multiply(a, b) => self.cross(a, of(a), b, of(b), zero),
+                Op::Divide(a, b) => {
+                    let fall = self.multiply(part, of(b));
+                    let above = self.subtract(of(a), fall);
+                    self.divide(above, b)
+                }
+                Op::Power(a, n) => {
+                    let factors = [
+                        self.integer(i64::from(n)),
+                        self.make(Op::Power(a, n.saturating_sub(1))),
+                        of(a),
+                    ];
+                    self.product(factors)
+                }
+                Op::Root(a, n) => {
+                    let below = self.integer(i64::from(n));
+                    let below = self.multiply(below, a);
+                    let above = self.multiply(part, of(a));
+                    self.divide(above, below)
+                }
+                Op::RealPower(a, b) | Op::IntegerPower(a, b) => {
+                    // y' = y (b' ln a + b a'/a)
+                    let rate = self.divide(of(a), a);
+                    let mut sum = self.multiply(b, rate);
+                    if of(b) != zero {
+                        let ln = self.apply(Function::Ln, a);
+                        let more = self.multiply(of(b), ln);
+                        sum = self.add(sum, more);
+                    }
+                    self.multiply(part, sum)
+                }
+                Op::Apply(function, a) => {
+                    let slope = self.derivative_of(function, a);
+                    self.multiply(slope, of(a))
+                }
+                _ => self.float(f64::NAN),
+            };
+            slopes.insert(part, slope);
+        }
+        slopes.get(&root).copied().unwrap_or(zero)
+    }
+
+    /// a' b + a b'.
+    fn cross(&mut self, a: Formula, da: Formula, b: Formula, db: Formula, zero: Formula) -> Formula {
+        let mut sum = zero;
+        if da != zero {
+            sum = self.multiply(da, b);
+        }
+        if db != zero {
+            let more = self.multiply(a, db);
+            sum = self.add(sum, more);
+        }
+        sum
+    }
+
+    /// A program for these formulas.
+    pub fn program(&self, outputs: &[Formula]) -> Program {
+        let parts = self.parts(outputs);
+        let position = |formula: Formula| parts.binary_search(&formula).unwrap_or(usize::MAX);
+        let op = |part: &Formula| self.op(*part).map(|operand| Formula(position(operand) as u32));
+        Program {
+            ops: parts.iter().map(op).collect(),
+            outputs: outputs.iter().map(|&output| position(output)).collect(),
+        }
+    }
+}
+
+/// Formulas in the order of their evaluation; the operands of each are positions before its own.
+#[derive(Clone, Debug, Default)]
+pub struct Program {
+    pub ops: Vec<Op>,
+    pub outputs: Vec<usize>,
+}
+
+/// What a program is evaluated with.
+pub struct Inputs<'a, V> {
+    pub slots: &'a [V],
+    pub running: Option<&'a V>,
+    pub formulas: &'a Formulas,
+    pub work: &'a Work,
+    /// How many flows are evaluated within each other.
+    pub depth: usize,
+}
+
+/// Operations left, so that hostile formulas end: each operation on an f64 is one.
+#[derive(Debug)]
+pub struct Work(Cell<u64>);
+
+impl Work {
+    pub fn new(operations: u64) -> Self {
+        Self(Cell::new(operations))
+    }
+
+    /// Takes operations off; false once none are left.
+    pub fn take(&self, operations: usize) -> bool {
+        let left = self.0.get().saturating_sub(operations as u64);
+        self.0.set(left);
+        left > 0
+    }
+
+    pub fn is_over(&self) -> bool {
+        self.0.get() == 0
+    }
+
+    pub fn left(&self) -> u64 {
+        self.0.get()
+    }
+}
+
+/// An operation on a number of this type, in operations on f64.
+pub fn price<V>() -> usize {
+    match std::mem::size_of::<V>() {
+        0..=8 => 1,
+        // complex f64 and many digits
+        9..=16 => 4,
+        17..=63 => 60,
+        // gradients
+        64..=160 => 6,
+        _ => 60,
+    }
+}
+
+/// A quotient, or the argument of a jump, smaller than this part of its terms is rounding error.
+const NOISE: f64 = 1e-11;
+
+impl Program {
+    /// The values of all parts.
+    pub fn run<V: Value>(&self, inputs: &Inputs<V>) -> Vec<V> {
+        let mut values: Vec<V> = Vec::with_capacity(self.ops.len());
+        if !inputs.work.take(self.ops.len() * price::<V>()) {
+            return vec![V::real(undefined()); self.ops.len()];
+        }
+        for op in &self.ops {
+            let value = evaluate(*op, inputs, |formula: Formula| &values[formula.position()]);
+            values.push(value);
+        }
+        values
+    }
+
+    /// The values of the outputs.
+    pub fn outputs<V: Value>(&self, values: &[V]) -> Vec<V> {
+        self.outputs.iter().filter_map(|&n| values.get(n).cloned()).collect()
+    }
+
+    /// For each part the size of the terms it is made of: what a rounding error is to be compared with. By running
+    /// error analysis (Wilkinson, Rounding Errors in Algebraic Processes, 1963), up to factors of the order of 1.
+    /// Nothing where a denominator, or the argument of a jump, is no more than rounding error.
+    ///
+    /// A slot that `solved` knows was moved until the premises held: its errors are those of the largest of these.
+    pub fn sizes<V: Value>(&self, values: &[V], solved: &dyn Fn(usize) -> f64) -> Option<Vec<f64>> {
+        let mut sizes: Vec<f64> = Vec::with_capacity(self.ops.len());
+        for (n, op) in self.ops.iter().enumerate() {
+            let value = values.get(n)?.size();
+            let size_of = |formula: Formula| sizes.get(formula.position()).copied().unwrap_or(f64::NAN);
+            let at = |formula: Formula| values.get(formula.position());
+            let is_noise = |formula: Formula| {
+                let size = at(formula).map_or(f64::NAN, Value::size);
+                size > 0.0 && size <= NOISE * size_of(formula)
+            };
+            // The size of the argument times the slope of the function there.
+            let through = |formula: Formula, slope: f64| match size_of(formula) {
+                size if size == 0.0 || slope == 0.0 => 0.0,
+                size => slope * size,
+            };
+            let size = match *op {
+                Op::Add(a, b) => size_of(a) + size_of(b),
+                Op::Multiply(a, b) => (at(a)?.size() * size_of(b)).max(at(b)?.size() * size_of(a)),
+                Op::Divide(_, b) | Op::Power(b, i32::MIN..0) if is_noise(b) => return None,
+                Op::Divide(a, b) => size_of(a).max(value * size_of(b)) / at(b)?.size(),
+                Op::Negate(a) => size_of(a),
+                Op::Power(a, power) => {
+                    let power = f64::from(power).abs();
+                    value.max(through(a, power * value / at(a)?.size().max(f64::MIN_POSITIVE)))
+                }
+                Op::Root(a, index) => {
+                    value + through(a, value / (f64::from(index) * at(a)?.size()).max(f64::MIN_POSITIVE))
+                }
+                Op::RealPower(a, b) | Op::IntegerPower(a, b) => {
+                    let base = at(a)?.size().max(f64::MIN_POSITIVE);
+                    value
+                        + through(a, at(b)?.size() * value / base)
+                        + through(b, if value == 0.0 { 0.0 } else { value * base.ln().abs() })
+                }
+                Op::Apply(Function::Sgn, a) if is_noise(a) => return None,
+                Op::Apply(function, a) => value + through(a, slope_size(function, at(a)?, value)),
+                Op::Flow { .. } => value + 1.0,
+                Op::Slot(slot) => value.max(solved(slot)),
+                _ => value,
+            };
+            sizes.push(size);
+        }
+        Some(sizes)
+    }
+}
+
+/// The size of the derivative of a function.
+fn slope_size<V: Value>(function: Function, u: &V, value: f64) -> f64 {
+    let one = || V::integer(1);
+    let square = u.clone() * u.clone();
+    match function {
+        Function::Sin | Function::Cos | Function::Abs => 1.0,
+        Function::Exp => value,
+        Function::Ln => 1.0 / u.size(),
+        Function::Sinh | Function::Cosh => value + 1.0,
+        Function::Arcsin | Function::Arccos => 1.0 / (one() - square).size().sqrt(),
+        Function::Arctan => 1.0 / (one() + square).size(),
+        Function::Arsinh => 1.0 / (one() + square).size().sqrt(),
+        Function::Arcosh => 1.0 / (square - one()).size().sqrt(),
+        Function::Artanh => 1.0 / (one() - square).size(),
+        Function::Sgn => 0.0,
+    }
+}
+
+/// The value of one operation.
+pub fn evaluate<'v, V: Value + 'v>(op: Op, inputs: &Inputs<V>, at: impl Fn(Formula) -> &'v V) -> V {
+    let none = || V::real(undefined());
+    match op {
+        Op::Ratio(above, 1) => V::integer(above),
+        Op::Ratio(above, below) => V::real(crate::number::Field::from_ratio(above, below)),
+        Op::Float(bits) => V::float(f64::from_bits(bits)),
+        Op::Rational(n) => inputs
+            .formulas
+            .rationals
+            .get(n)
+            .and_then(Rational::embed)
+            .map_or_else(none, V::real),
+        Op::Pi => V::real(Analytic::pi()),
+        Op::Imaginary => V::new(num_traits::Zero::zero(), num_traits::One::one()),
+        Op::Slot(slot) => inputs.slots.get(slot).cloned().unwrap_or_else(none),
+        Op::Running => inputs.running.cloned().unwrap_or_else(none),
+        Op::Value { .. } => none(),
+        Op::Flow { law, level, time } => super::flow::value(law, level, at(time), inputs),
+        Op::Add(a, b) => at(a).clone() + at(b).clone(),
+        Op::Multiply(a, b) => at(a).clone() * at(b).clone(),
+        Op::Divide(a, b) => at(a).over(at(b)),
+        Op::Negate(a) => -at(a).clone(),
+        Op::Power(a, n) => at(a).integer_power(n),
+        Op::Root(a, n) => at(a).root(n),
+        Op::RealPower(a, b) => at(a).power(at(b)),
+        Op::IntegerPower(a, b) => {
+            let exponent = at(b).parts()[0].to_f64();
+            match exponent.round() {
+                whole if (whole - exponent).abs() < 1e-9 && whole.abs() < 1e6 => at(a).integer_power(whole as i32),
+                _ => at(a).power(at(b)),
+            }
+        }
+        Op::Apply(function, a) => at(a).apply(function),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run<V: Value>(formulas: &Formulas, formula: Formula, slots: &[V]) -> (V, f64) {
+        let program = formulas.program(&[formula]);
+        let work = Work::new(1000);
+        let inputs = Inputs {
+            slots,
+            running: None,
+            formulas,
+            work: &work,
+            depth: 0,
+        };
+        let values = program.run(&inputs);
+        let sizes = program.sizes(&values, &|_| 0.0).unwrap();
+        (values[program.outputs[0]].clone(), sizes[program.outputs[0]])
+    }
+
+    #[test]
+    fn a_difference_knows_the_size_of_its_terms() {
+        let mut formulas = Formulas::default();
+        let (a, b, two) = (formulas.slot(0), formulas.slot(1), formulas.integer(2));
+        let difference = formulas.subtract(a, b);
+        let product = formulas.multiply(two, difference);
+        assert_eq!(run(&formulas, product, &[5.0, 4.0]), (2.0, 18.0));
+        assert_eq!(formulas.slots(&[product]), [0, 1]);
+        assert_eq!(formulas.multiply(two, difference), product);
+    }
+
+    #[test]
+    fn a_denominator_of_rounding_errors_has_no_size() {
+        let mut formulas = Formulas::default();
+        let (a, b, one) = (formulas.slot(0), formulas.slot(1), formulas.integer(1));
+        let difference = formulas.subtract(a, b);
+        let quotient = formulas.divide(one, difference);
+        let program = formulas.program(&[quotient]);
+        let work = Work::new(1000);
+        let mut slots = [0.3, 0.1 + 0.2];
+        for noise in [true, false] {
+            let inputs = Inputs {
+                slots: &slots,
+                running: None,
+                formulas: &formulas,
+                work: &work,
+                depth: 0,
+            };
+            let values = program.run(&inputs);
+            assert_eq!(program.sizes(&values, &|_| 0.0).is_none(), noise);
+            slots[1] = 0.4;
+        }
+    }
+
+    #[test]
+    fn slopes_are_those_of_the_textbook() {
+        let mut formulas = Formulas::default();
+        let t = formulas.make(Op::Running);
+        let square = formulas.make(Op::Power(t, 2));
+        let root = formulas.make(Op::Root(square, 3));
+        let sin = formulas.apply(Function::Sin, root);
+        let quotient = formulas.divide(sin, t);
+        let slope = formulas.slope(quotient);
+        let time = formulas.slot(0);
+        let [value, slope] = [quotient, slope].map(|formula| formulas.at(formula, time));
+        let at = |x: f64| run(&formulas, value, &[x]).0;
+        let difference = (at(1.3 + 1e-5) - at(1.3 - 1e-5)) / 2e-5;
+        assert!((run(&formulas, slope, &[1.3]).0 - difference).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,342 @@
+//! The printed formulas as Python expressions, from their trees alone: the kernel's terms are compared with these.
+
+use super::script::{list, quoted};
+use crate::claim::{Local, Map, Statements, Vocabulary, flies, index_of, pair_of, subscript_of};
+use crate::kernel::{Question, Symbol};
+use crate::tex::{Condition, Equation, Invariant, Name, Relation, Tree};
+
+/// All formulas of a question.
+pub struct Formulas<'a> {
+    statements: &'a Statements,
+    vocabulary: &'a Vocabulary,
+    question: &'a Question,
+}
+
+/// What names mean within one formula.
+struct Within<'a> {
+    vocabulary: &'a Vocabulary,
+    locals: &'a [Local],
+    /// The impact whose flight the running time is in, and whether the formula speaks of a flight.
+    flight: i32,
+    in_flight: bool,
+    /// Whether `\pm` is plus.
+    upper: bool,
+}
+
+impl<'a> Formulas<'a> {
+    pub fn new(statements: &'a Statements, vocabulary: &'a Vocabulary, question: &'a Question) -> Self {
+        Self {
+            statements,
+            vocabulary,
+            question,
+        }
+    }
+
+    /// The formulas as Python data: label (of the claim: none), definitions beside it, and what it says of its values.
+    pub fn python(&self) -> String {
+        let first = self
+            .statements
+            .claims
+            .iter()
+            .map(|claim| self.vocabulary.impacts(claim).first().copied())
+            .min()
+            .flatten();
+        let mut formulas = Vec::new();
+        let mut push = |label: &str, within: &Within, formula: String| {
+            let definitions = within.locals.iter().rev().map(|local| {
+                let tree = within.python(&local.tree);
+                format!("{}: lambda v: {tree}", quoted(&local.name.to_string()))
+            });
+            let definitions: Vec<String> = definitions.collect();
+            formulas.push(format!(
+                "    ({}, {{{}}}, lambda v: {formula}),",
+                quoted(label),
+                definitions.join(", ")
+            ));
+        };
+        for premise in &self.statements.premises {
+            let within = self.within(&premise.equation, &premise.locals, None);
+            push(&premise.label, &within, within.relation(&premise.equation));
+        }
+        let claim = &self.question.equation;
+        let own = Within {
+            flight: first.unwrap_or(0),
+            in_flight: false,
+            ..self.within(claim, &self.statements.locals, None)
+        };
+        for condition in &self.statements.assume {
+            let formula = match condition {
+                Condition::Relation(equation) => own.relation(equation),
+                Condition::Integer(tree) => own.python(tree),
+            };
+            push("the assumptions", &own, formula);
+        }
+        for relation in &self.vocabulary.relations {
+            push(&relation.to_string(), &own, own.relation(relation));
+        }
+        let running = quoted(&self.running());
+        for (name, derivative) in &self.vocabulary.functions {
+            if let Some(tree) = derivative {
+                let within = Within { locals: &[], ..own };
+                let slope = format!("v.unknown({}, None, 1, v({running}))", quoted(&name.to_string()));
+                push(
+                    &format!("the derivative of {name}"),
+                    &within,
+                    format!("{slope} - ({})", within.python(tree)),
+                );
+            }
+        }
+        let pair = match &claim.left {
+            Tree::Symbol(name, _) => pair_of(name),
+            _ => None,
+        };
+        match pair {
+            None => {
+                let within = Within {
+                    upper: self.question.instance != "lower sign",
+                    ..self.within(claim, &self.statements.locals, first)
+                };
+                push("", &within, within.relation(claim));
+            }
+            Some(name) if self.question.instance == "every solution" => {
+                let symbol = own.python(&Tree::Symbol(name, claim.at));
+                let [plus, minus] = [true, false].map(|upper| Within { upper, ..own }.python(&claim.right));
+                push("", &own, format!("({symbol} - {plus}) * ({symbol} - {minus})"));
+            }
+            Some(_) => {}
+        }
+        let abbreviations = self.vocabulary.abbreviations.iter().map(|(name, tree)| {
+            let within = Within { locals: &[], ..own };
+            format!(
+                "        {}: lambda v: {},",
+                quoted(&name.to_string()),
+                within.python(tree)
+            )
+        });
+        let abbreviations: Vec<String> = abbreviations.collect();
+        format!(
+            "# The formulas once more, from another translation; the data above must agree at random points.\nREADINGS = \
+             {{\n    \"maps\": {},\n    \"abbreviations\": {{\n{}\n    }},\n    \"formulas\": [\n{}\n    ],\n}}",
+            self.maps(),
+            abbreviations.join("\n"),
+            formulas.join("\n")
+        )
+    }
+
+    fn within<'b>(&'b self, equation: &Equation, locals: &'b [Local], first: Option<i32>) -> Within<'b> {
+        Within {
+            vocabulary: self.vocabulary,
+            locals,
+            flight: self
+                .vocabulary
+                .impacts(equation)
+                .first()
+                .copied()
+                .or(first)
+                .unwrap_or(0),
+            in_flight: flies(equation, self.vocabulary),
+            upper: true,
+        }
+    }
+
+    fn running(&self) -> String {
+        let running = self.vocabulary.running.as_ref();
+        running.map_or("t".to_string(), Name::to_string)
+    }
+
+    /// What each map takes to what; of a product, its factors.
+    fn maps(&self) -> String {
+        let statement = &self.question.statement;
+        let mut steps = statement.maps().iter();
+        let name = |symbol: &Symbol| quoted(statement.terms().symbol_name(*symbol));
+        let mut maps = Vec::new();
+        if steps.len() > 0 {
+            for (map, meaning) in &self.vocabulary.maps {
+                let [first, second] = match meaning {
+                    Map::Product(factors) => {
+                        let factors = factors.iter().map(|factor| quoted(&factor.to_string()));
+                        [list(factors), "[]".into()]
+                    }
+                    _ => steps.next().map_or(["[]".into(), "[]".into()], |step| {
+                        [list(step.of.iter().map(name)), list(step.by.iter().map(name))]
+                    }),
+                };
+                maps.push(format!("{}: ({first}, {second})", quoted(&map.to_string())));
+            }
+        }
+        format!("{{{}}}", maps.join(", "))
+    }
+}
+
+impl Within<'_> {
+    /// What must vanish, be positive or the like.
+    fn relation(&self, equation: &Equation) -> String {
+        let (left, right) = (self.python(&equation.left), self.python(&equation.right));
+        match equation.relation {
+            Relation::Less | Relation::LessOrEqual => format!("{right} - {left}"),
+            _ => format!("{left} - {right}"),
+        }
+    }
+
+    fn joined(&self, parts: &[Tree], by: &str) -> String {
+        let parts: Vec<String> = parts.iter().map(|part| self.python(part)).collect();
+        format!("({})", parts.join(by))
+    }
+
+    fn python(&self, tree: &Tree) -> String {
+        let of = |tree: &Tree| self.python(tree);
+        match tree {
+            Tree::Number(value) => format!("v.number({})", quoted(&value.to_string())),
+            Tree::Symbol(name, _) => self.name(name),
+            Tree::Call(name, argument, _) => self.call(name, argument),
+            Tree::Partial { of, by, .. } => format!(
+                "v.derivative({}, {})",
+                quoted(&self.moving(of).unwrap_or_default()),
+                quoted(&self.moving(by).unwrap_or_default())
+            ),
+            Tree::Invariant { kind, of, .. } => {
+                let kind = if *kind == Invariant::Trace { "Tr" } else { "Det" };
+                format!("v.invariant({}, {})", quoted(kind), quoted(&of.to_string()))
+            }
+            Tree::Negate(body) => format!("(-{})", of(body)),
+            Tree::Sum(parts) => self.joined(parts, " + "),
+            Tree::Product(parts) => self.joined(parts, " * "),
+            Tree::Quotient(above, below, _) => format!("({} / {})", of(above), of(below)),
+            Tree::Power(base, exponent, _) => format!("({} ** {exponent})", of(base)),
+            Tree::RealPower(base, exponent, _) => match base.as_ref() {
+                Tree::Symbol(name, _) if name.to_string() == "e" && !self.is_declared(name) => {
+                    format!("mpmath.exp({})", of(exponent))
+                }
+                base => format!("v.power({}, {})", of(base), of(exponent)),
+            },
+            Tree::Root(radicand, index, _) => format!("v.root({}, {index})", of(radicand)),
+            Tree::PlusMinus(body) if self.upper => of(body),
+            Tree::MinusPlus(body) if !self.upper => of(body),
+            Tree::PlusMinus(body) | Tree::MinusPlus(body) => format!("(-{})", of(body)),
+        }
+    }
+
+    fn is_declared(&self, name: &Name) -> bool {
+        self.locals.iter().any(|local| local.name == *name)
+            || self.vocabulary.parameters.contains(name)
+            || self.vocabulary.abbreviations.iter().any(|(known, _)| known == name)
+    }
+
+    fn name(&self, name: &Name) -> String {
+        let value = |printed: String| format!("v({})", quoted(&printed));
+        let vocabulary = self.vocabulary;
+        if self.is_declared(name) || vocabulary.indices.contains(name) {
+            return value(name.to_string());
+        }
+        if let Some(printed) = self.moving(name) {
+            return value(printed);
+        }
+        let running = vocabulary.running.as_ref().map_or("t".to_string(), Name::to_string);
+        if vocabulary.running.as_ref() == Some(name) {
+            return value(running);
+        }
+        if name.mark.is_empty()
+            && let Some(unknown) = self.unknown(name, &value(running.clone()))
+        {
+            return unknown;
+        }
+        match name.to_string().as_str() {
+            "\\pi" => "mpmath.pi".into(),
+            "e" => "mpmath.e".into(),
+            "i" => "mpmath.mpc(0, 1)".into(),
+            other => value(other.to_string()),
+        }
+    }
+
+    /// The name of an impact's time, or of a state just before or just after it, in the form in which data have it.
+    fn moving(&self, name: &Name) -> Option<String> {
+        let letter = &self.vocabulary.index;
+        let index = match name.subscript.is_empty() && !name.mark.is_empty() {
+            true => 0,
+            false => index_of(&name.subscript, letter)?,
+        };
+        let bare = name.bare();
+        let time = name.mark.is_empty() && self.vocabulary.times.contains(&bare);
+        let state = self.vocabulary.states.contains(&bare) && name.primes == 0;
+        if !time && !state {
+            return None;
+        }
+        let after = name.mark == "+" && !self.vocabulary.continuous.contains(&bare);
+        Some(indexed(bare, index, after, letter))
+    }
+
+    /// The value of a function, or of a motion, at a time.
+    fn unknown(&self, name: &Name, at: &str) -> Option<String> {
+        let plain = Name {
+            primes: 0,
+            mark: String::new(),
+            ..name.clone()
+        };
+        let primes = u32::from(name.primes);
+        for state in &self.vocabulary.states {
+            let mut dotted = state.clone();
+            for more in 0..3 {
+                if dotted == plain {
+                    let (root, dots) = undotted(state);
+                    let (root, order) = (quoted(&root.to_string()), dots + more + primes);
+                    return Some(format!("v.unknown({root}, {}, {order}, {at})", self.flight));
+                }
+                dotted = dotted.dotted();
+            }
+        }
+        let is_function = self.vocabulary.functions.iter().any(|(function, _)| *function == plain);
+        is_function.then(|| format!("v.unknown({}, None, {primes}, {at})", quoted(&plain.to_string())))
+    }
+
+    fn call(&self, name: &Name, argument: &Tree) -> String {
+        let states = &self.vocabulary.states;
+        if let Tree::Symbol(time, _) = argument
+            && self.vocabulary.times.contains(&time.bare())
+            && let Some(index) = index_of(&time.subscript, &self.vocabulary.index)
+            && states.contains(&name.bare())
+        {
+            let departs = name.mark == "+" || (name.mark.is_empty() && self.in_flight && self.flight == index);
+            let after = departs && !self.vocabulary.continuous.contains(&name.bare());
+            let printed = indexed(name.bare(), index, after, &self.vocabulary.index);
+            return format!("v({})", quoted(&printed));
+        }
+        let at = self.python(argument);
+        if let Some(unknown) = self.unknown(name, &at) {
+            return unknown;
+        }
+        let function = match name.base.as_str() {
+            r"\ln" | r"\log" => "ln",
+            r"\arcsin" => "asin",
+            r"\arccos" => "acos",
+            r"\arctan" => "atan",
+            r"\arsinh" => "asinh",
+            r"\arcosh" => "acosh",
+            r"\artanh" => "atanh",
+            r"\abs" => return format!("v.root({at} ** 2, 2)"),
+            other => other.trim_start_matches('\\'),
+        };
+        format!("mpmath.{function}({at})")
+    }
+}
+
+fn indexed(bare: Name, index: i32, after: bool, letter: &str) -> String {
+    let name = Name {
+        subscript: subscript_of(index, letter),
+        mark: if after { "+".into() } else { String::new() },
+        ..bare
+    };
+    name.to_string()
+}
+
+/// A state without its dots, and their number.
+fn undotted(state: &Name) -> (Name, u32) {
+    let mut root = state.clone();
+    let dots = match root.accents.last().map(String::as_str) {
+        Some(r"\dot") => 1,
+        Some(r"\ddot") => 2,
+        Some(r"\dddot") => 3,
+        _ => return (root, 0),
+    };
+    root.accents.pop();
+    (root, dots)
+}

@@ -1,0 +1,356 @@
+//! Proofs and counterexamples checked by Python, by a checker that shares no line with the kernel.
+
+#![cfg(feature = "audit")]
+
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use vibro_audit::claim::{EQUATIONS, Sheet, vocabulary};
+use vibro_audit::kernel::{Certificate, Inference, Polynomial, With, follows};
+use vibro_audit::number::{Field, Rational, Sequence};
+use vibro_audit::prove::{CHECKER, Decided, Found, Options, decided, scripts};
+
+/// The Python that has the packages: that of $VIBRO_PYTHON, or the first in the path; none, and a word, without SymPy.
+fn python() -> Option<String> {
+    let python = std::env::var("VIBRO_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let has = Command::new(&python).args(["-c", "import sympy, mpmath"]).output();
+    if !has.is_ok_and(|output| output.status.success()) {
+        eprintln!("skipped: {python} has no SymPy or no mpmath here");
+        return None;
+    }
+    Some(python)
+}
+
+fn directory(name: &str) -> PathBuf {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&directory);
+    std::fs::create_dir_all(&directory).unwrap();
+    directory
+}
+
+fn paper() -> Sheet {
+    Sheet::read(EQUATIONS, &vocabulary().unwrap()).unwrap()
+}
+
+/// Claims of some fields, true and false, that want different kinds of steps.
+const SHEET: &str = r#"
+[symbols]
+parameters = ['x', 'y', 'a', 'b', 's']
+positive = ['a']
+functions = { g = '', f = 'g' }
+times = ['t_k']
+relations = ['s^2 = 2']
+
+[[equation]]
+label = "angles"
+role = "claim"
+tex = '\sin(3 x) = 3 \sin(x) - 4 \sin(x)^3'
+
+[[equation]]
+label = "turns"
+role = "claim"
+tex = '\cos(\pi/5) = \frac{1 + \sqrt{5}}{4}'
+
+[[equation]]
+label = "exponentials"
+role = "claim"
+tex = '\cosh(x)^2 - \sinh(x)^2 = 1'
+
+[[equation]]
+label = "roots"
+role = "claim"
+tex = '\sqrt{a^2} = a'
+
+[[equation]]
+label = "false roots"
+role = "claim"
+tex = '\sqrt{x^2} = x'
+
+[[equation]]
+label = "law"
+role = "premise"
+tex = 'f(t) = x t + y'
+
+[[equation]]
+label = "slope"
+role = "claim"
+tex = 'g(a) = x'
+follows_from = ["law"]
+
+[[equation]]
+label = "free"
+role = "claim"
+tex = 'f(x + 1) = f(x)'
+
+[[equation]]
+label = "relation"
+role = "claim"
+tex = '\frac{1}{s} = \frac{s}{2}'
+"#;
+
+fn own() -> Sheet {
+    Sheet::read(SHEET, &vocabulary().unwrap()).unwrap()
+}
+
+fn all_scripts(sheet: &Sheet, labels: &[&str]) -> Vec<(String, String)> {
+    let positions = labels.iter().map(|label| sheet.find(label).unwrap());
+    positions
+        .flat_map(|position| scripts(sheet, position, &Options::default()))
+        .collect()
+}
+
+#[test]
+fn scripts_accept_what_the_kernel_accepts() {
+    let Some(python) = python() else { return };
+    let directory = directory("proofs");
+    let labels = [
+        "angles",
+        "turns",
+        "exponentials",
+        "roots",
+        "false roots",
+        "slope",
+        "free",
+        "relation",
+    ];
+    let mut all = all_scripts(&own(), &labels);
+    assert!(all.len() >= 6, "{} decided", all.len());
+    all.extend(all_scripts(&paper(), &["14", "16"]));
+    for (name, script) in all {
+        let path = directory.join(name);
+        std::fs::write(&path, script).unwrap();
+        let output = Command::new(&python).arg(&path).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{}: {said}", path.display());
+    }
+}
+
+#[test]
+fn a_script_of_another_translation_is_refused() {
+    let Some(python) = python() else { return };
+    let directory = directory("translations");
+    for (name, script) in all_scripts(&own(), &["angles"]) {
+        let broken = script.replace("mpmath.sin((v.number(\"3\")", "mpmath.sin((v.number(\"2\")");
+        assert_ne!(script, broken);
+        let path = directory.join(name);
+        std::fs::write(&path, broken).unwrap();
+        let output = Command::new(&python).arg(&path).output().unwrap();
+        assert_eq!(output.status.code(), Some(1));
+        assert!(String::from_utf8_lossy(&output.stdout).contains("is not what was checked"));
+    }
+}
+
+/// The checker as a process that decides one certificate a line.
+struct Served {
+    child: Child,
+    answers: BufReader<std::process::ChildStdout>,
+}
+
+impl Served {
+    fn new(python: &str) -> Self {
+        let path = directory("checker").join("check.py");
+        std::fs::write(&path, CHECKER).unwrap();
+        let mut child = Command::new(python)
+            .arg(&path)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let answers = BufReader::new(child.stdout.take().unwrap());
+        Self { child, answers }
+    }
+
+    fn ask(&mut self, line: &str) -> String {
+        let input = self.child.stdin.as_mut().unwrap();
+        writeln!(input, "{line}").unwrap();
+        let mut answer = String::new();
+        self.answers.read_line(&mut answer).unwrap();
+        answer.trim().to_string()
+    }
+}
+
+impl Drop for Served {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// A number below `bound`.
+fn below(random: &mut Sequence, bound: usize) -> usize {
+    (random.draw() % bound.max(1) as u64) as usize
+}
+
+/// Changes a coefficient, a sign or an exponent of a polynomial.
+fn break_polynomial(polynomial: &mut Polynomial, random: &mut Sequence) {
+    let mut terms: Vec<_> = polynomial.terms().to_vec();
+    if terms.is_empty() {
+        *polynomial = Polynomial::integer(1);
+        return;
+    }
+    let at = below(random, terms.len());
+    match below(random, 4) {
+        0 => terms[at].1 = -terms[at].1.clone(),
+        1 => terms[at].1 += Rational::from_integer(1).0,
+        2 => {
+            terms.remove(at);
+        }
+        _ => match terms[at].0.first_mut() {
+            Some(factor) => factor.1 += 1,
+            None => terms[at].1 *= Rational::from_integer(2).0,
+        },
+    }
+    *polynomial = Polynomial::from_terms(terms);
+}
+
+fn break_number(number: &mut usize, random: &mut Sequence) {
+    *number = match below(random, 3) {
+        0 => *number + 1,
+        1 => number.saturating_sub(1),
+        _ => below(random, *number + 8),
+    };
+}
+
+/// Changes one thing in one step; `false` where nothing was found to change.
+fn break_step(steps: &mut Vec<Inference>, random: &mut Sequence) -> bool {
+    if steps.is_empty() {
+        return false;
+    }
+    let at = below(random, steps.len());
+    if below(random, 12) == 0 {
+        steps.remove(at);
+        return true;
+    }
+    match &mut steps[at] {
+        Inference::Given(number) => break_number(number, random),
+        Inference::Zero {
+            target,
+            power,
+            factors,
+            terms,
+            ..
+        } => match below(random, 5) {
+            0 => break_polynomial(target, random),
+            1 => *power += 1,
+            2 if !factors.is_empty() => {
+                let n = below(random, factors.len());
+                factors[n].1 += 1;
+            }
+            3 if !terms.is_empty() => {
+                let n = below(random, terms.len());
+                break_number(&mut terms[n].1, random);
+            }
+            _ if !terms.is_empty() => {
+                let n = below(random, terms.len());
+                break_polynomial(&mut terms[n].0, random);
+            }
+            _ => break_polynomial(target, random),
+        },
+        Inference::Nonzero {
+            target,
+            cofactor,
+            terms,
+            ..
+        } => match below(random, 3) {
+            0 => break_polynomial(target, random),
+            1 if !terms.is_empty() => {
+                let n = below(random, terms.len());
+                break_polynomial(&mut terms[n].0, random);
+            }
+            _ => break_polynomial(cofactor, random),
+        },
+        Inference::Sign {
+            target,
+            strict,
+            summands,
+            ..
+        } => match below(random, 4) {
+            0 => break_polynomial(target, random),
+            1 => *strict = !*strict,
+            _ => match summands.first_mut() {
+                Some(first) if below(random, 2) == 0 => first.factor = -first.factor.clone(),
+                Some(first) => break_polynomial(&mut first.root, random),
+                None => break_polynomial(target, random),
+            },
+        },
+        Inference::Squeezed { low, high } => std::mem::swap(low, high),
+        Inference::Congruence { left, right } => {
+            left.0 = left.0.saturating_sub(1);
+            right.0 = right.0.saturating_sub(below(random, 2) as u32);
+        }
+        Inference::Cases { on, branches, .. } => match below(random, 3) {
+            0 => break_polynomial(on, random),
+            _ => {
+                let n = below(random, branches.len());
+                return break_step(&mut branches[n], random);
+            }
+        },
+        Inference::Constant { steps, .. } => return break_step(steps, random),
+        Inference::Along { equation, .. } => break_number(equation, random),
+        Inference::Axiom(_) | Inference::Law { .. } | Inference::Derivative(_) => {
+            let moved = steps.remove(at);
+            let to = below(random, steps.len() + 1);
+            steps.insert(to, moved);
+        }
+    }
+    true
+}
+
+#[test]
+fn what_the_kernel_accepts_of_broken_certificates_python_accepts_too() {
+    let Some(python) = python() else { return };
+    let breaks: usize = std::env::var("BREAKS").ok().and_then(|n| n.parse().ok()).unwrap_or(300);
+    let (own, paper) = (own(), paper());
+    let mut all: Vec<Decided> = Vec::new();
+    for (sheet, labels) in [
+        (
+            &own,
+            &["angles", "turns", "exponentials", "roots", "slope", "relation"][..],
+        ),
+        (&paper, &["14", "16"]),
+    ] {
+        for label in labels {
+            all.extend(decided(sheet, sheet.find(label).unwrap(), &Options::default()));
+        }
+    }
+    let mut random = Sequence::new(11);
+    let mut served = Served::new(&python);
+    let (mut tried, mut valid, mut stricter) = (0, 0, 0);
+    let count = all.len();
+    for one in &all {
+        let Found::Proved { certificate, .. } = &one.found else {
+            continue;
+        };
+        let answer = served.ask(&one.data(false));
+        assert!(answer.starts_with("accepted"), "({}): {answer}", one.label);
+        for _ in 0..breaks / count + 1 {
+            let mut broken = certificate.evidence.clone();
+            if !break_step(&mut broken.steps, &mut random) || broken.steps == certificate.evidence.steps {
+                continue;
+            }
+            tried += 1;
+            let with = With {
+                statement: certificate.statement.clone(),
+                evidence: broken.clone(),
+            };
+            let kernel = follows(&with);
+            let accepted = served.ask(&one.steps(&broken).unwrap()).starts_with("accepted");
+            assert!(
+                accepted || kernel.is_err(),
+                "({}): accepted by the kernel alone: {:?}",
+                one.label,
+                differing(&certificate.evidence, &broken)
+            );
+            valid += usize::from(kernel.is_ok());
+            stricter += usize::from(accepted && kernel.is_err());
+        }
+    }
+    println!("{tried} broken certificates: {valid} are proofs all the same, {stricter} refused by the kernel alone");
+    assert!(tried >= breaks / 2, "{tried}");
+}
+
+/// The first step that differs.
+fn differing(a: &Certificate, b: &Certificate) -> Option<Inference> {
+    let pair = a.steps.iter().zip(&b.steps).find(|(a, b)| a != b);
+    pair.map(|(_, b)| b.clone()).or_else(|| b.steps.last().cloned())
+}
