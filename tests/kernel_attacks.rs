@@ -6,7 +6,7 @@ use num_traits::{One, Zero};
 use vibro_audit::claim::{Sheet, Statements, vocabulary};
 use vibro_audit::kernel::{
     Axiom, Certificate, Elementary, FunctionOf, Inference, LawSource, Node, Polynomial, Property, Quantity, Question,
-    Statement, Symbol, Term, With, Witness, follows, questions, refute,
+    Statement, Symbol, Term, With, Witness, follows, prove, questions, refute,
 };
 use vibro_audit::number::Rational;
 use vibro_audit::tex::Name;
@@ -50,7 +50,6 @@ fn identity(target: Polynomial, fact: usize) -> Inference {
 }
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn there_is_no_imaginary_unit_among_real_numbers() {
     let asked =
         question("[symbols]\nparameters = ['x']\n[[equation]]\nlabel = \"1\"\nrole = \"claim\"\ntex = 'x = x + 1'\n");
@@ -70,7 +69,6 @@ fn there_is_no_imaginary_unit_among_real_numbers() {
 }
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn a_principal_root_jumps_where_its_radicand_crosses_the_cut() {
     // ln(exp(i x)) = i x is false for x = 7, although both sides have the derivative i wherever that exists
     let asked = question(
@@ -128,7 +126,6 @@ fn a_principal_root_jumps_where_its_radicand_crosses_the_cut() {
 }
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn a_number_with_a_complex_part_that_is_not_real_may_be_0() {
     // i sqrt(-1) = -1 is true
     let asked = question(
@@ -150,11 +147,10 @@ fn a_number_with_a_complex_part_that_is_not_real_may_be_0() {
 }
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn a_derivative_of_a_derivative_is_not_free() {
     // f(t) = t^2, g = f', h = g': h(1) = 2
     let asked = question(
-        "[symbols]\nparameters = ['x']\ntimes = ['t_k']\nfunctions = { h = '', g = 'h', f = 'g' }\n\
+        "[symbols]\nparameters = ['x']\ntimes = ['t', 't_k']\nfunctions = { h = '', g = 'h', f = 'g' }\n\
          [[equation]]\nlabel = \"1\"\nrole = \"premise\"\ntex = 'f(t) = t^2'\n\
          [[equation]]\nlabel = \"2\"\nrole = \"claim\"\ntex = 'h(x) = 2'\nfollows_from = [\"1\"]\n",
     );
@@ -188,11 +184,10 @@ fn a_derivative_of_a_derivative_is_not_free() {
 }
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn a_law_holds_at_all_times_not_at_that_of_the_sample() {
     // f(t) = t^2 at all t: f(2) = 4
     let asked = question(
-        "[symbols]\ntimes = ['t_k']\nfunctions = { f = '' }\n\
+        "[symbols]\ntimes = ['t', 't_k']\nfunctions = { f = '' }\n\
          [[equation]]\nlabel = \"1\"\nrole = \"premise\"\ntex = 'f(t) = t^2'\n\
          [[equation]]\nlabel = \"2\"\nrole = \"claim\"\ntex = 'f(2) = 4'\nfollows_from = [\"1\"]\n",
     );
@@ -222,7 +217,6 @@ fn a_law_holds_at_all_times_not_at_that_of_the_sample() {
 }
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn derivatives_along_a_map_are_not_free() {
     // y' = 2 x: its derivative by x is 2
     let asked = question(
@@ -251,7 +245,6 @@ fn derivatives_along_a_map_are_not_free() {
 }
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn a_law_of_a_derivative_along_a_map_moves_on_with_its_map() {
     // if the derivative of x_{n+1} by x_n is x_n at each n, x_n and x_{n+1} need not be equal
     let asked = question(
@@ -298,7 +291,6 @@ fn over_complex_numbers_a_root_in_a_premise_says_nothing_of_its_radicand() {
 }
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn a_power_of_0_with_a_negative_exponent_has_no_value() {
     // where it is defined, y > 0
     let asked = question(
@@ -343,7 +335,6 @@ const X_IS_1: &str =
     "[symbols]\nparameters = ['x']\nnonzero = ['x']\n[[equation]]\nlabel = \"1\"\nrole = \"claim\"\ntex = 'x = 1'\n";
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn exponents_do_not_saturate() {
     let asked = question(X_IS_1);
     let x = symbol(&asked.statement, "x");
@@ -368,17 +359,15 @@ fn exponents_do_not_saturate() {
 }
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn printed_powers_do_not_saturate() {
     let asked = question(
         "[symbols]\nparameters = ['x']\npositive = ['x']\n[[equation]]\nlabel = \"1\"\nrole = \"claim\"\n\
-         tex = '(x^{65536})^{65536} x = (x^{65536})^{65536}'\n",
+         tex = '(((x^{1000})^{1000})^{1000})^{5} x = (((x^{1000})^{1000})^{1000})^{5}'\n",
     );
     assert!(follows(&proof(asked.statement.clone(), Vec::new())).is_err());
 }
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn the_root_of_index_0_is_none() {
     let asked = question(X_IS_1);
     let mut statement = asked.statement.clone();
@@ -388,7 +377,6 @@ fn the_root_of_index_0_is_none() {
 }
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn roots_of_huge_indices_are_not_alike() {
     let asked = question(X_IS_1);
     let mut statement = asked.statement.clone();
@@ -413,7 +401,6 @@ fn roots_of_huge_indices_are_not_alike() {
 }
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn no_term_stands_in_itself() {
     let asked = question(X_IS_1);
     let mut statement = asked.statement.clone();
@@ -431,7 +418,6 @@ fn no_term_stands_in_itself() {
 }
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn the_terms_of_a_statement_are_not_exchanged() {
     let asked = question(X_IS_1);
     let mut statement = asked.statement.clone();
@@ -444,16 +430,16 @@ fn the_terms_of_a_statement_are_not_exchanged() {
         last = terms.add(Node::Power(last, 1));
         let _ = one;
     }
-    for n in 0..statement.terms().symbols() {
-        terms.new_symbol(statement.terms().symbol_name(Symbol(n as u32)));
-    }
     *statement.terms_mut() = terms;
-    let goal_vanishes = follows(&proof(statement, Vec::new())).is_ok();
-    assert!(!goal_vanishes);
+    let point = With {
+        statement: asked.statement.clone(),
+        evidence: Witness::default(),
+    };
+    let refusal = prove(&asked.statement, &proof(statement, Vec::new()), &point).unwrap_err();
+    assert!(refusal.to_string().contains("another statement"), "{refusal}");
 }
 
 #[test]
-#[ignore = "accepted by the kernel"]
 fn a_huge_negative_exponent_is_not_one_less() {
     let asked = question(X_IS_1);
     let x = symbol(&asked.statement, "x");
