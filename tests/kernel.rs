@@ -7,6 +7,8 @@
 mod attacks;
 #[path = "kernel/axioms.rs"]
 mod axioms;
+#[path = "kernel/breaks.rs"]
+mod breaks;
 #[path = "kernel/digits.rs"]
 mod digits;
 #[path = "kernel/forge.rs"]

@@ -555,6 +555,9 @@ impl<'a> Checker<'a> {
                 let Some(given) = self.statement.givens.get(given).cloned() else {
                     return refused("there is no such given");
                 };
+                if shift != 0 && !self.statement.may_move(given.term) {
+                    return refused("the law does not extend so far");
+                }
                 match given.law {
                     Some(law) if given.property == Property::Zero && (shift == 0 || law.every_impact) => {
                         let Some(time) = law.time else {

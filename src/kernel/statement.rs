@@ -357,7 +357,7 @@ impl Statement {
         let Some(law) = law else {
             return (time.is_none() && shift == 0).then_some((property, term, Vec::new()));
         };
-        if (shift != 0 && !law.every_impact) || law.time.is_some() != time.is_some() {
+        if (shift != 0 && !(law.every_impact && self.may_move(term))) || law.time.is_some() != time.is_some() {
             return None;
         }
         if let (Some(flight), Some(time)) = (law.flight, time) {
@@ -390,6 +390,16 @@ impl Statement {
         Some((property, term, conditions))
     }
 
+    /// Whether a term means something at other impacts: the trace of a map is that of one map.
+    pub(super) fn may_move(&mut self, term: Term) -> bool {
+        let term = self.written_out(term);
+        let fixed = |inner: Term| match self.terms.node(inner) {
+            Node::Symbol(symbol) => matches!(self.quantity(*symbol), Some(Quantity::Invariant { .. })),
+            _ => false,
+        };
+        !self.terms.inside(term).into_iter().any(fixed)
+    }
+
     /// The term with its running time replaced and its impacts moved on.
     pub fn moved(&mut self, term: Term, time: Option<(Symbol, Term)>, shift: i32) -> Term {
         let mut terms = std::mem::take(&mut self.terms);
@@ -406,6 +416,23 @@ impl Statement {
                         index: index + shift,
                         after: *after,
                     },
+                    Quantity::Partial { of, by } => {
+                        let pair = [*of, *by];
+                        std::mem::swap(&mut self.terms, terms);
+                        let [of, by] = pair.map(|symbol| {
+                            let term = self.terms.symbol(symbol);
+                            match self.moved(term, None, shift) {
+                                moved if moved == term => symbol,
+                                moved => match self.terms.node(moved) {
+                                    Node::Symbol(moved) => *moved,
+                                    _ => symbol,
+                                },
+                            }
+                        });
+                        let partial = self.partial(of, by);
+                        std::mem::swap(&mut self.terms, terms);
+                        return Some(terms.symbol(partial));
+                    }
                     // the index itself
                     Quantity::Parameter(name) if super::build::is_letter(name, &self.letter) => {
                         let (number, by) = (terms.symbol(*symbol), terms.integer(i64::from(shift)));

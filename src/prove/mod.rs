@@ -209,6 +209,18 @@ fn smallest_contradiction(premises: &kernel::Statement, budget: u64) -> Option<V
     Some(kept)
 }
 
+/// The certificates that the search finds for the questions of the claim at a position, each with its statement.
+pub fn certificates(sheet: &Sheet, position: usize) -> Vec<kernel::With<kernel::Certificate>> {
+    let Ok(statements) = Decision::without_search(sheet, position) else {
+        return Vec::new();
+    };
+    let questions = kernel::questions(&statements, &sheet.vocabulary).unwrap_or_default();
+    let found = questions
+        .iter()
+        .map(|question| proof::search(&question.statement, PROOF_STEPS));
+    found.flatten().collect()
+}
+
 /// Decides each claim, in the order of the sheet. What cannot be read has a row too, whatever its role.
 pub fn audit(sheet: &Sheet, options: &Options) -> Vec<Decision> {
     let rows = sheet.rows().into_iter();
