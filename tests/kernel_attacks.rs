@@ -254,7 +254,7 @@ fn a_law_of_a_derivative_along_a_map_moves_on_with_its_map() {
     );
     let statement = asked.statement.clone();
     let law = statement.givens().iter().position(|given| given.law.is_some()).unwrap();
-    let mut at = |shift| Inference::Law {
+    let at = |shift| Inference::Law {
         source: LawSource::Given { given: law, shift },
         at: None,
     };

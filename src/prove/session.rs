@@ -888,15 +888,6 @@ impl<'a> Session<'a> {
         self.show_zero(&polynomial)
     }
 
-    /// The values of generators that the triangle leaves free, and of those it determines, modulo a prime.
-    pub fn main_generators(&self) -> BTreeMap<Term, usize> {
-        self.triangle
-            .iter()
-            .enumerate()
-            .map(|(number, pivot)| (pivot.generator, number))
-            .collect()
-    }
-
     /// The node of a term.
     pub fn node(&self, term: Term) -> Node {
         self.checker.statement.terms().node(term).clone()
