@@ -38,7 +38,7 @@ const SHEET: &str = r#"
 parameters = ['x', 'y', 'a', 'b', 's']
 positive = ['a']
 functions = { g = '', f = 'g' }
-times = ['t_k']
+times = ['t', 't_k']
 relations = ['s^2 = 2']
 
 [[equation]]

@@ -1659,9 +1659,29 @@ def check_translation(statement, readings):
                 compared[number] = found = True
         require(found, "the formula (%s) is not what was checked" % (label or "the claim"))
     for number, found in compared.items():
+        if number >= 0 and statement.givens[number][0].startswith("the domain of"):
+            continue  # its own conditions stand beside those of its formula
         name = "the claim" if number < 0 else statement.givens[number][0]
         require(found, "what was checked as (%s) is printed nowhere" % name)
     return len(compared)
+
+
+def check_domains(statement, readings):
+    """Nothing is given as the domain of a formula but what the formula needs to have a value."""
+    s = statement
+    law_terms = [of for _, _, _, law in s.givens if law for _, of in law["conditions"]]
+    terms = [term for _, _, term, _ in s.givens] + [term for _, term in s.goals] + law_terms
+    needed = set(s.domain(*terms))
+    for inner in s.inside(*terms, *s.definitions.values()):
+        node = s.nodes[inner]
+        # a fractional exponent is read of a base that is not negative
+        if node[0] == "realpower" or (node[0] == "root" and not s.complex):
+            needed.add((NONNEGATIVE, node[1] if node[0] == "realpower" else node[2]))
+    stated = {label for label, _, _ in readings["formulas"]}
+    for label, holds, term, _ in s.givens:
+        # beside a formula with conditions of its own, these stand under the same label
+        if label.startswith("the domain of") and label not in stated:
+            require((holds, term) in needed, "more is given as %s than it needs" % label)
 
 
 # --- all of it -------------------------------------------------------------------------------------------------------
@@ -1672,7 +1692,10 @@ def check(data, readings=None):
     mpmath.mp.dps = DIGITS
     sys.setrecursionlimit(20000)
     statement = Statement(data)
-    said = "; %d formulas are as printed" % check_translation(statement, readings) if readings else ""
+    said = ""
+    if readings:
+        said = "; %d formulas are as printed" % check_translation(statement, readings)
+        check_domains(statement, readings)
     if data["verdict"] == "proved":
         check_proof(statement.copy(data["proof"]), data["proof"])
         Point(statement.copy(data["point"]), data["point"])

@@ -1,6 +1,5 @@
 //! The printed formulas as Python expressions, from their trees alone: the kernel's terms are compared with these.
 
-use super::script::{list, quoted};
 use crate::claim::{Local, Map, Statements, Vocabulary, flies, index_of, pair_of, subscript_of};
 use crate::kernel::{Question, Symbol};
 use crate::tex::{Condition, Equation, Invariant, Name, Relation, Tree};
@@ -57,6 +56,10 @@ impl<'a> Formulas<'a> {
         for premise in &self.statements.premises {
             let within = self.within(&premise.equation, &premise.locals, None);
             push(&premise.label, &within, within.relation(&premise.equation));
+            for condition in &premise.assume {
+                let label = format!("the domain of ({})", premise.label);
+                push(&label, &within, within.condition(condition));
+            }
         }
         let claim = &self.question.equation;
         let own = Within {
@@ -65,11 +68,7 @@ impl<'a> Formulas<'a> {
             ..self.within(claim, &self.statements.locals, None)
         };
         for condition in &self.statements.assume {
-            let formula = match condition {
-                Condition::Relation(equation) => own.relation(equation),
-                Condition::Integer(tree) => own.python(tree),
-            };
-            push("the assumptions", &own, formula);
+            push("the assumptions", &own, own.condition(condition));
         }
         for relation in &self.vocabulary.relations {
             push(&relation.to_string(), &own, own.relation(relation));
@@ -175,6 +174,13 @@ impl Within<'_> {
         match equation.relation {
             Relation::Less | Relation::LessOrEqual => format!("{right} - {left}"),
             _ => format!("{left} - {right}"),
+        }
+    }
+
+    fn condition(&self, condition: &Condition) -> String {
+        match condition {
+            Condition::Relation(equation) => self.relation(equation),
+            Condition::Integer(tree) => self.python(tree),
         }
     }
 
@@ -339,4 +345,26 @@ fn undotted(state: &Name) -> (Name, u32) {
     };
     root.accents.pop();
     (root, dots)
+}
+
+/// A string as JSON and Python write it.
+pub(super) fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            c if c.is_control() || !c.is_ascii() => {
+                let mut units = [0; 2];
+                out.extend(c.encode_utf16(&mut units).iter().map(|unit| format!("\\u{unit:04x}")));
+            }
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}
+
+pub(super) fn list(items: impl IntoIterator<Item = String>) -> String {
+    format!("[{}]", items.into_iter().collect::<Vec<_>>().join(", "))
 }

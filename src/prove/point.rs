@@ -317,6 +317,14 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
             if at != running || !once || named.iter().any(|(f, ..)| *f == function) || order > 0 {
                 continue;
             }
+            // a law of flight says what the motion is, not what drives it
+            let flies = matches!(
+                statement.functions().get(function.0 as usize),
+                Some(FunctionOf::Flight { .. })
+            );
+            if law.flies() && !flies {
+                continue;
+            }
             let coefficients = coefficients_in(&form, generator);
             let [rest, lead] = coefficients.as_slice() else {
                 continue;
@@ -332,7 +340,10 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
             let formula = ratio_term(&mut session, &rest.negated(), lead);
             named.push((function, time, formula));
         }
-        bound.extend(own.iter().map(|(f, ..)| *f));
+        // a law of flight binds the motion, not what drives it
+        let lines = statement.functions().to_vec();
+        let is_line = |f: &Function| matches!(lines.get(f.0 as usize), Some(FunctionOf::Line(_)));
+        bound.extend(own.iter().map(|(f, ..)| *f).filter(|f| !law.flies() || !is_line(f)));
     }
     for function in statement.derivatives().keys().copied().collect::<Vec<_>>() {
         if is_own_derivative(statement, function) {
@@ -1013,6 +1024,8 @@ impl Search<'_> {
                     self.statement.terms().len()
                 );
                 let symbol = self.statement.fresh(&name);
+                // functions that are derivatives of each other have their values at the same times
+                let at = self.known_time(function, at).unwrap_or(at);
                 self.table.push((function, order, at, symbol));
             }
         }
@@ -1053,38 +1066,51 @@ impl Search<'_> {
 
     /// The symbol for a value at a time that is the same, but for whole periods.
     fn lookup(&mut self, function: Function, order: u32, at: Term) -> Option<Symbol> {
+        let table = self.table.clone().into_iter();
+        for (_, _, time, symbol) in table.filter(|(f, n, ..)| (*f, *n) == (function, order)) {
+            if self.is_same_time(function, at, time) {
+                return Some(symbol);
+            }
+        }
+        None
+    }
+
+    /// A time of the table for a function of the same family that is the same, but for whole periods.
+    fn known_time(&mut self, function: Function, at: Term) -> Option<Term> {
+        let family = family(&self.statement, function);
+        let table = self.table.clone().into_iter();
+        for (_, _, time, _) in table.filter(|(f, ..)| family.contains(f)) {
+            if self.is_same_time(function, at, time) {
+                return Some(time);
+            }
+        }
+        None
+    }
+
+    /// Whether two times are the same for a function, but for whole periods of it.
+    fn is_same_time(&mut self, function: Function, at: Term, time: Term) -> bool {
+        let apart = self.statement.terms_mut().difference(at, time);
+        if numerator(&self.statement, apart).is_some_and(|form| form.is_zero()) {
+            return true;
+        }
         let period = self
             .known_periods
             .iter()
             .find(|(f, _)| *f == function)
             .map(|(_, period)| *period);
-        for (_, _, time, symbol) in self
-            .table
-            .clone()
-            .into_iter()
-            .filter(|(f, n, ..)| (*f, *n) == (function, order))
-        {
-            let apart = self.statement.terms_mut().difference(at, time);
-            let form = numerator(&self.statement, apart)?;
-            if form.is_zero() {
-                return Some(symbol);
-            }
-            if let Some(period) = period {
-                let turns = self.statement.terms_mut().quotient(apart, period);
-                let Ok(quotient) = Expansion::new(BTreeSet::new(), 100_000).of(self.statement.terms(), turns) else {
-                    continue;
-                };
-                let whole = match quotient.divisors.as_slice() {
-                    [] => quotient.numerator.as_constant(),
-                    [(divisor, 1)] => ratio(&quotient.numerator, divisor),
-                    _ => None,
-                };
-                if whole.is_some_and(|turns| *turns.0.denominator() == dashu_int::UBig::ONE) {
-                    return Some(symbol);
-                }
-            }
-        }
-        None
+        let Some(period) = period else {
+            return false;
+        };
+        let turns = self.statement.terms_mut().quotient(apart, period);
+        let Ok(quotient) = Expansion::new(BTreeSet::new(), 100_000).of(self.statement.terms(), turns) else {
+            return false;
+        };
+        let whole = match quotient.divisors.as_slice() {
+            [] => quotient.numerator.as_constant(),
+            [(divisor, 1)] => ratio(&quotient.numerator, divisor),
+            _ => None,
+        };
+        whole.is_some_and(|turns| *turns.0.denominator() == dashu_int::UBig::ONE)
     }
 
     /// Tries numbers for what is free.
@@ -1439,6 +1465,27 @@ impl Search<'_> {
         let spread = 3 + attempt / 40;
         let mut pick = |most: usize| (self.random.draw() % most.max(1) as u64) as i64;
         let closed = attempt % 5 == 4;
+        if let Some(Quantity::Time { index, .. }) = self.statement.quantity(symbol) {
+            // impacts follow each other
+            let number = Rational::from_ratio(8 * i64::from(*index) + pick(8), 8);
+            return self.statement.terms_mut().number(number);
+        }
+        let bounded = givens.iter().any(|given| {
+            given.property == Property::NonNegative
+                && numerator(&self.statement, given.term).is_some_and(|form| {
+                    // 1 - symbol
+                    let generators = form.generators();
+                    let constant = form.terms().iter().any(|(monomial, value)| {
+                        monomial.is_empty() && Rational(value.clone()) == Rational::from_integer(1)
+                    });
+                    generators.len() == 1 && term_is(generators[0]) && constant && form.terms().len() == 2
+                })
+        });
+        if bounded && positive {
+            let above = pick(spread) + 1;
+            let number = Rational::from_ratio(above, above + pick(spread) + 1);
+            return self.statement.terms_mut().number(number);
+        }
         let (above, below) = match (positive, integer) {
             (true, true) => (pick(spread + 2) + 1, 1),
             (false, true) => (pick(2 * spread + 1) - spread as i64, 1),
@@ -1459,12 +1506,15 @@ impl Search<'_> {
 
     fn speaks_of_circles(&self) -> bool {
         let terms = self.statement.terms();
-        (0..terms.len()).any(|n| {
+        let given = self.statement.givens().iter().map(|given| given.term);
+        let goal = self.statement.goal().iter().map(|(_, term)| *term);
+        let circle = |inner: &Term| {
             matches!(
-                terms.node(Term(n as u32)),
+                terms.node(*inner),
                 Node::Elementary(Elementary::Sin | Elementary::Cos, _)
             )
-        })
+        };
+        given.chain(goal).any(|term| terms.inside(term).iter().any(circle))
     }
 
     /// The witness of a choice, with what shows that its numbers meet the premises.

@@ -3,7 +3,7 @@
 //! A script is what is printed, as comments; the statement, the steps and the point, as data; the printed formulas once
 //! more, by another printer, to be compared with the statement at random points; and the checker, `check.py`.
 
-use super::formula::Formulas;
+use super::formula::{Formulas, list, quoted};
 use super::{Decision, Options, Outcome, outcome};
 use crate::claim::{Sheet, Statements};
 use crate::kernel::{
@@ -179,28 +179,6 @@ fn one_line(text: &str) -> String {
 
 fn field(name: &str, value: String) -> String {
     format!("{}: {value}", quoted(name))
-}
-
-/// A string as JSON and Python write it.
-pub(super) fn quoted(text: &str) -> String {
-    let mut out = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '"' => out.push_str("\\\""),
-            '\\' => out.push_str("\\\\"),
-            c if c.is_control() || !c.is_ascii() => {
-                let mut units = [0; 2];
-                out.extend(c.encode_utf16(&mut units).iter().map(|unit| format!("\\u{unit:04x}")));
-            }
-            c => out.push(c),
-        }
-    }
-    out.push('"');
-    out
-}
-
-pub(super) fn list(items: impl IntoIterator<Item = String>) -> String {
-    format!("[{}]", items.into_iter().collect::<Vec<_>>().join(", "))
 }
 
 fn integers<N: ToString>(items: impl IntoIterator<Item = N>) -> String {

@@ -436,10 +436,10 @@ impl<'a> Session<'a> {
         Some(last)
     }
 
-    /// Whether a function is part of what another generator is a function of.
+    /// Whether a function with symbols is part of what another generator is a function of.
     fn is_inside_another(&self, generator: Term, polynomial: &Polynomial) -> bool {
         let terms = self.checker.statement.terms();
-        let is_function = matches!(terms.node(generator), Node::Elementary(..));
+        let is_function = matches!(terms.node(generator), Node::Elementary(..)) && !terms.is_closed(generator);
         let holds = |other: &Term| *other != generator && terms.inside(*other).contains(&generator);
         is_function && polynomial.generators().iter().any(holds)
     }

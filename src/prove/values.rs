@@ -48,6 +48,11 @@ impl Usable {
         self.time
     }
 
+    /// Whether it is a law of a flight.
+    pub fn flies(&self) -> bool {
+        self.flight.is_some()
+    }
+
     /// Whether it is a premise, rather than derived.
     pub fn is_given(&self) -> bool {
         matches!(self.source, LawSource::Given { .. })
