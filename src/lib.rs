@@ -4,26 +4,30 @@
     doc = "Verification of printed formulas for vibro-impact dynamics; the README's examples need the feature `cli`."
 )]
 
-// The dynamics, always there.
-pub mod impact;
-pub mod model;
 pub mod number;
+
+// The dynamics, always there but where the kernel is built alone.
+#[cfg(any(feature = "audit", not(feature = "kernel")))]
+pub mod impact;
+#[cfg(any(feature = "audit", not(feature = "kernel")))]
+pub mod model;
+#[cfg(any(feature = "audit", not(feature = "kernel")))]
 pub mod orbit;
 
 // Formulas and their proofs, and what holds formulas and numbers against each other.
 #[cfg(feature = "audit")]
 pub mod algebra;
-#[cfg(feature = "audit")]
+#[cfg(feature = "kernel")]
 pub mod claim;
 #[cfg(feature = "audit")]
 pub mod evidence;
-#[cfg(feature = "audit")]
+#[cfg(feature = "kernel")]
 pub mod kernel;
 #[cfg(feature = "audit")]
 pub mod prove;
 #[cfg(feature = "audit")]
 pub mod reference;
-#[cfg(feature = "audit")]
+#[cfg(feature = "kernel")]
 pub mod tex;
 
 // Scenes, tables, commands.

@@ -3,13 +3,46 @@
 //! `attacks` holds one test for each hole that was found by reading: a certificate or a witness that was accepted
 //! once, and the wrong verdict that it would have made.
 
+#![cfg(feature = "kernel")]
+
 #[path = "kernel/attacks.rs"]
 mod attacks;
 #[path = "kernel/axioms.rs"]
 mod axioms;
+#[cfg(feature = "audit")]
 #[path = "kernel/breaks.rs"]
 mod breaks;
 #[path = "kernel/digits.rs"]
 mod digits;
 #[path = "kernel/forge.rs"]
 mod forge;
+
+/// The two verdicts are made in one place each.
+#[test]
+fn only_the_verdicts_of_the_kernel_are_verdicts() {
+    let mut open = vec![std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src")];
+    let mut made = Vec::new();
+    while let Some(path) = open.pop() {
+        if path.is_dir() {
+            open.extend(std::fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().path()));
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).unwrap_or_default();
+        for line in text.lines().map(str::trim).filter(|line| !line.starts_with("//")) {
+            let is_made = ["Proved {", "Refuted {"].iter().any(|word| {
+                line.contains(word) && !["struct", "impl", "enum"].iter().any(|before| line.contains(before))
+            });
+            if is_made {
+                made.push(format!("{}: {line}", path.file_name().unwrap().to_string_lossy()));
+            }
+        }
+    }
+    made.sort();
+    let expected = [
+        "verdict.rs: Ok(Proved {",
+        "verdict.rs: Ok(Refuted { nowhere: true })",
+        "verdict.rs: true => Ok(Refuted { nowhere: false }),",
+    ];
+    let of_kernel: Vec<&String> = made.iter().filter(|line| line.starts_with("verdict.rs")).collect();
+    assert_eq!(of_kernel, expected, "{made:#?}");
+}

@@ -275,7 +275,6 @@ fn a_law_of_a_derivative_along_a_map_moves_on_with_its_map() {
 }
 
 #[test]
-#[ignore = "taken as given by the kernel"]
 fn over_complex_numbers_a_root_in_a_premise_says_nothing_of_its_radicand() {
     // z = sqrt(x) with principal branches: x = -1, z = i
     let asked = question(
@@ -311,7 +310,6 @@ fn a_power_of_0_with_a_negative_exponent_has_no_value() {
 }
 
 #[test]
-#[ignore = "taken as given by the kernel"]
 fn solutions_obey_what_is_declared_of_their_symbol() {
     // x^2 = 1 with x positive has one solution: -1 is none
     let all = all_questions(

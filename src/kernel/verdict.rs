@@ -11,6 +11,15 @@ use super::witness::{At, Witness};
 pub const EFFORT: u64 = 20_000_000;
 
 /// A claim that follows: its certificate is accepted, and so is a point at which everything given holds.
+///
+/// Nothing outside can make one:
+///
+/// ```compile_fail,E0451
+/// let proved = vibro_audit::kernel::Proved { provided: Vec::new() };
+/// ```
+/// ```compile_fail,E0599
+/// let proved = vibro_audit::kernel::Proved::default();
+/// ```
 #[derive(Clone, Debug)]
 pub struct Proved {
     provided: Vec<String>,
@@ -24,6 +33,16 @@ impl Proved {
 }
 
 /// A claim that does not follow: a point at which everything given holds and the claim fails, or nowhere defined.
+///
+/// Nothing outside can make one, nor change what is given:
+///
+/// ```compile_fail,E0451
+/// let refuted = vibro_audit::kernel::Refuted { nowhere: false };
+/// ```
+/// ```compile_fail,E0616
+/// let mut statement = vibro_audit::kernel::Statement::default();
+/// statement.givens.clear();
+/// ```
 #[derive(Clone, Debug)]
 pub struct Refuted {
     nowhere: bool,
