@@ -138,29 +138,6 @@ pub fn accepts_whole(
     })
 }
 
-/// What comes of a certificate and a point.
-pub fn proves(
-    statement: &Statement,
-    certificate: impl FnOnce(&mut Statement) -> Vec<Inference>,
-    point: impl FnOnce(&mut Statement) -> Witness,
-) -> Result<(), Refusal> {
-    let (mut first, mut second) = (statement.clone(), statement.clone());
-    let steps = certificate(&mut first);
-    let certificate = With {
-        statement: first,
-        evidence: Certificate {
-            whole: Vec::new(),
-            steps,
-        },
-    };
-    let evidence = point(&mut second);
-    let point = With {
-        statement: second,
-        evidence,
-    };
-    prove(statement, &certificate, &point).map(|_| ())
-}
-
 /// What comes of a counterexample made by `forge`.
 pub fn refutes(statement: &Statement, forge: impl FnOnce(&mut Statement) -> Witness) -> Result<(), Refusal> {
     let mut own = statement.clone();
