@@ -652,7 +652,7 @@ impl<'a> At<'a> {
             Property::Zero => [real, imaginary] == [0, 0],
             Property::Nonzero => [real, imaginary] != [0, 0],
             Property::Positive => [real, imaginary] == [1, 0],
-            Property::NonNegative => real >= 0 && real < 2 && imaginary == 0,
+            Property::NonNegative => (0..2).contains(&real) && imaginary == 0,
             Property::Integer => {
                 let quotient = self.numerator(sampled)?;
                 let value = quotient
@@ -1036,7 +1036,7 @@ impl<'a> At<'a> {
         let apart = self.statement.terms.difference(a, b);
         let apart = self.translate(apart, None)?;
         let apart = self.sampled(apart, None);
-        if !self.number(apart)?.is_some_and(|signs| signs != [0, 0]) {
+        if self.number(apart)?.is_none_or(|signs| signs == [0, 0]) {
             return refused("two times of the table may be the same");
         }
         let chain = self.chain(function);

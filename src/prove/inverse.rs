@@ -26,11 +26,10 @@ pub fn describe(session: &mut Session, met: &BTreeSet<Term>) {
         }
     }
     for &term in met {
-        match session.node(term) {
-            Node::Elementary(function @ (Elementary::Arcsin | Elementary::Arccos | Elementary::Arctan), of) => {
-                describe_one(session, function, term, of)
-            }
-            _ => {}
+        if let Node::Elementary(function @ (Elementary::Arcsin | Elementary::Arccos | Elementary::Arctan), of) =
+            session.node(term)
+        {
+            describe_one(session, function, term, of)
         }
     }
 }

@@ -1079,12 +1079,10 @@ impl Search<'_> {
     fn known_time(&mut self, function: Function, at: Term) -> Option<Term> {
         let family = family(&self.statement, function);
         let table = self.table.clone().into_iter();
-        for (_, _, time, _) in table.filter(|(f, ..)| family.contains(f)) {
-            if self.is_same_time(function, at, time) {
-                return Some(time);
-            }
-        }
-        None
+        table
+            .filter(|(f, ..)| family.contains(f))
+            .map(|(_, _, time, _)| time)
+            .find(|&time| self.is_same_time(function, at, time))
     }
 
     /// Whether two times are the same for a function, but for whole periods of it.

@@ -31,12 +31,12 @@ pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
         if session.is_determined(term) {
             continue;
         }
-        if index % 2 == 0 && !session.checker.statement.terms().is_closed(term) {
-            if let Some(radicand) = session.numerator_of_polynomial(of)
-                && session.show_sign(&Polynomial::generator(term), true).is_none()
-            {
-                let _ = session.show_root_positive(term, &radicand);
-            }
+        if index % 2 == 0
+            && !session.checker.statement.terms().is_closed(term)
+            && let Some(radicand) = session.numerator_of_polynomial(of)
+            && session.show_sign(&Polynomial::generator(term), true).is_none()
+        {
+            let _ = session.show_root_positive(term, &radicand);
         }
         if let Some(radicand) = session.numerator(of)
             && session.normal_form(&radicand).is_some_and(|rest| rest.is_zero())
@@ -290,7 +290,7 @@ fn value(session: &mut Session, index: u32, form: &Form) -> Option<Term> {
             push(&mut pieces, root, inside);
         }
     }
-    if index % 2 == 0 {
+    if index.is_multiple_of(2) {
         if negative {
             together = together.negated();
         }

@@ -114,12 +114,13 @@ fn impacts(session: &Session, goals: &[Polynomial]) -> BTreeSet<i32> {
     for generator in session.generators(goals).into_iter().chain(goal_terms) {
         for inner in statement.terms().inside(generator) {
             match statement.terms().node(inner) {
-                Node::Symbol(symbol) => match statement.quantity(*symbol) {
-                    Some(Quantity::State { index, .. } | Quantity::Time { index, .. }) => {
+                Node::Symbol(symbol) => {
+                    if let Some(Quantity::State { index, .. } | Quantity::Time { index, .. }) =
+                        statement.quantity(*symbol)
+                    {
                         found.insert(*index);
                     }
-                    _ => {}
-                },
+                }
                 Node::Value(function, ..) => {
                     if let Some(FunctionOf::Flight { impact, .. }) = statement.functions().get(function.0 as usize) {
                         found.insert(*impact);

@@ -3,7 +3,7 @@
 use vibro_audit::claim::{Sheet, Statements, vocabulary};
 use vibro_audit::kernel::{
     Axiom, Certificate, Function, Inference, LawSource, Polynomial, Question, Refusal, Statement, Symbol, Term,
-    Unreadable, With, Witness, follows, prove, questions, refute,
+    Unreadable, With, Witness, follows, questions, refute,
 };
 
 /// A sheet with these lines under `[symbols]`, premises, and one claim.
