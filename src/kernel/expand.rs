@@ -251,6 +251,8 @@ pub fn derivative(
                 terms.sum(sum)
             }
             _ if terms.parts(inner).iter().all(|part| of(part) == zero) => zero,
+            Node::Power(_, 0) => terms.integer(0),
+            Node::Power(base, 1) => of(&base),
             Node::Power(base, exponent) => {
                 let outer = terms.integer(i64::from(exponent));
                 let lower = terms.add(Node::Power(base, exponent.saturating_sub(1)));

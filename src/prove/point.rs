@@ -786,6 +786,7 @@ impl Search<'_> {
                     {
                         4
                     }
+                    1 => 5,
                     _ => return None,
                 };
                 Some((class, preference, lead.terms().len() + form.terms().len()))
