@@ -16,6 +16,8 @@ mod breaks;
 mod digits;
 #[path = "kernel/forge.rs"]
 mod forge;
+#[path = "kernel/rules.rs"]
+mod rules;
 
 /// The two verdicts are made in one place each.
 #[test]

@@ -1,10 +1,10 @@
 //! Numeric witnesses beside verdicts.
 //!
-//! A witness shares no code with the proof. Premises and claim become programs over slots ([`formula`]), evaluated over
-//! the reals or the complex numbers ([`value`]), in f64, in duals and in 40 digits. Random points are moved onto the
-//! premises by Gauss-Newton steps ([`newton`], [`point`]); functions of time flow by their laws ([`flow`]), or are
+//! A witness shares no code with the proof. Premises and claim become programs over slots (`formula`), evaluated over
+//! the reals or the complex numbers (`value`), in f64, in duals and in 40 digits. Random points are moved onto the
+//! premises by Gauss-Newton steps (`newton`, `point`); functions of time flow by their laws (`flow`), or are
 //! trigonometric polynomials where no premise gives them; derivatives of maps come by implicit differentiation
-//! ([`derivative`]). There the sides of the claim are compared ([`judgement`]). No elimination, no polynomial, no closed
+//! (`derivative`). There the sides of the claim are compared (`judgement`). No elimination, no polynomial, no closed
 //! form.
 
 mod compiler;

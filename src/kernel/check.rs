@@ -3,7 +3,7 @@
 use super::certificate::{Axiom, Certificate, Inference, LawSource, Summand};
 use super::expand::{Expansion, Refusal, vanishes};
 use super::polynomial::Polynomial;
-use super::statement::{Property, Statement};
+use super::statement::{Instance, Property, Statement};
 use super::term::{Elementary, Node, Symbol, Term};
 use crate::number::Rational;
 use num_traits::Zero;
@@ -480,7 +480,11 @@ impl<'a> Checker<'a> {
     }
 
     fn law(&mut self, source: LawSource, at: Option<Term>) -> Outcome<()> {
-        let (property, term, conditions) = match source {
+        let Instance {
+            property,
+            term,
+            conditions,
+        } = match source {
             LawSource::Given { given, shift } => {
                 if self.statement.givens.get(given).is_none_or(|given| given.law.is_none()) {
                     return refused("the given is no law");
@@ -504,7 +508,11 @@ impl<'a> Checker<'a> {
                 for (property, of) in law.conditions.into_iter().chain(law.domain) {
                     conditions.push((property, self.statement.moved(of, time, 0)));
                 }
-                (Property::Zero, term, conditions)
+                Instance {
+                    property: Property::Zero,
+                    term,
+                    conditions,
+                }
             }
         };
         let at: Vec<Term> = at.into_iter().collect();

@@ -29,8 +29,8 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
                 let ends = times.into_iter().filter(|(_, time)| step.of.contains(time));
                 for (index, time) in ends.collect::<Vec<_>>() {
                     let time = statement.terms.symbol(time);
-                    if let Some((_, term, _)) = statement.instance(number, Some(time), index - 1 - flight, None) {
-                        candidates.push((label.clone(), term));
+                    if let Some(instance) = statement.instance(number, Some(time), index - 1 - flight, None) {
+                        candidates.push((label.clone(), instance.term));
                     }
                 }
             }

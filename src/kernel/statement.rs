@@ -81,6 +81,15 @@ pub struct Given {
     pub law: Option<Law>,
 }
 
+/// What a law says at one time, for the impacts moved on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Instance {
+    pub property: Property,
+    pub term: Term,
+    /// What must hold for it: the conditions of the law, and that all of it is defined.
+    pub conditions: Vec<(Property, Term)>,
+}
+
 /// A map whose derivatives a statement speaks of.
 #[derive(Clone, Debug, Default)]
 pub struct Step {
@@ -342,20 +351,25 @@ impl Statement {
         symbol
     }
 
-    /// An instance of a law: its running time replaced by `time` and its impacts moved on by `shift`, with what must
-    /// hold for it; nothing where the law does not extend so far.
+    /// An instance of a law: its running time replaced by `time` and its impacts moved on by `shift`; nothing where the
+    /// law does not extend so far.
     pub fn instance(
         &mut self,
         given: usize,
         time: Option<Term>,
         shift: i32,
         running_in: Option<(Symbol, i32)>,
-    ) -> Option<(Property, Term, Vec<(Property, Term)>)> {
+    ) -> Option<Instance> {
         let Given {
             property, term, law, ..
         } = self.givens.get(given)?.clone();
         let Some(law) = law else {
-            return (time.is_none() && shift == 0).then_some((property, term, Vec::new()));
+            let conditions = Vec::new();
+            return (time.is_none() && shift == 0).then_some(Instance {
+                property,
+                term,
+                conditions,
+            });
         };
         if (shift != 0 && !(law.every_impact && self.may_move(term))) || law.time.is_some() != time.is_some() {
             return None;
@@ -387,7 +401,11 @@ impl Statement {
         for of in conditions.iter().map(|(_, of)| *of).chain([term]).collect::<Vec<_>>() {
             conditions.extend(self.domain(of));
         }
-        Some((property, term, conditions))
+        Some(Instance {
+            property,
+            term,
+            conditions,
+        })
     }
 
     /// Whether a term means something at other impacts: the trace of a map is that of one map.

@@ -5,7 +5,7 @@ use super::check::Checker;
 use super::enclosure;
 use super::expand::{Expansion, Refusal, derivative, vanishes};
 use super::polynomial::Polynomial;
-use super::statement::{FunctionOf, Given, Law, Property, Quantity, Statement};
+use super::statement::{FunctionOf, Given, Instance, Law, Property, Quantity, Statement};
 use super::term::{Elementary, Function, Node, Symbol, Term};
 use crate::number::Rational;
 use num_traits::Zero;
@@ -222,11 +222,12 @@ impl<'a> At<'a> {
                 continue;
             };
             rows.swap(rank, pivot);
-            for row in rank + 1..rows.len() {
-                let factor = rows[row][column].clone() / rows[rank][column].clone();
-                for place in column..columns {
-                    let taken = factor.clone() * rows[rank][place].clone();
-                    rows[row][place] = rows[row][place].clone() - taken;
+            let (reduced, below) = rows.split_at_mut(rank + 1);
+            let pivot = &reduced[rank];
+            for row in below {
+                let factor = row[column].clone() / pivot[column].clone();
+                for (entry, above) in row.iter_mut().zip(pivot).skip(column) {
+                    *entry = entry.clone() - factor.clone() * above.clone();
                 }
             }
             rank += 1;
@@ -734,13 +735,13 @@ impl<'a> At<'a> {
         for flight in self.flights() {
             let running = self.statement.fresh("t");
             let at = self.statement.terms.symbol(running);
-            let Some((_, term, _)) = self
+            let Some(instance) = self
                 .statement
                 .instance(number, Some(at), flight - base, Some((running, flight)))
             else {
                 return refused("the law does not extend to a flight of the statement");
             };
-            self.vanishes_at_all_times(term, running)?;
+            self.vanishes_at_all_times(instance.term, running)?;
         }
         Ok(())
     }
@@ -855,7 +856,7 @@ impl<'a> At<'a> {
             return Ok(());
         };
         for shift in (from - low)..=(to - high) {
-            let Some((property, term, _)) = self.statement.instance(number, None, shift, None) else {
+            let Some(Instance { property, term, .. }) = self.statement.instance(number, None, shift, None) else {
                 return refused("the recursion does not extend so far");
             };
             let given = Given {

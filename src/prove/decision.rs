@@ -43,13 +43,15 @@ impl Decision {
     ///
     /// # Errors
     /// The decision, where the claim cannot be read, or something that it follows from.
-    pub fn without_search(sheet: &Sheet, position: usize) -> Result<Statements, Self> {
+    pub fn without_search(sheet: &Sheet, position: usize) -> Result<Statements, Box<Self>> {
         let decision = Self::of(sheet, position);
-        let unread = |fault: &Fault| Self {
-            verdict: Verdict::Unread,
-            reason: fault.message.clone(),
-            place: fault.place.or(decision.place),
-            ..decision.clone()
+        let unread = |fault: &Fault| {
+            Box::new(Self {
+                verdict: Verdict::Unread,
+                reason: fault.message.clone(),
+                place: fault.place.or(decision.place),
+                ..decision.clone()
+            })
         };
         if let Some(fault) = sheet.entries.get(position).and_then(|entry| entry.unread.as_ref()) {
             return Err(unread(fault));
@@ -58,7 +60,7 @@ impl Decision {
         if !below.is_empty() {
             let labels: Vec<String> = below.iter().map(|label| format!("({label})")).collect();
             let reason = format!("rests on {}, which cannot be read", labels.join(", "));
-            return Err(Self { reason, ..decision });
+            return Err(Box::new(Self { reason, ..decision }));
         }
         Statements::gather(sheet, position).map_err(|fault| unread(&fault))
     }

@@ -41,7 +41,7 @@ impl Default for Options {
 pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     let statements = match Decision::without_search(sheet, position) {
         Ok(statements) => statements,
-        Err(decision) => return decision,
+        Err(decision) => return *decision,
     };
     let mut decision = Decision::of(sheet, position);
     let questions = match crate::kernel::questions(&statements, &sheet.vocabulary) {
@@ -110,10 +110,10 @@ fn follows_from(sheet: &Sheet, position: usize) -> String {
 enum Outcome {
     Proved(
         kernel::Proved,
-        kernel::With<kernel::Certificate>,
-        kernel::With<kernel::Witness>,
+        Box<kernel::With<kernel::Certificate>>,
+        Box<kernel::With<kernel::Witness>>,
     ),
-    Refuted(kernel::Refuted, kernel::With<kernel::Witness>),
+    Refuted(kernel::Refuted, Box<kernel::With<kernel::Witness>>),
     /// The labels of a smallest set of premises that contradict each other.
     Contradictory(Vec<String>),
     Undecided(String),
@@ -133,7 +133,7 @@ fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
     if let Some(witness) = point::search(statement, point::Wanted::Failure, effort, &fails)
         && let Ok(refuted) = kernel::refute(statement, &witness)
     {
-        return Outcome::Refuted(refuted, witness);
+        return Outcome::Refuted(refuted, Box::new(witness));
     }
     match proof::search(statement, PROOF_STEPS * effort) {
         Some(certificate) => proved(statement, certificate, effort),
@@ -156,7 +156,7 @@ fn proved(statement: &kernel::Statement, certificate: kernel::With<kernel::Certi
     if let Some(point) = point
         && let Ok(proved) = kernel::prove(statement, &certificate, &point)
     {
-        return Outcome::Proved(proved, certificate, point);
+        return Outcome::Proved(proved, Box::new(certificate), Box::new(point));
     }
     without_points(statement, effort).unwrap_or_else(|| {
         let last = refusal
@@ -177,7 +177,7 @@ fn without_points(statement: &kernel::Statement, effort: u64) -> Option<Outcome>
     if let Some(witness) = point::search(statement, point::Wanted::PremisesAlone, effort, &accepts)
         && let Ok(refuted) = kernel::refute_nowhere(statement, &certificate, &witness)
     {
-        return Some(Outcome::Refuted(refuted, witness));
+        return Some(Outcome::Refuted(refuted, Box::new(witness)));
     }
     smallest_contradiction(&statement.premises(), budget).map(Outcome::Contradictory)
 }

@@ -697,7 +697,8 @@ impl Search<'_> {
 
     /// The ways to go on with the equation that is easiest to solve: cases that together cover it.
     fn ways(&mut self, system: &System, times: bool) -> Vec<Way> {
-        let mut best: Option<((u8, u8, usize), usize, Polynomial, Term)> = None;
+        type Rank = (u8, u8, usize);
+        let mut best: Option<(Rank, usize, Polynomial, Term)> = None;
         for (number, &term) in system.open.iter().enumerate() {
             if times && !values::values_of(&self.statement, term).is_empty() {
                 continue;

@@ -20,11 +20,11 @@ pub const CHECKER: &str = include_str!("check.py");
 #[derive(Clone, Debug)]
 pub enum Found {
     Proved {
-        certificate: With<Certificate>,
-        point: With<Witness>,
+        certificate: Box<With<Certificate>>,
+        point: Box<With<Witness>>,
     },
     Refuted {
-        witness: With<Witness>,
+        witness: Box<With<Witness>>,
     },
 }
 
@@ -132,7 +132,7 @@ impl Decided {
             statement: statement.clone(),
             evidence: Certificate::default(),
         };
-        let (certificate, point) = match &self.found {
+        let (certificate, point): (&With<Certificate>, &With<Witness>) = match &self.found {
             Found::Proved { certificate, point } => (certificate, point),
             Found::Refuted { witness } => (&empty, witness),
         };

@@ -303,7 +303,8 @@ impl<'a> Session<'a> {
             .iter()
             .map(|pivot| (pivot.generator, pivot.degree))
             .collect();
-        let mut best: Option<((u32, bool, (u8, i32), usize), Pivot)> = None;
+        type Rank = (u32, bool, (u8, i32), usize);
+        let mut best: Option<(Rank, Pivot)> = None;
         for generator in polynomial.generators() {
             if !may(self.checker.statement.terms(), generator) {
                 continue;

@@ -4,8 +4,8 @@ use super::angles::polynomial_term;
 use super::session::Session;
 use crate::algebra::{coefficients_in, degree_in};
 use crate::kernel::{
-    Elementary, Function, FunctionOf, Inference, LawSource, Node, Polynomial, Property, Quantity, Statement, Symbol,
-    Term,
+    Elementary, Function, FunctionOf, Inference, LawSource, Monomial, Node, Polynomial, Property, Quantity, Statement,
+    Symbol, Term,
 };
 use crate::number::{Field, Rational};
 use num_traits::Zero;
@@ -268,8 +268,8 @@ fn instance(session: &mut Session, law: &Usable, at: Term) -> Option<usize> {
     let LawSource::Given { given, shift } = law.source else {
         return None;
     };
-    let (.., conditions) = session.checker.statement.instance(given, Some(at), shift, None)?;
-    for (property, of) in conditions {
+    let instance = session.checker.statement.instance(given, Some(at), shift, None)?;
+    for (property, of) in instance.conditions {
         if session.checker.knows(property, of).ok()? {
             continue;
         }
@@ -606,11 +606,11 @@ pub fn antiderivative_of(session: &mut Session, form: &Polynomial, time: Symbol)
     let of_time = session.terms().symbol(time);
     let mut parts = Vec::new();
     for (monomial, value) in form.terms() {
-        let (moving, fixed): (Vec<(Term, u32)>, Vec<(Term, u32)>) = monomial
+        let (moving, fixed): (Monomial, Monomial) = monomial
             .iter()
             .copied()
             .partition(|(term, _)| session.checker.statement.terms().holds(*term, time));
-        let constant = Polynomial::from_terms([(fixed.into_iter().collect(), value.clone())]);
+        let constant = Polynomial::from_terms([(fixed, value.clone())]);
         let constant = polynomial_term(session, &constant);
         let integral = match moving.as_slice() {
             [] => of_time,

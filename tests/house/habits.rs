@@ -1,43 +1,7 @@
-//! Files stay short, and nothing panics by its own word.
+//! Nothing panics by its own word.
 
 use super::File;
 use super::source::{Token, test_files, tokens};
-
-/// The most lines of a source file.
-const MOST_LINES: usize = 400;
-
-/// Files that may be longer: path, lines, reason.
-pub const LONGER: &[(&str, usize, &str)] = &[];
-
-/// The files that are too long, and the exceptions that nothing needs any more.
-pub fn check_lengths(sources: &[File], longer: &[(&str, usize, &str)]) -> Vec<String> {
-    let mut complaints = Vec::new();
-    for file in sources {
-        let lines = file.text.lines().count();
-        let exception = longer.iter().find(|(path, _, _)| *path == file.path);
-        let most = exception.map_or(MOST_LINES, |&(_, most, _)| most);
-        if lines > most {
-            complaints.push(format!(
-                "{}: {lines} lines, {most} are allowed; one noun, one file",
-                file.path
-            ));
-        } else if exception.is_some() && lines <= MOST_LINES {
-            complaints.push(format!(
-                "{}: {lines} lines need no exception in tests/house/habits.rs",
-                file.path
-            ));
-        }
-    }
-    for (path, _, reason) in longer {
-        if !sources.iter().any(|file| file.path == *path) {
-            complaints.push(format!("{path}: an exception for a file that is not there"));
-        }
-        if reason.trim().is_empty() {
-            complaints.push(format!("{path}: an exception without a reason"));
-        }
-    }
-    complaints
-}
 
 const METHODS: [&str; 4] = ["unwrap", "expect", "unwrap_err", "expect_err"];
 const MACROS: [&str; 4] = ["panic", "todo", "unimplemented", "unreachable"];
@@ -63,29 +27,6 @@ pub fn check_panics(sources: &[File]) -> Vec<String> {
         }
     }
     complaints
-}
-
-#[test]
-fn a_long_file_is_found_unless_it_has_a_reason_and_a_limit() {
-    let long = [File::new("src/tex/read.rs", &"\n".repeat(401))];
-    assert_eq!(check_lengths(&long, &[]).len(), 1);
-    assert!(check_lengths(&long, &[("src/tex/read.rs", 450, "a table of cases")]).is_empty());
-    assert_eq!(
-        check_lengths(&long, &[("src/tex/read.rs", 400, "a table of cases")]).len(),
-        1
-    );
-    assert_eq!(check_lengths(&long, &[("src/tex/read.rs", 450, " ")]).len(), 1);
-}
-
-#[test]
-fn an_exception_that_nothing_needs_is_found() {
-    let short = [File::new("src/tex/read.rs", &"\n".repeat(400))];
-    assert!(check_lengths(&short, &[]).is_empty());
-    assert_eq!(check_lengths(&short, &[("src/tex/read.rs", 450, "once long")]).len(), 1);
-    assert_eq!(
-        check_lengths(&short, &[("src/tex/gone.rs", 450, "once there")]).len(),
-        1
-    );
 }
 
 #[test]

@@ -27,7 +27,7 @@ fn sheet(text: &str) -> Sheet {
 }
 
 fn claim_of(sheet: &Sheet) -> Option<usize> {
-    (0..sheet.entries.len()).filter(|&n| sheet.is_claim(n)).last()
+    (0..sheet.entries.len()).rfind(|&n| sheet.is_claim(n))
 }
 
 /// Pairs of a true sheet and its misprinted twin, in order.
