@@ -25,5 +25,7 @@ pub use expand::{Expansion, Quotient, Refusal, vanishes};
 pub use polynomial::{Monomial, Polynomial, product};
 pub use statement::{FunctionOf, Given, Instance, Law, Property, Quantity, Statement, Step};
 pub use term::{Elementary, Function, Node, Symbol, Term, Terms};
-pub use verdict::{Proved, Refuted, With, contradicts, follows, prove, refute, refute_nowhere};
+pub use verdict::{
+    Evaluated, Point, Proved, Refuted, With, contradicts, evaluate, follows, prove, refute, refute_nowhere,
+};
 pub use witness::Witness;

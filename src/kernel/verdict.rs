@@ -10,7 +10,7 @@ use super::witness::{At, Witness};
 /// Products of two terms of polynomials that the kernel adds up for one certificate or witness.
 pub const EFFORT: u64 = 20_000_000;
 
-/// A claim that follows: its certificate is accepted, and so is a point at which everything given holds.
+/// A claim that follows: its certificate is accepted, and there is a [`Point`] at which everything given holds.
 ///
 /// Nothing outside can make one:
 ///
@@ -71,15 +71,52 @@ fn same<T>(statement: &Statement, with: &With<T>) -> Result<(), Refusal> {
     }
 }
 
-/// Accepts a proof: every goal is known once the steps are followed, and the givens hold at the witness.
+/// A point at which everything given holds: what is proved from the givens is not proved from a contradiction.
+///
+/// Nothing outside can make one:
+///
+/// ```compile_fail,E0451
+/// let point = vibro_audit::kernel::Point { identity: 1 };
+/// ```
+#[derive(Clone, Debug)]
+pub struct Point {
+    identity: u64,
+}
+
+/// What holds at a point of the premises.
+#[derive(Clone, Debug)]
+pub enum Evaluated {
+    /// The claim is not known to fail there.
+    Holds(Point),
+    Fails(Refuted),
+}
+
+/// Checks that everything given holds at a witness, and whether the claim fails there.
 ///
 /// # Errors
-/// A [`Refusal`] that says which step, goal or given is not shown.
-pub fn prove(statement: &Statement, certificate: &With<Certificate>, point: &With<Witness>) -> Result<Proved, Refusal> {
+/// A [`Refusal`] that says which given is not shown.
+pub fn evaluate(statement: &Statement, witness: &With<Witness>) -> Result<Evaluated, Refusal> {
+    same(statement, witness)?;
+    let mut own = witness.statement.clone();
+    let mut at = At::new(&mut own, &witness.evidence, EFFORT)?;
+    Ok(match at.fails() {
+        Ok(true) => Evaluated::Fails(Refuted { nowhere: false }),
+        _ => Evaluated::Holds(Point {
+            identity: statement.identity,
+        }),
+    })
+}
+
+/// Accepts a proof: every goal is known once the steps are followed, and there is a point at which the givens hold.
+///
+/// # Errors
+/// A [`Refusal`] that says which step or goal is not shown.
+pub fn prove(statement: &Statement, certificate: &With<Certificate>, point: &Point) -> Result<Proved, Refusal> {
     same(statement, certificate)?;
-    same(statement, point)?;
+    if point.identity != statement.identity {
+        return Err(Refusal::Other("this is a point of another statement".into()));
+    }
     follows(certificate)?;
-    At::new(&mut point.statement.clone(), &point.evidence, EFFORT)?;
     Ok(Proved {
         provided: provided(&certificate.statement, &certificate.evidence.steps),
     })
@@ -113,12 +150,11 @@ pub fn follows(certificate: &With<Certificate>) -> Result<(), Refusal> {
 /// Accepts a counterexample: the givens hold at the witness, and a goal fails.
 ///
 /// # Errors
-/// A [`Refusal`] that says which given is not shown, or that the claim holds there.
+/// A [`Refusal`] that says which given is not shown, or that the claim is not known to fail there.
 pub fn refute(statement: &Statement, witness: &With<Witness>) -> Result<Refuted, Refusal> {
-    same(statement, witness)?;
-    match At::new(&mut witness.statement.clone(), &witness.evidence, EFFORT)?.fails()? {
-        true => Ok(Refuted { nowhere: false }),
-        false => Err(Refusal::Other("the claim holds at the witness".into())),
+    match evaluate(statement, witness)? {
+        Evaluated::Fails(refuted) => Ok(refuted),
+        Evaluated::Holds(_) => Err(Refusal::Other("the claim is not known to fail at the witness".into())),
     }
 }
 

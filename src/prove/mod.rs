@@ -125,58 +125,66 @@ const QUICK_STEPS: u64 = 200_000;
 const CONTRADICTION_STEPS: u64 = 300_000;
 
 fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
-    // what has a short proof needs no search for a counterexample; else a wrong formula costs less than its proof would
-    if let Some(certificate) = proof::search(statement, QUICK_STEPS) {
-        return proved(statement, certificate, effort);
-    }
-    let fails = |witness: &kernel::With<kernel::Witness>| kernel::refute(statement, witness).is_ok();
-    if let Some(witness) = point::search(statement, point::Wanted::Failure, effort, &fails)
-        && let Ok(refuted) = kernel::refute(statement, &witness)
-    {
-        return Outcome::Refuted(refuted, Box::new(witness));
-    }
-    match proof::search(statement, PROOF_STEPS * effort) {
-        Some(certificate) => proved(statement, certificate, effort),
-        None => without_points(statement, effort)
-            .unwrap_or_else(|| Outcome::Undecided("neither a proof nor a counterexample is found".into())),
-    }
-}
-
-/// A claim that follows is proved where a point is found at which its premises hold.
-fn proved(statement: &kernel::Statement, certificate: kernel::With<kernel::Certificate>, effort: u64) -> Outcome {
-    let refusal = std::cell::RefCell::new(None);
-    let holds = |point: &kernel::With<kernel::Witness>| match kernel::prove(statement, &certificate, point) {
-        Ok(_) => true,
-        Err(why) => {
-            refusal.replace(Some(why.to_string()));
-            false
-        }
+    // a point of the premises comes first: a wrong formula costs less than its proof would, a proof needs one anyway
+    let mut point = match points(statement, point::Wanted::Either, effort) {
+        Some((witness, kernel::Evaluated::Fails(refuted))) => return Outcome::Refuted(refuted, Box::new(witness)),
+        Some((witness, kernel::Evaluated::Holds(point))) => Some((witness, point)),
+        None => None,
     };
-    let point = point::search(statement, point::Wanted::Premises, effort, &holds);
-    if let Some(point) = point
+    let mut certificate = proof::search(statement, QUICK_STEPS);
+    if certificate.is_none() {
+        if let Some((witness, kernel::Evaluated::Fails(refuted))) = points(statement, point::Wanted::Failure, effort) {
+            return Outcome::Refuted(refuted, Box::new(witness));
+        }
+        certificate = proof::search(statement, PROOF_STEPS * effort);
+    }
+    if certificate.is_some()
+        && point.is_none()
+        && let Some((witness, kernel::Evaluated::Holds(found))) = points(statement, point::Wanted::Premises, effort)
+    {
+        point = Some((witness, found));
+    }
+    let follows = certificate.is_some();
+    if let (Some(certificate), Some((witness, point))) = (certificate, point)
         && let Ok(proved) = kernel::prove(statement, &certificate, &point)
     {
-        return Outcome::Proved(proved, Box::new(certificate), Box::new(point));
+        return Outcome::Proved(proved, Box::new(certificate), Box::new(witness));
     }
     without_points(statement, effort).unwrap_or_else(|| {
-        let last = refusal
-            .take()
-            .map_or_else(String::new, |why| format!(" (of the last one tried: {why})"));
-        Outcome::Undecided(format!(
-            "it follows, but no point is found at which the premises hold{last}"
-        ))
+        let reason = match follows {
+            true => "it follows, but no point is found at which the premises hold",
+            false => "neither a proof nor a counterexample is found",
+        };
+        Outcome::Undecided(reason.into())
     })
+}
+
+/// A point at which the premises hold, and whether the claim fails there.
+fn points(
+    statement: &kernel::Statement,
+    wanted: point::Wanted,
+    effort: u64,
+) -> Option<(kernel::With<kernel::Witness>, kernel::Evaluated)> {
+    let mut found = None;
+    let witness = point::search(statement, wanted, effort, &mut |witness| {
+        found = kernel::evaluate(statement, witness)
+            .ok()
+            .filter(|evaluated| wanted != point::Wanted::Failure || matches!(evaluated, kernel::Evaluated::Fails(_)));
+        found.is_some()
+    })?;
+    Some((witness, found?))
 }
 
 /// What is to be said where all that is given, with the domain of the claim, contradicts itself.
 fn without_points(statement: &kernel::Statement, effort: u64) -> Option<Outcome> {
     let budget = CONTRADICTION_STEPS * effort;
     let certificate = proof::contradiction(statement, budget).filter(|found| kernel::contradicts(found).is_ok())?;
-    let accepts =
-        |witness: &kernel::With<kernel::Witness>| kernel::refute_nowhere(statement, &certificate, witness).is_ok();
-    if let Some(witness) = point::search(statement, point::Wanted::PremisesAlone, effort, &accepts)
-        && let Ok(refuted) = kernel::refute_nowhere(statement, &certificate, &witness)
-    {
+    let mut refuted = None;
+    let witness = point::search(statement, point::Wanted::PremisesAlone, effort, &mut |witness| {
+        refuted = kernel::refute_nowhere(statement, &certificate, witness).ok();
+        refuted.is_some()
+    });
+    if let (Some(witness), Some(refuted)) = (witness, refuted) {
         return Some(Outcome::Refuted(refuted, Box::new(witness)));
     }
     smallest_contradiction(&statement.premises(), budget).map(Outcome::Contradictory)

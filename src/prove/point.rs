@@ -21,6 +21,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 /// Whether the goals must fail at the point, or the point is of the premises alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted {
+    /// The premises hold, and the goals fail, if they do at one of the first points met.
+    Either,
     Failure,
     Premises,
     /// The point is of the premises, whether or not the claim is defined there.
@@ -46,11 +48,14 @@ const MOST_ASKED: usize = 16;
 const MOST_SAMPLES: usize = 300;
 const ENOUGH_SAMPLES: usize = 24;
 
+/// Points of the premises at which the claim holds, before one of them is taken.
+const FEW_SAMPLES: usize = 8;
+
 /// A search for one point.
 struct Search<'a> {
     statement: Statement,
     wanted: Wanted,
-    accept: &'a dyn Fn(&With<Witness>) -> bool,
+    accept: &'a mut dyn FnMut(&With<Witness>) -> bool,
     functions: Vec<(Function, Symbol, Term)>,
     /// Values of functions at single times that are symbols of their own.
     table: Vec<(Function, u32, Term, Symbol)>,
@@ -94,7 +99,7 @@ pub fn search(
     statement: &Statement,
     wanted: Wanted,
     effort: u64,
-    accept: &dyn Fn(&With<Witness>) -> bool,
+    accept: &mut dyn FnMut(&With<Witness>) -> bool,
 ) -> Option<With<Witness>> {
     let mut session_statement = statement.clone();
     let (equations, laws) = equations(&mut session_statement)?;
@@ -112,7 +117,7 @@ pub fn search(
         let mut search = Search {
             statement: session_statement.clone(),
             wanted,
-            accept,
+            accept: &mut *accept,
             functions,
             table: Vec::new(),
             periods: periods(&mut session_statement.clone()),
@@ -1130,14 +1135,14 @@ impl Search<'_> {
             .chain(conditions.iter().chain(&goals).map(|(_, term)| *term))
             .collect();
         let program = Program::new(self.statement.terms(), &wanted, !self.statement.is_complex());
-        let (mut asked, mut met) = (0, 0);
+        let (mut asked, mut met, mut holds) = (0, 0, None);
         let special = self.special_points(&free);
         let specials = special.len();
         let most = specials + MOST_SAMPLES * usize::try_from(self.effort.min(8)).unwrap_or(1);
         for attempt in 0..most {
             let chosen: Vec<(Symbol, Term)> = match special.get(attempt) {
                 Some(point) => point.clone(),
-                None if free.is_empty() => return,
+                None if free.is_empty() => break,
                 None => free
                     .iter()
                     .map(|symbol| (*symbol, self.number_for(*symbol, attempt - specials)))
@@ -1165,33 +1170,44 @@ impl Search<'_> {
                 .iter()
                 .zip(claims)
                 .any(|((property, _), value)| !may_hold(*property, *value) || barely_fails(*property, *value));
-            if self.wanted == Wanted::Failure && !fails && !sure {
+            let near = conditions.iter().chain(&goals).map(|(_, term)| *term).zip(rest);
+            let near = near.filter(|(_, value)| value.may_vanish()).map(|(term, _)| term);
+            let near: Vec<Term> = near.collect();
+            if !fails && !sure {
                 met += 1;
-                if attempt >= specials && met >= ENOUGH_SAMPLES {
-                    return;
+                match self.wanted {
+                    Wanted::Failure if attempt >= specials && met >= ENOUGH_SAMPLES => return,
+                    Wanted::Failure => continue,
+                    Wanted::Either if met < FEW_SAMPLES => {
+                        holds.get_or_insert((chosen, near));
+                        continue;
+                    }
+                    _ => {}
                 }
-                continue;
             }
+            let (chosen, near) = match holds.take() {
+                Some(first) if !fails => first,
+                _ => (chosen, near),
+            };
             asked += 1;
-            self.asks_left = self.asks_left.saturating_sub(1);
-            let near: Vec<Term> = conditions
-                .iter()
-                .chain(&goals)
-                .map(|(_, term)| *term)
-                .zip(rest)
-                .filter(|(_, value)| value.may_vanish())
-                .map(|(term, _)| term)
-                .collect();
-            if let Some(witness) = self.witness(system, &chosen, &near)
-                && (self.accept)(&witness)
-            {
-                self.found = Some(witness);
-                return;
-            }
-            if asked >= ASKED_OF_CASE || self.asks_left == 0 {
+            if self.ask(system, &chosen, &near) || asked >= ASKED_OF_CASE || self.asks_left == 0 {
                 return;
             }
         }
+        if let Some((chosen, near)) = holds {
+            self.ask(system, &chosen, &near);
+        }
+    }
+
+    /// Whether the kernel takes a choice of numbers.
+    fn ask(&mut self, system: &System, chosen: &[(Symbol, Term)], near: &[Term]) -> bool {
+        self.asks_left = self.asks_left.saturating_sub(1);
+        if let Some(witness) = self.witness(system, chosen, near)
+            && (self.accept)(&witness)
+        {
+            self.found = Some(witness);
+        }
+        self.found.is_some()
     }
 
     fn number_value(&self, number: Term) -> Complex {
