@@ -44,6 +44,8 @@ pub struct At<'a> {
     effort: u64,
     solved: HashMap<Symbol, Term>,
     sample: HashMap<Symbol, Term>,
+    /// Symbols of the sample that the values of generic symbols depend on: around the point these run, all else stays.
+    around: BTreeSet<Symbol>,
     /// Polynomials that the certificate of the witness shows to vanish.
     zeros: Vec<Polynomial>,
 }
@@ -58,6 +60,7 @@ impl<'a> At<'a> {
             solved: witness.solved.iter().copied().collect(),
             sample: witness.sample.iter().copied().collect(),
             periods: BTreeMap::new(),
+            around: BTreeSet::new(),
             zeros: Vec::new(),
             statement,
             witness,
@@ -68,8 +71,8 @@ impl<'a> At<'a> {
         at.follow_certificate()?;
         at.check_table()?;
         at.check_existence()?;
-        at.check_flights()?;
         at.check_generic()?;
+        at.check_flights()?;
         at.check_maps()?;
         for number in 0..at.statement.givens.len() {
             let given = at.statement.givens[number].clone();
@@ -168,7 +171,14 @@ impl<'a> At<'a> {
         let mut values = Vec::new();
         for &symbol in &generic {
             let term = self.statement.terms.symbol(symbol);
-            values.push(self.translate(term, None)?);
+            let value = self.translate(term, None)?;
+            let symbols = self.statement.terms.inside(value).into_iter();
+            let symbols = symbols.filter_map(|inner| match self.statement.terms.node(inner) {
+                Node::Symbol(symbol) => Some(*symbol),
+                _ => None,
+            });
+            self.around.extend(symbols);
+            values.push(value);
         }
         let own = |at: &Self, given: &Given| {
             let only = |inner: Term| match at.statement.terms.node(inner) {
@@ -537,6 +547,17 @@ impl<'a> At<'a> {
         Ok(vanishes(&quotient.numerator))
     }
 
+    /// Whether a term vanishes for all values of generic symbols around the point.
+    fn vanishes_nearby(&mut self, term: Term) -> Outcome<bool> {
+        let translated = self.translate(term, None)?;
+        let (sample, around) = (&self.sample, &self.around);
+        let nearby = self.statement.terms.rewrite(translated, &mut |_, node| match node {
+            Node::Symbol(symbol) if !around.contains(symbol) => sample.get(symbol).copied(),
+            _ => None,
+        });
+        self.vanishes_identically(nearby)
+    }
+
     /// The sign of a number: of its real and imaginary part; `None` where it is not certain. 0 needs the certificate.
     fn number(&mut self, term: Term) -> Outcome<Option<[i8; 2]>> {
         self.exists(term)?;
@@ -671,8 +692,7 @@ impl<'a> At<'a> {
     fn holds(&mut self, given: &Given) -> Outcome<()> {
         if given.property == Property::Zero && !self.statement.generic.is_empty() {
             // the premises hold for all values of generic symbols nearby, so that nothing thin in them is the cause
-            let translated = self.translate(given.term, None)?;
-            if !self.vanishes_identically(translated)? {
+            if !self.vanishes_nearby(given.term)? {
                 return refused("the premise does not hold identically in the generic symbols");
             }
         }
@@ -681,8 +701,7 @@ impl<'a> At<'a> {
         }
         if given.property == Property::NonNegative && !self.statement.generic.is_empty() {
             // a bound that is just met at the point must be met nearby too
-            let translated = self.translate(given.term, None)?;
-            if !self.property(Property::Positive, given.term)? && !self.vanishes_identically(translated)? {
+            if !self.property(Property::Positive, given.term)? && !self.vanishes_nearby(given.term)? {
                 return refused("the premise may hold in a thin set of the generic symbols only");
             }
         }
@@ -697,8 +716,7 @@ impl<'a> At<'a> {
         if self.statement.generic.is_empty() || property == Property::Zero {
             return Ok(true);
         }
-        let translated = self.translate(term, None)?;
-        if property != Property::NonNegative && self.vanishes_identically(translated)? {
+        if property != Property::NonNegative && self.vanishes_nearby(term)? {
             return Ok(true);
         }
         let negative = self.statement.terms.negative(term);

@@ -121,7 +121,7 @@ enum Outcome {
 
 /// Steps of the search for a proof, and for a contradiction, for each unit of effort.
 const PROOF_STEPS: u64 = 5_000_000;
-const QUICK_STEPS: u64 = 200_000;
+const QUICK_STEPS: u64 = 1_000_000;
 const CONTRADICTION_STEPS: u64 = 300_000;
 
 fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
@@ -131,7 +131,12 @@ fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
         Some((witness, kernel::Evaluated::Holds(point))) => Some((witness, point)),
         None => None,
     };
-    let mut certificate = proof::search(statement, QUICK_STEPS);
+    // what holds at the points met is likely to be true
+    let quick = match point {
+        Some(_) => QUICK_STEPS,
+        None => QUICK_STEPS / 5,
+    };
+    let mut certificate = proof::search(statement, quick);
     if certificate.is_none() {
         if let Some((witness, kernel::Evaluated::Fails(refuted))) = points(statement, point::Wanted::Failure, effort) {
             return Outcome::Refuted(refuted, Box::new(witness));

@@ -65,6 +65,9 @@ struct Search<'a> {
     cases: usize,
     effort: u64,
     random: Sequence,
+    /// What is declared of symbols, as far as it was asked for; whether sines or cosines are spoken of.
+    declared: HashMap<Symbol, Declared>,
+    circles: bool,
     /// Numerators by term; `None` of those that are too large.
     forms: HashMap<Term, Option<Polynomial>>,
     /// Equations that were factored.
@@ -74,6 +77,14 @@ struct Search<'a> {
     /// Points that the kernel may still be asked for.
     asks_left: usize,
     found: Option<With<Witness>>,
+}
+
+/// What is declared of a symbol.
+#[derive(Clone, Copy, Debug, Default)]
+struct Declared {
+    positive: bool,
+    integer: bool,
+    at_most_one: bool,
 }
 
 /// A way to go on with an equation.
@@ -125,6 +136,8 @@ pub fn search(
             cases: MOST_CASES,
             effort,
             random: Sequence::new(7),
+            declared: HashMap::new(),
+            circles: speaks_of_circles(statement),
             forms: HashMap::new(),
             split: BTreeSet::new(),
             steps_left,
@@ -1303,11 +1316,8 @@ impl Search<'_> {
 
     /// Simple numbers for a symbol.
     fn special_numbers(&mut self, symbol: Symbol) -> Vec<Term> {
-        let (positive, integer) = (
-            self.is_declared(symbol, &[Property::Positive, Property::NonNegative]),
-            self.is_declared(symbol, &[Property::Integer]),
-        );
-        let circles = self.speaks_of_circles();
+        let Declared { positive, integer, .. } = self.declared(symbol);
+        let circles = self.circles;
         let complex = self.statement.complex_symbols().contains(&symbol);
         let terms = self.statement.terms_mut();
         let mut numbers = vec![(0, 1), (1, 1), (2, 1), (3, 1)];
@@ -1340,11 +1350,34 @@ impl Search<'_> {
         found
     }
 
-    fn is_declared(&self, symbol: Symbol, properties: &[Property]) -> bool {
-        self.statement.givens().iter().any(|given| {
-            properties.contains(&given.property)
-                && matches!(self.statement.terms().node(given.term), Node::Symbol(known) if *known == symbol)
-        })
+    fn declared(&mut self, symbol: Symbol) -> Declared {
+        if let Some(known) = self.declared.get(&symbol) {
+            return *known;
+        }
+        let terms = self.statement.terms();
+        let is_symbol = |term: Term| matches!(terms.node(term), Node::Symbol(known) if *known == symbol);
+        let mut declared = Declared::default();
+        for given in self.statement.givens().iter().filter(|given| given.law.is_none()) {
+            match given.property {
+                Property::Positive | Property::NonNegative if is_symbol(given.term) => declared.positive = true,
+                Property::Integer if is_symbol(given.term) => declared.integer = true,
+                Property::NonNegative if terms.holds(given.term, symbol) => {
+                    declared.at_most_one |= numerator(&self.statement, given.term).is_some_and(|form| {
+                        let one = |(monomial, value): &(crate::kernel::Monomial, dashu_ratio::RBig)| {
+                            monomial.is_empty() && *value == dashu_ratio::RBig::ONE
+                        };
+                        let generators = form.generators();
+                        generators.len() == 1
+                            && is_symbol(generators[0])
+                            && form.terms().len() == 2
+                            && form.terms().iter().any(one)
+                    });
+                }
+                _ => {}
+            }
+        }
+        self.declared.insert(symbol, declared);
+        declared
     }
 
     fn translated(&mut self, term: Term, system: &System) -> Option<Term> {
@@ -1467,17 +1500,11 @@ impl Search<'_> {
 
     /// A number for a symbol: small ones first, then more of them.
     fn number_for(&mut self, symbol: Symbol, attempt: usize) -> Term {
-        let givens = self.statement.givens();
-        let term_is = |term: Term| matches!(self.statement.terms().node(term), Node::Symbol(known) if *known == symbol);
-        let declared = |property: Property| {
-            givens
-                .iter()
-                .any(|given| given.property == property && term_is(given.term))
-        };
-        let (positive, integer) = (
-            declared(Property::Positive) || declared(Property::NonNegative),
-            declared(Property::Integer),
-        );
+        let Declared {
+            positive,
+            integer,
+            at_most_one,
+        } = self.declared(symbol);
         let spread = 3 + attempt / 40;
         let mut pick = |most: usize| (self.random.draw() % most.max(1) as u64) as i64;
         let closed = attempt % 5 == 4;
@@ -1486,18 +1513,7 @@ impl Search<'_> {
             let number = Rational::from_ratio(8 * i64::from(*index) + pick(8), 8);
             return self.statement.terms_mut().number(number);
         }
-        let bounded = givens.iter().any(|given| {
-            given.property == Property::NonNegative
-                && numerator(&self.statement, given.term).is_some_and(|form| {
-                    // 1 - symbol
-                    let generators = form.generators();
-                    let constant = form.terms().iter().any(|(monomial, value)| {
-                        monomial.is_empty() && Rational(value.clone()) == Rational::from_integer(1)
-                    });
-                    generators.len() == 1 && term_is(generators[0]) && constant && form.terms().len() == 2
-                })
-        });
-        if bounded && positive {
+        if at_most_one && positive {
             let above = pick(spread) + 1;
             let number = Rational::from_ratio(above, above + pick(spread) + 1);
             return self.statement.terms_mut().number(number);
@@ -1510,7 +1526,7 @@ impl Search<'_> {
         };
         let has_functions = closed && !integer;
         let number = self.statement.terms_mut().number(Rational::from_ratio(above, below));
-        if has_functions && self.speaks_of_circles() {
+        if has_functions && self.circles {
             // multiples of pi, where circles are spoken of
             let count = [1, 2, 3, 4, 6, 12][(self.random.draw() % 6) as usize];
             let terms = self.statement.terms_mut();
@@ -1518,19 +1534,6 @@ impl Search<'_> {
             return terms.product(vec![factor, pi]);
         }
         number
-    }
-
-    fn speaks_of_circles(&self) -> bool {
-        let terms = self.statement.terms();
-        let given = self.statement.givens().iter().map(|given| given.term);
-        let goal = self.statement.goal().iter().map(|(_, term)| *term);
-        let circle = |inner: &Term| {
-            matches!(
-                terms.node(*inner),
-                Node::Elementary(Elementary::Sin | Elementary::Cos, _)
-            )
-        };
-        given.chain(goal).any(|term| terms.inside(term).iter().any(circle))
     }
 
     /// The witness of a choice, with what shows that its numbers meet the premises.
@@ -1624,6 +1627,20 @@ impl Search<'_> {
             evidence: witness,
         })
     }
+}
+
+/// Whether sines or cosines are spoken of.
+fn speaks_of_circles(statement: &Statement) -> bool {
+    let terms = statement.terms();
+    let given = statement.givens().iter().map(|given| given.term);
+    let goal = statement.goal().iter().map(|(_, term)| *term);
+    let circle = |inner: &Term| {
+        matches!(
+            terms.node(*inner),
+            Node::Elementary(Elementary::Sin | Elementary::Cos, _)
+        )
+    };
+    given.chain(goal).any(|term| terms.inside(term).iter().any(circle))
 }
 
 /// Whether a value has a property but for rounding.
