@@ -2,10 +2,13 @@
 
 use super::term::Term;
 use crate::number::Rational;
+use dashu_int::ops::Gcd;
+use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 use num_traits::Zero;
 use smallvec::SmallVec;
 use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
 
 /// A product of powers of generators, sorted by generator, without exponents that are 0.
 pub type Monomial = SmallVec<[(Term, u32); 4]>;
@@ -15,6 +18,26 @@ pub type Monomial = SmallVec<[(Term, u32); 4]>;
 /// The list is sorted by monomial and holds no coefficient that is 0, so that equality is equality of polynomials.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Polynomial(Vec<(Monomial, RBig)>);
+
+/// A hash of exponents: no enemy chooses them, and none of the results depends on it.
+#[derive(Default)]
+struct Mixed(u64);
+
+impl Hasher for Mixed {
+    fn write(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|byte| self.write_u128(u128::from(*byte)));
+    }
+
+    fn write_u128(&mut self, value: u128) {
+        for half in [value as u64, (value >> 64) as u64] {
+            self.0 = (self.0.rotate_left(26) ^ half).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        }
+    }
+
+    fn finish(&self) -> u64 {
+        self.0 ^ (self.0 >> 32)
+    }
+}
 
 impl Polynomial {
     /// A constant.
@@ -137,8 +160,61 @@ impl Polynomial {
         {
             return self.scaled(&Rational(value.clone()));
         }
-        let pairs = self.0.iter().flat_map(|a| other.0.iter().map(move |b| (a, b)));
-        Self::from_terms(pairs.map(|(a, b)| (product(&a.0, &b.0), &a.1 * &b.1)))
+        self.packed_times(other).unwrap_or_else(|| {
+            let pairs = self.0.iter().flat_map(|a| other.0.iter().map(move |b| (a, b)));
+            Self::from_terms(pairs.map(|(a, b)| (product(&a.0, &b.0), &a.1 * &b.1)))
+        })
+    }
+
+    /// The product with the exponents of a monomial in one number and integer coefficients over one denominator;
+    /// `None` where the exponents do not fit.
+    fn packed_times(&self, other: &Self) -> Option<Self> {
+        let mut generators = self.generators();
+        generators.extend(other.generators());
+        generators.sort_unstable();
+        generators.dedup();
+        let bits = 128_u32.checked_div(u32::try_from(generators.len()).ok()?)?.min(32);
+        let limit = 1_u64 << bits;
+        if u64::from(self.degree()) + u64::from(other.degree()) >= limit {
+            return None;
+        }
+        let packed = |of: &Self| -> Option<(Vec<(u128, IBig)>, UBig)> {
+            let denominators = of.0.iter().map(|(_, value)| value.denominator().clone());
+            let common = denominators.fold(
+                UBig::ONE,
+                |a, b| if b.is_one() { a } else { &a / a.clone().gcd(&b) * b },
+            );
+            let terms = of.0.iter().map(|(monomial, value)| {
+                let mut exponents = 0_u128;
+                for (term, power) in monomial {
+                    let place = generators.binary_search(term).ok()?;
+                    exponents |= u128::from(*power) << (bits * u32::try_from(place).ok()?);
+                }
+                Some((exponents, value.numerator() * (&common / value.denominator())))
+            });
+            Some((terms.collect::<Option<_>>()?, common))
+        };
+        let ((a, above), (b, below)) = (packed(self)?, packed(other)?);
+        let mut sums: HashMap<u128, IBig, BuildHasherDefault<Mixed>> = HashMap::default();
+        for (x, value) in &a {
+            for (y, other) in &b {
+                *sums.entry(x + y).or_insert(IBig::ZERO) += value * other;
+            }
+        }
+        let common = above * below;
+        let mask = u128::from(limit - 1);
+        let terms = sums.into_iter().filter(|(_, value)| !value.is_zero());
+        let terms = terms.map(|(exponents, value)| {
+            let places = generators.iter().zip((0..).step_by(bits as usize));
+            let powers = places.map(|(term, place)| (*term, ((exponents >> place) & mask) as u32));
+            (
+                powers.filter(|(_, power)| *power > 0).collect(),
+                RBig::from_parts(value, common.clone()),
+            )
+        });
+        let mut list: Vec<(Monomial, RBig)> = terms.collect();
+        list.sort_unstable_by(|a, b| a.0.cmp(&b.0));
+        Some(Self(list))
     }
 
     /// The product with a number.
