@@ -42,6 +42,9 @@ pub struct At<'a> {
     /// The periods of functions that only have values at single times.
     periods: BTreeMap<Function, Term>,
     effort: u64,
+    /// What was expanded so far: of identities, and of numbers.
+    identities: Expansion,
+    numbers: Expansion,
     solved: HashMap<Symbol, Term>,
     sample: HashMap<Symbol, Term>,
     /// Symbols of the sample that the values of generic symbols depend on: around the point these run, all else stays.
@@ -61,6 +64,8 @@ impl<'a> At<'a> {
             sample: witness.sample.iter().copied().collect(),
             periods: BTreeMap::new(),
             around: BTreeSet::new(),
+            identities: Expansion::new(BTreeSet::new(), effort),
+            numbers: Expansion::new(witness.certificate.whole.iter().copied().collect(), effort),
             zeros: Vec::new(),
             statement,
             witness,
@@ -538,13 +543,11 @@ impl<'a> At<'a> {
     }
 
     fn numerator(&mut self, term: Term) -> Outcome<super::expand::Quotient> {
-        Expansion::new(self.witness.certificate.whole.iter().copied().collect(), self.effort)
-            .of(&self.statement.terms, term)
+        self.numbers.of(&self.statement.terms, term)
     }
 
     fn vanishes_identically(&mut self, term: Term) -> Outcome<bool> {
-        let quotient = Expansion::new(BTreeSet::new(), self.effort).of(&self.statement.terms, term)?;
-        Ok(vanishes(&quotient.numerator))
+        Ok(vanishes(&self.identities.of(&self.statement.terms, term)?.numerator))
     }
 
     /// Whether a term vanishes for all values of generic symbols around the point.

@@ -70,8 +70,8 @@ impl Sized {
 
 /// Terms, to be evaluated at many points.
 pub struct Program {
-    /// Each with the places of its parts.
-    nodes: Vec<(Node, Vec<usize>)>,
+    /// Each with the places of its parts, and its value where it is a number.
+    nodes: Vec<(Node, Vec<usize>, f64)>,
     wanted: Vec<usize>,
     real: bool,
 }
@@ -82,9 +82,14 @@ impl Program {
         let all: BTreeSet<Term> = wanted.iter().flat_map(|&term| terms.inside(term)).collect();
         let places: HashMap<Term, usize> = all.iter().enumerate().map(|(place, term)| (*term, place)).collect();
         let place = |term: &Term| places.get(term).copied().unwrap_or_default();
-        let nodes = all
-            .iter()
-            .map(|&term| (terms.node(term).clone(), terms.parts(term).iter().map(place).collect()));
+        let nodes = all.iter().map(|&term| {
+            let node = terms.node(term).clone();
+            let number = match &node {
+                Node::Number(value) => value.0.to_f64().value(),
+                _ => f64::NAN,
+            };
+            (node, terms.parts(term).iter().map(place).collect(), number)
+        });
         Self {
             nodes: nodes.collect(),
             wanted: wanted.iter().map(place).collect(),
@@ -95,7 +100,7 @@ impl Program {
     /// The values at a point; NaN where there is none, or where a function leaves the reals.
     pub fn at(&self, symbols: &HashMap<Symbol, Complex>) -> Vec<Sized> {
         let mut values: Vec<Sized> = Vec::with_capacity(self.nodes.len());
-        for (node, parts) in &self.nodes {
+        for (node, parts, number) in &self.nodes {
             let of = |n: usize| {
                 parts
                     .get(n)
@@ -105,7 +110,7 @@ impl Program {
             };
             let all = || (0..parts.len()).map(of);
             let value = match node {
-                Node::Number(value) => Sized::plain((value.0.to_f64().value(), 0.0)),
+                Node::Number(_) => Sized::plain((*number, 0.0)),
                 Node::Pi => Sized::plain((std::f64::consts::PI, 0.0)),
                 Node::Imaginary => Sized::plain((0.0, 1.0)),
                 Node::Symbol(symbol) => symbols.get(symbol).copied().map_or(Sized::NONE, Sized::plain),

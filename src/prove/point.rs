@@ -68,6 +68,8 @@ struct Search<'a> {
     /// What is declared of symbols, as far as it was asked for; whether sines or cosines are spoken of.
     declared: HashMap<Symbol, Declared>,
     circles: bool,
+    /// The values of numbers, as far as they were asked for.
+    numbers: HashMap<Term, Complex>,
     /// Numerators by term; `None` of those that are too large.
     forms: HashMap<Term, Option<Polynomial>>,
     /// Equations that were factored.
@@ -138,6 +140,7 @@ pub fn search(
             random: Sequence::new(7),
             declared: HashMap::new(),
             circles: speaks_of_circles(statement),
+            numbers: HashMap::new(),
             forms: HashMap::new(),
             split: BTreeSet::new(),
             steps_left,
@@ -1223,10 +1226,12 @@ impl Search<'_> {
         self.found.is_some()
     }
 
-    fn number_value(&self, number: Term) -> Complex {
-        let program = Program::new(self.statement.terms(), &[number], false);
-        let values = program.at(&HashMap::new());
-        values.first().map_or((f64::NAN, 0.0), |value| value.value)
+    fn number_value(&mut self, number: Term) -> Complex {
+        let terms = self.statement.terms();
+        *self.numbers.entry(number).or_insert_with(|| {
+            let values = Program::new(terms, &[number], false).at(&HashMap::new());
+            values.first().map_or((f64::NAN, 0.0), |value| value.value)
+        })
     }
 
     /// What laws say of named functions at some times, and at the running time of the claim.
