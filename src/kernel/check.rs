@@ -96,6 +96,11 @@ impl<'a> Checker<'a> {
         self.add(property, polynomial);
     }
 
+    /// Takes a symbol as one that runs over a flight; gives the one that ran before.
+    pub fn run_over(&mut self, running: Option<(Symbol, i32)>) -> Option<(Symbol, i32)> {
+        std::mem::replace(&mut self.running, running)
+    }
+
     /// How many laws steps have derived.
     pub fn laws(&self) -> usize {
         self.laws.len()

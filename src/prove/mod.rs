@@ -1,6 +1,7 @@
 //! The search for proofs and counterexamples. Whatever it finds, the kernel decides.
 
 mod angles;
+mod constants;
 mod counterexample;
 mod decision;
 mod float;

@@ -40,13 +40,25 @@ pub fn search(statement: &Statement, budget: u64) -> Option<With<Certificate>> {
     None
 }
 
-/// Looks for a proof that the givens contradict each other.
+/// Looks for a proof that the givens contradict each other: something is not 0 that vanishes, something positive is not
+/// positive, or 1 is in the ideal of what vanishes.
 pub fn contradiction(statement: &Statement, budget: u64) -> Option<With<Certificate>> {
     let mut own = statement.clone();
     let mut session = Session::new(&mut own, Vec::new(), budget);
     prepare(&mut session, &[])?;
+    let one = Polynomial::integer(1);
+    for _ in 0..PASSES {
+        let count = session.checker.facts.len();
+        if session.show_absurd() {
+            break;
+        }
+        deduce(&mut session, &one);
+        if session.checker.facts.len() == count {
+            break;
+        }
+    }
     if !session.checker.is_absurd() {
-        session.show_zero(&Polynomial::integer(1))?;
+        session.show_zero(&one)?;
     }
     let steps = std::mem::take(&mut session.steps);
     Some(With {

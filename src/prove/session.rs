@@ -5,7 +5,7 @@ use crate::algebra::{
 };
 use crate::kernel::{
     Axiom, Certificate, Checker, Elementary, Inference, Node, Polynomial, Property, Quantity, Refusal, Statement,
-    Summand, Term, Terms, sign,
+    Summand, Symbol, Term, Terms, sign,
 };
 use crate::number::{Field, Rational};
 use num_traits::{One, Zero};
@@ -145,6 +145,20 @@ impl<'a> Session<'a> {
             branches,
         })
         .ok()
+    }
+
+    /// The steps that `prove` takes while a symbol runs over a flight (if any); what they add is forgotten again.
+    pub fn aside(
+        &mut self,
+        running: Option<(Symbol, i32)>,
+        prove: &mut dyn FnMut(&mut Self) -> Option<()>,
+    ) -> Option<Vec<Inference>> {
+        let before = self.snapshot();
+        let outer = self.checker.run_over(running);
+        let shown = prove(self);
+        self.checker.run_over(outer);
+        let steps = self.restore(before);
+        shown.map(|()| steps)
     }
 
     fn snapshot(&mut self) -> Snapshot {

@@ -442,9 +442,9 @@ impl Session<'_> {
         if self.checker.is_absurd() {
             return true;
         }
-        let nonzero: Vec<usize> = self.nonzeros();
-        for number in nonzero {
-            if self.is_derived(number) {
+        for number in 0..self.checker.facts.len() {
+            let property = self.checker.facts[number].property;
+            if !matches!(property, Property::Nonzero | Property::Positive) || self.is_derived(number) {
                 continue;
             }
             if let Some(copy) = self.reduced_fact(number)

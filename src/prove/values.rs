@@ -1,6 +1,7 @@
 //! Values of unknown functions: instances of laws, equal arguments, whole periods, integrals of laws.
 
 use super::angles::polynomial_term;
+use super::constants;
 use super::session::Session;
 use crate::algebra::{coefficients_in, degree_in};
 use crate::kernel::{
@@ -25,6 +26,18 @@ pub struct Laws {
     differentiated: BTreeSet<usize>,
     integrated: BTreeSet<usize>,
     taken: BTreeSet<(i32, usize)>,
+    /// Whether constants of motion were looked for.
+    pub constants: bool,
+}
+
+impl Laws {
+    pub fn all(&self) -> &[Usable] {
+        &self.all
+    }
+
+    pub fn push(&mut self, law: Usable) {
+        self.all.push(law);
+    }
 }
 
 /// A law that can be taken at a time.
@@ -40,6 +53,18 @@ pub struct Usable {
 }
 
 impl Usable {
+    /// A law that a step derived.
+    pub fn derived(source: LawSource, time: Symbol, term: Term, flight: Option<i32>) -> Self {
+        Self {
+            source,
+            time,
+            term,
+            flight,
+            derivatives: 0,
+            integrals: 0,
+        }
+    }
+
     pub fn term(&self) -> Term {
         self.term
     }
@@ -78,6 +103,7 @@ pub fn instantiate(session: &mut Session, goals: &[Polynomial]) -> Vec<Usable> {
     given_laws(session, goals);
     integrate(session, goals);
     derivatives(session, goals);
+    constants::find(session);
     let laws = session.laws.all.clone();
     // a law that names a function brings the functions in its own formula along
     for _ in 0..3 {
@@ -252,7 +278,33 @@ fn running(session: &Session) -> Option<Symbol> {
     u32::try_from(at).ok().map(Symbol)
 }
 
-fn instance(session: &mut Session, law: &Usable, at: Term) -> Option<usize> {
+/// Laws at a running time, and at the times that the values in a polynomial, which depend on it, ask for.
+pub fn at_running(session: &mut Session, laws: &[Usable], of: &Polynomial, running: Symbol) {
+    let time = session.terms().symbol(running);
+    for _ in 0..2 {
+        let known = values(session, std::slice::from_ref(of));
+        for law in laws {
+            let mut times = BTreeSet::new();
+            if law.flies() {
+                times.insert(time);
+            }
+            for (function, order, inner) in values_in(session, law.term, law.time) {
+                for (_, _, at) in known.iter().filter(|(f, n, _)| (*f, *n) == (function, order)) {
+                    if session.checker.statement.terms().holds(*at, running)
+                        && let Some(at) = solved(session, inner, law.time, *at)
+                    {
+                        times.insert(at);
+                    }
+                }
+            }
+            for at in times {
+                instance(session, law, at);
+            }
+        }
+    }
+}
+
+pub fn instance(session: &mut Session, law: &Usable, at: Term) -> Option<usize> {
     let step = Inference::Law {
         source: law.source,
         at: Some(at),
@@ -544,29 +596,10 @@ fn integral(session: &mut Session, law: &Usable, goals: &[Polynomial]) -> Option
         }
         None => session.terms().integer(0),
     };
-    let inner = vec![Inference::Law {
-        source: law.source,
-        at: Some(running),
-    }];
-    // the slope of the formula is the law's own formula once sines of the same argument are one
-    let step = Inference::Constant {
-        of,
-        time: fresh,
-        at,
-        flight: law.flight,
-        steps: inner,
-    };
-    session.step_law(step)?;
-    let number = session.checker.laws() - 1;
-    let there = session.checker.statement.moved(of, Some((fresh, at)), 0);
-    let term = session.terms().difference(of, there);
+    let constant = constants::constant(session, of, fresh, at, law.flight)?;
     Some(Usable {
-        source: LawSource::Derived(number),
-        time: fresh,
-        term,
-        flight: law.flight,
-        derivatives: 0,
         integrals: law.integrals + 1,
+        ..constant
     })
 }
 
