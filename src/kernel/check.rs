@@ -485,14 +485,35 @@ impl<'a> Checker<'a> {
     }
 
     fn law(&mut self, source: LawSource, at: Option<Term>) -> Outcome<()> {
-        let (property, term, conditions) = match source {
+        let (property, term, conditions) = self.instance(source, at)?;
+        let at: Vec<Term> = at.into_iter().collect();
+        if !at.iter().all(|&at| self.is_time(at)) {
+            return refused("a law of real times at a complex one");
+        }
+        self.defined(&at)?;
+        for (property, of) in conditions {
+            self.need(property, of)?;
+        }
+        self.conclude(property, term)
+    }
+
+    /// What a law says at a time, and what must hold for it.
+    ///
+    /// # Errors
+    /// A [`Refusal`] where there is no such law, or it does not extend so far.
+    pub fn instance(
+        &mut self,
+        source: LawSource,
+        at: Option<Term>,
+    ) -> Outcome<(Property, Term, Vec<(Property, Term)>)> {
+        match source {
             LawSource::Given { given, shift } => {
                 if self.statement.givens.get(given).is_none_or(|given| given.law.is_none()) {
                     return refused("the given is no law");
                 }
                 match self.statement.instance(given, at, shift, self.running) {
-                    Some(instance) => instance,
-                    None => return refused("the law does not extend so far"),
+                    Some(instance) => Ok(instance),
+                    None => refused("the law does not extend so far"),
                 }
             }
             LawSource::Derived(_) => {
@@ -509,18 +530,9 @@ impl<'a> Checker<'a> {
                 for (property, of) in law.conditions.into_iter().chain(law.domain) {
                     conditions.push((property, self.statement.moved(of, time, 0)));
                 }
-                (Property::Zero, term, conditions)
+                Ok((Property::Zero, term, conditions))
             }
-        };
-        let at: Vec<Term> = at.into_iter().collect();
-        if !at.iter().all(|&at| self.is_time(at)) {
-            return refused("a law of real times at a complex one");
         }
-        self.defined(&at)?;
-        for (property, of) in conditions {
-            self.need(property, of)?;
-        }
-        self.conclude(property, term)
     }
 
     /// A real number, or a symbol of the certificate: what holds of such a symbol is said of real numbers only.

@@ -4,7 +4,7 @@
 //! that satisfy a homogeneous linear differential equation of order 1 or 2 whose coefficients are constant and whose
 //! characteristic polynomial splits, over the complex numbers, into factors with polynomial coefficients.
 
-use super::angles::polynomial_term;
+use super::angles::{self, polynomial_term};
 use super::session::Session;
 use super::values::{self, Usable};
 use crate::algebra::{coefficients_in, square_root};
@@ -21,6 +21,12 @@ pub fn constant(session: &mut Session, of: Term, time: Symbol, at: Term, flight:
     let laws = session.laws.all().to_vec();
     let steps = session.aside(flight.map(|flight| (time, flight)), &mut |session| {
         values::at_running(session, &laws, &numerator, time);
+        session.triangulate_all();
+        if session.show_zero(&numerator).is_some() {
+            return Some(());
+        }
+        let met: BTreeSet<Term> = numerator.generators().into_iter().collect();
+        angles::expand(session, &met);
         session.triangulate_all();
         session.show_zero(&numerator).map(|_| ())
     })?;

@@ -5,7 +5,7 @@
 
 use super::session::Session;
 use crate::algebra::{self, Fact, factors, power, times};
-use crate::kernel::{Axiom, Elementary, Inference, Node, Polynomial, Property, Summand, Term, sign};
+use crate::kernel::{Axiom, Elementary, Inference, LawSource, Node, Polynomial, Property, Summand, Term, sign};
 use crate::number::{Field, Rational};
 use num_traits::{One, Zero};
 use std::collections::BTreeSet;
@@ -525,6 +525,39 @@ impl Session<'_> {
             });
             shown.map(|_| ())
         })
+    }
+
+    /// Shows what must hold for a law to say something at a time.
+    pub fn show_conditions(&mut self, source: LawSource, at: Option<Term>) -> Option<()> {
+        let (.., conditions) = self.checker.instance(source, at).ok()?;
+        for (property, of) in conditions {
+            if self.checker.knows(property, of).ok()? {
+                continue;
+            }
+            self.describe_roots(of);
+            for inner in self.checker.statement.terms().inside(of) {
+                if let Node::Elementary(Elementary::Root(index), radicand) = self.node(inner)
+                    && index % 2 == 0
+                    && let Some(radicand) = self.numerator_of_polynomial(radicand)
+                {
+                    self.show_root_positive(inner, &radicand);
+                }
+            }
+            match property {
+                Property::Positive | Property::NonNegative => {
+                    let signed = self.signed_numerator(of)?;
+                    self.show_sign(&signed, property == Property::Positive)?;
+                }
+                Property::Nonzero => {
+                    let numerator = self.numerator(of)?;
+                    if self.show_nonzero(&numerator).is_none() {
+                        self.nonzero_fact(&numerator)?;
+                    }
+                }
+                Property::Zero | Property::Integer => return None,
+            }
+        }
+        Some(())
     }
 
     /// A term without divisors, as a polynomial.
