@@ -58,7 +58,14 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     for question in questions {
         let outcome = outcome(&question.statement, options.effort);
         match outcome {
-            Outcome::Proved(proof, ..) => decision.provided.extend(proof.provided().iter().cloned()),
+            Outcome::Proved(proof, certificate, _) => {
+                decision.provided.extend(proof.provided().iter().cloned());
+                let terms = certificate.statement.terms();
+                let excluded = proof.excluded().iter();
+                decision
+                    .provided
+                    .extend(excluded.map(|&term| format!(r"{} \neq 0", print::tex(terms, term))));
+            }
             Outcome::Refuted(refuted, witness) => {
                 decision.verdict = Verdict::Refuted;
                 decision.reason = match refuted.is_nowhere_defined() {

@@ -153,7 +153,7 @@ fn settle(session: &mut Session, property: Property, polynomial: &Polynomial, de
         if session.show_absurd() {
             return Some(());
         }
-        if session.checker.facts.len() == count {
+        if session.checker.facts.len() == count && !session.exclude() {
             break;
         }
     }
@@ -218,6 +218,11 @@ fn splits(session: &mut Session, polynomial: &Polynomial) -> Vec<(Polynomial, bo
                     }
                 }
             }
+        }
+    }
+    for term in met(session, polynomial) {
+        if session.is_integer(term) && !session.is_determined(term) {
+            found.push((Polynomial::generator(term), true));
         }
     }
     for fact in session.zeros() {
@@ -320,14 +325,34 @@ fn single_functions(session: &mut Session, met: &BTreeSet<Term>) {
                 session.axiom(Axiom::SineOfArctan(term));
                 session.axiom(Axiom::CosineOfArctan(term));
             }
-            Node::RealPower(..) => {
+            Node::RealPower(base, exponent) => {
                 session.axiom(Axiom::RealPower(term));
+                integer_power(session, term, base, exponent);
+            }
+            Node::Symbol(_) if session.is_integer(term) => {
+                session.axiom(Axiom::IntegerAtLeastOne(term));
+                let negative = session.terms().negative(term);
+                session.axiom(Axiom::IntegerAtLeastOne(negative));
             }
             Node::Imaginary => {
                 session.axiom(Axiom::ImaginarySquare);
             }
             _ => {}
         }
+    }
+}
+
+/// Powers of -1 are cosines, those of products are products, for exponents that are integers.
+fn integer_power(session: &mut Session, power: Term, base: Term, exponent: Term) {
+    if session.numerator_of_polynomial(base) == Some(Polynomial::integer(-1)) {
+        session.axiom(Axiom::CosineOfHalfTurns(exponent));
+    }
+    if let Node::Product(parts) = session.node(base)
+        && let Some((&first, rest)) = parts.split_first()
+    {
+        let rest = session.terms().product(rest.to_vec());
+        let factors = [first, rest];
+        session.axiom(Axiom::IntegerPowerOfProduct { power, factors });
     }
 }
 

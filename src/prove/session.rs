@@ -38,6 +38,8 @@ pub struct Session<'a> {
     pub described: BTreeSet<(Elementary, Term)>,
     /// Signs that were not found, in the state of what was known.
     hopeless: BTreeSet<String>,
+    /// Whether sets that are thin in generic symbols are excluded.
+    excludes: bool,
 }
 
 /// What a session knows besides the facts, to be returned to after a case.
@@ -100,7 +102,36 @@ impl<'a> Session<'a> {
             hopeless: BTreeSet::new(),
             compared: BTreeSet::new(),
             described: BTreeSet::new(),
+            excludes: false,
         }
+    }
+
+    /// Excludes sets that are thin in generic symbols from now on; `false` where that is nothing new.
+    pub fn exclude(&mut self) -> bool {
+        if self.excludes || self.checker.statement.generic().is_empty() {
+            return false;
+        }
+        self.excludes = true;
+        self.divided.clear();
+        true
+    }
+
+    /// A fact that a polynomial in generic symbols is not 0, where such are excluded.
+    pub fn generic_fact(&mut self, polynomial: &Polynomial) -> Option<usize> {
+        let symbols = polynomial.generators().into_iter().map(|term| self.node(term));
+        let generic = self.checker.statement.generic();
+        let fits = |node: Node| matches!(node, Node::Symbol(symbol) if generic.contains(&symbol));
+        if !self.excludes || !symbols.map(fits).all(|fits| fits) {
+            return None;
+        }
+        let term = super::angles::polynomial_term(self, polynomial);
+        self.step(Inference::Generic(term)).ok()
+    }
+
+    /// Whether a term is a symbol that is known to be an integer.
+    pub fn is_integer(&self, term: Term) -> bool {
+        let of_term = Polynomial::generator(term);
+        matches!(self.node(term), Node::Symbol(_)) && self.checker.knows_polynomial(Property::Integer, &of_term)
     }
 
     /// Shows a property of a polynomial in each case of the sign of another (`order`), or of whether it is 0. `prove`

@@ -276,7 +276,10 @@ impl Session<'_> {
                     nonzero.push((fact, exponent));
                     scale *= ratio.to_power(i32::try_from(exponent).ok()?);
                 }
-                None => open.push((factor, exponent)),
+                None => match self.generic_fact(&factor) {
+                    Some(fact) => nonzero.push((fact, exponent)),
+                    None => open.push((factor, exponent)),
+                },
             }
         }
         if nonzero.is_empty() && open.iter().all(|(_, exponent)| *exponent == 1) {
