@@ -825,7 +825,7 @@ class Proof:
     # laws
 
     def source(self, source):
-        """A law as (time, term, conditions, flight), impacts moved on."""
+        """A law as (time, term, conditions, domain of what it was derived from, flight), impacts moved on."""
         if source[0] == "derived":
             require(0 <= source[1] < len(self.laws), "no such law")
             return self.laws[source[1]]
@@ -836,13 +836,14 @@ class Proof:
         moved = lambda of: self.s.moved(self.s.written_out(of), None, None, shift)
         conditions = [(h, moved(of)) for h, of in law["conditions"]]
         flight = law["flight"][0] + shift if law["flight"] else None
-        return law["time"][0], moved(term), conditions, flight
+        return law["time"][0], moved(term), conditions, [], flight
 
     def step_law(self, source, at):
         at = at[0] if at else None
         if source[0] == "derived":
             require(at is not None, "a derived law needs a time")
-            time, term, conditions, flight = self.source(source)
+            time, term, conditions, domain, flight = self.source(source)
+            conditions = conditions + domain
             require(flight is None or self.s.is_end(at, flight) or self.s.runs_in(at, flight, self.running), "no time of the flight")
             holds, shift = ZERO, 0
         else:
@@ -866,11 +867,11 @@ class Proof:
         self.conclude(holds, term)
 
     def step_derivative(self, source):
-        time, term, conditions, flight = self.source(source)
+        time, term, conditions, domain, flight = self.source(source)
         require(all(holds in (POSITIVE, NONZERO) for holds, _ in conditions), "the law does not hold on an open set")
-        # the law holds only where all that it came from has values
-        conditions = conditions + self.s.domain(term)
-        self.laws.append((time, self.s.by(term, time), conditions, flight))
+        # the law holds only where all that it came from has values; where its derivative has one too, this is an open set
+        domain = domain + self.s.domain(term)
+        self.laws.append((time, self.s.by(term, time), conditions, domain, flight))
 
     def step_constant(self, of, time, at, flight, steps):
         """A term whose derivative by `time` vanishes wherever that is has the value that it has at `at`."""
@@ -894,7 +895,7 @@ class Proof:
         self.absurd, self.running = outer[2:]
         self.defined(at)
         there = self.s.moved(of, time, at, 0)
-        self.laws.append((time, self.s.difference(of, there), [], flight))
+        self.laws.append((time, self.s.difference(of, there), [], [], flight))
 
     def step_along(self, number, equation, by):
         map_ = self.s.maps[number]
@@ -1607,10 +1608,13 @@ class Values:
     def __init__(self, statement, seed, definitions=(), maps=()):
         self.s, self.seed, self.numbers = statement, seed, {}
         self.definitions, self.maps = dict(definitions), dict(maps)
+        whole = (statement.nodes[term] for _, holds, term, law in statement.givens if holds == INTEGER and not law)
+        self.integers = {statement.symbols[node[1]][0] for node in whole if node[0] == "symbol"}
 
     def draw(self, key):
         if key not in self.numbers:
-            self.numbers[key] = mpmath.mpf(random.Random("%s %s" % (self.seed, key)).randint(200, 900)) / 1009
+            drawn = mpmath.mpf(random.Random("%s %s" % (self.seed, key)).randint(200, 900))
+            self.numbers[key] = mpmath.floor(drawn / 50) if key in self.integers else drawn / 1009
         return self.numbers[key]
 
     # of the kernel's terms
