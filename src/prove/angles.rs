@@ -61,8 +61,28 @@ fn combination(session: &mut Session, argument: Term) -> Option<Vec<(Atom, RBig)
     let terms = numerator
         .terms()
         .iter()
-        .map(|(monomial, value)| ((monomial.clone(), quotient.divisors.clone()), value.clone()));
+        .map(|(monomial, value)| (in_lowest_terms(monomial, &quotient.divisors), value.clone()));
     Some(terms.collect())
+}
+
+/// A monomial over divisors, without the generators that both have.
+fn in_lowest_terms(monomial: &Monomial, divisors: &[(Polynomial, u32)]) -> Atom {
+    let (mut above, mut below) = (monomial.clone(), Vec::new());
+    for (divisor, power) in divisors {
+        let mut power = *power;
+        if let [generator] = divisor.generators()[..]
+            && *divisor == Polynomial::generator(generator)
+            && let Some((_, own)) = above.iter_mut().find(|(term, _)| *term == generator)
+        {
+            let common = power.min(*own);
+            (*own, power) = (*own - common, power - common);
+        }
+        if power > 0 {
+            below.push((divisor.clone(), power));
+        }
+    }
+    above.retain(|(_, power)| *power > 0);
+    (above, below)
 }
 
 fn expand_family(session: &mut Session, family: Family, arguments: &BTreeSet<Term>) -> bool {

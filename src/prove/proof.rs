@@ -260,6 +260,7 @@ pub fn prepare(session: &mut Session, goals: &[Polynomial]) -> Option<()> {
         }
         single_functions(session, &met);
         values::instantiate(session, goals);
+        along(session, goals);
         session.triangulate_all();
         let mut met: BTreeSet<Term> = BTreeSet::new();
         for generator in session.generators(goals) {
@@ -375,7 +376,17 @@ fn along(session: &mut Session, goals: &[Polynomial]) {
         let step = session.checker.statement.maps()[map].clone();
         for equation in 0..step.equations.len() {
             for &by in &step.by {
-                let _ = session.step(Inference::Along { map, equation, by });
+                let along = Inference::Along { map, equation, by };
+                if session.steps.contains(&along) || session.step(along.clone()).is_ok() {
+                    continue;
+                }
+                let (_, term) = step.equations[equation].clone();
+                let slope = session.checker.statement.along(term, &step, by);
+                let mut needed = session.checker.statement.domain(term);
+                needed.extend(session.checker.statement.domain(slope));
+                if session.show_all(needed).is_some() {
+                    let _ = session.step(along);
+                }
             }
         }
     }

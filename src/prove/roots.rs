@@ -31,7 +31,8 @@ pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
         let Node::Elementary(Elementary::Root(index), of) = session.node(term) else {
             continue;
         };
-        if session.is_determined(term) {
+        // what a premise determines is a root all the same
+        if !session.described.insert((Elementary::Root(index), term)) && session.is_determined(term) {
             continue;
         }
         if index % 2 == 0

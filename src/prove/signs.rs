@@ -157,7 +157,7 @@ impl Session<'_> {
         let mut powers: Vec<usize> = self
             .triangle
             .iter()
-            .filter(|pivot| pivot.degree > 1)
+            .filter(|pivot| pivot.degree > 1 || !pivot.lead.is_empty())
             .map(|pivot| pivot.fact)
             .collect();
         let open = |session: &Self, polynomial: &Polynomial| -> BTreeSet<Term> {
@@ -533,7 +533,12 @@ impl Session<'_> {
     /// Shows what must hold for a law to say something at a time.
     pub fn show_conditions(&mut self, source: LawSource, at: Option<Term>) -> Option<()> {
         let (.., conditions) = self.checker.instance(source, at).ok()?;
-        for (property, of) in conditions {
+        self.show_all(conditions)
+    }
+
+    /// Shows properties of terms, one after the other.
+    pub fn show_all(&mut self, properties: Vec<(Property, Term)>) -> Option<()> {
+        for (property, of) in properties {
             if self.checker.knows(property, of).ok()? {
                 continue;
             }
@@ -546,6 +551,7 @@ impl Session<'_> {
                     self.show_root_positive(inner, &radicand);
                 }
             }
+            self.nonzero_radicands();
             match property {
                 Property::Positive | Property::NonNegative => {
                     let signed = self.signed_numerator(of)?;
@@ -561,6 +567,41 @@ impl Session<'_> {
             }
         }
         Some(())
+    }
+
+    /// The radicand of a root that is not 0 is not 0.
+    fn nonzero_radicands(&mut self) {
+        for generator in self.generators(&[]) {
+            let Node::Elementary(Elementary::Root(index), of) = self.node(generator) else {
+                continue;
+            };
+            let Some(radicand) = self.numerator_of_polynomial(of) else {
+                continue;
+            };
+            let root = Polynomial::generator(generator);
+            let mut power = Polynomial::integer(1);
+            for _ in 0..index {
+                power = power.times(&root);
+            }
+            let relation = power.minus(&radicand);
+            let facts = &self.checker.facts;
+            let relation = facts
+                .iter()
+                .position(|fact| fact.property == Property::Zero && fact.polynomial == relation);
+            if self.checker.knows_polynomial(Property::Nonzero, &radicand) {
+                continue;
+            }
+            if let Some(relation) = relation
+                && let Some(nonzero) = self.show_nonzero(&root)
+            {
+                let _ = self.step(Inference::Nonzero {
+                    target: radicand,
+                    cofactor: Polynomial::integer(1),
+                    factors: vec![(nonzero, index)],
+                    terms: vec![(Polynomial::integer(-1), relation)],
+                });
+            }
+        }
     }
 
     /// A term without divisors, as a polynomial.
