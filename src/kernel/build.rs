@@ -174,6 +174,8 @@ struct Builder<'a> {
     opaque: bool,
     /// Whether what `[symbols]` says of signs is among the givens.
     is_declared: bool,
+    /// The maps from one impact to the next whose derivatives are written, where the vocabulary names no map.
+    implied: Vec<(Name, Step)>,
 }
 
 impl<'a> Builder<'a> {
@@ -210,6 +212,7 @@ impl<'a> Builder<'a> {
             real_only: false,
             opaque: false,
             is_declared: false,
+            implied: Vec::new(),
         };
         builder.opaque = builder.is_opaque(statements);
         builder.declare_derivatives()?;
@@ -250,6 +253,7 @@ impl<'a> Builder<'a> {
             }
         }
         builder.declare_periods()?;
+        builder.imply_maps(statements);
         builder.declare_maps()?;
         Ok((builder, 1))
     }
@@ -1164,7 +1168,7 @@ impl<'a> Builder<'a> {
 
     /// The maps whose derivatives are symbols of their own: what they take to what.
     fn map_steps(&mut self) -> Result<Vec<(Name, Step)>, Unreadable> {
-        let mut steps = Vec::new();
+        let mut steps = self.implied.clone();
         for (name, map) in &self.vocabulary.maps {
             let step = match map {
                 Map::Product(_) => continue,
@@ -1242,9 +1246,57 @@ impl<'a> Builder<'a> {
         })
     }
 
+    /// Where no map is declared, a derivative of a quantity at one impact by one at the impact before is that of the map
+    /// of the premises: from all times and states that these name at the one impact to all at the other.
+    fn imply_maps(&mut self, statements: &Statements) {
+        if !self.vocabulary.maps.is_empty() || self.opaque {
+            return;
+        }
+        let premises = statements.premises.iter().map(|premise| &premise.equation);
+        let mut written: BTreeSet<(Name, Name)> = BTreeSet::new();
+        for equation in statements.claims.iter().chain(premises) {
+            crate::claim::any_side(equation, &mut |node| {
+                if let Tree::Partial { of, by, .. } = node {
+                    written.insert((of.clone(), by.clone()));
+                }
+                false
+            });
+        }
+        let place = |quantity: &Quantity| match quantity {
+            Quantity::Time { index, .. } => Some((*index, false)),
+            Quantity::State { index, after, .. } => Some((*index, *after)),
+            _ => None,
+        };
+        for (of, by) in written {
+            let ends = [of, by].map(|name| {
+                let symbol = self.quantity(&name)?;
+                self.statement.quantity(symbol).and_then(place)
+            });
+            let [Some((last, false)), Some((first, false))] = ends else {
+                continue;
+            };
+            let named = || (0_u32..).map(Symbol).zip(&self.statement.quantities);
+            let at = |index: i32| -> Vec<Symbol> {
+                let there = named().filter(|(_, quantity)| place(quantity) == Some((index, false)));
+                there.map(|(symbol, _)| symbol).collect()
+            };
+            // what an impact changes is not told apart here
+            let is_plain = named().all(|(_, quantity)| place(quantity).is_none_or(|(_, after)| !after));
+            let step = Step {
+                of: at(last),
+                by: at(first),
+                equations: Vec::new(),
+            };
+            let known = |(_, known): &(Name, Step)| known.of == step.of && known.by == step.by;
+            if last == first + 1 && is_plain && !self.implied.iter().any(known) {
+                self.implied.push((Name::default(), step));
+            }
+        }
+    }
+
     /// Takes the equations of maps as given, and finds those that determine each map.
     fn declare_maps(&mut self) -> Result<(), Unreadable> {
-        if self.vocabulary.maps.is_empty() || self.opaque {
+        if (self.vocabulary.maps.is_empty() && self.implied.is_empty()) || self.opaque {
             return Ok(());
         }
         for (_, mut step) in self.map_steps()? {

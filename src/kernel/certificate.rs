@@ -90,6 +90,8 @@ pub enum Inference {
         flight: Option<i32>,
         steps: Vec<Inference>,
     },
+    /// A term in generic symbols alone is not 0: a thin set is excluded. The point of a proof must lie outside it.
+    Generic(Term),
     /// The premises that determine a map, differentiated along it: the number of the map, of the premise, and by what.
     Along { map: usize, equation: usize, by: Symbol },
 }
@@ -130,6 +132,17 @@ pub enum Axiom {
     /// sin(pi n) = 0 and cos(2 pi n) = 1 for an integer n.
     SineOfHalfTurns(Term),
     CosineOfTurns(Term),
+    /// cos(pi n) = (-1)^n for an integer n (DLMF 4.17).
+    CosineOfHalfTurns(Term),
+    /// exp(i x) = cos x + i sin x (DLMF 4.14.3).
+    ExpOfImaginary(Term),
+    /// The principal square root of -x is i times that of x, for real x that is not negative (DLMF
+    /// 4.2.28, 4.2.3).
+    RootOfNegative(Term),
+    /// ln(-x) = ln x + i pi for real positive x (DLMF 4.2.3).
+    LnOfNegative(Term),
+    /// A positive integer is at least 1.
+    IntegerAtLeastOne(Term),
     /// exp(x + y) = exp x exp y for a term that is the sum of two.
     ExpOfSum {
         sum: Term,
@@ -151,7 +164,8 @@ pub enum Axiom {
     RootPower(Term),
     /// An even root is not negative.
     RootNonNegative(Term),
-    /// `value` with the n-th power x is the n-th root of x, if n is odd or `value` is not negative.
+    /// `value` with the n-th power x is the n-th root of x, if n is odd or `value` is not negative; a principal root, if
+    /// `value` is real and not negative.
     RootUnique {
         root: Term,
         value: Term,
@@ -162,6 +176,11 @@ pub enum Axiom {
     IntegerPowerOfSum {
         power: Term,
         parts: [Term; 2],
+    },
+    /// (x y)^n = x^n y^n for an integer n, which is not negative unless x and y are not 0; 0^0 is 1.
+    IntegerPowerOfProduct {
+        power: Term,
+        factors: [Term; 2],
     },
     /// x^n is the n-th power of x for an exponent that is the integer n, x other than 0 if n is negative.
     IntegerPower {

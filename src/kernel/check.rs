@@ -39,6 +39,8 @@ pub struct Checker<'a> {
     running: Option<(Symbol, i32)>,
     /// Whether 0 = 1 is known: in a case that cannot be.
     absurd: bool,
+    /// What generic symbols were taken not to make 0.
+    excluded: Vec<Term>,
 }
 
 type Outcome<T> = Result<T, Refusal>;
@@ -60,7 +62,13 @@ impl<'a> Checker<'a> {
             assumed,
             running: None,
             absurd: false,
+            excluded: Vec::new(),
         }
+    }
+
+    /// The terms in generic symbols that were taken not to vanish, in whatever case.
+    pub fn excluded(&self) -> &[Term] {
+        &self.excluded
     }
 
     /// Follows steps in order.
@@ -94,6 +102,11 @@ impl<'a> Checker<'a> {
     /// Takes a property of a polynomial as the case that steps are followed in.
     pub fn suppose(&mut self, property: Property, polynomial: Polynomial) {
         self.add(property, polynomial);
+    }
+
+    /// Takes a symbol as one that runs over a flight; gives the one that ran before.
+    pub fn run_over(&mut self, running: Option<(Symbol, i32)>) -> Option<(Symbol, i32)> {
+        std::mem::replace(&mut self.running, running)
     }
 
     /// How many laws steps have derived.
@@ -319,6 +332,23 @@ impl<'a> Checker<'a> {
                 flight,
                 steps,
             } => self.constant(*of, *time, *at, *flight, steps),
+            Inference::Generic(term) => {
+                let statement = &self.statement;
+                let in_generic = |inner: Term| match statement.terms.node(inner) {
+                    Node::Symbol(symbol) => statement.generic.contains(symbol),
+                    Node::Number(_) | Node::Sum(_) | Node::Product(_) | Node::Power(..) => true,
+                    _ => false,
+                };
+                let is_generic = |term: Term| statement.terms.inside(term).into_iter().all(in_generic);
+                // what premises say of generic symbols alone would have parts, of which one may not be left out
+                let bound =
+                    |given: &super::statement::Given| given.property == Property::Zero && is_generic(given.term);
+                if !is_generic(*term) || statement.givens.iter().any(bound) {
+                    return refused("no polynomial in generic symbols that are free");
+                }
+                self.excluded.push(*term);
+                self.conclude(Property::Nonzero, *term)
+            }
             Inference::Along { map, equation, by } => {
                 let step = self.statement.steps.get(*map).cloned();
                 let Some((step, (_, term))) =
@@ -484,14 +514,31 @@ impl<'a> Checker<'a> {
             property,
             term,
             conditions,
-        } = match source {
+        } = self.instance(source, at)?;
+        let at: Vec<Term> = at.into_iter().collect();
+        if !at.iter().all(|&at| self.is_time(at)) {
+            return refused("a law of real times at a complex one");
+        }
+        self.defined(&at)?;
+        for (property, of) in conditions {
+            self.need(property, of)?;
+        }
+        self.conclude(property, term)
+    }
+
+    /// What a law says at a time, and what must hold for it.
+    ///
+    /// # Errors
+    /// A [`Refusal`] where there is no such law, or it does not extend so far.
+    pub fn instance(&mut self, source: LawSource, at: Option<Term>) -> Outcome<Instance> {
+        match source {
             LawSource::Given { given, shift } => {
                 if self.statement.givens.get(given).is_none_or(|given| given.law.is_none()) {
                     return refused("the given is no law");
                 }
                 match self.statement.instance(given, at, shift, self.running) {
-                    Some(instance) => instance,
-                    None => return refused("the law does not extend so far"),
+                    Some(instance) => Ok(instance),
+                    None => refused("the law does not extend so far"),
                 }
             }
             LawSource::Derived(_) => {
@@ -508,22 +555,13 @@ impl<'a> Checker<'a> {
                 for (property, of) in law.conditions.into_iter().chain(law.domain) {
                     conditions.push((property, self.statement.moved(of, time, 0)));
                 }
-                Instance {
+                Ok(Instance {
                     property: Property::Zero,
                     term,
                     conditions,
-                }
+                })
             }
-        };
-        let at: Vec<Term> = at.into_iter().collect();
-        if !at.iter().all(|&at| self.is_time(at)) {
-            return refused("a law of real times at a complex one");
         }
-        self.defined(&at)?;
-        for (property, of) in conditions {
-            self.need(property, of)?;
-        }
-        self.conclude(property, term)
     }
 
     /// A real number, or a symbol of the certificate: what holds of such a symbol is said of real numbers only.
@@ -799,6 +837,55 @@ impl<'a> Checker<'a> {
                 let difference = terms!().difference(cosine, one);
                 self.conclude(Zero, difference)
             }
+            Axiom::CosineOfHalfTurns(n) => {
+                self.need(Property::Integer, *n)?;
+                let (minus, pi) = (terms!().integer(-1), terms!().add(Node::Pi));
+                let angle = terms!().product(vec![pi, *n]);
+                let (cosine, power) = (function(self, Cos, angle), terms!().add(Node::RealPower(minus, *n)));
+                let difference = terms!().difference(cosine, power);
+                self.conclude(Zero, difference)
+            }
+            Axiom::ExpOfImaginary(of) => {
+                self.complex_only()?;
+                let unit = terms!().add(Node::Imaginary);
+                let exponent = terms!().product(vec![unit, *of]);
+                let [value, sine, cosine] =
+                    [(Exp, exponent), (Sin, *of), (Cos, *of)].map(|(f, x)| function(self, f, x));
+                let imaginary = terms!().product(vec![unit, sine]);
+                let sum = terms!().sum(vec![cosine, imaginary]);
+                let difference = terms!().difference(value, sum);
+                self.conclude(Zero, difference)
+            }
+            Axiom::RootOfNegative(of) => {
+                self.complex_only()?;
+                self.reals(&[*of])?;
+                self.need(NonNegative, *of)?;
+                let (unit, negative) = (terms!().add(Node::Imaginary), terms!().negative(*of));
+                let [left, right] = [negative, *of].map(|x| function(self, Elementary::Root(2), x));
+                let product = terms!().product(vec![unit, right]);
+                let difference = terms!().difference(left, product);
+                self.conclude(Zero, difference)
+            }
+            Axiom::LnOfNegative(of) => {
+                self.complex_only()?;
+                self.reals(&[*of])?;
+                self.need(Positive, *of)?;
+                let (unit, pi) = (terms!().add(Node::Imaginary), terms!().add(Node::Pi));
+                let negative = terms!().negative(*of);
+                let [left, right] = [negative, *of].map(|x| function(self, Ln, x));
+                let angle = terms!().product(vec![unit, pi]);
+                let sum = terms!().sum(vec![right, angle]);
+                let difference = terms!().difference(left, sum);
+                self.conclude(Zero, difference)
+            }
+            Axiom::IntegerAtLeastOne(n) => {
+                self.reals(&[*n])?;
+                self.need(Property::Integer, *n)?;
+                self.need(Positive, *n)?;
+                let one = terms!().integer(1);
+                let rest = terms!().difference(*n, one);
+                self.conclude(NonNegative, rest)
+            }
             Axiom::ExpOfSum { sum, parts: [a, b] } => {
                 self.same(*sum, &[*a, *b])?;
                 let [left, a, b] = [sum, a, b].map(|x| function(self, Exp, *x));
@@ -862,10 +949,10 @@ impl<'a> Checker<'a> {
             Axiom::RootUnique { root, value } => {
                 let (index, exponent, of) = self.root(*root)?;
                 if self.statement.complex {
-                    return refused("a law of real roots for complex ones");
+                    self.reals(&[*value])?;
                 }
                 self.defined(&[*value])?;
-                if index % 2 == 0 {
+                if index % 2 == 0 || self.statement.complex {
                     self.need(NonNegative, *value)?;
                 }
                 let power = terms!().add(Node::Power(*value, exponent));
@@ -901,6 +988,23 @@ impl<'a> Checker<'a> {
                 self.need(Property::Integer, *a)?;
                 self.need(Property::Integer, *b)?;
                 let [a, b] = [a, b].map(|part| terms!().add(Node::RealPower(base, *part)));
+                let product = terms!().product(vec![a, b]);
+                let difference = terms!().difference(*power, product);
+                self.conclude(Zero, difference)
+            }
+            Axiom::IntegerPowerOfProduct { power, factors: [a, b] } => {
+                let Node::RealPower(base, exponent) = terms!().node(*power).clone() else {
+                    return refused("no power");
+                };
+                let product = terms!().product(vec![*a, *b]);
+                self.same(base, &[product])?;
+                self.defined(&[base, *a, *b, exponent])?;
+                self.need(Property::Integer, exponent)?;
+                if !self.knows(NonNegative, exponent)? {
+                    self.need(Nonzero, *a)?;
+                    self.need(Nonzero, *b)?;
+                }
+                let [a, b] = [a, b].map(|factor| terms!().add(Node::RealPower(*factor, exponent)));
                 let product = terms!().product(vec![a, b]);
                 let difference = terms!().difference(*power, product);
                 self.conclude(Zero, difference)
@@ -1000,9 +1104,7 @@ impl<'a> Checker<'a> {
                 self.conclude(Positive, sine)
             }
             Axiom::ImaginarySquare => {
-                if !self.statement.complex {
-                    return refused("the imaginary unit among real numbers");
-                }
+                self.complex_only()?;
                 let (unit, one) = (terms!().add(Node::Imaginary), terms!().integer(1));
                 let square = terms!().add(Node::Power(unit, 2));
                 let sum = terms!().sum(vec![square, one]);
@@ -1015,6 +1117,13 @@ impl<'a> Checker<'a> {
                 }
                 _ => refused("no enclosure shows that this is positive"),
             },
+        }
+    }
+
+    fn complex_only(&self) -> Outcome<()> {
+        match self.statement.complex {
+            true => Ok(()),
+            false => refused("the imaginary unit among real numbers"),
         }
     }
 

@@ -209,21 +209,25 @@ impl Terms {
         met.into_iter().collect()
     }
 
+    /// The term of another store with the same symbols and functions.
+    pub(super) fn copied(&mut self, other: &Self, term: Term) -> Term {
+        let mut numbers: HashMap<Term, Term> = HashMap::new();
+        for inner in other.inside(term) {
+            let node = other
+                .node(inner)
+                .with_parts(&|part| numbers.get(&part).copied().unwrap_or(part));
+            let copy = self.add(node);
+            numbers.insert(inner, copy);
+        }
+        numbers.get(&term).copied().unwrap_or(term)
+    }
+
     /// The term with some terms inside replaced: `new` gives a term for a node whose parts are rewritten already.
     pub fn rewrite(&mut self, term: Term, new: &mut dyn FnMut(&mut Self, &Node) -> Option<Term>) -> Term {
         let mut done: HashMap<Term, Term> = HashMap::new();
         for inner in self.inside(term) {
-            let moved = |part: &Term| done.get(part).copied().unwrap_or(*part);
-            let node = match self.node(inner).clone() {
-                Node::Sum(parts) => Node::Sum(parts.iter().map(moved).collect()),
-                Node::Product(parts) => Node::Product(parts.iter().map(moved).collect()),
-                Node::Power(base, exponent) => Node::Power(moved(&base), exponent),
-                Node::Quotient(a, b) => Node::Quotient(moved(&a), moved(&b)),
-                Node::RealPower(a, b) => Node::RealPower(moved(&a), moved(&b)),
-                Node::Elementary(function, of) => Node::Elementary(function, moved(&of)),
-                Node::Value(function, order, of) => Node::Value(function, order, moved(&of)),
-                node => node,
-            };
+            let moved = |part: Term| done.get(&part).copied().unwrap_or(part);
+            let node = self.node(inner).with_parts(&moved);
             let result = new(self, &node).unwrap_or_else(|| self.add(node));
             done.insert(inner, result);
         }
@@ -246,6 +250,23 @@ impl Terms {
     pub fn is_closed(&self, term: Term) -> bool {
         let open = |inner: &Term| matches!(self.node(*inner), Node::Symbol(_) | Node::Value(..));
         !self.inside(term).iter().any(open)
+    }
+}
+
+impl Node {
+    /// The node with the terms one step inside replaced.
+    fn with_parts(&self, new: &dyn Fn(Term) -> Term) -> Self {
+        let all = |parts: &[Term]| parts.iter().map(|&part| new(part)).collect();
+        match self {
+            Self::Sum(parts) => Self::Sum(all(parts)),
+            Self::Product(parts) => Self::Product(all(parts)),
+            Self::Power(base, exponent) => Self::Power(new(*base), *exponent),
+            Self::Quotient(a, b) => Self::Quotient(new(*a), new(*b)),
+            Self::RealPower(a, b) => Self::RealPower(new(*a), new(*b)),
+            Self::Elementary(function, of) => Self::Elementary(*function, new(*of)),
+            Self::Value(function, order, of) => Self::Value(*function, *order, new(*of)),
+            node => node.clone(),
+        }
     }
 }
 

@@ -4,7 +4,8 @@ use super::build::DERIVATIVES_EXIST;
 use super::certificate::{Certificate, Inference};
 use super::check::Checker;
 use super::expand::Refusal;
-use super::statement::Statement;
+use super::statement::{Property, Statement};
+use super::term::Term;
 use super::witness::{At, Witness};
 
 /// Products of two terms of polynomials that the kernel adds up for one certificate or witness.
@@ -15,7 +16,7 @@ pub const EFFORT: u64 = 20_000_000;
 /// Nothing outside can make one:
 ///
 /// ```compile_fail,E0451
-/// let proved = vibro_audit::kernel::Proved { provided: Vec::new() };
+/// let proved = vibro_audit::kernel::Proved { provided: Vec::new(), excluded: Vec::new() };
 /// ```
 /// ```compile_fail,E0599
 /// let proved = vibro_audit::kernel::Proved::default();
@@ -23,12 +24,18 @@ pub const EFFORT: u64 = 20_000_000;
 #[derive(Clone, Debug)]
 pub struct Proved {
     provided: Vec<String>,
+    excluded: Vec<Term>,
 }
 
 impl Proved {
     /// What the proof excludes: derivatives along maps that must exist.
     pub fn provided(&self) -> &[String] {
         &self.provided
+    }
+
+    /// The terms in generic symbols, of the statement of the certificate, that are taken not to be 0.
+    pub fn excluded(&self) -> &[Term] {
+        &self.excluded
     }
 }
 
@@ -76,11 +83,11 @@ fn same<T>(statement: &Statement, with: &With<T>) -> Result<(), Refusal> {
 /// Nothing outside can make one:
 ///
 /// ```compile_fail,E0451
-/// let point = vibro_audit::kernel::Point { identity: 1 };
+/// let point = vibro_audit::kernel::Point { witness: todo!() };
 /// ```
 #[derive(Clone, Debug)]
 pub struct Point {
-    identity: u64,
+    witness: With<Witness>,
 }
 
 /// What holds at a point of the premises.
@@ -102,7 +109,7 @@ pub fn evaluate(statement: &Statement, witness: &With<Witness>) -> Result<Evalua
     Ok(match at.fails() {
         Ok(true) => Evaluated::Fails(Refuted { nowhere: false }),
         _ => Evaluated::Holds(Point {
-            identity: statement.identity,
+            witness: witness.clone(),
         }),
     })
 }
@@ -113,12 +120,25 @@ pub fn evaluate(statement: &Statement, witness: &With<Witness>) -> Result<Evalua
 /// A [`Refusal`] that says which step or goal is not shown.
 pub fn prove(statement: &Statement, certificate: &With<Certificate>, point: &Point) -> Result<Proved, Refusal> {
     same(statement, certificate)?;
-    if point.identity != statement.identity {
+    if point.witness.statement.identity != statement.identity {
         return Err(Refusal::Other("this is a point of another statement".into()));
     }
-    follows(certificate)?;
+    let excluded = excluded(certificate)?;
+    if !excluded.is_empty() {
+        let mut own = point.witness.statement.clone();
+        let copied = excluded.iter();
+        let copied = copied.map(|&term| own.terms.copied(&certificate.statement.terms, term));
+        let copied: Vec<Term> = copied.collect();
+        let mut at = At::new(&mut own, &point.witness.evidence, EFFORT)?;
+        for term in copied {
+            if !at.property(Property::Nonzero, term)? {
+                return Err(Refusal::Other("the point lies in a set that the proof excludes".into()));
+            }
+        }
+    }
     Ok(Proved {
         provided: provided(&certificate.statement, &certificate.evidence.steps),
+        excluded,
     })
 }
 
@@ -127,6 +147,11 @@ pub fn prove(statement: &Statement, certificate: &With<Certificate>, point: &Poi
 /// # Errors
 /// A [`Refusal`] that says which step or goal is not shown.
 pub fn follows(certificate: &With<Certificate>) -> Result<(), Refusal> {
+    excluded(certificate).map(|_| ())
+}
+
+/// What a certificate that leads to the goals excludes of generic symbols.
+fn excluded(certificate: &With<Certificate>) -> Result<Vec<Term>, Refusal> {
     let mut statement = certificate.statement.clone();
     let goals = statement.goal.clone();
     if goals.is_empty() {
@@ -144,7 +169,7 @@ pub fn follows(certificate: &With<Certificate>) -> Result<(), Refusal> {
             return Err(Refusal::Other("the steps do not lead to the claim".into()));
         }
     }
-    Ok(())
+    Ok(checker.excluded().to_vec())
 }
 
 /// Accepts a counterexample: the givens hold at the witness, and a goal fails.
@@ -183,7 +208,7 @@ pub fn contradicts(certificate: &With<Certificate>) -> Result<(), Refusal> {
     let mut statement = certificate.statement.clone();
     let mut checker = Checker::new(&mut statement, &certificate.evidence, EFFORT);
     checker.follow(&certificate.evidence.steps)?;
-    match checker.is_absurd() {
+    match checker.is_absurd() && checker.excluded().is_empty() {
         true => Ok(()),
         false => Err(Refusal::Other("the steps lead to no contradiction".into())),
     }

@@ -663,7 +663,7 @@ impl<'a> At<'a> {
     }
 
     /// Whether a property holds of a term at the point.
-    fn property(&mut self, property: Property, term: Term) -> Outcome<bool> {
+    pub fn property(&mut self, property: Property, term: Term) -> Outcome<bool> {
         let translated = self.translate(term, None)?;
         let sampled = self.sampled(translated, None);
         let Some([real, imaginary]) = self.number(sampled)? else {

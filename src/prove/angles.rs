@@ -61,8 +61,28 @@ fn combination(session: &mut Session, argument: Term) -> Option<Vec<(Atom, RBig)
     let terms = numerator
         .terms()
         .iter()
-        .map(|(monomial, value)| ((monomial.clone(), quotient.divisors.clone()), value.clone()));
+        .map(|(monomial, value)| (in_lowest_terms(monomial, &quotient.divisors), value.clone()));
     Some(terms.collect())
+}
+
+/// A monomial over divisors, without the generators that both have.
+fn in_lowest_terms(monomial: &Monomial, divisors: &[(Polynomial, u32)]) -> Atom {
+    let (mut above, mut below) = (monomial.clone(), Vec::new());
+    for (divisor, power) in divisors {
+        let mut power = *power;
+        if let [generator] = divisor.generators()[..]
+            && *divisor == Polynomial::generator(generator)
+            && let Some((_, own)) = above.iter_mut().find(|(term, _)| *term == generator)
+        {
+            let common = power.min(*own);
+            (*own, power) = (*own - common, power - common);
+        }
+        if power > 0 {
+            below.push((divisor.clone(), power));
+        }
+    }
+    above.retain(|(_, power)| *power > 0);
+    (above, below)
 }
 
 fn expand_family(session: &mut Session, family: Family, arguments: &BTreeSet<Term>) -> bool {
@@ -103,6 +123,7 @@ fn expand_family(session: &mut Session, family: Family, arguments: &BTreeSet<Ter
         if family == Family::Circular {
             half_turns(session, pi, &atom, base);
         }
+        imaginary(session, family, &atom, base);
         if is_pi {
             let Ok(count) = i64::try_from(&below) else { continue };
             if count > LARGEST_MULTIPLE {
@@ -142,7 +163,45 @@ fn expand_family(session: &mut Session, family: Family, arguments: &BTreeSet<Ter
     session.checker.facts.len() > before
 }
 
-/// The sine of a whole multiple of pi.
+/// Euler's formula, for an argument with the imaginary unit as a factor.
+fn imaginary(session: &mut Session, family: Family, atom: &Atom, base: Term) -> Option<()> {
+    let unit = session.terms().add(Node::Imaginary);
+    if !atom.0.iter().any(|&(term, _)| term == unit) {
+        return None;
+    }
+    let polynomial = session.numerator_of_polynomial(base)?;
+    match family {
+        Family::Exponential => {
+            // base = i angle
+            let angle = polynomial.times(&Polynomial::generator(unit)).negated();
+            let angle = session.normal_form(&angle)?;
+            let angle = polynomial_term(session, &angle);
+            session.axiom(Axiom::ExpOfImaginary(angle))?;
+            let product = session.terms().product(vec![unit, angle]);
+            congruent(session, family, base, product);
+        }
+        Family::Circular => {
+            for angle in [polynomial.clone(), polynomial.negated()] {
+                let angle = polynomial_term(session, &angle);
+                session.axiom(Axiom::ExpOfImaginary(angle));
+            }
+        }
+    }
+    Some(())
+}
+
+/// The functions of two arguments that are equal.
+fn congruent(session: &mut Session, family: Family, a: Term, b: Term) {
+    if a == b || session.show_equal(a, b).is_none() {
+        return;
+    }
+    for &function in functions(family) {
+        let [left, right] = [a, b].map(|at| session.terms().elementary(function, at));
+        let _ = session.step(Inference::Congruence { left, right });
+    }
+}
+
+/// The sine and cosine of a whole multiple of pi.
 fn half_turns(session: &mut Session, pi: Term, atom: &Atom, base: Term) -> Option<()> {
     let others: Vec<_> = atom.0.iter().copied().filter(|&(term, _)| term != pi).collect();
     if others.len() + 1 != atom.0.len() || others.is_empty() || !atom.1.is_empty() {
@@ -150,12 +209,9 @@ fn half_turns(session: &mut Session, pi: Term, atom: &Atom, base: Term) -> Optio
     }
     let count = atom_term(session, &(others.into_iter().collect(), Vec::new()));
     session.axiom(Axiom::SineOfHalfTurns(count))?;
+    session.axiom(Axiom::CosineOfHalfTurns(count))?;
     let whole = session.terms().product(vec![pi, count]);
-    let twice = session.show_equal(base, whole);
-    if twice.is_some() {
-        let [left, right] = [base, whole].map(|at| session.terms().elementary(Elementary::Sin, at));
-        let _ = session.step(Inference::Congruence { left, right });
-    }
+    congruent(session, Family::Circular, base, whole);
     Some(())
 }
 
@@ -313,19 +369,8 @@ fn sum(session: &mut Session, family: Family, argument: Term, pieces: &[Term]) {
         of_sum(session, family, next, [so_far, *piece]);
         so_far = next;
     }
-    if so_far == argument {
-        return;
-    }
     // equal by themselves, or by what the premises say
-    if session.show_equal(argument, so_far).is_some() {
-        for &function in functions(family) {
-            let (left, right) = (
-                session.terms().elementary(function, argument),
-                session.terms().elementary(function, so_far),
-            );
-            let _ = session.step(Inference::Congruence { left, right });
-        }
-    }
+    congruent(session, family, argument, so_far);
 }
 
 /// The cosine of pi/count by its minimal polynomial, the sine as a polynomial in it; count is even.
@@ -336,15 +381,7 @@ fn pi_over(session: &mut Session, pi: Term, base: Term, count: i64) {
         return;
     }
     let turned = multiple(session, Family::Circular, base, count);
-    if turned != pi && session.show_equal(turned, pi).is_some() {
-        for function in [Elementary::Sin, Elementary::Cos] {
-            let (left, right) = (
-                session.terms().elementary(function, turned),
-                session.terms().elementary(function, pi),
-            );
-            let _ = session.step(Inference::Congruence { left, right });
-        }
-    }
+    congruent(session, Family::Circular, turned, pi);
     let sine = session.terms().elementary(Elementary::Sin, base);
     let cosine = session.terms().elementary(Elementary::Cos, base);
     let (s, c) = (Polynomial::generator(sine), Polynomial::generator(cosine));

@@ -636,6 +636,7 @@ class Proof:
         self.expansion = Expansion(statement, certificate["whole"])
         self.assumed = {(holds, term) for _, holds, term, law in statement.givens if not law}
         self.facts, self.laws, self.running, self.absurd = [], [], None, False
+        self.excluded = []
 
     def follow(self, steps, where="step"):
         for number, step in enumerate(steps, 1):
@@ -824,7 +825,7 @@ class Proof:
     # laws
 
     def source(self, source):
-        """A law as (time, term, conditions, flight), impacts moved on."""
+        """A law as (time, term, conditions, domain of what it was derived from, flight), impacts moved on."""
         if source[0] == "derived":
             require(0 <= source[1] < len(self.laws), "no such law")
             return self.laws[source[1]]
@@ -835,13 +836,14 @@ class Proof:
         moved = lambda of: self.s.moved(self.s.written_out(of), None, None, shift)
         conditions = [(h, moved(of)) for h, of in law["conditions"]]
         flight = law["flight"][0] + shift if law["flight"] else None
-        return law["time"][0], moved(term), conditions, flight
+        return law["time"][0], moved(term), conditions, [], flight
 
     def step_law(self, source, at):
         at = at[0] if at else None
         if source[0] == "derived":
             require(at is not None, "a derived law needs a time")
-            time, term, conditions, flight = self.source(source)
+            time, term, conditions, domain, flight = self.source(source)
+            conditions = conditions + domain
             require(flight is None or self.s.is_end(at, flight) or self.s.runs_in(at, flight, self.running), "no time of the flight")
             holds, shift = ZERO, 0
         else:
@@ -865,11 +867,11 @@ class Proof:
         self.conclude(holds, term)
 
     def step_derivative(self, source):
-        time, term, conditions, flight = self.source(source)
+        time, term, conditions, domain, flight = self.source(source)
         require(all(holds in (POSITIVE, NONZERO) for holds, _ in conditions), "the law does not hold on an open set")
-        # the law holds only where all that it came from has values
-        conditions = conditions + self.s.domain(term)
-        self.laws.append((time, self.s.by(term, time), conditions, flight))
+        # the law holds only where all that it came from has values; where its derivative has one too, this is an open set
+        domain = domain + self.s.domain(term)
+        self.laws.append((time, self.s.by(term, time), conditions, domain, flight))
 
     def step_constant(self, of, time, at, flight, steps):
         """A term whose derivative by `time` vanishes wherever that is has the value that it has at `at`."""
@@ -893,7 +895,7 @@ class Proof:
         self.absurd, self.running = outer[2:]
         self.defined(at)
         there = self.s.moved(of, time, at, 0)
-        self.laws.append((time, self.s.difference(of, there), [], flight))
+        self.laws.append((time, self.s.difference(of, there), [], [], flight))
 
     def step_along(self, number, equation, by):
         map_ = self.s.maps[number]
@@ -902,6 +904,17 @@ class Proof:
         slope = self.s.along(term, map_, by)
         self.defined(term, slope)
         self.conclude(ZERO, slope)
+
+    def step_generic(self, term):
+        def free(term):
+            nodes = (self.s.nodes[inner] for inner in self.s.inside(term))
+            plain = ("number", "sum", "product", "power")
+            return all(node[0] in plain or node[0] == "symbol" and node[1] in self.s.generic for node in nodes)
+
+        bound = any(holds == ZERO and free(given) for _, holds, given, _ in self.s.givens)
+        require(free(term) and not bound, "no polynomial in generic symbols that are free")
+        self.excluded.append(term)
+        self.conclude(NONZERO, term)
 
     # axioms: true of all numbers that meet what is said (DLMF 4.14 to 4.45)
 
@@ -985,6 +998,42 @@ class Proof:
         self.need(INTEGER, n)
         self.equal(self.of("cos", self.s.product([self.s.number(2), self.s.add(("pi",)), n])), self.s.number(1))
 
+    def axiom_CosineOfHalfTurns(self, n):
+        self.defined(n)
+        self.need(INTEGER, n)
+        angle = self.s.product([self.s.add(("pi",)), n])
+        self.equal(self.of("cos", angle), self.s.add(("realpower", self.s.number(-1), n)))
+
+    def unit(self):
+        require(self.s.complex, "there is no imaginary unit among real numbers")
+        return self.s.add(("i",))
+
+    def axiom_ExpOfImaginary(self, x):
+        unit = self.unit()
+        self.defined(x)
+        imaginary = self.s.product([unit, self.of("sin", x)])
+        self.equal(self.of("exp", self.s.product([unit, x])), self.s.sum([self.of("cos", x), imaginary]))
+
+    def axiom_RootOfNegative(self, x):
+        unit = self.unit()
+        self.reals(x)
+        self.need(NONNEGATIVE, x)
+        root, opposite = (self.s.add(("root", 2, of)) for of in (x, self.s.negative(x)))
+        self.equal(opposite, self.s.product([unit, root]))
+
+    def axiom_LnOfNegative(self, x):
+        unit = self.unit()
+        self.reals(x)
+        self.need(POSITIVE, x)
+        half_turn = self.s.product([unit, self.s.add(("pi",))])
+        self.equal(self.of("ln", self.s.negative(x)), self.s.sum([self.of("ln", x), half_turn]))
+
+    def axiom_IntegerAtLeastOne(self, n):
+        self.reals(n)
+        self.need(INTEGER, n)
+        self.need(POSITIVE, n)
+        self.conclude(NONNEGATIVE, self.s.difference(n, self.s.number(1)))
+
     def axiom_ExpOfSum(self, total, a, b):
         self.same(total, [a, b])
         whole, ea, eb = self.of("exp", total, a, b)
@@ -1028,10 +1077,9 @@ class Proof:
 
     def axiom_RootUnique(self, term, value):
         _, index, x = self.argument(term, "root")
-        require(not self.s.complex, "a law of real roots for complex ones")
         self.reals(value)
         self.defined(value)
-        if index % 2 == 0:
+        if index % 2 == 0 or self.s.complex:
             self.need(NONNEGATIVE, value)
         powers = self.s.difference(self.s.add(("power", value, index)), x)
         self.defined(powers)
@@ -1052,6 +1100,17 @@ class Proof:
         for part in (a, b):
             self.need(INTEGER, part)
         a, b = (self.s.add(("realpower", base, part)) for part in (a, b))
+        self.equal(term, self.s.product([a, b]))
+
+    def axiom_IntegerPowerOfProduct(self, term, a, b):
+        _, base, exponent = self.argument(term, "realpower")
+        self.same(base, [self.s.product([a, b])])
+        self.defined(base, a, b, exponent)
+        self.need(INTEGER, exponent)
+        if not self.knows(NONNEGATIVE, exponent):
+            self.need(NONZERO, a)
+            self.need(NONZERO, b)
+        a, b = (self.s.add(("realpower", factor, exponent)) for factor in (a, b))
         self.equal(term, self.s.product([a, b]))
 
     def axiom_IntegerPower(self, term, exponent):
@@ -1129,8 +1188,7 @@ class Proof:
         self.conclude(POSITIVE, self.of("sin", x))
 
     def axiom_ImaginarySquare(self):
-        require(self.s.complex, "there is no imaginary unit among real numbers")
-        unit = self.s.add(("i",))
+        unit = self.unit()
         self.vanishes(self.s.sum([self.s.add(("power", unit, 2)), self.s.number(1)]))
 
     def axiom_Enclosure(self, p):
@@ -1147,6 +1205,7 @@ def check_proof(statement, certificate):
     for holds, term in statement.goals:
         proof.defined(term)
         require(proof.knows(holds, term), "the steps do not lead to the claim")
+    return proof
 
 
 def check_contradiction(statement, certificate):
@@ -1549,10 +1608,13 @@ class Values:
     def __init__(self, statement, seed, definitions=(), maps=()):
         self.s, self.seed, self.numbers = statement, seed, {}
         self.definitions, self.maps = dict(definitions), dict(maps)
+        whole = (statement.nodes[term] for _, holds, term, law in statement.givens if holds == INTEGER and not law)
+        self.integers = {statement.symbols[node[1]][0] for node in whole if node[0] == "symbol"}
 
     def draw(self, key):
         if key not in self.numbers:
-            self.numbers[key] = mpmath.mpf(random.Random("%s %s" % (self.seed, key)).randint(200, 900)) / 1009
+            drawn = mpmath.mpf(random.Random("%s %s" % (self.seed, key)).randint(200, 900))
+            self.numbers[key] = mpmath.floor(drawn / 50) if key in self.integers else drawn / 1009
         return self.numbers[key]
 
     # of the kernel's terms
@@ -1697,8 +1759,14 @@ def check(data, readings=None):
         said = "; %d formulas are as printed" % check_translation(statement, readings)
         check_domains(statement, readings)
     if data["verdict"] == "proved":
-        check_proof(statement.copy(data["proof"]), data["proof"])
-        Point(statement.copy(data["point"]), data["point"])
+        proof = check_proof(statement.copy(data["proof"]), data["proof"])
+        point = Point(statement.copy(data["point"]), data["point"])
+        for term in proof.excluded:
+            copied = {}
+            for inner in proof.s.inside(term):
+                node = proof.s.nodes[inner]
+                copied[inner] = point.s.add(with_parts(node, [copied[part] for part in parts(node)]))
+            require(point.holds(NONZERO, copied[term]), "the point lies in a set that the proof excludes")
         return "proved: every step follows, and the premises hold at the point" + said
     if data["verdict"] == "nowhere":
         check_contradiction(statement.copy(data["proof"]), data["proof"])

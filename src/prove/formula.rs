@@ -1,7 +1,7 @@
 //! The printed formulas as Python expressions, from their trees alone: the kernel's terms are compared with these.
 
 use crate::claim::{Local, Map, Statements, Vocabulary, flies, index_of, pair_of, subscript_of};
-use crate::kernel::{Question, Symbol};
+use crate::kernel::{Question, Step, Symbol};
 use crate::tex::{Condition, Equation, Invariant, Name, Relation, Tree};
 
 /// All formulas of a question.
@@ -149,16 +149,20 @@ impl<'a> Formulas<'a> {
         let mut steps = statement.maps().iter();
         let name = |symbol: &Symbol| quoted(statement.terms().symbol_name(*symbol));
         let mut maps = Vec::new();
-        if steps.len() > 0 {
+        let both = |step: &Step| [list(step.of.iter().map(name)), list(step.by.iter().map(name))];
+        if self.vocabulary.maps.is_empty() {
+            for (number, step) in steps.enumerate() {
+                let [first, second] = both(step);
+                maps.push(format!("{}: ({first}, {second})", quoted(&number.to_string())));
+            }
+        } else if steps.len() > 0 {
             for (map, meaning) in &self.vocabulary.maps {
                 let [first, second] = match meaning {
                     Map::Product(factors) => {
                         let factors = factors.iter().map(|factor| quoted(&factor.to_string()));
                         [list(factors), "[]".into()]
                     }
-                    _ => steps.next().map_or(["[]".into(), "[]".into()], |step| {
-                        [list(step.of.iter().map(name)), list(step.by.iter().map(name))]
-                    }),
+                    _ => steps.next().map_or(["[]".into(), "[]".into()], both),
                 };
                 maps.push(format!("{}: ({first}, {second})", quoted(&map.to_string())));
             }

@@ -7,7 +7,7 @@ use super::angles;
 use super::angles::polynomial_term;
 use super::roots::{self, Form};
 use super::session::Session;
-use crate::kernel::{Axiom, Elementary, Node, Polynomial, Property, Term};
+use crate::kernel::{Axiom, Elementary, Inference, Node, Polynomial, Property, Term};
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 use std::collections::BTreeSet;
@@ -15,6 +15,9 @@ use std::collections::BTreeSet;
 /// Writes the logarithms among these terms by simpler ones, and compares exponents.
 pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
     if session.checker.statement.is_complex() {
+        for &term in met {
+            principal(session, term);
+        }
         return;
     }
     for &term in met {
@@ -43,6 +46,32 @@ pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
     for fact in session.zeros().into_iter().chain(facts) {
         equal_exponentials(session, fact);
     }
+}
+
+/// The principal logarithm of a negative number, and of 1.
+fn principal(session: &mut Session, term: Term) -> Option<()> {
+    let Node::Elementary(Elementary::Ln, of) = session.node(term) else {
+        return None;
+    };
+    let argument = session.numerator_of_polynomial(of)?;
+    let right = if argument == Polynomial::integer(1) {
+        let zero = session.terms().integer(0);
+        session.axiom(Axiom::ExpOfZero(zero));
+        session.axiom(Axiom::LnOfExp(zero))?;
+        let one = session.terms().elementary(Elementary::Exp, zero);
+        session.terms().elementary(Elementary::Ln, one)
+    } else {
+        let opposite = argument.negated();
+        session.show_sign(&opposite, true)?;
+        let opposite = polynomial_term(session, &opposite);
+        session.axiom(Axiom::LnOfNegative(opposite))?;
+        let negative = session.terms().negative(opposite);
+        session.terms().elementary(Elementary::Ln, negative)
+    };
+    if right != term {
+        session.step(Inference::Congruence { left: term, right }).ok()?;
+    }
+    Some(())
 }
 
 /// The logarithm of a product, as a term.

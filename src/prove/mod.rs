@@ -1,6 +1,7 @@
 //! The search for proofs and counterexamples. Whatever it finds, the kernel decides.
 
 mod angles;
+mod constants;
 mod counterexample;
 mod decision;
 mod float;
@@ -57,7 +58,14 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     for question in questions {
         let outcome = outcome(&question.statement, options.effort);
         match outcome {
-            Outcome::Proved(proof, ..) => decision.provided.extend(proof.provided().iter().cloned()),
+            Outcome::Proved(proof, certificate, _) => {
+                decision.provided.extend(proof.provided().iter().cloned());
+                let terms = certificate.statement.terms();
+                let excluded = proof.excluded().iter();
+                decision
+                    .provided
+                    .extend(excluded.map(|&term| format!(r"{} \neq 0", print::tex(terms, term))));
+            }
             Outcome::Refuted(refuted, witness) => {
                 decision.verdict = Verdict::Refuted;
                 decision.reason = match refuted.is_nowhere_defined() {
@@ -126,7 +134,7 @@ const CONTRADICTION_STEPS: u64 = 300_000;
 
 fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
     // a point of the premises comes first: a wrong formula costs less than its proof would, a proof needs one anyway
-    let mut point = match points(statement, point::Wanted::Either, effort) {
+    let point = match points(statement, point::Wanted::Either, effort) {
         Some((witness, kernel::Evaluated::Fails(refuted))) => return Outcome::Refuted(refuted, Box::new(witness)),
         Some((witness, kernel::Evaluated::Holds(point))) => Some((witness, point)),
         None => None,
@@ -143,15 +151,9 @@ fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
         }
         certificate = proof::search(statement, PROOF_STEPS * effort);
     }
-    if certificate.is_some()
-        && point.is_none()
-        && let Some((witness, kernel::Evaluated::Holds(found))) = points(statement, point::Wanted::Premises, effort)
-    {
-        point = Some((witness, found));
-    }
     let follows = certificate.is_some();
-    if let (Some(certificate), Some((witness, point))) = (certificate, point)
-        && let Ok(proved) = kernel::prove(statement, &certificate, &point)
+    if let Some(certificate) = certificate
+        && let Some((proved, witness)) = proved(statement, &certificate, point, effort)
     {
         return Outcome::Proved(proved, Box::new(certificate), Box::new(witness));
     }
@@ -162,6 +164,28 @@ fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
         };
         Outcome::Undecided(reason.into())
     })
+}
+
+/// A claim that follows is proved where a point is found at which its premises hold, and that the proof does not exclude.
+fn proved(
+    statement: &kernel::Statement,
+    certificate: &kernel::With<kernel::Certificate>,
+    known: Option<(kernel::With<kernel::Witness>, kernel::Point)>,
+    effort: u64,
+) -> Option<(kernel::Proved, kernel::With<kernel::Witness>)> {
+    if let Some((witness, point)) = known
+        && let Ok(proved) = kernel::prove(statement, certificate, &point)
+    {
+        return Some((proved, witness));
+    }
+    let mut proved = None;
+    let witness = point::search(statement, point::Wanted::Premises, effort, &mut |witness| {
+        if let Ok(kernel::Evaluated::Holds(point)) = kernel::evaluate(statement, witness) {
+            proved = kernel::prove(statement, certificate, &point).ok();
+        }
+        proved.is_some()
+    })?;
+    Some((proved?, witness))
 }
 
 /// A point at which the premises hold, and whether the claim fails there.

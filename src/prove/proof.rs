@@ -40,13 +40,25 @@ pub fn search(statement: &Statement, budget: u64) -> Option<With<Certificate>> {
     None
 }
 
-/// Looks for a proof that the givens contradict each other.
+/// Looks for a proof that the givens contradict each other: something is not 0 that vanishes, something positive is not
+/// positive, or 1 is in the ideal of what vanishes.
 pub fn contradiction(statement: &Statement, budget: u64) -> Option<With<Certificate>> {
     let mut own = statement.clone();
     let mut session = Session::new(&mut own, Vec::new(), budget);
     prepare(&mut session, &[])?;
+    let one = Polynomial::integer(1);
+    for _ in 0..PASSES {
+        let count = session.checker.facts.len();
+        if session.show_absurd() {
+            break;
+        }
+        deduce(&mut session, &one);
+        if session.checker.facts.len() == count {
+            break;
+        }
+    }
     if !session.checker.is_absurd() {
-        session.show_zero(&Polynomial::integer(1))?;
+        session.show_zero(&one)?;
     }
     let steps = std::mem::take(&mut session.steps);
     Some(With {
@@ -141,7 +153,7 @@ fn settle(session: &mut Session, property: Property, polynomial: &Polynomial, de
         if session.show_absurd() {
             return Some(());
         }
-        if session.checker.facts.len() == count {
+        if session.checker.facts.len() == count && !session.exclude() {
             break;
         }
     }
@@ -208,6 +220,11 @@ fn splits(session: &mut Session, polynomial: &Polynomial) -> Vec<(Polynomial, bo
             }
         }
     }
+    for term in met(session, polynomial) {
+        if session.is_integer(term) && !session.is_determined(term) {
+            found.push((Polynomial::generator(term), true));
+        }
+    }
     for fact in session.zeros() {
         let Some(fact) = session.reduced_fact(fact) else {
             continue;
@@ -243,6 +260,7 @@ pub fn prepare(session: &mut Session, goals: &[Polynomial]) -> Option<()> {
         }
         single_functions(session, &met);
         values::instantiate(session, goals);
+        along(session, goals);
         session.triangulate_all();
         let mut met: BTreeSet<Term> = BTreeSet::new();
         for generator in session.generators(goals) {
@@ -308,14 +326,34 @@ fn single_functions(session: &mut Session, met: &BTreeSet<Term>) {
                 session.axiom(Axiom::SineOfArctan(term));
                 session.axiom(Axiom::CosineOfArctan(term));
             }
-            Node::RealPower(..) => {
+            Node::RealPower(base, exponent) => {
                 session.axiom(Axiom::RealPower(term));
+                integer_power(session, term, base, exponent);
+            }
+            Node::Symbol(_) if session.is_integer(term) => {
+                session.axiom(Axiom::IntegerAtLeastOne(term));
+                let negative = session.terms().negative(term);
+                session.axiom(Axiom::IntegerAtLeastOne(negative));
             }
             Node::Imaginary => {
                 session.axiom(Axiom::ImaginarySquare);
             }
             _ => {}
         }
+    }
+}
+
+/// Powers of -1 are cosines, those of products are products, for exponents that are integers.
+fn integer_power(session: &mut Session, power: Term, base: Term, exponent: Term) {
+    if session.numerator_of_polynomial(base) == Some(Polynomial::integer(-1)) {
+        session.axiom(Axiom::CosineOfHalfTurns(exponent));
+    }
+    if let Node::Product(parts) = session.node(base)
+        && let Some((&first, rest)) = parts.split_first()
+    {
+        let rest = session.terms().product(rest.to_vec());
+        let factors = [first, rest];
+        session.axiom(Axiom::IntegerPowerOfProduct { power, factors });
     }
 }
 
@@ -338,7 +376,17 @@ fn along(session: &mut Session, goals: &[Polynomial]) {
         let step = session.checker.statement.maps()[map].clone();
         for equation in 0..step.equations.len() {
             for &by in &step.by {
-                let _ = session.step(Inference::Along { map, equation, by });
+                let along = Inference::Along { map, equation, by };
+                if session.steps.contains(&along) || session.step(along.clone()).is_ok() {
+                    continue;
+                }
+                let (_, term) = step.equations[equation].clone();
+                let slope = session.checker.statement.along(term, &step, by);
+                let mut needed = session.checker.statement.domain(term);
+                needed.extend(session.checker.statement.domain(slope));
+                if session.show_all(needed).is_some() {
+                    let _ = session.step(along);
+                }
             }
         }
     }

@@ -7,7 +7,7 @@
 use super::angles::polynomial_term;
 use super::session::Session;
 use crate::algebra::{Factors, coefficients_in, degree_in, factors};
-use crate::kernel::{Axiom, Elementary, Node, Polynomial, Term};
+use crate::kernel::{Axiom, Elementary, Inference, Node, Polynomial, Term};
 use crate::number::Rational;
 use dashu_int::{IBig, UBig};
 use num_traits::{One, Zero};
@@ -21,6 +21,9 @@ const MOST_PAIRS: usize = 4;
 /// Writes the roots among these terms by simpler ones.
 pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
     if session.checker.statement.is_complex() {
+        for &term in met {
+            principal(session, term);
+        }
         return;
     }
     let mut odd: Vec<(Term, u32, Polynomial)> = Vec::new();
@@ -28,7 +31,8 @@ pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
         let Node::Elementary(Elementary::Root(index), of) = session.node(term) else {
             continue;
         };
-        if session.is_determined(term) {
+        // what a premise determines is a root all the same
+        if !session.described.insert((Elementary::Root(index), term)) && session.is_determined(term) {
             continue;
         }
         if index % 2 == 0
@@ -67,6 +71,31 @@ pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
             }
         }
     }
+}
+
+/// The principal square root of a negative number, and of the square of a positive one.
+fn principal(session: &mut Session, root: Term) -> Option<()> {
+    let Node::Elementary(Elementary::Root(2), of) = session.node(root) else {
+        return None;
+    };
+    let radicand = session.numerator_of_polynomial(of)?;
+    if session.show_sign(&radicand, false).is_some() {
+        for form in forms(session, of) {
+            let value = value(session, 2, &form).filter(|&value| value != root)?;
+            session.unique_root(root, value);
+        }
+        return Some(());
+    }
+    let opposite = radicand.negated();
+    session.show_sign(&opposite, false)?;
+    let opposite = polynomial_term(session, &opposite);
+    session.axiom(Axiom::RootOfNegative(opposite))?;
+    let negative = session.terms().negative(opposite);
+    let right = session.terms().elementary(Elementary::Root(2), negative);
+    if right != root {
+        session.step(Inference::Congruence { left: root, right }).ok()?;
+    }
+    Some(())
 }
 
 /// Where the radicands of two odd roots multiply to a perfect power, so do the roots.
@@ -368,7 +397,7 @@ impl Session<'_> {
         self.triangulate_all();
         let power = self.terms().add(Node::Power(value, i32::try_from(index).ok()?));
         self.show_equal(power, of)?;
-        if index % 2 == 0 {
+        if index % 2 == 0 || self.checker.statement.is_complex() {
             let signed = self.signed_numerator(value)?;
             self.show_sign(&signed, false)?;
         }

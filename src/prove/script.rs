@@ -549,6 +549,7 @@ fn step(numbers: &Numbers, step: &Inference) -> String {
             option(*flight),
             self::steps(numbers, steps),
         ],
+        Inference::Generic(term) => vec![quoted("generic"), numbers.of(*term)],
         Inference::Along { map, equation, by } => {
             vec![quoted("along"), map.to_string(), equation.to_string(), by.0.to_string()]
         }
@@ -558,11 +559,12 @@ fn step(numbers: &Numbers, step: &Inference) -> String {
 
 fn axiom(numbers: &Numbers, axiom: &Axiom) -> Vec<String> {
     use Axiom::{
-        AngleUnique, ArcAbove, ArcBelow, CosineOfArccos, CosineOfArcsin, CosineOfArctan, CosineOfNegative, CosineOfPi,
-        CosineOfSum, CosineOfTurns, CosineOfZero, Enclosure, ExpInjective, ExpNonzero, ExpOfLn, ExpOfSum, ExpOfZero,
-        ExpPositive, ImaginarySquare, IntegerPower, IntegerPowerOfSum, LnOfExp, Pythagoras, RealPower, RootNonNegative,
-        RootPower, RootUnique, SineOfArccos, SineOfArcsin, SineOfArctan, SineOfHalfTurns, SineOfNegative, SineOfPi,
-        SineOfSum, SineOfZero, SinePositive, Unfold,
+        AngleUnique, ArcAbove, ArcBelow, CosineOfArccos, CosineOfArcsin, CosineOfArctan, CosineOfHalfTurns,
+        CosineOfNegative, CosineOfPi, CosineOfSum, CosineOfTurns, CosineOfZero, Enclosure, ExpInjective, ExpNonzero,
+        ExpOfImaginary, ExpOfLn, ExpOfSum, ExpOfZero, ExpPositive, ImaginarySquare, IntegerAtLeastOne, IntegerPower,
+        IntegerPowerOfProduct, IntegerPowerOfSum, LnOfExp, LnOfNegative, Pythagoras, RealPower, RootNonNegative,
+        RootOfNegative, RootPower, RootUnique, SineOfArccos, SineOfArcsin, SineOfArctan, SineOfHalfTurns,
+        SineOfNegative, SineOfPi, SineOfSum, SineOfZero, SinePositive, Unfold,
     };
     let shown = format!("{axiom:?}");
     let name = shown.split(|c: char| !c.is_ascii_alphanumeric()).next().unwrap_or("");
@@ -572,7 +574,8 @@ fn axiom(numbers: &Numbers, axiom: &Axiom) -> Vec<String> {
         Unfold(a) | Pythagoras(a) | SineOfZero(a) | CosineOfZero(a) | SineOfHalfTurns(a) | CosineOfTurns(a)
         | ExpOfZero(a) | ExpPositive(a) | ExpNonzero(a) | ExpOfLn(a) | LnOfExp(a) | RootPower(a)
         | RootNonNegative(a) | RealPower(a) | SineOfArcsin(a) | CosineOfArccos(a) | SineOfArctan(a)
-        | CosineOfArcsin(a) | SineOfArccos(a) | CosineOfArctan(a) | ArcAbove(a) | ArcBelow(a) | SinePositive(a) => {
+        | CosineOfArcsin(a) | SineOfArccos(a) | CosineOfArctan(a) | ArcAbove(a) | ArcBelow(a) | SinePositive(a)
+        | CosineOfHalfTurns(a) | ExpOfImaginary(a) | RootOfNegative(a) | LnOfNegative(a) | IntegerAtLeastOne(a) => {
             parts.push(numbers.of(*a));
         }
         ExpInjective([a, b]) | AngleUnique([a, b]) => parts.extend([numbers.of(*a), numbers.of(*b)]),
@@ -585,6 +588,10 @@ fn axiom(numbers: &Numbers, axiom: &Axiom) -> Vec<String> {
         | IntegerPowerOfSum {
             power: sum,
             parts: [a, b],
+        }
+        | IntegerPowerOfProduct {
+            power: sum,
+            factors: [a, b],
         } => parts.extend([sum, a, b].map(|term| numbers.of(*term))),
         IntegerPower { power, exponent } => parts.extend([numbers.of(*power), exponent.to_string()]),
         Enclosure(polynomial) => parts.push(numbers.polynomial(polynomial)),
@@ -639,6 +646,7 @@ fn roots_of_step(step: &Inference, roots: &mut Vec<Term>) {
             terms.iter().for_each(|(coefficient, _)| inside(coefficient));
         }
         Inference::Congruence { left, right } => roots.extend([left, right]),
+        Inference::Generic(term) => roots.push(*term),
         Inference::Cases {
             on, target, branches, ..
         } => {

@@ -5,7 +5,7 @@ use crate::algebra::{
 };
 use crate::kernel::{
     Axiom, Certificate, Checker, Elementary, Inference, Node, Polynomial, Property, Quantity, Refusal, Statement,
-    Summand, Term, Terms, sign,
+    Summand, Symbol, Term, Terms, sign,
 };
 use crate::number::{Field, Rational};
 use num_traits::{One, Zero};
@@ -38,6 +38,8 @@ pub struct Session<'a> {
     pub described: BTreeSet<(Elementary, Term)>,
     /// Signs that were not found, in the state of what was known.
     hopeless: BTreeSet<String>,
+    /// Whether sets that are thin in generic symbols are excluded.
+    excludes: bool,
 }
 
 /// What a session knows besides the facts, to be returned to after a case.
@@ -67,6 +69,8 @@ pub struct Pivot {
     pub degree: u32,
     /// Facts whose product is the leading coefficient, up to a number; none where it is a number.
     pub lead: Vec<(usize, u32)>,
+    /// What it is determined by.
+    by: Vec<Term>,
 }
 
 /// A proof that a polynomial vanishes, from the last step to the first: `factors * before = quotients + after`.
@@ -100,7 +104,36 @@ impl<'a> Session<'a> {
             hopeless: BTreeSet::new(),
             compared: BTreeSet::new(),
             described: BTreeSet::new(),
+            excludes: false,
         }
+    }
+
+    /// Excludes sets that are thin in generic symbols from now on; `false` where that is nothing new.
+    pub fn exclude(&mut self) -> bool {
+        if self.excludes || self.checker.statement.generic().is_empty() {
+            return false;
+        }
+        self.excludes = true;
+        self.divided.clear();
+        true
+    }
+
+    /// A fact that a polynomial in generic symbols is not 0, where such are excluded.
+    pub fn generic_fact(&mut self, polynomial: &Polynomial) -> Option<usize> {
+        let symbols = polynomial.generators().into_iter().map(|term| self.node(term));
+        let generic = self.checker.statement.generic();
+        let fits = |node: Node| matches!(node, Node::Symbol(symbol) if generic.contains(&symbol));
+        if !self.excludes || !symbols.map(fits).all(|fits| fits) {
+            return None;
+        }
+        let term = super::angles::polynomial_term(self, polynomial);
+        self.step(Inference::Generic(term)).ok()
+    }
+
+    /// Whether a term is a symbol that is known to be an integer.
+    pub fn is_integer(&self, term: Term) -> bool {
+        let of_term = Polynomial::generator(term);
+        matches!(self.node(term), Node::Symbol(_)) && self.checker.knows_polynomial(Property::Integer, &of_term)
     }
 
     /// Shows a property of a polynomial in each case of the sign of another (`order`), or of whether it is 0. `prove`
@@ -145,6 +178,20 @@ impl<'a> Session<'a> {
             branches,
         })
         .ok()
+    }
+
+    /// The steps that `prove` takes while a symbol runs over a flight (if any); what they add is forgotten again.
+    pub fn aside(
+        &mut self,
+        running: Option<(Symbol, i32)>,
+        prove: &mut dyn FnMut(&mut Self) -> Option<()>,
+    ) -> Option<Vec<Inference>> {
+        let before = self.snapshot();
+        let outer = self.checker.run_over(running);
+        let shown = prove(self);
+        self.checker.run_over(outer);
+        let steps = self.restore(before);
+        shown.map(|()| steps)
     }
 
     fn snapshot(&mut self) -> Snapshot {
@@ -271,6 +318,15 @@ impl<'a> Session<'a> {
         Some((Rational::from_integer(sign), factors))
     }
 
+    /// A known nonzero fact that is a multiple of the polynomial, with the quotient.
+    fn nonzero_multiple(&mut self, polynomial: &Polynomial) -> Option<(Polynomial, Vec<(usize, u32)>)> {
+        self.nonzeros().into_iter().find_map(|number| {
+            let fact = self.polynomial(number);
+            let quotient = exact_quotient(&fact, polynomial, &mut self.budget).ok()??;
+            Some((quotient, vec![(number, 1)]))
+        })
+    }
+
     /// A fact that a polynomial without symbols, or its opposite (-1), is positive.
     pub fn closed_nonzero(&mut self, polynomial: &Polynomial) -> Option<(usize, i64)> {
         let sign = i64::from(sign(self.checker.statement.terms(), polynomial)?);
@@ -287,9 +343,15 @@ impl<'a> Session<'a> {
         Some((number, sign))
     }
 
-    /// Takes a fact that vanishes into the triangle, reduced by those in it, if a generator of it can be the main one.
-    /// `may` says which generators may be.
+    /// Takes a fact that vanishes into the triangle, if a generator of it can be the main one: as it is, where it is
+    /// linear in a new generator and the triangle stays without circles, else reduced by those in it. `may` says which
+    /// generators may be.
     pub fn triangulate(&mut self, fact: usize, may: &dyn Fn(&Terms, Term) -> bool) -> Option<()> {
+        if let Some(pivot) = self.definition(fact, may) {
+            self.triangle.push(pivot);
+            self.sort_triangle();
+            return Some(());
+        }
         let fact = self.reduced_fact(fact)?;
         let polynomial = self.polynomial(fact);
         if polynomial.is_zero() {
@@ -354,6 +416,11 @@ impl<'a> Session<'a> {
                     generator,
                     degree,
                     lead,
+                    by: polynomial
+                        .generators()
+                        .into_iter()
+                        .filter(|&by| by != generator)
+                        .collect(),
                 },
             ));
         }
@@ -374,8 +441,82 @@ impl<'a> Session<'a> {
             }
         }
         self.triangle.push(pivot);
-        self.version += 1;
+        self.sort_triangle();
         Some(())
+    }
+
+    /// A fact as the definition of a symbol by others, some of which are determined themselves: such chains are
+    /// followed link by link and never multiplied out.
+    fn definition(&mut self, fact: usize, may: &dyn Fn(&Terms, Term) -> bool) -> Option<Pivot> {
+        let polynomial = self.polynomial(fact);
+        let generators = polynomial.generators();
+        let linear = |session: &Self, term: Term| session.is_determined(term);
+        if !generators.iter().any(|&term| linear(self, term)) {
+            return None;
+        }
+        let mut best: Option<((u8, i32), Pivot)> = None;
+        for &generator in &generators {
+            let is_symbol = matches!(self.node(generator), Node::Symbol(_));
+            let known = self.triangle.iter().any(|pivot| pivot.generator == generator);
+            let late = self.late(generator);
+            if !is_symbol
+                || known
+                || !may(self.checker.statement.terms(), generator)
+                || degree_in(&polynomial, generator) != 1
+                || best.as_ref().is_some_and(|(best, _)| *best <= late)
+                || self.leads_to(&generators, generator)
+            {
+                continue;
+            }
+            let coefficients = coefficients_in(&polynomial, generator);
+            let Some((_, lead)) = coefficients
+                .get(1)
+                .cloned()
+                .and_then(|lead| self.nonzero_product(&lead))
+            else {
+                continue;
+            };
+            let by = generators.iter().copied().filter(|&by| by != generator).collect();
+            let degree = 1;
+            best = Some((
+                late,
+                Pivot {
+                    fact,
+                    generator,
+                    degree,
+                    lead,
+                    by,
+                },
+            ));
+        }
+        best.map(|(_, pivot)| pivot)
+    }
+
+    /// Whether what determines these generators, or them in turn, holds another one.
+    fn leads_to(&self, from: &[Term], to: Term) -> bool {
+        let (mut open, mut met): (Vec<Term>, BTreeSet<Term>) = (from.to_vec(), BTreeSet::new());
+        open.retain(|&term| term != to);
+        while let Some(term) = open.pop() {
+            if term == to {
+                return true;
+            }
+            if met.insert(term) {
+                let pivots = self.triangle.iter().filter(|pivot| pivot.generator == term);
+                open.extend(pivots.flat_map(|pivot| pivot.by.clone()));
+            }
+        }
+        false
+    }
+
+    /// What is determined by others stands before these, so that nothing is reduced twice.
+    fn sort_triangle(&mut self) {
+        let mut open = std::mem::take(&mut self.triangle);
+        while !open.is_empty() {
+            let needed: BTreeSet<Term> = open.iter().flat_map(|pivot| pivot.by.clone()).collect();
+            let first = open.iter().position(|pivot| !needed.contains(&pivot.generator));
+            self.triangle.push(open.remove(first.unwrap_or(0)));
+        }
+        self.version += 1;
     }
 
     /// Takes every fact that vanishes into the triangle that fits there, short ones first.
@@ -408,11 +549,14 @@ impl<'a> Session<'a> {
     /// Shows that a polynomial is not 0: as a product of what is known not to be.
     pub fn show_nonzero(&mut self, polynomial: &Polynomial) -> Option<usize> {
         let (rest, links) = self.reduce(polynomial, false)?;
-        let (scale, factors) = self.nonzero_product(&rest)?;
+        let (cofactor, factors) = match self.nonzero_product(&rest) {
+            Some((scale, factors)) => (Polynomial::constant(&(Rational::one() / scale)), factors),
+            None => self.nonzero_multiple(&rest)?,
+        };
         let mut last = self
             .step(Inference::Nonzero {
                 target: rest,
-                cofactor: Polynomial::constant(&(Rational::one() / scale)),
+                cofactor,
                 factors,
                 terms: Vec::new(),
             })

@@ -5,7 +5,7 @@
 
 use super::session::Session;
 use crate::algebra::{self, Fact, factors, power, times};
-use crate::kernel::{Axiom, Elementary, Inference, Node, Polynomial, Property, Summand, Term, sign};
+use crate::kernel::{Axiom, Elementary, Inference, LawSource, Node, Polynomial, Property, Summand, Term, sign};
 use crate::number::{Field, Rational};
 use num_traits::{One, Zero};
 use std::collections::BTreeSet;
@@ -157,7 +157,7 @@ impl Session<'_> {
         let mut powers: Vec<usize> = self
             .triangle
             .iter()
-            .filter(|pivot| pivot.degree > 1)
+            .filter(|pivot| pivot.degree > 1 || !pivot.lead.is_empty())
             .map(|pivot| pivot.fact)
             .collect();
         let open = |session: &Self, polynomial: &Polynomial| -> BTreeSet<Term> {
@@ -276,7 +276,10 @@ impl Session<'_> {
                     nonzero.push((fact, exponent));
                     scale *= ratio.to_power(i32::try_from(exponent).ok()?);
                 }
-                None => open.push((factor, exponent)),
+                None => match self.generic_fact(&factor) {
+                    Some(fact) => nonzero.push((fact, exponent)),
+                    None => open.push((factor, exponent)),
+                },
             }
         }
         if nonzero.is_empty() && open.iter().all(|(_, exponent)| *exponent == 1) {
@@ -442,9 +445,9 @@ impl Session<'_> {
         if self.checker.is_absurd() {
             return true;
         }
-        let nonzero: Vec<usize> = self.nonzeros();
-        for number in nonzero {
-            if self.is_derived(number) {
+        for number in 0..self.checker.facts.len() {
+            let property = self.checker.facts[number].property;
+            if !matches!(property, Property::Nonzero | Property::Positive) || self.is_derived(number) {
                 continue;
             }
             if let Some(copy) = self.reduced_fact(number)
@@ -525,6 +528,80 @@ impl Session<'_> {
             });
             shown.map(|_| ())
         })
+    }
+
+    /// Shows what must hold for a law to say something at a time.
+    pub fn show_conditions(&mut self, source: LawSource, at: Option<Term>) -> Option<()> {
+        let conditions = self.checker.instance(source, at).ok()?.conditions;
+        self.show_all(conditions)
+    }
+
+    /// Shows properties of terms, one after the other.
+    pub fn show_all(&mut self, properties: Vec<(Property, Term)>) -> Option<()> {
+        for (property, of) in properties {
+            if self.checker.knows(property, of).ok()? {
+                continue;
+            }
+            self.describe_roots(of);
+            for inner in self.checker.statement.terms().inside(of) {
+                if let Node::Elementary(Elementary::Root(index), radicand) = self.node(inner)
+                    && index % 2 == 0
+                    && let Some(radicand) = self.numerator_of_polynomial(radicand)
+                {
+                    self.show_root_positive(inner, &radicand);
+                }
+            }
+            self.nonzero_radicands();
+            match property {
+                Property::Positive | Property::NonNegative => {
+                    let signed = self.signed_numerator(of)?;
+                    self.show_sign(&signed, property == Property::Positive)?;
+                }
+                Property::Nonzero => {
+                    let numerator = self.numerator(of)?;
+                    if self.show_nonzero(&numerator).is_none() {
+                        self.nonzero_fact(&numerator)?;
+                    }
+                }
+                Property::Zero | Property::Integer => return None,
+            }
+        }
+        Some(())
+    }
+
+    /// The radicand of a root that is not 0 is not 0.
+    fn nonzero_radicands(&mut self) {
+        for generator in self.generators(&[]) {
+            let Node::Elementary(Elementary::Root(index), of) = self.node(generator) else {
+                continue;
+            };
+            let Some(radicand) = self.numerator_of_polynomial(of) else {
+                continue;
+            };
+            let root = Polynomial::generator(generator);
+            let mut power = Polynomial::integer(1);
+            for _ in 0..index {
+                power = power.times(&root);
+            }
+            let relation = power.minus(&radicand);
+            let facts = &self.checker.facts;
+            let relation = facts
+                .iter()
+                .position(|fact| fact.property == Property::Zero && fact.polynomial == relation);
+            if self.checker.knows_polynomial(Property::Nonzero, &radicand) {
+                continue;
+            }
+            if let Some(relation) = relation
+                && let Some(nonzero) = self.show_nonzero(&root)
+            {
+                let _ = self.step(Inference::Nonzero {
+                    target: radicand,
+                    cofactor: Polynomial::integer(1),
+                    factors: vec![(nonzero, index)],
+                    terms: vec![(Polynomial::integer(-1), relation)],
+                });
+            }
+        }
     }
 
     /// A term without divisors, as a polynomial.

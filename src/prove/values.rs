@@ -1,6 +1,7 @@
 //! Values of unknown functions: instances of laws, equal arguments, whole periods, integrals of laws.
 
 use super::angles::polynomial_term;
+use super::constants;
 use super::session::Session;
 use crate::algebra::{coefficients_in, degree_in};
 use crate::kernel::{
@@ -11,8 +12,8 @@ use crate::number::{Field, Rational};
 use num_traits::Zero;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The most whole periods between two times that are tried.
-const MOST_PERIODS: i64 = 8;
+/// The most whole periods between two times that are tried, of each of one, two or three periods.
+const MOST_TURNS: [i64; 3] = [8, 6, 2];
 
 /// How often a law is integrated, and differentiated: a motion has two integrals, its forcing two more.
 const MOST_INTEGRALS: u8 = 4;
@@ -25,6 +26,20 @@ pub struct Laws {
     differentiated: BTreeSet<usize>,
     integrated: BTreeSet<usize>,
     taken: BTreeSet<(i32, usize)>,
+    /// The impacts that the goals and premises speak of.
+    spoken: BTreeSet<i32>,
+    /// Whether constants of motion were looked for.
+    pub constants: bool,
+}
+
+impl Laws {
+    pub fn all(&self) -> &[Usable] {
+        &self.all
+    }
+
+    pub fn push(&mut self, law: Usable) {
+        self.all.push(law);
+    }
 }
 
 /// A law that can be taken at a time.
@@ -40,6 +55,18 @@ pub struct Usable {
 }
 
 impl Usable {
+    /// A law that a step derived.
+    pub fn derived(source: LawSource, time: Symbol, term: Term, flight: Option<i32>) -> Self {
+        Self {
+            source,
+            time,
+            term,
+            flight,
+            derivatives: 0,
+            integrals: 0,
+        }
+    }
+
     pub fn term(&self) -> Term {
         self.term
     }
@@ -78,6 +105,7 @@ pub fn instantiate(session: &mut Session, goals: &[Polynomial]) -> Vec<Usable> {
     given_laws(session, goals);
     integrate(session, goals);
     derivatives(session, goals);
+    constants::find(session);
     let laws = session.laws.all.clone();
     // a law that names a function brings the functions in its own formula along
     for _ in 0..3 {
@@ -109,46 +137,69 @@ fn values(session: &Session, goals: &[Polynomial]) -> BTreeSet<(Function, u32, T
 /// The impacts that the facts and goals speak of.
 fn impacts(session: &Session, goals: &[Polynomial]) -> BTreeSet<i32> {
     let statement = &session.checker.statement;
-    let mut found: BTreeSet<i32> = BTreeSet::new();
     let goal_terms: Vec<Term> = statement.goal().iter().map(|(_, term)| *term).collect();
-    for generator in session.generators(goals).into_iter().chain(goal_terms) {
-        for inner in statement.terms().inside(generator) {
-            match statement.terms().node(inner) {
-                Node::Symbol(symbol) => {
-                    if let Some(Quantity::State { index, .. } | Quantity::Time { index, .. }) =
-                        statement.quantity(*symbol)
-                    {
-                        found.insert(*index);
-                    }
+    let spoken = session.generators(goals).into_iter().chain(goal_terms);
+    spoken.flat_map(|term| indices(statement, term)).collect()
+}
+
+/// The impacts that a term speaks of.
+fn indices(statement: &Statement, term: Term) -> BTreeSet<i32> {
+    let mut found: BTreeSet<i32> = BTreeSet::new();
+    for inner in statement.terms().inside(term) {
+        match statement.terms().node(inner) {
+            Node::Symbol(symbol) => {
+                if let Some(Quantity::State { index, .. } | Quantity::Time { index, .. }) = statement.quantity(*symbol)
+                {
+                    found.insert(*index);
                 }
-                Node::Value(function, ..) => {
-                    if let Some(FunctionOf::Flight { impact, .. }) = statement.functions().get(function.0 as usize) {
-                        found.insert(*impact);
-                    }
-                }
-                _ => {}
             }
+            Node::Value(function, ..) => {
+                if let Some(FunctionOf::Flight { impact, .. }) = statement.functions().get(function.0 as usize) {
+                    found.insert(*impact);
+                }
+            }
+            _ => {}
         }
     }
     found
 }
 
-/// Recursions over an index, at every shift that stays within what is spoken of.
+/// Recursions over an index, at every shift that stays within what the goals and premises speak of, and two beyond
+/// where the recursion is linear.
 fn sequences(session: &mut Session, goals: &[Polynomial]) {
-    let spoken = impacts(session, goals);
+    if session.laws.spoken.is_empty() {
+        session.laws.spoken = impacts(session, goals);
+    }
+    let spoken = session.laws.spoken.clone();
     let (Some(&first), Some(&last)) = (spoken.first(), spoken.last()) else {
         return;
     };
     for given in 0..session.checker.statement.givens().len() {
-        let law = session.checker.statement.givens()[given].law.clone();
-        if law.is_none_or(|law| law.time.is_some() || !law.every_impact) {
+        let entry = session.checker.statement.givens()[given].clone();
+        if entry.law.is_none_or(|law| law.time.is_some() || !law.every_impact) {
             continue;
         }
-        for shift in (first - last - 2)..=(last - first + 2) {
+        let written = session.checker.statement.written_out(entry.term);
+        let own = indices(&session.checker.statement, written);
+        let (Some(low), Some(high)) = (own.first(), own.last()) else {
+            continue;
+        };
+        let margin = match polynomial(session, written) {
+            Some(form) if form.degree() == 1 => 2,
+            _ => 0,
+        };
+        for shift in (first - margin - low)..=(last + margin - high) {
+            if !session.laws.taken.insert((shift, given)) {
+                continue;
+            }
             let source = LawSource::Given { given, shift };
-            let mark = session.checker.mark();
-            if session.step(Inference::Law { source, at: None }).is_err() {
-                session.checker.back_to(mark);
+            let step = Inference::Law { source, at: None };
+            if session.step(step.clone()).is_err() {
+                let shown = session.show_conditions(source, None);
+                if shown.is_none() || session.step(step).is_err() {
+                    // what it needs may be known later
+                    session.laws.taken.remove(&(shift, given));
+                }
             }
         }
     }
@@ -252,7 +303,33 @@ fn running(session: &Session) -> Option<Symbol> {
     u32::try_from(at).ok().map(Symbol)
 }
 
-fn instance(session: &mut Session, law: &Usable, at: Term) -> Option<usize> {
+/// Laws at a running time, and at the times that the values in a polynomial, which depend on it, ask for.
+pub fn at_running(session: &mut Session, laws: &[Usable], of: &Polynomial, running: Symbol) {
+    let time = session.terms().symbol(running);
+    for _ in 0..2 {
+        let known = values(session, std::slice::from_ref(of));
+        for law in laws {
+            let mut times = BTreeSet::new();
+            if law.flies() {
+                times.insert(time);
+            }
+            for (function, order, inner) in values_in(session, law.term, law.time) {
+                for (_, _, at) in known.iter().filter(|(f, n, _)| (*f, *n) == (function, order)) {
+                    if session.checker.statement.terms().holds(*at, running)
+                        && let Some(at) = solved(session, inner, law.time, *at)
+                    {
+                        times.insert(at);
+                    }
+                }
+            }
+            for at in times {
+                instance(session, law, at);
+            }
+        }
+    }
+}
+
+pub fn instance(session: &mut Session, law: &Usable, at: Term) -> Option<usize> {
     let step = Inference::Law {
         source: law.source,
         at: Some(at),
@@ -264,29 +341,7 @@ fn instance(session: &mut Session, law: &Usable, at: Term) -> Option<usize> {
     if let Ok(found) = session.step(step.clone()) {
         return Some(found);
     }
-    // what an instance needs may follow from what is known
-    let LawSource::Given { given, shift } = law.source else {
-        return None;
-    };
-    let instance = session.checker.statement.instance(given, Some(at), shift, None)?;
-    for (property, of) in instance.conditions {
-        if session.checker.knows(property, of).ok()? {
-            continue;
-        }
-        match property {
-            Property::Positive | Property::NonNegative => {
-                let signed = session.signed_numerator(of)?;
-                session.show_sign(&signed, property == Property::Positive)?;
-            }
-            Property::Nonzero => {
-                let numerator = session.numerator(of)?;
-                if session.show_nonzero(&numerator).is_none() {
-                    session.nonzero_fact(&numerator)?;
-                }
-            }
-            Property::Zero | Property::Integer => return None,
-        }
-    }
+    session.show_conditions(law.source, Some(at))?;
     session.step(step).ok()
 }
 
@@ -412,8 +467,16 @@ fn merge(session: &mut Session, goals: &[Polynomial]) {
     }
 }
 
-/// Chains of a recurrent law between two values that are whole periods apart.
+/// A law that says something of a function at two times that are a fixed time apart.
+struct Recurrence {
+    law: Usable,
+    later: Term,
+    apart: Polynomial,
+}
+
+/// Chains of recurrent laws between two values that whole multiples of their periods lie between.
 fn whole_periods(session: &mut Session, laws: &[Usable], goals: &[Polynomial]) {
+    let mut recurrences: BTreeMap<(Function, u32), Vec<Recurrence>> = BTreeMap::new();
     for law in laws {
         let own = values_in(session, law.term, law.time);
         for (n, &(function, order, u)) in own.iter().enumerate() {
@@ -422,25 +485,41 @@ fn whole_periods(session: &mut Session, laws: &[Usable], goals: &[Polynomial]) {
                     continue;
                 }
                 let apart = session.terms().difference(u, v);
-                let Some(period) = polynomial(session, apart).and_then(|form| session.normal_form(&form)) else {
+                let Some(apart) = polynomial(session, apart).and_then(|form| session.normal_form(&form)) else {
                     continue;
                 };
-                if !period.is_zero() {
-                    chains(session, law, (function, order), [u, v], &period, goals);
+                if !apart.is_zero() {
+                    let known = recurrences.entry((function, order)).or_default();
+                    if !known.iter().any(|known| known.apart == apart) {
+                        let law = law.clone();
+                        known.push(Recurrence { law, later: u, apart });
+                    }
                 }
             }
         }
     }
+    for (of, mut recurrences) in recurrences {
+        recurrences.truncate(MOST_TURNS.len());
+        chains(session, of, &recurrences, goals);
+    }
 }
 
-fn chains(
-    session: &mut Session,
-    law: &Usable,
-    of: (Function, u32),
-    [u, _]: [Term; 2],
-    period: &Polynomial,
-    goals: &[Polynomial],
-) {
+/// Integers within a bound, those of smaller sum first.
+fn turns(count: usize) -> Vec<Vec<i64>> {
+    let most = MOST_TURNS[count - 1];
+    let mut all: Vec<Vec<i64>> = vec![Vec::new()];
+    for _ in 0..count {
+        let longer = |turns: &Vec<i64>| {
+            let turns = turns.clone();
+            (-most..=most).map(move |turn| [turns.clone(), vec![turn]].concat())
+        };
+        all = all.iter().flat_map(longer).collect();
+    }
+    all.sort_by_key(|turns| turns.iter().map(|turn| turn.abs()).sum::<i64>());
+    all
+}
+
+fn chains(session: &mut Session, of: (Function, u32), recurrences: &[Recurrence], goals: &[Polynomial]) {
     let members: Vec<Term> = values(session, goals)
         .into_iter()
         .filter(|(f, n, _)| (*f, *n) == of)
@@ -450,28 +529,45 @@ fn chains(
         .iter()
         .map(|&at| session.numerator(at).and_then(|form| session.normal_form(&form)))
         .collect();
+    let turns: Vec<(Vec<i64>, Polynomial)> = turns(recurrences.len())
+        .into_iter()
+        .map(|turns| {
+            let parts = turns.iter().zip(recurrences);
+            let sum = parts.fold(Polynomial::default(), |sum, (turn, recurrence)| {
+                sum.plus(&recurrence.apart.scaled(&Rational::from_integer(*turn)))
+            });
+            (turns, sum)
+        })
+        .collect();
     let mut added = false;
     for (n, a) in members.iter().enumerate() {
-        for (m, b) in members.iter().enumerate() {
+        for (m, b) in members.iter().enumerate().skip(n + 1) {
             let (Some(fa), Some(fb)) = (&forms[n], &forms[m]) else {
                 continue;
             };
             let difference = fa.minus(fb);
-            let turns = (1..=MOST_PERIODS).find(|&turns| difference == period.scaled(&Rational::from_integer(turns)));
-            let Some(turns) = turns else { continue };
-            // from b upwards: u at b + period, b + 2 period, ..., a
-            let period_term = polynomial_term(session, period);
-            for turn in 1..=turns {
-                let factor = session.terms().integer(turn);
-                let moved = session.terms().product(vec![factor, period_term]);
-                let at = if turn == turns {
-                    *a
-                } else {
-                    session.terms().sum(vec![*b, moved])
+            let Some((turns, _)) = turns.iter().find(|(_, sum)| *sum == difference) else {
+                continue;
+            };
+            // from b step by step, the last one to a itself
+            let steps: Vec<(usize, bool)> = turns
+                .iter()
+                .enumerate()
+                .flat_map(|(place, turn)| std::iter::repeat_n((place, *turn > 0), turn.unsigned_abs() as usize))
+                .collect();
+            let (mut at, mut from) = (fb.clone(), *b);
+            for (step, (place, forward)) in steps.iter().enumerate() {
+                let Recurrence { law, later, apart } = &recurrences[*place];
+                at = if *forward { at.plus(apart) } else { at.minus(apart) };
+                let to = match step + 1 == steps.len() {
+                    true => *a,
+                    false => polynomial_term(session, &at),
                 };
-                if let Some(time) = solved(session, u, law.time, at) {
+                let high = if *forward { to } else { from };
+                if let Some(time) = solved(session, *later, law.time, high) {
                     added |= instance(session, law, time).is_some();
                 }
+                from = to;
             }
         }
     }
@@ -500,24 +596,16 @@ fn integrate(session: &mut Session, goals: &[Polynomial]) {
 fn integral(session: &mut Session, law: &Usable, goals: &[Polynomial]) -> Option<Usable> {
     let time = session.terms().symbol(law.time);
     let form = polynomial(session, law.term)?;
-    // function(t) = formula: a value at t itself, times a number
-    let (function, order, lead) = form
-        .terms()
-        .iter()
-        .find_map(|(monomial, value)| match monomial.as_slice() {
-            [(generator, 1)] => match session.node(*generator) {
-                Node::Value(function, order, at) if at == time => {
-                    let others = form
-                        .terms()
-                        .iter()
-                        .filter(|(m, _)| m.iter().any(|(g, _)| g == generator))
-                        .count();
-                    (others == 1 && has_integral(session, function, order)).then(|| (function, order, value.clone()))
-                }
-                _ => None,
-            },
-            _ => None,
-        })?;
+    // lead function(t) = formula: a value at t itself, times what does not depend on t
+    let (function, order, lead) = form.generators().into_iter().find_map(|generator| {
+        let Node::Value(function, order, at) = session.node(generator) else {
+            return None;
+        };
+        let coefficients = coefficients_in(&form, generator);
+        let lead = coefficients.get(1).filter(|_| coefficients.len() == 2 && at == time)?;
+        (fixed(session, lead, law.time) && has_integral(session, function, order))
+            .then(|| (function, order, lead.clone()))
+    })?;
     let (outer, outer_order) = antiderivative(session, function, order)?;
     if law.flight.is_none()
         && !values(session, goals)
@@ -527,10 +615,10 @@ fn integral(session: &mut Session, law: &Usable, goals: &[Polynomial]) -> Option
         return None;
     }
     let value = session.checker.statement.value(function, order, time);
-    let rest = form
-        .scaled(&Rational(dashu_ratio::RBig::ONE / lead))
-        .minus(&Polynomial::generator(value));
+    let rest = form.minus(&lead.times(&Polynomial::generator(value)));
     let formula = antiderivative_of(session, &rest.negated(), law.time)?;
+    let lead = polynomial_term(session, &lead);
+    let formula = session.terms().quotient(formula, lead);
     let fresh = session.checker.statement.fresh("t");
     let running = session.terms().symbol(fresh);
     let whole = session.checker.statement.value(outer, outer_order, time);
@@ -544,30 +632,17 @@ fn integral(session: &mut Session, law: &Usable, goals: &[Polynomial]) -> Option
         }
         None => session.terms().integer(0),
     };
-    let inner = vec![Inference::Law {
-        source: law.source,
-        at: Some(running),
-    }];
-    // the slope of the formula is the law's own formula once sines of the same argument are one
-    let step = Inference::Constant {
-        of,
-        time: fresh,
-        at,
-        flight: law.flight,
-        steps: inner,
-    };
-    session.step_law(step)?;
-    let number = session.checker.laws() - 1;
-    let there = session.checker.statement.moved(of, Some((fresh, at)), 0);
-    let term = session.terms().difference(of, there);
+    let constant = constants::constant(session, of, fresh, at, law.flight)?;
     Some(Usable {
-        source: LawSource::Derived(number),
-        time: fresh,
-        term,
-        flight: law.flight,
-        derivatives: 0,
         integrals: law.integrals + 1,
+        ..constant
     })
+}
+
+/// Whether nothing in a polynomial depends on a time.
+fn fixed(session: &Session, polynomial: &Polynomial, time: Symbol) -> bool {
+    let terms = session.checker.statement.terms();
+    !polynomial.generators().iter().any(|&term| terms.holds(term, time))
 }
 
 fn has_integral(session: &Session, function: Function, order: u32) -> bool {
@@ -600,8 +675,8 @@ fn leads_to(session: &Session, (function, order): (Function, u32), to: (Function
     false
 }
 
-/// An antiderivative of a sum of powers of the time, sines, cosines and exponentials of affine arguments, and values of
-/// functions that are declared derivatives.
+/// An antiderivative of a sum of: powers of the time, times products of sines and cosines of affine arguments, or an
+/// exponential of one; values of functions that are declared derivatives.
 pub fn antiderivative_of(session: &mut Session, form: &Polynomial, time: Symbol) -> Option<Term> {
     let of_time = session.terms().symbol(time);
     let mut parts = Vec::new();
@@ -612,54 +687,117 @@ pub fn antiderivative_of(session: &mut Session, form: &Polynomial, time: Symbol)
             .partition(|(term, _)| session.checker.statement.terms().holds(*term, time));
         let constant = Polynomial::from_terms([(fixed, value.clone())]);
         let constant = polynomial_term(session, &constant);
-        let integral = match moving.as_slice() {
-            [] => of_time,
-            [(term, power)] if *term == of_time => {
-                let exponent = i32::try_from(*power).ok()? + 1;
-                let raised = session.terms().add(Node::Power(of_time, exponent));
-                let below = session.terms().integer(i64::from(exponent));
-                session.terms().quotient(raised, below)
-            }
-            [(term, 1)] => integral_of(session, *term, time)?,
-            _ => return None,
-        };
-        parts.push(session.terms().product(vec![constant, integral]));
+        let power = moving
+            .iter()
+            .find(|(term, _)| *term == of_time)
+            .map_or(0, |(_, power)| *power);
+        let factors = moving.iter().filter(|(term, _)| *term != of_time);
+        let factors: Vec<Term> = factors
+            .flat_map(|(term, power)| std::iter::repeat_n(*term, *power as usize))
+            .collect();
+        for (number, factor) in sum_of_products(session, &factors)? {
+            let number = session.terms().number(number);
+            let integral = integral_of(session, factor, power, time)?;
+            parts.push(session.terms().product(vec![constant, number, integral]));
+        }
     }
     Some(session.terms().sum(parts))
 }
 
-fn integral_of(session: &mut Session, term: Term, time: Symbol) -> Option<Term> {
-    let (inner, outer) = match session.node(term) {
-        Node::Elementary(function, of) => {
-            let outer = match function {
-                Elementary::Sin => {
-                    let cosine = session.terms().elementary(Elementary::Cos, of);
-                    session.terms().negative(cosine)
-                }
-                Elementary::Cos => session.terms().elementary(Elementary::Sin, of),
-                Elementary::Exp => term,
-                _ => return None,
+/// A product of sines and cosines as a sum of such, times numbers; nothing for 1.
+fn sum_of_products(session: &mut Session, factors: &[Term]) -> Option<Vec<(Rational, Option<Term>)>> {
+    use Elementary::{Cos, Sin};
+    let one = Rational::from_integer(1);
+    let Some((&first, rest)) = factors.split_first() else {
+        return Some(vec![(one, None)]);
+    };
+    let half = one.clone() / Rational::from_integer(2);
+    let mut sum = vec![(one, Some(first))];
+    for &factor in rest {
+        let Node::Elementary(g @ (Sin | Cos), b) = session.node(factor) else {
+            return None;
+        };
+        let mut next = Vec::new();
+        for (number, term) in sum {
+            let Some(Node::Elementary(f @ (Sin | Cos), a)) = term.map(|term| session.node(term)) else {
+                next.push((number, Some(factor)));
+                continue;
             };
-            (of, outer)
+            // DLMF 4.21.15 to 4.21.17
+            let (plus, minus) = (session.terms().sum(vec![a, b]), session.terms().difference(a, b));
+            let (outer, signs) = match (f, g) {
+                (Sin, Sin) => (Cos, [-1, 1]),
+                (Cos, Cos) => (Cos, [1, 1]),
+                (Sin, _) => (Sin, [1, 1]),
+                _ => (Sin, [1, -1]),
+            };
+            for (angle, sign) in [(plus, signs[0]), (minus, signs[1])] {
+                let angle = polynomial(session, angle)?;
+                let number = number.clone() * half.clone() * Rational::from_integer(sign);
+                if angle.is_zero() {
+                    if outer == Cos {
+                        next.push((number, None));
+                    }
+                    continue;
+                }
+                let angle = polynomial_term(session, &angle);
+                next.push((number, Some(session.terms().elementary(outer, angle))));
+            }
         }
-        Node::Value(function, order, at) => {
+        sum = next;
+    }
+    Some(sum)
+}
+
+/// The integral of a power of the time times a function of an affine argument, by parts.
+fn integral_of(session: &mut Session, of: Option<Term>, power: u32, time: Symbol) -> Option<Term> {
+    let of_time = session.terms().symbol(time);
+    let exponent = i32::try_from(power).ok()?;
+    let Some(term) = of.filter(|&term| session.checker.statement.terms().holds(term, time)) else {
+        let integral = match power {
+            0 => of_time,
+            _ => {
+                let raised = session.terms().add(Node::Power(of_time, exponent.checked_add(1)?));
+                let below = session.terms().integer(i64::from(power) + 1);
+                session.terms().quotient(raised, below)
+            }
+        };
+        return Some(match of {
+            Some(factor) => session.terms().product(vec![factor, integral]),
+            None => integral,
+        });
+    };
+    let (inner, sign, outer) = match session.node(term) {
+        Node::Elementary(Elementary::Sin, at) => (at, -1, session.terms().elementary(Elementary::Cos, at)),
+        Node::Elementary(Elementary::Cos, at) => (at, 1, session.terms().elementary(Elementary::Sin, at)),
+        Node::Elementary(Elementary::Exp, at) => (at, 1, term),
+        Node::Value(function, order, at) if power == 0 => {
             let (function, order) = antiderivative(session, function, order)?;
-            (at, session.checker.statement.value(function, order, at))
+            (at, 1, session.checker.statement.value(function, order, at))
         }
         _ => return None,
     };
     let slope = session.checker.statement.derivative(inner, time);
     let form = polynomial(session, slope)?;
-    if form.is_zero()
-        || form
-            .generators()
-            .iter()
-            .any(|&g| session.checker.statement.terms().holds(g, time))
-    {
+    if form.is_zero() || !fixed(session, &form, time) {
         return None;
     }
-    if form == Polynomial::integer(1) {
-        return Some(outer);
+    let sign = session.terms().integer(sign);
+    let above = session.terms().product(vec![sign, outer]);
+    let whole = session.terms().quotient(above, slope);
+    if power == 0 {
+        return Some(whole);
     }
-    Some(session.terms().quotient(outer, slope))
+    let raised = match exponent {
+        1 => of_time,
+        _ => session.terms().add(Node::Power(of_time, exponent)),
+    };
+    let first = session.terms().product(vec![raised, whole]);
+    // less the integral of the derivative of the power
+    let rest = integral_of(session, Some(outer), power - 1, time)?;
+    let number = session.terms().integer(i64::from(power));
+    let factor = session.terms().product(vec![sign, number]);
+    let factor = session.terms().quotient(factor, slope);
+    let rest = session.terms().product(vec![factor, rest]);
+    Some(session.terms().difference(first, rest))
 }

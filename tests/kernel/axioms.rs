@@ -75,6 +75,14 @@ fn sum(own: &mut Statement) -> (Term, [Term; 2]) {
     (own.terms_mut().sum(vec![minus, y, twice]), [x, y])
 }
 
+/// n as the root of its own power.
+fn unique_of_integer(own: &mut Statement, index: u32) -> Axiom {
+    let value = of(own, "n");
+    let power = own.terms_mut().add(Node::Power(value, index.try_into().unwrap()));
+    let root = own.terms_mut().elementary(Elementary::Root(index), power);
+    Axiom::RootUnique { root, value }
+}
+
 fn cases() -> Vec<Case> {
     let mut cases = Vec::new();
     let mut add = |complex, conditions, second, axiom| {
@@ -130,6 +138,24 @@ fn cases() -> Vec<Case> {
         add(complex, &[], free, |_| Axiom::CosineOfPi);
         add(complex, &[], free, |own| Axiom::SineOfHalfTurns(of(own, "n")));
         add(complex, &[], free, |own| Axiom::CosineOfTurns(of(own, "n")));
+        add(complex, &[], free, |own| Axiom::CosineOfHalfTurns(of(own, "n")));
+        add(complex, &[r"n \ge 0"], free, |own| {
+            let (x, y, n) = (of(own, "x"), of(own, "y"), of(own, "n"));
+            let product = own.terms_mut().product(vec![y, x]);
+            Axiom::IntegerPowerOfProduct {
+                power: power(own, product, n),
+                factors: [x, y],
+            }
+        });
+        add(complex, &[r"x \neq 0", r"y \neq 0"], free, |own| {
+            let (x, y, n) = (of(own, "x"), of(own, "y"), of(own, "n"));
+            let product = own.terms_mut().product(vec![x, y]);
+            Axiom::IntegerPowerOfProduct {
+                power: power(own, product, n),
+                factors: [x, y],
+            }
+        });
+        add(complex, &["n > 0"], free, |own| Axiom::IntegerAtLeastOne(of(own, "n")));
         add(complex, &[], free, |own| Axiom::ExpNonzero(of(own, "x")));
         add(complex, if real { &["x > 0"] } else { &[r"x \neq 0"] }, free, |own| {
             Axiom::ExpOfLn(of(own, "x"))
@@ -173,6 +199,17 @@ fn cases() -> Vec<Case> {
         add(complex, ends, free, |own| {
             Axiom::CosineOfArccos(elementary(own, Elementary::Arccos))
         });
+    }
+    add(true, &[], free, |own| Axiom::ExpOfImaginary(of(own, "x")));
+    // n and m are real among complex symbols
+    add(true, &[r"n \ge 0"], free, |own| Axiom::RootOfNegative(of(own, "n")));
+    add(true, &["n > 0"], free, |own| Axiom::LnOfNegative(of(own, "n")));
+    for index in [2, 3] {
+        let unique: fn(&mut Statement) -> Axiom = match index {
+            2 => |own| unique_of_integer(own, 2),
+            _ => |own| unique_of_integer(own, 3),
+        };
+        add(true, &[r"n \ge 0"], free, unique);
     }
     add(false, &[], free, |own| Axiom::ExpPositive(of(own, "x")));
     add(false, &["e^x = e^y"], same, |own| {
@@ -404,6 +441,8 @@ fn an_axiom_of_real_numbers_is_refused_for_complex_ones() {
         |own| Axiom::ArcBelow(elementary(own, Elementary::Arcsin)),
         |own| Axiom::AngleUnique([of(own, "x"), of(own, "x")]),
         |own| Axiom::SinePositive(of(own, "x")),
+        |own| Axiom::RootOfNegative(of(own, "x")),
+        |own| Axiom::LnOfNegative(of(own, "x")),
     ];
     for (number, axiom) in real_only.iter().enumerate() {
         let mut own = stated(true, &[]);

@@ -120,6 +120,7 @@ impl Visit<'_> {
                 (self.term)(left);
                 (self.term)(right);
             }
+            Inference::Generic(term) => (self.term)(term),
             Inference::Cases {
                 on, target, branches, ..
             } => {
@@ -158,6 +159,10 @@ impl Visit<'_> {
                 (self.term)(negative);
                 (self.term)(of);
             }
+            Axiom::IntegerPowerOfProduct { power, factors } => {
+                (self.term)(power);
+                factors.iter_mut().for_each(|term| (self.term)(term));
+            }
             Axiom::RootUnique { root, value } => {
                 (self.term)(root);
                 (self.term)(value);
@@ -171,6 +176,11 @@ impl Visit<'_> {
             | Axiom::CosineOfZero(term)
             | Axiom::SineOfHalfTurns(term)
             | Axiom::CosineOfTurns(term)
+            | Axiom::CosineOfHalfTurns(term)
+            | Axiom::ExpOfImaginary(term)
+            | Axiom::RootOfNegative(term)
+            | Axiom::LnOfNegative(term)
+            | Axiom::IntegerAtLeastOne(term)
             | Axiom::ExpOfZero(term)
             | Axiom::ExpPositive(term)
             | Axiom::ExpNonzero(term)
@@ -661,7 +671,9 @@ fn broken_certificates_prove_nothing_false() {
                 wrong.push(format!("{label}: {} proves the twin", KINDS[kind]));
             }
         }
-        if changed.statement.functions().is_empty() && changed.evidence.steps.len() < 300 {
+        // values of functions, and derivatives along maps, are not free
+        let is_free = changed.statement.functions().is_empty() && changed.statement.maps().is_empty();
+        if is_free && changed.evidence.steps.len() < 300 {
             for at in points(&changed.statement, &mut random) {
                 evaluated += 1;
                 if let Some(fact) = false_fact(&changed, &at) {
