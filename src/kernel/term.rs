@@ -1,7 +1,7 @@
 //! Terms: what the kernel makes of the trees of a claim and its premises. Equal terms are one term.
 
 use crate::number::Rational;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// A term of a [`Terms`]; its number is its place in there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -67,7 +67,7 @@ impl Terms {
     /// The term with this node. What is inside a term is there before it: a node that holds a term still to come is
     /// taken for pi, as that term is.
     pub fn add(&mut self, node: Node) -> Term {
-        if parts_of(&node).iter().any(|part| part.0 as usize >= self.nodes.len()) {
+        if parts_of(&node).any(|part| part.0 as usize >= self.nodes.len()) {
             return self.add(Node::Pi);
         }
         if let Some(&known) = self.numbers.get(&node) {
@@ -191,22 +191,19 @@ impl Terms {
 
     /// The terms one step inside a term.
     pub fn parts(&self, term: Term) -> Vec<Term> {
-        parts_of(self.node(term))
+        parts_of(self.node(term)).collect()
     }
 
     /// The term and all that is inside it, each once, inner ones first.
     pub fn inside(&self, term: Term) -> Vec<Term> {
-        // numbers of inner terms are smaller than those of the terms they are in
-        let mut met = std::collections::BTreeSet::from([term]);
-        let mut next = vec![term];
+        let (mut met, mut next) = (HashSet::from([term]), vec![term]);
         while let Some(term) = next.pop() {
-            for part in self.parts(term) {
-                if met.insert(part) {
-                    next.push(part);
-                }
-            }
+            next.extend(parts_of(self.node(term)).filter(|part| met.insert(*part)));
         }
-        met.into_iter().collect()
+        // numbers of inner terms are smaller than those of the terms they are in
+        let mut inside: Vec<Term> = met.into_iter().collect();
+        inside.sort_unstable();
+        inside
     }
 
     /// The term of another store with the same symbols and functions.
@@ -227,8 +224,13 @@ impl Terms {
         let mut done: HashMap<Term, Term> = HashMap::new();
         for inner in self.inside(term) {
             let moved = |part: Term| done.get(&part).copied().unwrap_or(part);
+            let is_moved = parts_of(self.node(inner)).any(|part| done.contains_key(&part));
             let node = self.node(inner).with_parts(&moved);
-            let result = new(self, &node).unwrap_or_else(|| self.add(node));
+            let result = match new(self, &node) {
+                Some(result) => result,
+                None if is_moved => self.add(node),
+                None => continue,
+            };
             done.insert(inner, result);
         }
         done.get(&term).copied().unwrap_or(term)
@@ -271,12 +273,13 @@ impl Node {
 }
 
 /// The terms one step inside a node.
-fn parts_of(node: &Node) -> Vec<Term> {
-    match node {
-        Node::Number(_) | Node::Pi | Node::Imaginary | Node::Symbol(_) => Vec::new(),
-        Node::Sum(parts) | Node::Product(parts) => parts.clone(),
-        Node::Power(base, _) => vec![*base],
-        Node::Quotient(a, b) | Node::RealPower(a, b) => vec![*a, *b],
-        Node::Elementary(_, of) | Node::Value(_, _, of) => vec![*of],
-    }
+fn parts_of(node: &Node) -> impl Iterator<Item = Term> {
+    let (many, few): (&[Term], [Option<Term>; 2]) = match node {
+        Node::Number(_) | Node::Pi | Node::Imaginary | Node::Symbol(_) => (&[], [None, None]),
+        Node::Sum(parts) | Node::Product(parts) => (parts, [None, None]),
+        Node::Power(base, _) => (&[], [Some(*base), None]),
+        Node::Quotient(a, b) | Node::RealPower(a, b) => (&[], [Some(*a), Some(*b)]),
+        Node::Elementary(_, of) | Node::Value(_, _, of) => (&[], [Some(*of), None]),
+    };
+    many.iter().copied().chain(few.into_iter().flatten())
 }
