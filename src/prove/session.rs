@@ -456,7 +456,9 @@ impl<'a> Session<'a> {
         }
         let mut best: Option<((u8, i32), Pivot)> = None;
         for &generator in &generators {
-            let is_symbol = matches!(self.node(generator), Node::Symbol(_));
+            // derivatives along maps have leading coefficients, which are short once they are reduced
+            let is_symbol = matches!(self.node(generator), Node::Symbol(symbol)
+                if !matches!(self.checker.statement.quantity(symbol), Some(Quantity::Partial { .. })));
             let known = self.triangle.iter().any(|pivot| pivot.generator == generator);
             let late = self.late(generator);
             if !is_symbol
@@ -589,14 +591,14 @@ impl<'a> Session<'a> {
         is_function && polynomial.generators().iter().any(holds)
     }
 
-    /// How early a generator is expressed by others: definitions first, then what maps and premises determine, then
-    /// values of functions, and parameters last.
+    /// How early a generator is expressed by others: what maps and premises determine first, then values of functions,
+    /// then definitions, which stand for what they shorten, and parameters last.
     fn late(&self, generator: Term) -> (u8, i32) {
         let statement = &self.checker.statement;
         match statement.terms().node(generator) {
             Node::Symbol(symbol) => match statement.quantity(*symbol) {
                 Some(Quantity::Local { scope: 0, .. }) => (8, 0),
-                Some(Quantity::Local { .. }) => (0, -(symbol.0 as i32)),
+                Some(Quantity::Local { .. }) => (3, 1),
                 Some(Quantity::Partial { .. } | Quantity::Invariant { .. }) => (1, 0),
                 Some(Quantity::State { index, after, .. }) => (2, -2 * *index - i32::from(*after)),
                 Some(Quantity::Time { index, .. }) => (5, -*index),
