@@ -3,6 +3,7 @@
 mod angles;
 mod counterexample;
 mod decision;
+mod explanation;
 mod float;
 mod formula;
 mod inverse;
@@ -18,6 +19,7 @@ mod values;
 
 pub use counterexample::Counterexample;
 pub use decision::{Decision, mention_refuted};
+pub use explanation::explain;
 pub use script::{CHECKER, Decided, Found, decided, scripts};
 
 use crate::claim::{Sheet, Verdict};
@@ -57,7 +59,13 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     for question in questions {
         let outcome = outcome(&question.statement, options.effort);
         match outcome {
-            Outcome::Proved(proof, ..) => decision.provided.extend(proof.provided().iter().cloned()),
+            Outcome::Proved(proof, ..) => {
+                for provided in proof.provided() {
+                    if !decision.provided.contains(provided) {
+                        decision.provided.push(provided.clone());
+                    }
+                }
+            }
             Outcome::Refuted(refuted, witness) => {
                 decision.verdict = Verdict::Refuted;
                 decision.reason = match refuted.is_nowhere_defined() {
@@ -227,10 +235,4 @@ pub fn audit(sheet: &Sheet, options: &Options) -> Vec<Decision> {
     let mut decisions: Vec<Decision> = rows.map(|position| decide(sheet, position, options)).collect();
     mention_refuted(sheet, decisions.iter_mut());
     decisions
-}
-
-/// The proof or the counterexample of the claim at a position, as text.
-pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Options) -> String {
-    let _ = (sheet, position, options);
-    format!("({}) {}: {}\n", decision.label, decision.verdict, decision.reason)
 }
