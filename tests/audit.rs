@@ -89,7 +89,14 @@ fn a_right_and_a_wrong_formula_of_ones_own_are_told_apart_and_the_status_says_so
     assert_eq!(output.status.code(), Some(1));
     let verdicts: Vec<String> = rows(&output).into_iter().map(|row| row.1).collect();
     assert_eq!(verdicts, ["proved", "refuted"]);
-    assert!(text(&output).contains("has the wrong sign"), "{}", text(&output));
+    let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
+    let counterexamples: Vec<String> = reader.records().map(|row| row.expect("a row")[4].to_string()).collect();
+    let side = |name: &str| counterexamples[1].split("; ").find_map(|part| part.strip_prefix(name));
+    assert!(counterexamples[0].is_empty(), "{counterexamples:?}");
+    assert!(
+        side("left=").is_some() && side("left=") != side("right="),
+        "{counterexamples:?}"
+    );
 }
 
 #[test]
@@ -97,17 +104,74 @@ fn a_proof_prints_the_combination_of_premises_that_is_the_claim() {
     let output = run(&["audit", "--explain", "14"], "");
     assert_eq!(output.status.code(), Some(0));
     let text = text(&output);
-    for part in ["[-r_T] (9)", "[-1] (11)", "evidence", "random points"] {
+    // what each number stands for, and the combination of these that is the claim
+    let number = |label: &str, part: &str| {
+        let mut lines = text.lines().zip(text.lines().skip(1));
+        let found = lines.find(|(fact, source)| source.trim() == format!("given: {label}") && fact.contains(part));
+        let (fact, _) = found.unwrap_or_else(|| panic!("no {label} in\n{text}"));
+        fact.split_once(']')
+            .expect("a number")
+            .0
+            .trim_start_matches([' ', '['])
+            .to_string()
+    };
+    let combination = text
+        .lines()
+        .find(|line| line.trim_start().starts_with("N = [") || line.contains("N = ("));
+    let combination = combination.unwrap_or_else(|| panic!("no combination in\n{text}"));
+    for part in [
+        format!("(-r_T) [{}]", number("(9)", r"\dot{Z}_k")),
+        format!("[{}]", number("(11)", r"\dot{Z}_{k+2}")),
+        format!("[{}]", number("(13), at t_k", "F_1(t_k + T)")),
+    ] {
+        assert!(combination.contains(&part), "no {part} in {combination} of\n{text}");
+    }
+    for part in [
+        "equal arguments of F_1(t_k + T) and F_1(t_{k+2})",
+        "evidence",
+        "random points",
+    ] {
         assert!(text.contains(part), "no {part} in\n{text}");
     }
 }
 
 #[test]
-fn a_refutation_is_worked_out_and_its_term_is_named() {
+fn a_proof_names_its_axioms_and_its_cases() {
+    let explained = |tex: &str| {
+        let sheet =
+            format!("[symbols]\nparameters = ['x', 'y']\n\n[[equation]]\nlabel = '1'\nrole = 'claim'\ntex = '{tex}'\n");
+        let output = run(&["audit", "-", "--explain", "1"], &sheet);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output));
+        text(&output)
+    };
+    let addition = explained(r"\sin(x + y) = \sin(x) \cos(y) + \cos(x) \sin(y)");
+    assert!(addition.contains("axiom: sine of sum (DLMF 4.21)"), "{addition}");
+    let expanded = explained("(x + y)^2 = x^2 + 2 x y + y^2");
+    assert!(expanded.contains("multiplied out"), "{expanded}");
+    let squares = explained(r"x^2 + y^2 \ge 2 x y");
+    assert!(squares.contains("squares"), "{squares}");
+}
+
+#[test]
+fn a_refutation_is_worked_out_and_every_premise_holds_there() {
     let text = text(&run(&["audit", "--explain", "16"], ""));
-    for part in ["lacks a factor", "every premise holds at", "left  = ", "right = "] {
-        assert!(text.contains(part), "no {part} in\n{text}");
-    }
+    let value = |name: &str| {
+        let mut lines = text.lines().filter_map(|line| line.trim_start().split_once('='));
+        let found = lines
+            .find(|(left, _)| left.trim() == name)
+            .map(|(_, value)| value.trim().to_string());
+        found.unwrap_or_else(|| panic!("no {name} in\n{text}"))
+    };
+    assert_ne!(value("left"), value("right"), "{text}");
+    assert!(text.contains("every premise holds, exactly"), "{text}");
+    let (_, premises) = text.split_once("there the premises are").expect("premises");
+    let ten = premises
+        .trim_start()
+        .lines()
+        .next()
+        .and_then(|line| line.trim().strip_prefix("(10)"));
+    let (left, right) = ten.and_then(|sides| sides.split_once('=')).expect("both sides of (10)");
+    assert_eq!(left.trim(), right.trim(), "{text}");
 }
 
 #[test]

@@ -38,12 +38,16 @@ fn claims_in_many_forms() {
                     .map(|(n, tex)| (format!("p{n}"), tex.clone()))
                     .collect();
                 let found = match bench.decide(&sheet(&labelled, tex, &local, &with)) {
-                    Ok(decision) => decision.verdict.to_string(),
-                    Err(fault) => fault.to_string(),
+                    Ok(decision) => (decision.verdict.to_string(), decision.reason),
+                    Err(fault) => (fault.to_string(), String::new()),
                 };
                 count += 1;
-                if found != wanted {
-                    wrong.push(format!("line {}: {wanted} wanted of {tex}: {found}", number + 1));
+                let (verdict, reason) = found;
+                if verdict != wanted {
+                    wrong.push(format!(
+                        "line {}: {wanted} wanted of {tex}: {verdict}: {reason}",
+                        number + 1
+                    ));
                 }
             }
             other => panic!("line {}: {other}", number + 1),

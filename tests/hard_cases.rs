@@ -142,9 +142,9 @@ fn roots_that_are_not_rational() {
 #[test]
 fn products_of_roots() {
     proved(&["T = 1"], r"\sqrt{T_1 T_2} = \sqrt{T_1} \sqrt{T_2}", &[]);
-    // A root within a root is not taken apart: undecided, and never a pass.
-    let nested = decide(&["T = 1"], r"\sqrt{3 + 2 \sqrt{2}} = 1 + \sqrt{2}", &[]);
-    assert_eq!(nested, Ok(Verdict::Undecided));
+    // a root within a root: (1 + \sqrt{2})^2 = 3 + 2 \sqrt{2}
+    proved(&["T = 1"], r"\sqrt{3 + 2 \sqrt{2}} = 1 + \sqrt{2}", &[]);
+    refuted(&["T = 1"], r"\sqrt{3 + 2 \sqrt{2}} = 1 - \sqrt{2}", &[]);
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! The kernel against whoever searches for certificates: what it must not accept, whatever it is handed.
 //!
 //! `attacks` holds one test for each hole that was found by reading: a certificate or a witness that was accepted
-//! once, and the wrong verdict that it would have made.
+//! once, and the wrong verdict that it would have made. `rules` goes through the rules one by one. `mutants.py` breaks
+//! the kernel's own code, a line at a time, and says what these tests do not notice.
 
 #![cfg(feature = "kernel")]
 

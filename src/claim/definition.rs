@@ -112,7 +112,9 @@ mod tests {
         let own = locals(&["a = b + b", "b = c + c"]);
         let a = Tree::Symbol(own[0].name.clone(), At(0));
         assert_eq!(inlined(&a, &own).unwrap().to_string(), "(c + c) + (c + c)");
-        let doubling: Vec<String> = (0..60).map(|n| format!("x_{n} = x_{0} x_{0}", n + 1)).collect();
+        let doubling: Vec<String> = (0..60)
+            .map(|n| format!("x_{{{n}}} = x_{{{0}}} x_{{{0}}}", n + 1))
+            .collect();
         let own = locals(&doubling.iter().map(String::as_str).collect::<Vec<_>>());
         assert_eq!(inlined(&Tree::Symbol(own[0].name.clone(), At(0)), &own), None);
     }

@@ -4,7 +4,7 @@
 //! whole combination of basis arguments, so that u/2, u and 3u share one; multiples of pi are algebraic numbers.
 
 use super::session::Session;
-use crate::kernel::{Axiom, Elementary, Inference, Monomial, Node, Polynomial, Term};
+use crate::kernel::{Axiom, Elementary, Inference, Monomial, Node, Polynomial, Term, Terms};
 use crate::number::{Field, Rational};
 use dashu_int::ops::Gcd;
 use dashu_int::{IBig, UBig};
@@ -249,23 +249,28 @@ fn atom_term(session: &mut Session, atom: &Atom) -> Term {
 
 /// A polynomial as a term.
 pub fn polynomial_term(session: &mut Session, polynomial: &Polynomial) -> Term {
+    term_of(session.terms(), polynomial)
+}
+
+/// A polynomial as a sum of products of its generators.
+pub fn term_of(terms: &mut Terms, polynomial: &Polynomial) -> Term {
     let mut parts = Vec::new();
     for (monomial, value) in polynomial.terms() {
         let mut factors = Vec::new();
         if *value != RBig::ONE || monomial.is_empty() {
-            factors.push(session.terms().number(Rational(value.clone())));
+            factors.push(terms.number(Rational(value.clone())));
         }
         for &(term, power) in monomial {
             let exponent = i32::try_from(power).unwrap_or(i32::MAX);
             factors.push(if power == 1 {
                 term
             } else {
-                session.terms().add(Node::Power(term, exponent))
+                terms.add(Node::Power(term, exponent))
             });
         }
-        parts.push(session.terms().product(factors));
+        parts.push(terms.product(factors));
     }
-    session.terms().sum(parts)
+    terms.sum(parts)
 }
 
 fn functions(family: Family) -> &'static [Elementary] {

@@ -1,8 +1,8 @@
 //! Points at which the premises of a claim hold and the claim does not.
 
 use super::print::{simplified, tex};
-use crate::kernel::{Node, Property, Quantity, Statement, Symbol, Term, With, Witness};
-use crate::number::{Field, Rational};
+use crate::kernel::{Node, Property, Quantity, Statement, Symbol, Term, With, Witness, term_value};
+use crate::number::{Field, Interval, Rational, Wide};
 use std::collections::{BTreeSet, HashMap};
 use std::fmt;
 
@@ -13,6 +13,8 @@ pub struct Counterexample {
     pub point: Vec<(String, String)>,
     pub left: String,
     pub right: String,
+    /// The first figures of both sides, where these are real.
+    pub decimals: (Option<String>, Option<String>),
     /// The terms of the two sides with their values.
     pub terms: Vec<(String, String)>,
 }
@@ -26,20 +28,35 @@ impl fmt::Display for Counterexample {
     }
 }
 
-/// The point of a witness, in the names of the sheet, and the two sides of the goal that fails there.
-pub fn at(witness: &With<Witness>) -> Option<Counterexample> {
-    let mut statement = witness.statement.clone();
-    let witness = &witness.evidence;
-    let solved: HashMap<Symbol, Term> = witness.solved.iter().copied().collect();
-    let sample: HashMap<Symbol, Term> = witness.sample.iter().copied().collect();
-    let value = |term: Term, statement: &mut Statement| {
+/// A statement at a witness.
+pub struct Values<'a> {
+    statement: Statement,
+    witness: &'a Witness,
+    solved: HashMap<Symbol, Term>,
+    sample: HashMap<Symbol, Term>,
+}
+
+impl<'a> Values<'a> {
+    pub fn new(witness: &'a With<Witness>) -> Self {
+        Self {
+            statement: witness.statement.clone(),
+            solved: witness.evidence.solved.iter().copied().collect(),
+            sample: witness.evidence.sample.iter().copied().collect(),
+            witness: &witness.evidence,
+        }
+    }
+
+    /// The value of a term, in its simplest form.
+    fn of(&mut self, term: Term) -> Term {
+        let statement = &mut self.statement;
         let mut term = statement.written_out(term);
         for _ in 0..4 {
-            term = statement.with_functions(term, &witness.functions);
+            term = statement.with_functions(term, &self.witness.functions);
             term = statement.terms_mut().rewrite(term, &mut |_, node| match node {
-                Node::Symbol(symbol) => solved.get(symbol).copied(),
+                Node::Symbol(symbol) => self.solved.get(symbol).copied(),
                 Node::Value(function, order, at) => {
-                    let found = witness
+                    let found = self
+                        .witness
                         .table
                         .iter()
                         .find(|(f, n, time, _)| (f, n, time) == (function, order, at));
@@ -49,28 +66,70 @@ pub fn at(witness: &With<Witness>) -> Option<Counterexample> {
             });
         }
         let term = statement.terms_mut().rewrite(term, &mut |_, node| match node {
-            Node::Symbol(symbol) => sample.get(symbol).copied(),
+            Node::Symbol(symbol) => self.sample.get(symbol).copied(),
             _ => None,
         });
         simplified(statement.terms_mut(), term)
-    };
+    }
+
+    /// The sides of what is written as their difference.
+    fn sides(&mut self, difference: Term) -> [Term; 2] {
+        match self.statement.terms().node(difference).clone() {
+            Node::Sum(parts) if parts.len() == 2 => [parts[0], negated(&mut self.statement, parts[1])],
+            _ => [difference, self.statement.terms_mut().integer(0)],
+        }
+    }
+
+    /// The premises that are no laws: the label and the values of both sides.
+    pub fn premises(&mut self) -> Vec<(String, String, String)> {
+        let mut found = Vec::new();
+        for given in self.statement.givens().to_vec() {
+            if given.property == Property::Zero && given.law.is_none() {
+                let values = self.sides(given.term).map(|side| self.of(side));
+                let [left, right] = values.map(|value| tex(self.statement.terms(), value));
+                found.push((given.label, left, right));
+            }
+        }
+        found
+    }
+
+    /// The first figures of the value of a term, as an enclosure of 40 digits has them.
+    pub fn decimal(&mut self, term: Term) -> Option<String> {
+        let value = self.of(term);
+        let enclosure: Interval<Wide<40>> = term_value(self.statement.terms(), value, &mut HashMap::new())?;
+        let (low, high) = (
+            enclosure.low().to_decimal(FIGURES),
+            enclosure.high().to_decimal(FIGURES),
+        );
+        (low == high).then_some(low)
+    }
+}
+
+/// Figures of a value that are printed beside it.
+const FIGURES: usize = 12;
+
+/// The point of a witness, in the names of the sheet, and the two sides of the goal that fails there.
+pub fn at(witness: &With<Witness>) -> Option<Counterexample> {
+    let mut values = Values::new(witness);
+    let witness = &witness.evidence;
     // what the claim and its premises speak of
     let mut spoken: BTreeSet<Symbol> = BTreeSet::new();
-    let givens = statement.givens().iter();
+    let givens = values.statement.givens().iter();
     let written: Vec<Term> = givens
         .filter(|given| !given.label.starts_with('['))
         .map(|given| given.term)
-        .chain(statement.goal().iter().map(|(_, term)| *term))
+        .chain(values.statement.goal().iter().map(|(_, term)| *term))
         .collect();
     for term in written {
-        let whole = statement.written_out(term);
-        for inner in statement
+        let whole = values.statement.written_out(term);
+        for inner in values
+            .statement
             .terms()
             .inside(term)
             .into_iter()
-            .chain(statement.terms().inside(whole))
+            .chain(values.statement.terms().inside(whole))
         {
-            if let Node::Symbol(symbol) = statement.terms().node(inner) {
+            if let Node::Symbol(symbol) = values.statement.terms().node(inner) {
                 spoken.insert(*symbol);
             }
         }
@@ -84,63 +143,61 @@ pub fn at(witness: &With<Witness>) -> Option<Counterexample> {
     };
     let mut symbols: Vec<(i32, Symbol)> = spoken
         .into_iter()
-        .filter_map(|symbol| Some((order(&symbol, &statement)?, symbol)))
+        .filter_map(|symbol| Some((order(&symbol, &values.statement)?, symbol)))
         .collect();
     symbols.sort();
     let mut point = Vec::new();
     for (_, symbol) in symbols {
-        let term = statement.terms_mut().symbol(symbol);
-        let found = value(term, &mut statement);
-        if statement.terms().is_closed(found) {
+        let term = values.statement.terms_mut().symbol(symbol);
+        let found = values.of(term);
+        if values.statement.terms().is_closed(found) {
             point.push((
-                statement.terms().symbol_name(symbol).to_string(),
-                tex(statement.terms(), found),
+                values.statement.terms().symbol_name(symbol).to_string(),
+                tex(values.statement.terms(), found),
             ));
         }
     }
     for (function, order, time, _) in &witness.table {
-        let named = statement.value(*function, *order, *time);
-        let name = tex(statement.terms(), named);
-        let found = value(named, &mut statement);
-        point.push((name, tex(statement.terms(), found)));
+        let named = values.statement.value(*function, *order, *time);
+        let name = tex(values.statement.terms(), named);
+        let found = values.of(named);
+        point.push((name, tex(values.statement.terms(), found)));
     }
     for (function, time, term) in &witness.functions {
         let name = format!(
             "{}({})",
-            statement.terms().function_name(*function),
-            statement.terms().symbol_name(*time)
+            values.statement.terms().function_name(*function),
+            values.statement.terms().symbol_name(*time)
         );
-        let found = value(*term, &mut statement);
-        point.push((name, tex(statement.terms(), found)));
+        let found = values.of(*term);
+        point.push((name, tex(values.statement.terms(), found)));
     }
-    let goals = statement.goal().to_vec();
+    let goals = values.statement.goal().to_vec();
     for (property, goal) in goals {
-        // a goal is the difference of its sides
-        let (first, second) = match statement.terms().node(goal).clone() {
-            Node::Sum(parts) => match parts.as_slice() {
-                [first, second] => (*first, negated(&mut statement, *second)),
-                _ => (goal, statement.terms_mut().integer(0)),
-            },
-            _ => (goal, statement.terms_mut().integer(0)),
-        };
-        let (left, right) = (value(first, &mut statement), value(second, &mut statement));
+        let [first, second] = values.sides(goal);
+        let (left, right) = (values.of(first), values.of(second));
         if property == Property::Zero && left == right {
             continue;
         }
         let mut terms = Vec::new();
         for side in [first, second] {
-            let side = statement.written_out(side);
-            if let Node::Sum(parts) = statement.terms().node(side).clone() {
+            let side = values.statement.written_out(side);
+            if let Node::Sum(parts) = values.statement.terms().node(side).clone() {
                 for part in parts {
-                    let found = value(part, &mut statement);
-                    terms.push((tex(statement.terms(), part), tex(statement.terms(), found)));
+                    let found = values.of(part);
+                    terms.push((
+                        tex(values.statement.terms(), part),
+                        tex(values.statement.terms(), found),
+                    ));
                 }
             }
         }
+        let decimals = (values.decimal(first), values.decimal(second));
         return Some(Counterexample {
             point,
-            left: tex(statement.terms(), left),
-            right: tex(statement.terms(), right),
+            left: tex(values.statement.terms(), left),
+            right: tex(values.statement.terms(), right),
+            decimals,
             terms,
         });
     }
@@ -169,6 +226,7 @@ mod tests {
             point: vec![text("r_B", "1/2"), text("T", "2")],
             left: "2".to_string(),
             right: "3".to_string(),
+            decimals: (None, None),
             terms: Vec::new(),
         };
         assert_eq!(counterexample.to_string(), "r_B=1/2; T=2; left=2; right=3");

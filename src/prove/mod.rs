@@ -4,6 +4,7 @@ mod angles;
 mod constants;
 mod counterexample;
 mod decision;
+mod explanation;
 mod float;
 mod formula;
 mod inverse;
@@ -19,6 +20,7 @@ mod values;
 
 pub use counterexample::Counterexample;
 pub use decision::{Decision, mention_refuted};
+pub use explanation::explain;
 pub use script::{CHECKER, Decided, Found, decided, scripts};
 
 use crate::claim::{Sheet, Verdict};
@@ -59,12 +61,15 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
         let outcome = outcome(&question.statement, options.effort);
         match outcome {
             Outcome::Proved(proof, certificate, _) => {
-                decision.provided.extend(proof.provided().iter().cloned());
                 let terms = certificate.statement.terms();
                 let excluded = proof.excluded().iter();
-                decision
-                    .provided
-                    .extend(excluded.map(|&term| format!(r"{} \neq 0", print::tex(terms, term))));
+                let excluded = excluded.map(|&term| format!(r"{} 
+eq 0", print::tex(terms, term)));
+                for provided in proof.provided().iter().cloned().chain(excluded) {
+                    if !decision.provided.contains(&provided) {
+                        decision.provided.push(provided);
+                    }
+                }
             }
             Outcome::Refuted(refuted, witness) => {
                 decision.verdict = Verdict::Refuted;
@@ -264,10 +269,4 @@ pub fn audit(sheet: &Sheet, options: &Options) -> Vec<Decision> {
     let mut decisions: Vec<Decision> = rows.map(|position| decide(sheet, position, options)).collect();
     mention_refuted(sheet, decisions.iter_mut());
     decisions
-}
-
-/// The proof or the counterexample of the claim at a position, as text.
-pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Options) -> String {
-    let _ = (sheet, position, options);
-    format!("({}) {}: {}\n", decision.label, decision.verdict, decision.reason)
 }

@@ -1,0 +1,362 @@
+//! The proof or the counterexample of a claim, for readers: what the kernel accepted, in the names of the sheet.
+
+use super::angles::term_of;
+use super::counterexample::Values;
+use super::print::tex;
+use super::script::{Found, decided};
+use super::{Decision, Options};
+use crate::claim::{Sheet, Verdict};
+use crate::kernel::{
+    Axiom, Certificate, Checker, Fact, Inference, LawSource, Polynomial, Property, Statement, With, Witness,
+};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Terms of a polynomial that are printed; `--proof` writes all.
+const MOST_TERMS: usize = 16;
+
+/// The proof or the counterexample of the claim at a position, as text.
+pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Options) -> String {
+    let mut lines = vec![format!(
+        "({}) {}: {}",
+        decision.label, decision.verdict, decision.reason
+    )];
+    if !decision.provided.is_empty() {
+        lines.push(format!("provided: {}", decision.provided.join("; ")));
+    }
+    if let Ok(statements) = Decision::without_search(sheet, position) {
+        lines.push("\ngiven".into());
+        let premises = statements.premises.iter();
+        lines.extend(premises.map(|premise| format!("  ({})  {}", premise.label, premise.equation)));
+    }
+    for one in decided(sheet, position, options) {
+        let found = matches!(one.found, Found::Refuted { .. });
+        if found != (decision.verdict == Verdict::Refuted) {
+            continue;
+        }
+        let instance = match one.question.instance.as_str() {
+            "" => String::new(),
+            instance => format!("  ({instance})"),
+        };
+        lines.push(format!("\nclaim\n  {}{instance}", one.question.equation));
+        match &one.found {
+            Found::Proved { certificate, .. } => {
+                Proof::replayed(certificate).write(certificate.evidence.steps.len(), &mut lines);
+            }
+            Found::Refuted { witness } => refutation(witness, &mut lines),
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
+/// The facts of a certificate as the kernel's checker finds them, each with the step that adds it.
+struct Proof {
+    statement: Statement,
+    facts: Vec<(Fact, Inference)>,
+    laws: Vec<Inference>,
+    /// Each fact as a linear combination of those that are no linear combinations.
+    combinations: Vec<BTreeMap<usize, Polynomial>>,
+    /// For each goal, its numerator and the fact that shows it.
+    goals: Vec<(Property, Polynomial, Option<usize>)>,
+}
+
+impl Proof {
+    fn replayed(certificate: &With<Certificate>) -> Self {
+        let mut statement = certificate.statement.clone();
+        let goal = statement.goal().to_vec();
+        let mut checker = Checker::new(&mut statement, &certificate.evidence, u64::MAX);
+        let (mut steps, mut laws) = (Vec::new(), Vec::new());
+        for step in &certificate.evidence.steps {
+            if checker.apply(step).is_err() {
+                break;
+            }
+            steps.resize(checker.facts.len(), step.clone());
+            laws.resize(checker.laws(), step.clone());
+        }
+        let all = checker.facts.clone();
+        let absurd = checker.is_absurd();
+        let mut goals = Vec::new();
+        for (property, term) in goal {
+            // the fact from which on the goal is known: what is known only grows
+            let (mut least, mut most) = (if absurd { all.len() } else { 0 }, all.len());
+            while least < most {
+                let middle = usize::midpoint(least, most);
+                checker.facts = all[..middle].to_vec();
+                match checker.knows(property, term).unwrap_or(false) {
+                    true => most = middle,
+                    false => least = middle + 1,
+                }
+            }
+            let quotient = checker.expansion.of(checker.statement.terms(), term);
+            let numerator = quotient.map(|quotient| quotient.numerator).unwrap_or_default();
+            goals.push((property, numerator, most.checked_sub(1)));
+        }
+        let mut combinations: Vec<BTreeMap<usize, Polynomial>> = Vec::new();
+        for (number, step) in steps.iter().enumerate() {
+            let sum = linear(step).and_then(|terms| sum_of(terms, &combinations));
+            combinations.push(sum.unwrap_or_else(|| BTreeMap::from([(number, Polynomial::integer(1))])));
+        }
+        Self {
+            statement,
+            facts: all.into_iter().zip(steps).collect(),
+            laws,
+            combinations,
+            goals,
+        }
+    }
+
+    /// The facts that a step rests on and names, through linear combinations.
+    fn below(&self, step: &Inference) -> BTreeSet<usize> {
+        let mut below = BTreeSet::new();
+        named(step, &mut |fact| {
+            below.extend(self.combinations.get(fact).into_iter().flat_map(BTreeMap::keys))
+        });
+        below
+    }
+
+    fn write(mut self, steps: usize, lines: &mut Vec<String>) {
+        let goals = std::mem::take(&mut self.goals);
+        let mut shown: BTreeSet<usize> = BTreeSet::new();
+        let known = goals.iter().filter_map(|(.., fact)| *fact);
+        let mut open: Vec<usize> = known.flat_map(|fact| self.combinations[fact].keys().copied()).collect();
+        while let Some(fact) = open.pop() {
+            if shown.insert(fact) {
+                open.extend(self.below(&self.facts[fact].1).range(..fact));
+            }
+        }
+        lines.push(format!(
+            "\nproof, by a certificate of {steps} steps that the kernel accepts"
+        ));
+        for &number in &shown {
+            let (fact, step) = self.facts[number].clone();
+            let polynomial = self.polynomial(&fact.polynomial);
+            lines.push(format!("  [{number}]  {polynomial} {}", relation(fact.property)));
+            lines.push(format!("         {}", self.source(&step)));
+        }
+        for (property, numerator, fact) in goals {
+            let printed = self.polynomial(&numerator);
+            lines.push(format!(
+                "so N {}, for the numerator of left - right is\n  N = {printed}",
+                relation(property)
+            ));
+            lines.push(match fact {
+                None => "  by itself, when multiplied out".into(),
+                Some(fact) => {
+                    let factor = ratio(&self.facts[fact].0.polynomial, &numerator);
+                    let sum = self.sum(&self.combinations[fact].clone());
+                    format!("  {factor}N = {sum}")
+                }
+            });
+        }
+    }
+
+    fn polynomial(&mut self, polynomial: &Polynomial) -> String {
+        let count = polynomial.terms().len();
+        let shown = Polynomial::from_terms(polynomial.terms().iter().take(MOST_TERMS).cloned());
+        let term = term_of(self.statement.terms_mut(), &shown);
+        let shown = tex(self.statement.terms(), term);
+        match count > MOST_TERMS {
+            true => format!("{shown} + ... ({count} terms)"),
+            false => shown,
+        }
+    }
+
+    /// A linear combination of facts, as `(-r_T) [1] + [2]`.
+    fn sum(&mut self, terms: &BTreeMap<usize, Polynomial>) -> String {
+        let part = |(fact, coefficient): (&usize, &Polynomial)| match self.polynomial(coefficient).as_str() {
+            "1" => format!("[{fact}]"),
+            coefficient => format!("({coefficient}) [{fact}]"),
+        };
+        let parts: Vec<String> = terms.iter().map(part).collect();
+        if parts.is_empty() {
+            "0".into()
+        } else {
+            parts.join(" + ")
+        }
+    }
+
+    fn given(&self, number: usize) -> String {
+        let given = self.statement.givens().get(number);
+        let label = given.map_or("", |given| given.label.as_str());
+        match label.contains([' ', '[']) {
+            true => label.to_string(),
+            false => format!("({label})"),
+        }
+    }
+
+    fn law(&self, source: LawSource) -> String {
+        match source {
+            LawSource::Given { given, shift: 0 } => self.given(given),
+            LawSource::Given { given, shift } => format!("{}, impacts moved on by {shift}", self.given(given)),
+            LawSource::Derived(law) => match self.laws.get(law) {
+                Some(Inference::Derivative(of)) => format!("the derivative of {}", self.law(*of)),
+                Some(Inference::Constant { of, .. }) => {
+                    format!("{}, constant as its derivative is 0", tex(self.statement.terms(), *of))
+                }
+                _ => "a derived law".into(),
+            },
+        }
+    }
+
+    /// Where a fact comes from.
+    fn source(&mut self, step: &Inference) -> String {
+        let print = |term| tex(self.statement.terms(), term);
+        let below = self.below(step);
+        let facts: Vec<String> = below.iter().map(|fact| format!("[{fact}]")).collect();
+        let by = |how: &str| match facts.is_empty() {
+            true => how.to_string(),
+            false => format!("{how}, with {}", facts.join(", ")),
+        };
+        match step {
+            Inference::Given(number) => format!("given: {}", self.given(*number)),
+            Inference::Law { source, at: None } => format!("given: {}", self.law(*source)),
+            Inference::Law { source, at: Some(at) } => format!("given: {}, at {}", self.law(*source), print(*at)),
+            Inference::Axiom(axiom) => format!("axiom: {}", described(axiom)),
+            Inference::Zero {
+                power,
+                squares,
+                factors,
+                ..
+            } => by(match (power, squares.len(), factors.len()) {
+                (1, 0, 0) => "a linear combination",
+                (_, 0, _) => "a power of it, or a multiple by what is not 0, is a linear combination",
+                _ => "the sum of it and of squares is a linear combination",
+            }),
+            Inference::Nonzero { .. } => by("it divides a product of factors that are not 0"),
+            Inference::Sign { .. } => by("a sum of squares and of products of what has a sign"),
+            Inference::Squeezed { .. } => by("neither positive nor negative"),
+            Inference::Congruence { left, right } => {
+                format!("equal arguments of {} and {}", print(*left), print(*right))
+            }
+            Inference::Cases { on, order, .. } => {
+                let cases = if *order { "positive, 0 or negative" } else { "0 or not" };
+                let how = format!("in every case: {cases} is\n         {}", self.polynomial(on));
+                by(&how)
+            }
+            Inference::Along { equation, by, .. } => {
+                let by = self.statement.terms().symbol_name(*by);
+                format!(
+                    "{} along the map, differentiated with respect to {by}",
+                    self.given(*equation)
+                )
+            }
+            Inference::Derivative(_) | Inference::Constant { .. } => String::new(),
+        }
+    }
+}
+
+/// The terms of a step that is a linear combination of facts.
+fn linear(step: &Inference) -> Option<&[(Polynomial, usize)]> {
+    match step {
+        Inference::Zero {
+            power: 1,
+            squares,
+            factors,
+            terms,
+            ..
+        } if squares.is_empty() && factors.is_empty() => Some(terms),
+        _ => None,
+    }
+}
+
+/// A sum of multiples of combinations; `None` where a coefficient would be too long to read.
+fn sum_of(terms: &[(Polynomial, usize)], of: &[BTreeMap<usize, Polynomial>]) -> Option<BTreeMap<usize, Polynomial>> {
+    let mut sum: BTreeMap<usize, Polynomial> = BTreeMap::new();
+    for (coefficient, fact) in terms {
+        for (other, inner) in of.get(*fact)? {
+            let product = coefficient.times_within(inner, MOST_TERMS)?;
+            let known = sum.entry(*other).or_default();
+            *known = known.plus(&product);
+        }
+    }
+    sum.retain(|_, coefficient| !coefficient.is_zero());
+    Some(sum)
+}
+
+/// The facts that a step names.
+fn named(step: &Inference, take: &mut dyn FnMut(usize)) {
+    let (factors, terms): (&[(usize, u32)], &[(Polynomial, usize)]) = match step {
+        Inference::Zero { factors, terms, .. }
+        | Inference::Nonzero { factors, terms, .. }
+        | Inference::Sign { factors, terms, .. } => (factors, terms),
+        _ => (&[], &[]),
+    };
+    factors.iter().for_each(|(fact, _)| take(*fact));
+    terms.iter().for_each(|(_, fact)| take(*fact));
+    match step {
+        Inference::Sign { summands, .. } => summands.iter().flat_map(|one| &one.facts).for_each(|fact| take(*fact)),
+        Inference::Squeezed { low, high } => [*low, *high].into_iter().for_each(take),
+        Inference::Cases { branches, .. } => branches.iter().flatten().for_each(|inner| named(inner, take)),
+        _ => {}
+    }
+}
+
+/// How many times a polynomial is another one, as a factor to be printed.
+fn ratio(of: &Polynomial, unit: &Polynomial) -> String {
+    let lead = |polynomial: &Polynomial| polynomial.terms().first().map(|(_, value)| value.clone());
+    match lead(of).zip(lead(unit)).map(|(of, unit)| of / unit) {
+        Some(factor) if of.is_multiple_of(unit) && factor != dashu_ratio::RBig::ONE => format!("({factor}) "),
+        _ => String::new(),
+    }
+}
+
+fn relation(property: Property) -> &'static str {
+    match property {
+        Property::Zero => "= 0",
+        Property::Nonzero => r"\neq 0",
+        Property::Positive => "> 0",
+        Property::NonNegative => r"\ge 0",
+        Property::Integer => r"\in \mathbb{Z}",
+    }
+}
+
+/// The name of an axiom in words, and its section in the Digital Library of Mathematical Functions.
+fn described(axiom: &Axiom) -> String {
+    let shown = format!("{axiom:?}");
+    let name = shown
+        .split(|c: char| !c.is_ascii_alphanumeric())
+        .next()
+        .unwrap_or_default();
+    let words = name
+        .chars()
+        .flat_map(|c| [c.is_ascii_uppercase().then_some(' '), Some(c.to_ascii_lowercase())]);
+    let words: String = words.flatten().collect();
+    let source = match name {
+        "Unfold" | "ImaginarySquare" => "by definition",
+        "Enclosure" => "by interval arithmetic",
+        _ if name.starts_with("Root") => "the principal root, DLMF 4.2(iv)",
+        _ if name.contains("Arc") => "DLMF 4.23",
+        "SineOfSum" | "CosineOfSum" => "DLMF 4.21",
+        _ if name.starts_with("Sine") || name.starts_with("Cosine") || name == "AngleUnique" => "DLMF 4.14 to 4.17",
+        "Pythagoras" => "DLMF 4.21.12",
+        _ => "DLMF 4.2 and 4.8",
+    };
+    format!("{} ({source})", words.trim())
+}
+
+/// The point of a witness, what the premises and the two sides are there.
+fn refutation(witness: &With<Witness>, lines: &mut Vec<String>) {
+    let Some(found) = super::counterexample::at(witness) else {
+        return;
+    };
+    lines.push("\nevery premise holds, exactly, and the claim does not, where".into());
+    lines.extend(found.point.iter().map(|(name, value)| format!("  {name} = {value}")));
+    let mut values = Values::new(witness);
+    lines.push("there the premises are".into());
+    lines.extend(
+        values
+            .premises()
+            .iter()
+            .map(|(label, left, right)| format!("  ({label})  {left} = {right}")),
+    );
+    lines.push("and the claim is".into());
+    for (side, value, decimal) in [
+        ("left ", found.left, found.decimals.0),
+        ("right", found.right, found.decimals.1),
+    ] {
+        let decimal = decimal
+            .filter(|_| value.contains('\\'))
+            .map_or(String::new(), |decimal| format!(", about {decimal}"));
+        lines.push(format!("  {side} = {value}{decimal}"));
+    }
+    lines.extend(found.terms.iter().map(|(term, value)| format!("    {term} = {value}")));
+}
