@@ -497,7 +497,9 @@ impl<'a> Builder<'a> {
     fn is_complex(&mut self) -> bool {
         let declared = |quantity: &Quantity| match quantity {
             Quantity::Parameter(name) => self.vocabulary.complex.contains(name),
-            Quantity::State { state, .. } | Quantity::Absolute { state, .. } => self.vocabulary.complex.iter().any(|name| name.bare() == *state),
+            Quantity::State { state, .. } | Quantity::Absolute { state, .. } => {
+                self.vocabulary.complex.iter().any(|name| name.bare() == *state)
+            }
             _ => false,
         };
         let complex = (0_u32..).map(Symbol).zip(&self.statement.quantities);
@@ -902,7 +904,11 @@ impl<'a> Builder<'a> {
 
     /// The symbol of a state at an index that is a number, where indices run.
     fn absolute(&mut self, name: &Name) -> Option<Symbol> {
-        let runs = self.vocabulary.indices.iter().any(|letter| is_letter(letter, &self.vocabulary.index));
+        let runs = self
+            .vocabulary
+            .indices
+            .iter()
+            .any(|letter| is_letter(letter, &self.vocabulary.index));
         let index: i32 = name.subscript.parse().ok()?;
         let state = name.bare();
         let plain = name.primes == 0 && name.mark.is_empty() && self.vocabulary.states.contains(&state);

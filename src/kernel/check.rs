@@ -341,7 +341,8 @@ impl<'a> Checker<'a> {
                 };
                 let is_generic = |term: Term| statement.terms.inside(term).into_iter().all(in_generic);
                 // what premises say of generic symbols alone would have parts, of which one may not be left out
-                let bound = |given: &super::statement::Given| given.property == Property::Zero && is_generic(given.term);
+                let bound =
+                    |given: &super::statement::Given| given.property == Property::Zero && is_generic(given.term);
                 if !is_generic(*term) || statement.givens.iter().any(bound) {
                     return refused("no polynomial in generic symbols that are free");
                 }
@@ -844,7 +845,8 @@ impl<'a> Checker<'a> {
                 self.complex_only()?;
                 let unit = terms!().add(Node::Imaginary);
                 let exponent = terms!().product(vec![unit, *of]);
-                let [value, sine, cosine] = [(Exp, exponent), (Sin, *of), (Cos, *of)].map(|(f, x)| function(self, f, x));
+                let [value, sine, cosine] =
+                    [(Exp, exponent), (Sin, *of), (Cos, *of)].map(|(f, x)| function(self, f, x));
                 let imaginary = terms!().product(vec![unit, sine]);
                 let sum = terms!().sum(vec![cosine, imaginary]);
                 let difference = terms!().difference(value, sum);

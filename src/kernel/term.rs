@@ -213,7 +213,9 @@ impl Terms {
     pub(super) fn copied(&mut self, other: &Self, term: Term) -> Term {
         let mut numbers: HashMap<Term, Term> = HashMap::new();
         for inner in other.inside(term) {
-            let node = other.node(inner).with_parts(&|part| numbers.get(&part).copied().unwrap_or(part));
+            let node = other
+                .node(inner)
+                .with_parts(&|part| numbers.get(&part).copied().unwrap_or(part));
             let copy = self.add(node);
             numbers.insert(inner, copy);
         }

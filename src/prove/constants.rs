@@ -63,10 +63,15 @@ fn same_at_all_times(session: &mut Session, goal: Term) -> Option<()> {
     let mut symbols: BTreeSet<Symbol> = BTreeSet::new();
     for (_, _, at) in values::values_of(session.checker.statement, goal) {
         let terms = session.checker.statement.terms();
-        symbols.extend(terms.inside(at).into_iter().filter_map(|inner| match terms.node(inner) {
-            Node::Symbol(symbol) => Some(*symbol),
-            _ => None,
-        }));
+        symbols.extend(
+            terms
+                .inside(at)
+                .into_iter()
+                .filter_map(|inner| match terms.node(inner) {
+                    Node::Symbol(symbol) => Some(*symbol),
+                    _ => None,
+                }),
+        );
     }
     for symbol in symbols {
         let moves = matches!(
@@ -121,7 +126,11 @@ fn equation(session: &mut Session, chain: &[Term; 3], time: Term) -> Option<Vec<
     // functions may be their own derivatives, or those of their derivatives
     for order in [1, 2] {
         if let Some(earlier) = chain[..order].iter().position(|value| *value == chain[order]) {
-            return Some((0..order).map(|n| Polynomial::integer(i64::from(n == earlier))).collect());
+            return Some(
+                (0..order)
+                    .map(|n| Polynomial::integer(i64::from(n == earlier)))
+                    .collect(),
+            );
         }
     }
     for law in session.laws.all().to_vec() {
@@ -205,7 +214,10 @@ fn constants_of(
         let w = root(session, &discriminant)?;
         let (down, up) = (exponential(session, &w.negated()), exponential(session, &w));
         let wx = w.times(&x);
-        vec![y.plus(&wx).times(&polynomial(down)), y.minus(&wx).times(&polynomial(up))]
+        vec![
+            y.plus(&wx).times(&polynomial(down)),
+            y.minus(&wx).times(&polynomial(up)),
+        ]
     };
     Some(
         constants

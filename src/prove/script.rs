@@ -283,7 +283,12 @@ fn symbol(printed: &str, quantity: &Quantity) -> String {
             u8::from(*after).to_string(),
         ],
         Quantity::Absolute { state, index } => {
-            vec![printed, quoted("absolute"), quoted(&state.to_string()), index.to_string()]
+            vec![
+                printed,
+                quoted("absolute"),
+                quoted(&state.to_string()),
+                index.to_string(),
+            ]
         }
         Quantity::Partial { of, by } => vec![printed, quoted("partial"), of.0.to_string(), by.0.to_string()],
         Quantity::Invariant { kind, of } => {

@@ -418,7 +418,11 @@ impl<'a> Session<'a> {
                     generator,
                     degree,
                     lead,
-                    by: polynomial.generators().into_iter().filter(|&by| by != generator).collect(),
+                    by: polynomial
+                        .generators()
+                        .into_iter()
+                        .filter(|&by| by != generator)
+                        .collect(),
                 },
             ));
         }
@@ -467,12 +471,25 @@ impl<'a> Session<'a> {
                 continue;
             }
             let coefficients = coefficients_in(&polynomial, generator);
-            let Some((_, lead)) = coefficients.get(1).cloned().and_then(|lead| self.nonzero_product(&lead)) else {
+            let Some((_, lead)) = coefficients
+                .get(1)
+                .cloned()
+                .and_then(|lead| self.nonzero_product(&lead))
+            else {
                 continue;
             };
             let by = generators.iter().copied().filter(|&by| by != generator).collect();
             let degree = 1;
-            best = Some((late, Pivot { fact, generator, degree, lead, by }));
+            best = Some((
+                late,
+                Pivot {
+                    fact,
+                    generator,
+                    degree,
+                    lead,
+                    by,
+                },
+            ));
         }
         best.map(|(_, pivot)| pivot)
     }
@@ -715,7 +732,11 @@ impl<'a> Session<'a> {
 
     /// Short facts that vanish and determine nothing, reduced by the triangle.
     pub fn undetermining(&mut self) -> Vec<usize> {
-        let reduced = self.left_over.clone().into_iter().filter_map(|fact| self.reduced_fact(fact));
+        let reduced = self
+            .left_over
+            .clone()
+            .into_iter()
+            .filter_map(|fact| self.reduced_fact(fact));
         let mut numbers: Vec<usize> = reduced.collect();
         numbers.retain(|&fact| (1..=12).contains(&self.polynomial(fact).terms().len()));
         numbers.sort_unstable();

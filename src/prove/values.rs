@@ -603,7 +603,8 @@ fn integral(session: &mut Session, law: &Usable, goals: &[Polynomial]) -> Option
         };
         let coefficients = coefficients_in(&form, generator);
         let lead = coefficients.get(1).filter(|_| coefficients.len() == 2 && at == time)?;
-        (fixed(session, lead, law.time) && has_integral(session, function, order)).then(|| (function, order, lead.clone()))
+        (fixed(session, lead, law.time) && has_integral(session, function, order))
+            .then(|| (function, order, lead.clone()))
     })?;
     let (outer, outer_order) = antiderivative(session, function, order)?;
     if law.flight.is_none()
@@ -694,7 +695,10 @@ pub fn antiderivative_of(session: &mut Session, form: &Polynomial, time: Symbol)
             .partition(|(term, _)| session.checker.statement.terms().holds(*term, time));
         let constant = Polynomial::from_terms([(fixed.into_iter().collect(), value.clone())]);
         let constant = polynomial_term(session, &constant);
-        let power = moving.iter().find(|(term, _)| *term == of_time).map_or(0, |(_, power)| *power);
+        let power = moving
+            .iter()
+            .find(|(term, _)| *term == of_time)
+            .map_or(0, |(_, power)| *power);
         let factors = moving.iter().filter(|(term, _)| *term != of_time);
         let factors: Vec<Term> = factors
             .flat_map(|(term, power)| std::iter::repeat_n(*term, *power as usize))
