@@ -497,7 +497,9 @@ impl<'a> Builder<'a> {
     fn is_complex(&mut self) -> bool {
         let declared = |quantity: &Quantity| match quantity {
             Quantity::Parameter(name) => self.vocabulary.complex.contains(name),
-            Quantity::State { state, .. } => self.vocabulary.complex.iter().any(|name| name.bare() == *state),
+            Quantity::State { state, .. } | Quantity::Absolute { state, .. } => {
+                self.vocabulary.complex.iter().any(|name| name.bare() == *state)
+            }
             _ => false,
         };
         let complex = (0_u32..).map(Symbol).zip(&self.statement.quantities);
@@ -835,7 +837,7 @@ impl<'a> Builder<'a> {
         if let Some((name, tree)) = self.vocabulary.abbreviations.iter().find(|(known, _)| known == name) {
             return self.abbreviation(name, tree, 0, at);
         }
-        if let Some(symbol) = self.quantity(name) {
+        if let Some(symbol) = self.quantity(name).or_else(|| self.absolute(name)) {
             return Ok(self.statement.terms.symbol(symbol));
         }
         if self.vocabulary.running.as_ref() == Some(name) {
@@ -898,6 +900,22 @@ impl<'a> Builder<'a> {
         }
         let is_state = self.vocabulary.states.contains(&bare) && matches!(name.mark.as_str(), "" | "-" | "+");
         is_state.then(|| self.statement.state(&bare, index, name.mark == "+", &letter))
+    }
+
+    /// The symbol of a state at an index that is a number, where indices run.
+    fn absolute(&mut self, name: &Name) -> Option<Symbol> {
+        let runs = self
+            .vocabulary
+            .indices
+            .iter()
+            .any(|letter| is_letter(letter, &self.vocabulary.index));
+        let index: i32 = name.subscript.parse().ok()?;
+        let state = name.bare();
+        let plain = name.primes == 0 && name.mark.is_empty() && self.vocabulary.states.contains(&state);
+        (runs && plain).then(|| {
+            self.statement
+                .symbol_of(Quantity::Absolute { state, index }, || name.to_string())
+        })
     }
 
     fn call(&mut self, name: &Name, argument: &Tree, at: usize) -> Result<Term, Unreadable> {

@@ -31,6 +31,12 @@ pub enum Quantity {
         index: i32,
         after: bool,
     },
+    /// A state at an index that is a number, as in `x_0`, while the index of the statement runs. Recursions are not
+    /// followed to it: no witness gives it a value.
+    Absolute {
+        state: Name,
+        index: i32,
+    },
     /// The derivative of one quantity by another along a map.
     Partial {
         of: Symbol,

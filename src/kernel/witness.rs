@@ -71,6 +71,14 @@ impl<'a> At<'a> {
             witness,
             effort,
         };
+        if at
+            .statement
+            .quantities
+            .iter()
+            .any(|quantity| matches!(quantity, Quantity::Absolute { .. }))
+        {
+            return refused("recursions are not followed to an index that is a number");
+        }
         at.check_values()?;
         at.check_functions()?;
         at.follow_certificate()?;

@@ -9,7 +9,7 @@ use crate::number::{Field, Rational};
 use dashu_int::ops::Gcd;
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// An atom of arguments: a product of generators over divisors.
 type Atom = (Monomial, Vec<(Polynomial, u32)>);
@@ -65,23 +65,29 @@ fn combination(session: &mut Session, argument: Term) -> Option<Vec<(Atom, RBig)
     Some(terms.collect())
 }
 
-/// A monomial over divisors, without the generators that both have.
+/// A monomial over divisors, without the generators that both have; divisors that are products are taken apart.
 fn in_lowest_terms(monomial: &Monomial, divisors: &[(Polynomial, u32)]) -> Atom {
-    let (mut above, mut below) = (monomial.clone(), Vec::new());
+    let mut powers: BTreeMap<Term, i64> = monomial.iter().map(|&(term, power)| (term, i64::from(power))).collect();
+    let mut below = Vec::new();
     for (divisor, power) in divisors {
-        let mut power = *power;
-        if let [generator] = divisor.generators()[..]
-            && *divisor == Polynomial::generator(generator)
-            && let Some((_, own)) = above.iter_mut().find(|(term, _)| *term == generator)
-        {
-            let common = power.min(*own);
-            (*own, power) = (*own - common, power - common);
-        }
-        if power > 0 {
-            below.push((divisor.clone(), power));
+        match divisor.terms() {
+            [(product, value)] if *value == RBig::ONE => {
+                for &(term, own) in product {
+                    *powers.entry(term).or_default() -= i64::from(own) * i64::from(*power);
+                }
+            }
+            _ => below.push((divisor.clone(), *power)),
         }
     }
-    above.retain(|(_, power)| *power > 0);
+    let mut above = Monomial::new();
+    for (term, power) in powers {
+        let size = u32::try_from(power.unsigned_abs()).unwrap_or(u32::MAX);
+        match power {
+            0 => {}
+            1.. => above.push((term, size)),
+            _ => below.push((Polynomial::generator(term), size)),
+        }
+    }
     (above, below)
 }
 

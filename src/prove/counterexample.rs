@@ -137,7 +137,7 @@ pub fn at(witness: &With<Witness>) -> Option<Counterexample> {
     let order = |symbol: &Symbol, statement: &Statement| match statement.quantity(*symbol) {
         Some(Quantity::Parameter(_) | Quantity::Local { .. }) => Some(0),
         Some(Quantity::Time { .. } | Quantity::Running) => Some(1),
-        Some(Quantity::State { .. }) => Some(2),
+        Some(Quantity::State { .. } | Quantity::Absolute { .. }) => Some(2),
         Some(Quantity::Partial { .. } | Quantity::Invariant { .. }) => Some(3),
         Some(Quantity::Fresh(_)) | None => None,
     };

@@ -282,6 +282,14 @@ fn symbol(printed: &str, quantity: &Quantity) -> String {
             index.to_string(),
             u8::from(*after).to_string(),
         ],
+        Quantity::Absolute { state, index } => {
+            vec![
+                printed,
+                quoted("absolute"),
+                quoted(&state.to_string()),
+                index.to_string(),
+            ]
+        }
         Quantity::Partial { of, by } => vec![printed, quoted("partial"), of.0.to_string(), by.0.to_string()],
         Quantity::Invariant { kind, of } => {
             let kind = quoted(&format!("{kind:?}"));

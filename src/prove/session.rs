@@ -320,6 +320,9 @@ impl<'a> Session<'a> {
 
     /// A known nonzero fact that is a multiple of the polynomial, with the quotient.
     fn nonzero_multiple(&mut self, polynomial: &Polynomial) -> Option<(Polynomial, Vec<(usize, u32)>)> {
+        for number in self.nonzeros() {
+            self.reduced_fact(number);
+        }
         self.nonzeros().into_iter().find_map(|number| {
             let fact = self.polynomial(number);
             let quotient = exact_quotient(&fact, polynomial, &mut self.budget).ok()??;
@@ -728,6 +731,20 @@ impl<'a> Session<'a> {
             }
         }
         Some((rest, below))
+    }
+
+    /// Short facts that vanish and determine nothing, reduced by the triangle.
+    pub fn undetermining(&mut self) -> Vec<usize> {
+        let reduced = self
+            .left_over
+            .clone()
+            .into_iter()
+            .filter_map(|fact| self.reduced_fact(fact));
+        let mut numbers: Vec<usize> = reduced.collect();
+        numbers.retain(|&fact| (1..=12).contains(&self.polynomial(fact).terms().len()));
+        numbers.sort_unstable();
+        numbers.dedup();
+        numbers
     }
 
     /// The facts that vanish: those that are no copies, and the powers of the triangle.

@@ -160,6 +160,7 @@ impl Session<'_> {
             .filter(|pivot| pivot.degree > 1 || !pivot.lead.is_empty())
             .map(|pivot| pivot.fact)
             .collect();
+        powers.extend(self.undetermining());
         let open = |session: &Self, polynomial: &Polynomial| -> BTreeSet<Term> {
             let terms = session.checker.statement.terms();
             polynomial

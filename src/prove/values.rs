@@ -617,8 +617,16 @@ fn integral(session: &mut Session, law: &Usable, goals: &[Polynomial]) -> Option
     let value = session.checker.statement.value(function, order, time);
     let rest = form.minus(&lead.times(&Polynomial::generator(value)));
     let formula = antiderivative_of(session, &rest.negated(), law.time)?;
-    let lead = polynomial_term(session, &lead);
-    let formula = session.terms().quotient(formula, lead);
+    let formula = match lead.as_constant() {
+        Some(lead) => {
+            let factor = session.terms().number(Rational::from_integer(1) / lead);
+            times(session, factor, formula)
+        }
+        None => {
+            let lead = polynomial_term(session, &lead);
+            session.terms().quotient(formula, lead)
+        }
+    };
     let fresh = session.checker.statement.fresh("t");
     let running = session.terms().symbol(fresh);
     let whole = session.checker.statement.value(outer, outer_order, time);
@@ -698,10 +706,19 @@ pub fn antiderivative_of(session: &mut Session, form: &Polynomial, time: Symbol)
         for (number, factor) in sum_of_products(session, &factors)? {
             let number = session.terms().number(number);
             let integral = integral_of(session, factor, power, time)?;
-            parts.push(session.terms().product(vec![constant, number, integral]));
+            let integral = times(session, number, integral);
+            parts.push(times(session, constant, integral));
         }
     }
     Some(session.terms().sum(parts))
+}
+
+/// A product of two terms, of which the first may be 1.
+fn times(session: &mut Session, a: Term, b: Term) -> Term {
+    match session.terms().integer(1) == a {
+        true => b,
+        false => session.terms().product(vec![a, b]),
+    }
 }
 
 /// A product of sines and cosines as a sum of such, times numbers; nothing for 1.
@@ -783,8 +800,11 @@ fn integral_of(session: &mut Session, of: Option<Term>, power: u32, time: Symbol
         return None;
     }
     let sign = session.terms().integer(sign);
-    let above = session.terms().product(vec![sign, outer]);
-    let whole = session.terms().quotient(above, slope);
+    let above = times(session, sign, outer);
+    let whole = match form == Polynomial::integer(1) {
+        true => above,
+        false => session.terms().quotient(above, slope),
+    };
     if power == 0 {
         return Some(whole);
     }
