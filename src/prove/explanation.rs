@@ -232,6 +232,7 @@ impl Proof {
                 let how = format!("in every case: {cases} is\n         {}", self.polynomial(on));
                 by(&how)
             }
+            Inference::Generic(term) => format!("generic symbols: {} is not 0", print(*term)),
             Inference::Along { equation, by, .. } => {
                 let by = self.statement.terms().symbol_name(*by);
                 format!(

@@ -63,8 +63,13 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
             Outcome::Proved(proof, certificate, _) => {
                 let terms = certificate.statement.terms();
                 let excluded = proof.excluded().iter();
-                let excluded = excluded.map(|&term| format!(r"{} 
-eq 0", print::tex(terms, term)));
+                let excluded = excluded.map(|&term| {
+                    format!(
+                        r"{} 
+eq 0",
+                        print::tex(terms, term)
+                    )
+                });
                 for provided in proof.provided().iter().cloned().chain(excluded) {
                     if !decision.provided.contains(&provided) {
                         decision.provided.push(provided);
