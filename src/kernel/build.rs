@@ -439,6 +439,7 @@ impl<'a> Builder<'a> {
         if !self.is_declared {
             self.declare_signs()?;
         }
+        self.derivatives_exist(&goal);
         if self.is_complex() && !self.statement.complex {
             // it is built anew, with principal branches
             self.statement.complex = true;
@@ -1325,15 +1326,35 @@ impl<'a> Builder<'a> {
                     self.give(&label, Property::Zero, term, Vec::new());
                 }
             }
-            if step.equations.len() == step.of.len() && !step.of.is_empty() {
+            self.statement.steps.push(step);
+        }
+        Ok(())
+    }
+
+    /// Takes as given that derivatives along maps exist, where the claim or a premise speaks of such.
+    fn derivatives_exist(&mut self, goal: &[(Property, Term)]) {
+        let givens = self.statement.givens.iter().map(|given| given.term);
+        let spoken: Vec<Term> = givens.chain(goal.iter().map(|(_, term)| *term)).collect();
+        let mut partials: BTreeSet<Symbol> = BTreeSet::new();
+        for term in spoken {
+            let term = self.statement.written_out(term);
+            for inner in self.statement.terms.inside(term) {
+                if let Node::Symbol(symbol) = self.statement.terms.node(inner)
+                    && let Some(Quantity::Partial { of, .. }) = self.statement.quantity(*symbol)
+                {
+                    partials.insert(*of);
+                }
+            }
+        }
+        for step in self.statement.steps.clone() {
+            let is_determined = step.equations.len() == step.of.len();
+            if is_determined && step.of.iter().any(|of| partials.contains(of)) {
                 let term = super::implicit::slope_determinant(&mut self.statement, &step);
                 let names: Vec<&str> = step.of.iter().map(|of| self.statement.terms.symbol_name(*of)).collect();
                 let label = format!("{DERIVATIVES_EXIST} {}", names.join(", "));
                 self.push(&label, Property::Nonzero, term, None);
             }
-            self.statement.steps.push(step);
         }
-        Ok(())
     }
 }
 

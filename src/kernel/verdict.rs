@@ -1,12 +1,13 @@
 //! The two verdicts that the kernel gives. Their fields are private: nothing else can make one.
 
 use super::build::DERIVATIVES_EXIST;
-use super::certificate::{Certificate, Inference};
+use super::certificate::Certificate;
 use super::check::Checker;
 use super::expand::Refusal;
 use super::statement::{Property, Statement};
 use super::term::Term;
 use super::witness::{At, Witness};
+use std::collections::BTreeSet;
 
 /// Products of two terms of polynomials that the kernel adds up for one certificate or witness.
 pub const EFFORT: u64 = 20_000_000;
@@ -137,7 +138,7 @@ pub fn prove(statement: &Statement, certificate: &With<Certificate>, point: &Poi
         }
     }
     Ok(Proved {
-        provided: provided(&certificate.statement, &certificate.evidence.steps),
+        provided: provided(statement),
         excluded,
     })
 }
@@ -214,16 +215,9 @@ pub fn contradicts(certificate: &With<Certificate>) -> Result<(), Refusal> {
     }
 }
 
-fn provided(statement: &Statement, steps: &[Inference]) -> Vec<String> {
-    let mut provided: Vec<String> = Vec::new();
-    for step in steps {
-        if let Inference::Given(number) = step
-            && let Some(given) = statement.givens.get(*number)
-            && given.label.starts_with(DERIVATIVES_EXIST)
-            && !provided.contains(&given.label)
-        {
-            provided.push(given.label.clone());
-        }
-    }
-    provided
+/// The givens of the statement that derivatives exist, which no premise says.
+fn provided(statement: &Statement) -> Vec<String> {
+    let labels = statement.givens.iter().map(|given| &given.label);
+    let labels: BTreeSet<&String> = labels.filter(|label| label.starts_with(DERIVATIVES_EXIST)).collect();
+    labels.into_iter().cloned().collect()
 }
