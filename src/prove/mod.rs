@@ -4,6 +4,7 @@ mod angles;
 mod constants;
 mod counterexample;
 mod decision;
+mod evaluation;
 mod float;
 mod formula;
 mod inverse;
@@ -133,6 +134,11 @@ const QUICK_STEPS: u64 = 200_000;
 const CONTRADICTION_STEPS: u64 = 300_000;
 
 fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
+    for point in evaluation::points(statement) {
+        if let Ok(refuted) = kernel::refute(statement, &point) {
+            return Outcome::Refuted(refuted, point);
+        }
+    }
     // what has a short proof needs no search for a counterexample; else a wrong formula costs less than its proof would
     if let Some(certificate) = proof::search(statement, QUICK_STEPS) {
         return proved(statement, certificate, effort);
@@ -160,7 +166,8 @@ fn proved(statement: &kernel::Statement, certificate: kernel::With<kernel::Certi
             false
         }
     };
-    let point = point::search(statement, point::Wanted::Premises, effort, &holds);
+    let evaluated = evaluation::points(statement).into_iter().find(|point| holds(point));
+    let point = evaluated.or_else(|| point::search(statement, point::Wanted::Premises, effort, &holds));
     if let Some(point) = point
         && let Ok(proved) = kernel::prove(statement, &certificate, &point)
     {
