@@ -4,50 +4,20 @@
 //! that satisfy a homogeneous linear differential equation of order 1 or 2 whose coefficients are constant and whose
 //! characteristic polynomial splits, over the complex numbers, into factors with polynomial coefficients.
 
-use super::angles::{self, polynomial_term};
+use super::angles::polynomial_term;
 use super::session::Session;
-use super::values::{self, Usable};
+use super::values;
 use crate::algebra::{coefficients_in, square_root};
-use crate::kernel::{
-    Elementary, Function, FunctionOf, Inference, LawSource, Node, Polynomial, Property, Quantity, Symbol, Term,
-};
+use crate::kernel::{Elementary, Function, FunctionOf, Node, Polynomial, Property, Quantity, Symbol, Term};
 use crate::number::{Field, Rational};
 use std::collections::BTreeSet;
 
-/// The law that a term in a fresh symbol is at every time what it is at `at`, if laws show its derivative to vanish.
-pub fn constant(session: &mut Session, of: Term, time: Symbol, at: Term, flight: Option<i32>) -> Option<Usable> {
-    let slope = session.checker.statement.derivative(of, time);
-    let numerator = session.numerator(slope)?;
-    let laws = session.laws.all().to_vec();
-    let steps = session.aside(flight.map(|flight| (time, flight)), &mut |session| {
-        values::at_running(session, &laws, &numerator, time);
-        session.triangulate_all();
-        if session.show_zero(&numerator).is_some() {
-            return Some(());
-        }
-        let met: BTreeSet<Term> = numerator.generators().into_iter().collect();
-        angles::expand(session, &met);
-        session.triangulate_all();
-        session.show_zero(&numerator).map(|_| ())
-    })?;
-    session.step_law(Inference::Constant {
-        of,
-        time,
-        at,
-        flight,
-        steps,
-    })?;
-    let source = LawSource::Derived(session.checker.laws() - 1);
-    let there = session.checker.statement.moved(of, Some((time, at)), 0);
-    let term = session.terms().difference(of, there);
-    Some(Usable::derived(source, time, term, flight))
-}
-
 /// Laws from the goals, and from linear differential equations, each looked for once.
-pub fn find(session: &mut Session) {
+pub fn find(session: &mut Session, goals: &[Polynomial]) {
     if std::mem::replace(&mut session.laws.constants, true) {
         return;
     }
+    values::laws(session, goals);
     linear_equations(session);
     let goals = session.checker.statement.goal().to_vec();
     for (property, goal) in goals {
@@ -85,7 +55,7 @@ fn same_at_all_times(session: &mut Session, goal: Term) -> Option<()> {
         let running = session.terms().symbol(fresh);
         let of = session.terms().substitute(goal, symbol, running);
         let zero = session.terms().integer(0);
-        if let Some(law) = constant(session, of, fresh, zero, None) {
+        if let Some(law) = values::constant(session, of, fresh, zero, None) {
             let at = session.terms().symbol(symbol);
             values::instance(session, &law, at);
             return Some(());
@@ -113,7 +83,7 @@ fn linear_equations(session: &mut Session) {
         if let Some(coefficients) = equation(session, &chain, time) {
             for of in constants_of(session, &chain, &coefficients, time).unwrap_or_default() {
                 let zero = session.terms().integer(0);
-                if let Some(law) = constant(session, of, fresh, zero, None) {
+                if let Some(law) = values::constant(session, of, fresh, zero, None) {
                     session.laws.push(law);
                 }
             }

@@ -4,6 +4,7 @@ mod angles;
 mod constants;
 mod counterexample;
 mod decision;
+mod evaluation;
 mod explanation;
 mod float;
 mod formula;
@@ -142,13 +143,26 @@ const PROOF_STEPS: u64 = 5_000_000;
 const QUICK_STEPS: u64 = 1_000_000;
 const CONTRADICTION_STEPS: u64 = 300_000;
 
+/// Points of the premises at which the claim holds, before it is taken to be true rather than false.
+const ENOUGH_POINTS: usize = 4;
+
 fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
     // a point of the premises comes first: a wrong formula costs less than its proof would, a proof needs one anyway
-    let point = match points(statement, point::Wanted::Either, effort) {
-        Some((witness, kernel::Evaluated::Fails(refuted))) => return Outcome::Refuted(refuted, Box::new(witness)),
-        Some((witness, kernel::Evaluated::Holds(point))) => Some((witness, point)),
-        None => None,
-    };
+    let mut point = None;
+    let plain = evaluation::points(statement).into_iter().filter_map(|witness| {
+        let evaluated = kernel::evaluate(statement, &witness).ok()?;
+        Some((witness, evaluated))
+    });
+    let searched = std::iter::once_with(|| points(statement, point::Wanted::Either, effort)).flatten();
+    for (place, (witness, evaluated)) in plain.chain(searched).enumerate() {
+        match evaluated {
+            kernel::Evaluated::Fails(refuted) => return Outcome::Refuted(refuted, Box::new(witness)),
+            kernel::Evaluated::Holds(found) => point = Some((witness, found)),
+        }
+        if place + 1 >= ENOUGH_POINTS {
+            break;
+        }
+    }
     // what holds at the points met is likely to be true
     let quick = match point {
         Some(_) => QUICK_STEPS,

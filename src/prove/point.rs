@@ -115,7 +115,7 @@ pub fn search(
     accept: &mut dyn FnMut(&With<Witness>) -> bool,
 ) -> Option<With<Witness>> {
     let mut session_statement = statement.clone();
-    let (equations, laws) = equations(&mut session_statement)?;
+    let (equations, laws) = equations(&mut session_statement);
     let mut models = models(&mut session_statement, &laws);
     if models.is_empty() {
         models.push(Vec::new());
@@ -228,13 +228,11 @@ fn laws_may_hold(statement: &mut Statement, functions: &[(Function, Symbol, Term
 }
 
 /// What must vanish by the givens: premises, laws at the times spoken of, derivatives along maps.
-fn equations(statement: &mut Statement) -> Option<(Vec<Term>, Vec<Usable>)> {
+fn equations(statement: &mut Statement) -> (Vec<Term>, Vec<Usable>) {
     let goals: Vec<Term> = statement.goal().iter().map(|(_, term)| *term).collect();
     let mut session = Session::new(statement, Vec::new(), 2_000_000);
-    let mut polynomials = Vec::new();
-    for goal in goals {
-        polynomials.push(session.numerator(goal)?);
-    }
+    // what is too large to be multiplied out has values all the same
+    let polynomials: Vec<Polynomial> = goals.into_iter().filter_map(|goal| session.numerator(goal)).collect();
     let laws = proof::prepare_premises(&mut session, &polynomials);
     let mut found = Vec::new();
     let mut fact = 0;
@@ -263,7 +261,7 @@ fn equations(statement: &mut Statement) -> Option<(Vec<Term>, Vec<Usable>)> {
         .into_iter()
         .map(|term| session.checker.statement.written_out(term))
         .collect();
-    Some((found, laws))
+    (found, laws)
 }
 
 /// The periods that laws declare.

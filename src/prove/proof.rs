@@ -1,6 +1,7 @@
 //! The search for a proof: everything known is written over few generators, and the claim is reduced by it.
 
 use super::angles;
+use super::constants;
 use super::inverse;
 use super::logarithms;
 use super::roots;
@@ -259,6 +260,7 @@ pub fn prepare(session: &mut Session, goals: &[Polynomial]) -> Option<()> {
             met.extend(session.checker.statement.terms().inside(generator));
         }
         single_functions(session, &met);
+        constants::find(session, goals);
         values::instantiate(session, goals);
         along(session, goals);
         session.triangulate_all();
@@ -281,6 +283,7 @@ pub fn prepare_premises(session: &mut Session, goals: &[Polynomial]) -> Vec<valu
     session.triangulate_all();
     let mut laws = Vec::new();
     for _ in 0..2 {
+        constants::find(session, goals);
         laws = values::instantiate(session, goals);
         session.triangulate_all();
     }

@@ -1,7 +1,6 @@
 //! Values of unknown functions: instances of laws, equal arguments, whole periods, integrals of laws.
 
-use super::angles::polynomial_term;
-use super::constants;
+use super::angles::{self, polynomial_term};
 use super::session::Session;
 use crate::algebra::{coefficients_in, degree_in};
 use crate::kernel::{
@@ -102,10 +101,7 @@ pub fn values_of(statement: &Statement, term: Term) -> Vec<(Function, u32, Term)
 /// Adds instances of the laws at the times that the facts and the goals speak of. Gives the laws.
 pub fn instantiate(session: &mut Session, goals: &[Polynomial]) -> Vec<Usable> {
     sequences(session, goals);
-    given_laws(session, goals);
-    integrate(session, goals);
-    derivatives(session, goals);
-    constants::find(session);
+    self::laws(session, goals);
     let laws = session.laws.all.clone();
     // a law that names a function brings the functions in its own formula along
     for _ in 0..3 {
@@ -118,6 +114,13 @@ pub fn instantiate(session: &mut Session, goals: &[Polynomial]) -> Vec<Usable> {
     merge(session, goals);
     whole_periods(session, &laws, goals);
     laws
+}
+
+/// The laws that are given, their integrals and derivatives.
+pub fn laws(session: &mut Session, goals: &[Polynomial]) {
+    given_laws(session, goals);
+    integrate(session, goals);
+    derivatives(session, goals);
 }
 
 /// The values of unknown functions among the generators: function, order, argument.
@@ -576,6 +579,35 @@ fn chains(session: &mut Session, of: (Function, u32), recurrences: &[Recurrence]
     }
 }
 
+/// The law that a term in a fresh symbol is at every time what it is at `at`, if laws show its derivative to vanish.
+pub fn constant(session: &mut Session, of: Term, time: Symbol, at: Term, flight: Option<i32>) -> Option<Usable> {
+    let slope = session.checker.statement.derivative(of, time);
+    let numerator = session.numerator(slope)?;
+    let laws = session.laws.all().to_vec();
+    let steps = session.aside(flight.map(|flight| (time, flight)), &mut |session| {
+        at_running(session, &laws, &numerator, time);
+        session.triangulate_all();
+        if session.show_zero(&numerator).is_some() {
+            return Some(());
+        }
+        let met: BTreeSet<Term> = numerator.generators().into_iter().collect();
+        angles::expand(session, &met);
+        session.triangulate_all();
+        session.show_zero(&numerator).map(|_| ())
+    })?;
+    session.step_law(Inference::Constant {
+        of,
+        time,
+        at,
+        flight,
+        steps,
+    })?;
+    let source = LawSource::Derived(session.checker.laws() - 1);
+    let there = session.checker.statement.moved(of, Some((time, at)), 0);
+    let term = session.terms().difference(of, there);
+    Some(Usable::derived(source, time, term, flight))
+}
+
 /// Integrates laws that give a function, as far as its declared antiderivatives, or the motion of a flight, are spoken of.
 fn integrate(session: &mut Session, goals: &[Polynomial]) {
     let mut number = 0;
@@ -640,7 +672,7 @@ fn integral(session: &mut Session, law: &Usable, goals: &[Polynomial]) -> Option
         }
         None => session.terms().integer(0),
     };
-    let constant = constants::constant(session, of, fresh, at, law.flight)?;
+    let constant = constant(session, of, fresh, at, law.flight)?;
     Some(Usable {
         integrals: law.integrals + 1,
         ..constant
