@@ -275,19 +275,22 @@ fn sum_of(terms: &[(Polynomial, usize)], of: &[BTreeMap<usize, Polynomial>]) -> 
 
 /// The facts that a step names.
 fn named(step: &Inference, take: &mut dyn FnMut(usize)) {
-    let (factors, terms): (&[(usize, u32)], &[(Polynomial, usize)]) = match step {
+    match step {
         Inference::Zero { factors, terms, .. }
         | Inference::Nonzero { factors, terms, .. }
-        | Inference::Sign { factors, terms, .. } => (factors, terms),
-        _ => (&[], &[]),
-    };
-    factors.iter().for_each(|(fact, _)| take(*fact));
-    terms.iter().for_each(|(_, fact)| take(*fact));
-    match step {
-        Inference::Sign { summands, .. } => summands.iter().flat_map(|one| &one.facts).for_each(|fact| take(*fact)),
-        Inference::Squeezed { low, high } => [*low, *high].into_iter().for_each(take),
+        | Inference::Sign { factors, terms, .. } => {
+            factors.iter().for_each(|(fact, _)| take(*fact));
+            terms.iter().for_each(|(_, fact)| take(*fact));
+        }
+        Inference::Squeezed { low, high } => [*low, *high].into_iter().for_each(&mut *take),
         Inference::Cases { branches, .. } => branches.iter().flatten().for_each(|inner| named(inner, take)),
         _ => {}
+    }
+    if let Inference::Sign { summands, .. } = step {
+        summands
+            .iter()
+            .flat_map(|summand| &summand.facts)
+            .for_each(|fact| take(*fact));
     }
 }
 
