@@ -5,8 +5,8 @@
 use num_traits::{One, Zero};
 use vibro_audit::claim::{Sheet, Statements, vocabulary};
 use vibro_audit::kernel::{
-    Axiom, Certificate, Elementary, FunctionOf, Inference, LawSource, Node, Polynomial, Property, Quantity, Question,
-    Statement, Symbol, Term, With, Witness, follows, prove, questions, refute,
+    Axiom, Certificate, Elementary, Evaluated, FunctionOf, Inference, LawSource, Node, Polynomial, Property, Quantity,
+    Question, Statement, Symbol, Term, With, Witness, evaluate, follows, prove, questions, refute,
 };
 use vibro_audit::number::Rational;
 use vibro_audit::tex::Name;
@@ -429,9 +429,18 @@ fn the_terms_of_a_statement_are_not_exchanged() {
         let _ = one;
     }
     *statement.terms_mut() = terms;
+    let mut own = asked.statement.clone();
+    let one = own.terms_mut().integer(1);
+    let point = Witness {
+        sample: vec![(symbol(&own, "x"), one)],
+        ..Witness::default()
+    };
     let point = With {
-        statement: asked.statement.clone(),
-        evidence: Witness::default(),
+        statement: own,
+        evidence: point,
+    };
+    let Evaluated::Holds(point) = evaluate(&asked.statement, &point).unwrap() else {
+        panic!("x = 1 holds at 1");
     };
     let refusal = prove(&asked.statement, &proof(statement, Vec::new()), &point).unwrap_err();
     assert!(refusal.to_string().contains("another statement"), "{refusal}");

@@ -287,6 +287,7 @@ fn break_step(steps: &mut Vec<Inference>, random: &mut Sequence) -> bool {
         },
         Inference::Constant { steps, .. } => return break_step(steps, random),
         Inference::Along { equation, .. } => break_number(equation, random),
+        Inference::Generic(term) => term.0 = term.0.saturating_sub(1),
         Inference::Axiom(_) | Inference::Law { .. } | Inference::Derivative(_) => {
             let moved = steps.remove(at);
             let to = below(random, steps.len() + 1);

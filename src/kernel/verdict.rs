@@ -88,7 +88,7 @@ fn same<T>(statement: &Statement, with: &With<T>) -> Result<(), Refusal> {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Point {
-    witness: With<Witness>,
+    witness: Box<With<Witness>>,
 }
 
 /// What holds at a point of the premises.
@@ -110,7 +110,7 @@ pub fn evaluate(statement: &Statement, witness: &With<Witness>) -> Result<Evalua
     Ok(match at.fails() {
         Ok(true) => Evaluated::Fails(Refuted { nowhere: false }),
         _ => Evaluated::Holds(Point {
-            witness: witness.clone(),
+            witness: Box::new(witness.clone()),
         }),
     })
 }

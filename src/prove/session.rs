@@ -120,10 +120,10 @@ impl<'a> Session<'a> {
 
     /// A fact that a polynomial in generic symbols is not 0, where such are excluded.
     pub fn generic_fact(&mut self, polynomial: &Polynomial) -> Option<usize> {
-        let symbols = polynomial.generators().into_iter().map(|term| self.node(term));
+        let mut nodes = polynomial.generators().into_iter().map(|term| self.node(term));
         let generic = self.checker.statement.generic();
         let fits = |node: Node| matches!(node, Node::Symbol(symbol) if generic.contains(&symbol));
-        if !self.excludes || !symbols.map(fits).all(|fits| fits) {
+        if !self.excludes || !nodes.all(fits) {
             return None;
         }
         let term = super::angles::polynomial_term(self, polynomial);

@@ -183,7 +183,7 @@ fn sequences(session: &mut Session, goals: &[Polynomial]) {
             continue;
         }
         let written = session.checker.statement.written_out(entry.term);
-        let own = indices(&session.checker.statement, written);
+        let own = indices(session.checker.statement, written);
         let (Some(low), Some(high)) = (own.first(), own.last()) else {
             continue;
         };

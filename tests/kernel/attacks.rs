@@ -2,8 +2,8 @@
 
 use super::forge::*;
 use vibro_audit::kernel::{
-    Axiom, Certificate, Elementary, Inference, LawSource, Node, Polynomial, Property, Quantity, Statement, With,
-    Witness, prove, refute,
+    Axiom, Certificate, Elementary, Evaluated, Inference, LawSource, Node, Polynomial, Property, Quantity, Statement,
+    With, Witness, evaluate, prove, refute,
 };
 use vibro_audit::number::{Field, Rational};
 
@@ -95,6 +95,9 @@ fn the_terms_of_a_statement_are_not_exchanged() {
     let point = With {
         statement: own,
         evidence: point,
+    };
+    let Ok(Evaluated::Holds(point)) = evaluate(&question, &point) else {
+        panic!("x = y holds where both are 1");
     };
     assert!(prove(&question, &certificate, &point).is_err());
 }
