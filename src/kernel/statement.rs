@@ -278,6 +278,16 @@ impl Statement {
         fewer
     }
 
+    /// The symbols in a term.
+    pub(super) fn symbols_in(&self, term: Term) -> Vec<Symbol> {
+        let inside = self.terms.inside(term).into_iter();
+        let symbol = |inner| match self.terms.node(inner) {
+            Node::Symbol(symbol) => Some(*symbol),
+            _ => None,
+        };
+        inside.filter_map(symbol).collect()
+    }
+
     /// What a symbol stands for.
     pub fn quantity(&self, symbol: Symbol) -> Option<&Quantity> {
         self.quantities.get(symbol.0 as usize)

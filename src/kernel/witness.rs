@@ -176,46 +176,85 @@ impl<'a> At<'a> {
         Ok(())
     }
 
-    /// The point lies in no thin set of the generic symbols: around it they take all values that the premises in them
-    /// alone allow, as the ranks of two Jacobians show.
+    /// The point lies in no thin set of the generic symbols: around it they take all values that the premises in
+    /// parameters and times allow, as the ranks of two Jacobians show.
     fn check_generic(&mut self) -> Outcome<()> {
         let generic = self.statement.generic.clone();
-        let free: Vec<Symbol> = self.witness.sample.iter().map(|(symbol, _)| *symbol).collect();
-        let mut values = Vec::new();
-        for &symbol in &generic {
-            let term = self.statement.terms.symbol(symbol);
-            let value = self.translate(term, None)?;
-            let symbols = self.statement.terms.inside(value).into_iter();
-            let symbols = symbols.filter_map(|inner| match self.statement.terms.node(inner) {
-                Node::Symbol(symbol) => Some(*symbol),
-                _ => None,
-            });
-            self.around.extend(symbols);
-            values.push(value);
+        if generic.is_empty() {
+            return Ok(());
         }
-        let own = |at: &Self, given: &Given| {
-            let only = |inner: Term| match at.statement.terms.node(inner) {
-                Node::Symbol(symbol) => generic.contains(symbol),
-                Node::Value(..) => false,
-                _ => true,
-            };
-            let inside = at.statement.terms.inside(given.term);
-            given.law.is_none() && given.property == Property::Zero && inside.into_iter().all(only)
-        };
-        let givens = self.statement.givens.iter().filter(|given| own(self, given));
-        let mut premises: Vec<Term> = givens.map(|given| given.term).collect();
-        // abbreviations among the generic symbols are symbols of their own here
-        let definitions = std::mem::take(&mut self.statement.definitions);
-        let within = self.jacobian(&mut premises, &generic);
-        self.statement.definitions = definitions;
-        let (within, around) = (self.rank(within)?, self.jacobian(&mut values, &free));
-        match self.rank(around)? + within >= generic.len() {
+        for symbol in &generic {
+            let term = self.statement.terms.symbol(*symbol);
+            let value = self.translate(term, None)?;
+            self.around.extend(self.statement.symbols_in(value));
+        }
+        let none = |_: &Quantity| false;
+        let fixed = |quantity: &Quantity| matches!(quantity, Quantity::Parameter(_) | Quantity::Time { .. });
+        match self.takes_all_values(&generic, &none)? || self.takes_all_values(&generic, &fixed)? {
             true => Ok(()),
             false => refused("the point may lie in a thin set of the generic symbols"),
         }
     }
 
-    fn jacobian(&mut self, of: &mut [Term], by: &[Symbol]) -> Vec<Vec<Term>> {
+    /// Whether symbols take, around the point, all values that premises and definitions in them and others of a kind allow.
+    fn takes_all_values(&mut self, of: &[Symbol], others: &dyn Fn(&Quantity) -> bool) -> Outcome<bool> {
+        let (premises, symbols) = self.premises_on(of, others);
+        let (mut values, mut free) = (Vec::new(), BTreeSet::new());
+        for &symbol in &symbols {
+            let term = self.statement.terms.symbol(symbol);
+            let value = self.translate(term, None)?;
+            free.extend(self.statement.symbols_in(value));
+            values.push(value);
+        }
+        let free: Vec<Symbol> = free.into_iter().collect();
+        // abbreviations are symbols of their own here
+        let definitions = std::mem::take(&mut self.statement.definitions);
+        let within = self.jacobian(&premises, &symbols);
+        self.statement.definitions = definitions;
+        let (within, around) = (self.rank(within)?, self.jacobian(&values, &free));
+        Ok(self.rank(around)? + within >= symbols.len())
+    }
+
+    /// Terms in these symbols and others of a kind that vanish by premises or definitions, as far as they bind these
+    /// symbols, directly or through others; and all symbols that take part.
+    fn premises_on(&mut self, of: &[Symbol], others: &dyn Fn(&Quantity) -> bool) -> (Vec<Term>, Vec<Symbol>) {
+        let plain = |given: &&Given| given.law.is_none() && given.property == Property::Zero;
+        let mut open: Vec<Term> = self
+            .statement
+            .givens
+            .iter()
+            .filter(plain)
+            .map(|given| given.term)
+            .collect();
+        for (symbol, meaning) in self.statement.definitions.clone() {
+            let symbol = self.statement.terms.symbol(symbol);
+            open.push(self.statement.terms.difference(symbol, meaning));
+        }
+        let fixed = |symbol: &Symbol| of.contains(symbol) || self.statement.quantity(*symbol).is_some_and(others);
+        open.retain(|&term| {
+            let inside = self.statement.terms.inside(term);
+            let is_plain = |inner: Term| match self.statement.terms.node(inner) {
+                Node::Symbol(symbol) => fixed(symbol),
+                Node::Value(..) => false,
+                _ => true,
+            };
+            inside.into_iter().all(is_plain)
+        });
+        let (mut premises, mut symbols): (Vec<Term>, BTreeSet<Symbol>) = (Vec::new(), of.iter().copied().collect());
+        while let Some(next) = open.iter().position(|&term| {
+            self.statement
+                .symbols_in(term)
+                .iter()
+                .any(|symbol| symbols.contains(symbol))
+        }) {
+            let term = open.remove(next);
+            symbols.extend(self.statement.symbols_in(term));
+            premises.push(term);
+        }
+        (premises, symbols.into_iter().collect())
+    }
+
+    fn jacobian(&mut self, of: &[Term], by: &[Symbol]) -> Vec<Vec<Term>> {
         let rows = of.iter().map(|&term| {
             let row = by.iter().map(|&symbol| self.statement.derivative(term, symbol));
             row.collect()

@@ -230,9 +230,20 @@ fn laws_may_hold(statement: &mut Statement, functions: &[(Function, Symbol, Term
 /// What must vanish by the givens: premises, laws at the times spoken of, derivatives along maps.
 fn equations(statement: &mut Statement) -> (Vec<Term>, Vec<Usable>) {
     let goals: Vec<Term> = statement.goal().iter().map(|(_, term)| *term).collect();
+    let written: Vec<Term> = goals.iter().map(|goal| statement.written_out(*goal)).collect();
     let mut session = Session::new(statement, Vec::new(), 2_000_000);
-    // what is too large to be multiplied out has values all the same
-    let polynomials: Vec<Polynomial> = goals.into_iter().filter_map(|goal| session.numerator(goal)).collect();
+    // what is too large to be multiplied out has values all the same; derivatives have some even where they cancel
+    let mut polynomials: Vec<Polynomial> = goals.into_iter().filter_map(|goal| session.numerator(goal)).collect();
+    let inside = written
+        .into_iter()
+        .flat_map(|term| session.checker.statement.terms().inside(term));
+    let inside: BTreeSet<Term> = inside.collect();
+    polynomials.extend(
+        inside
+            .into_iter()
+            .filter(|&term| session.is_partial(term))
+            .map(Polynomial::generator),
+    );
     let laws = proof::prepare_premises(&mut session, &polynomials);
     let mut found = Vec::new();
     let mut fact = 0;

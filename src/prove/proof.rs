@@ -362,16 +362,7 @@ fn integer_power(session: &mut Session, power: Term, base: Term, exponent: Term)
 
 /// Differentiates the equations of maps, where derivatives along them are spoken of.
 fn along(session: &mut Session, goals: &[Polynomial]) {
-    let spoken = session
-        .generators(goals)
-        .into_iter()
-        .any(|term| match session.node(term) {
-            Node::Symbol(symbol) => matches!(
-                session.checker.statement.quantity(symbol),
-                Some(Quantity::Partial { .. })
-            ),
-            _ => false,
-        });
+    let spoken = session.generators(goals).into_iter().any(|term| session.is_partial(term));
     if !spoken {
         return;
     }

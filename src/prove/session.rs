@@ -448,6 +448,13 @@ impl<'a> Session<'a> {
         Some(())
     }
 
+    /// Whether a term is a derivative along a map.
+    pub fn is_partial(&self, term: Term) -> bool {
+        let statement = &self.checker.statement;
+        matches!(statement.terms().node(term), Node::Symbol(symbol)
+            if matches!(statement.quantity(*symbol), Some(Quantity::Partial { .. })))
+    }
+
     /// A fact as the definition of a symbol by others, some of which are determined themselves: such chains are
     /// followed link by link and never multiplied out.
     fn definition(&mut self, fact: usize, may: &dyn Fn(&Terms, Term) -> bool) -> Option<Pivot> {
@@ -460,8 +467,7 @@ impl<'a> Session<'a> {
         let mut best: Option<((u8, i32), Pivot)> = None;
         for &generator in &generators {
             // derivatives along maps have leading coefficients, which are short once they are reduced
-            let is_symbol = matches!(self.node(generator), Node::Symbol(symbol)
-                if !matches!(self.checker.statement.quantity(symbol), Some(Quantity::Partial { .. })));
+            let is_symbol = matches!(self.node(generator), Node::Symbol(_)) && !self.is_partial(generator);
             let known = self.triangle.iter().any(|pivot| pivot.generator == generator);
             let late = self.late(generator);
             if !is_symbol
