@@ -362,7 +362,10 @@ fn integer_power(session: &mut Session, power: Term, base: Term, exponent: Term)
 
 /// Differentiates the equations of maps, where derivatives along them are spoken of.
 fn along(session: &mut Session, goals: &[Polynomial]) {
-    let spoken = session.generators(goals).into_iter().any(|term| session.is_partial(term));
+    let spoken = session
+        .generators(goals)
+        .into_iter()
+        .any(|term| session.is_partial(term));
     if !spoken {
         return;
     }

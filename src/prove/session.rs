@@ -4,7 +4,7 @@ use crate::algebra::{
     Order, QuotientAlgebra, Steps, coefficients_in, degree_in, exact_quotient, pseudo_divide, radical_member,
 };
 use crate::kernel::{
-    Axiom, Certificate, Checker, Elementary, Inference, Node, Polynomial, Property, Quantity, Refusal, Statement,
+    Axiom, Certificate, Checker, Elementary, Fact, Inference, Node, Polynomial, Property, Quantity, Refusal, Statement,
     Summand, Symbol, Term, Terms, sign,
 };
 use crate::number::{Field, Rational};
@@ -838,12 +838,11 @@ impl<'a> Session<'a> {
 
     /// Shows that a reduced polynomial vanishes by the ideal of the facts.
     fn show_rest(&mut self, rest: &Polynomial) -> Option<usize> {
-        if let Some(known) =
-            self.checker.facts.iter().position(|fact| {
-                fact.property == Property::Zero && !rest.is_zero() && fact.polynomial.is_multiple_of(rest)
-            })
-        {
-            return Some(known);
+        let is_known = |fact: &Fact| fact.property == Property::Zero && fact.polynomial.is_multiple_of(rest);
+        if let Some(known) = self.checker.facts.iter().position(is_known) {
+            let (own, (_, value)) = (rest.terms().first()?, self.polynomial(known).terms().first()?.clone());
+            let ratio = Polynomial::constant(&Rational(&own.1 / &value));
+            return self.zero_step(rest.clone(), Vec::new(), vec![(ratio, known)]);
         }
         if rest
             .generators()
