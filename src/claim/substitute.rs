@@ -104,7 +104,7 @@ pub fn runs(equation: &Equation, vocabulary: &Vocabulary) -> bool {
     tree_runs(&equation.left, vocabulary) || tree_runs(&equation.right, vocabulary)
 }
 
-/// Whether an equation speaks of a state in flight.
+/// Whether an equation speaks of a state in flight: at the time of an impact it is the state there.
 pub fn flies(equation: &Equation, vocabulary: &Vocabulary) -> bool {
     let is_state = |name: &Name| {
         let states = &vocabulary.states;
@@ -112,8 +112,10 @@ pub fn flies(equation: &Equation, vocabulary: &Vocabulary) -> bool {
             .iter()
             .any(|s| [s.clone(), s.dotted(), s.dotted().dotted()].contains(&name.bare()))
     };
+    let at_impact = |argument: &Tree| matches!(argument, Tree::Symbol(time, _) if vocabulary.impact(time).is_some());
     let mut test = |node: &Tree| match node {
-        Tree::Call(name, ..) | Tree::Symbol(name, _) => name.subscript.is_empty() && is_state(name),
+        Tree::Call(name, argument, _) => name.subscript.is_empty() && is_state(name) && !at_impact(argument),
+        Tree::Symbol(name, _) => name.subscript.is_empty() && is_state(name),
         _ => false,
     };
     any(&equation.left, &mut test) || any(&equation.right, &mut test)

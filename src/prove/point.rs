@@ -306,6 +306,10 @@ fn periods(statement: &mut Statement) -> Vec<(Function, Term)> {
             continue;
         }
         let apart = statement.terms_mut().difference(u, v);
+        let moves = statement.derivative(apart, time);
+        if numerator(statement, moves).is_none_or(|form| !form.is_zero()) {
+            continue;
+        }
         let zero = statement.terms_mut().integer(0);
         let period = statement.terms_mut().substitute(apart, time, zero);
         let mut of = Some(f);
@@ -551,8 +555,9 @@ fn candidates(
         .filter(|(_, quantity)| matches!(quantity, Quantity::Parameter(_)))
         .map(|(symbol, _)| symbol)
         .collect();
+    let slope = statement.fresh("c");
     let terms = statement.terms_mut();
-    let t = terms.symbol(time);
+    let (t, coefficient) = (terms.symbol(time), terms.symbol(slope));
     let (one, two, pi) = (terms.integer(1), terms.integer(2), terms.add(Node::Pi));
     let mut rates = vec![one, pi, two];
     for parameter in parameters.into_iter().take(4) {
@@ -563,7 +568,8 @@ fn candidates(
         let whole = terms.product(vec![two, pi]);
         rates.push(terms.quotient(whole, rate));
     }
-    let mut shapes = vec![one, t, terms.integer(0), terms.add(Node::Power(t, 2))];
+    let line = terms.product(vec![coefficient, t]);
+    let mut shapes = vec![one, t, line, terms.integer(0), terms.add(Node::Power(t, 2))];
     for rate in rates {
         let angle = terms.product(vec![rate, t]);
         let (sine, cosine) = (
@@ -1550,6 +1556,27 @@ impl Search<'_> {
         number
     }
 
+    /// The named functions, and 0 for those of which nothing speaks but laws.
+    fn functions_with_silent_ones(&mut self) -> Vec<(Function, Symbol, Term)> {
+        let mut functions = self.functions.clone();
+        let spoken: BTreeSet<Function> = functions
+            .iter()
+            .map(|(f, ..)| *f)
+            .chain(self.table.iter().map(|(f, ..)| *f))
+            .collect();
+        let lines = self.statement.functions().to_vec();
+        for (number, of) in (0_u32..).zip(&lines) {
+            let function = Function(number);
+            let is_silent = matches!(of, FunctionOf::Line(_)) && family(&self.statement, function).is_disjoint(&spoken);
+            if is_silent {
+                let time = self.statement.fresh("t");
+                let zero = self.statement.terms_mut().integer(0);
+                functions.push((function, time, zero));
+            }
+        }
+        functions
+    }
+
     /// The witness of a choice, with what shows that its numbers meet the premises.
     fn witness(&mut self, system: &System, chosen: &[(Symbol, Term)], near: &[Term]) -> Option<With<Witness>> {
         let table: Vec<(Function, u32, Term, Term)> = self
@@ -1577,7 +1604,7 @@ impl Search<'_> {
         let mut witness = Witness {
             solved: system.solved.clone(),
             sample: chosen.to_vec(),
-            functions: self.functions.clone(),
+            functions: self.functions_with_silent_ones(),
             table,
             certificate: Certificate::default(),
         };
