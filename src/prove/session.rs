@@ -801,13 +801,26 @@ impl<'a> Session<'a> {
 
     /// Shows that a polynomial vanishes: by the triangle, then by an ideal of what is left.
     pub fn show_zero(&mut self, polynomial: &Polynomial) -> Option<usize> {
+        self.show_zero_by(polynomial, &mut |session, rest| session.show_rest(rest))
+    }
+
+    /// Shows that a polynomial vanishes by the triangle alone.
+    pub fn show_by_triangle(&mut self, polynomial: &Polynomial) -> Option<usize> {
+        self.show_zero_by(polynomial, &mut |_, _| None)
+    }
+
+    fn show_zero_by(
+        &mut self,
+        polynomial: &Polynomial,
+        show_rest: &mut dyn FnMut(&mut Self, &Polynomial) -> Option<usize>,
+    ) -> Option<usize> {
         if polynomial.is_zero() {
             return self.zero_step(Polynomial::default(), Vec::new(), Vec::new());
         }
         let (rest, links) = self.reduce(polynomial, false)?;
         let mut last = match rest.is_zero() {
             true => self.zero_step(rest, Vec::new(), Vec::new())?,
-            false => self.show_rest(&rest)?,
+            false => show_rest(self, &rest)?,
         };
         for link in links.into_iter().rev() {
             let mut terms = link.terms;
