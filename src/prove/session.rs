@@ -794,9 +794,14 @@ impl<'a> Session<'a> {
         Some((current, links))
     }
 
-    /// What a polynomial is modulo the triangle.
+    /// Whether a polynomial vanishes by the triangle.
+    pub fn reduces_to_zero(&mut self, polynomial: &Polynomial) -> bool {
+        self.reduce(polynomial, false).is_some_and(|(rest, _)| rest.is_zero())
+    }
+
+    /// What a polynomial is modulo the pivots with a number as leading coefficient, so that equal values have equal forms.
     pub fn normal_form(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
-        self.reduce(polynomial, false).map(|(rest, _)| rest)
+        self.reduce(polynomial, true).map(|(rest, _)| rest)
     }
 
     /// Shows that a polynomial vanishes: by the triangle, then by an ideal of what is left.
