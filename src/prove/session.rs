@@ -11,6 +11,9 @@ use crate::number::{Field, Rational};
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
+/// The most terms of a polynomial while it is reduced: what grows further is checked at great cost, if ever.
+const MOST_TERMS: usize = 4000;
+
 /// A proof in the making.
 pub struct Session<'a> {
     /// The laws found so far.
@@ -409,7 +412,17 @@ impl<'a> Session<'a> {
             if best.as_ref().is_some_and(|(known, _)| *known <= rank) {
                 continue;
             }
-            let Some((_, lead)) = self.nonzero_product(&lead) else {
+            let mut factors = self.nonzero_product(&lead);
+            if factors.is_none() && self.is_partial(generator) {
+                // that a derivative exists is known of what the lead was before it was reduced
+                let mut known = self.nonzeros();
+                known.retain(|&fact| !self.is_derived(fact) && self.checker.facts[fact].polynomial.terms().len() > 1);
+                for fact in known {
+                    self.reduced_fact(fact);
+                }
+                factors = self.nonzero_product(&lead);
+            }
+            let Some((_, lead)) = factors else {
                 continue;
             };
             best = Some((
@@ -775,6 +788,9 @@ impl<'a> Session<'a> {
                 let divisor = self.polynomial(pivot.fact);
                 let (multiplier, quotient, rest) =
                     pseudo_divide(&current, &divisor, pivot.generator, &mut self.budget).ok()??;
+                if rest.terms().len() > MOST_TERMS {
+                    return None;
+                }
                 let (scale, factors) = self.nonzero_product(&multiplier)?;
                 let inverse = Rational::one() / scale;
                 let after = rest.scaled(&inverse);
