@@ -231,7 +231,8 @@ fn laws_may_hold(statement: &mut Statement, functions: &[(Function, Symbol, Term
 fn equations(statement: &mut Statement) -> (Vec<Term>, Vec<Usable>) {
     let goals: Vec<Term> = statement.goal().iter().map(|(_, term)| *term).collect();
     let written: Vec<Term> = goals.iter().map(|goal| statement.written_out(*goal)).collect();
-    let mut session = Session::new(statement, Vec::new(), 2_000_000);
+    let whole = proof::large_bases(statement);
+    let mut session = Session::new(statement, whole, 2_000_000);
     // what is too large to be multiplied out has values all the same; derivatives have some even where they cancel
     let mut polynomials: Vec<Polynomial> = goals.into_iter().filter_map(|goal| session.numerator(goal)).collect();
     let inside = written
