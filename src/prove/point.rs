@@ -759,6 +759,9 @@ impl Search<'_> {
                 }
             }
         }
+        if let Some((number, form, generator)) = self.single_complex(system) {
+            best = Some(((0, 0, 0), number, form, generator));
+        }
         let Some((_, number, form, generator)) = best else {
             return Vec::new();
         };
@@ -770,6 +773,31 @@ impl Search<'_> {
         }
         ways.dedup();
         ways
+    }
+
+    /// A complex symbol that a single equation speaks of, a quadratic one with a number as leading coefficient: it has
+    /// a value whatever all else is.
+    fn single_complex(&mut self, system: &System) -> Option<(usize, Polynomial, Term)> {
+        for symbol in self.statement.complex_symbols().iter().copied().collect::<Vec<_>>() {
+            let holds = |term: &Term| self.statement.terms().holds(*term, symbol);
+            let mut speaking = system.open.iter().enumerate().filter(|(_, term)| holds(term));
+            let (Some((number, &term)), None) = (speaking.next(), speaking.next()) else {
+                continue;
+            };
+            let own = matches!(self.statement.quantity(symbol), Some(Quantity::Parameter(_)));
+            if !own || !self.statement.is_complex() || system.solved.iter().any(|(_, term)| holds(term)) {
+                continue;
+            }
+            let Some(form) = self.form(term) else { continue };
+            let generator = self.statement.terms_mut().symbol(symbol);
+            let coefficients = coefficients_in(&form, generator);
+            let lead = coefficients.last().and_then(Polynomial::as_constant);
+            let inside = |other: &Term| *other != generator && self.statement.terms().holds(*other, symbol);
+            if coefficients.len() == 3 && lead.is_some() && !form.generators().iter().any(inside) {
+                return Some((number, form, generator));
+            }
+        }
+        None
     }
 
     /// The factors of an equation, where it has several or a square.

@@ -146,6 +146,12 @@ fn attempt(session: &mut Session, property: Property, polynomial: &Polynomial) -
 
 /// By what is known of roots, logarithms, inverse functions and signs, then by cases.
 fn settle(session: &mut Session, property: Property, polynomial: &Polynomial, depth: usize) -> Option<()> {
+    if property == Property::Zero
+        && roots::as_claimed(session, polynomial).is_some()
+        && attempt(session, property, polynomial).is_some()
+    {
+        return Some(());
+    }
     for _ in 0..PASSES {
         let count = session.checker.facts.len();
         deduce(session, polynomial);
