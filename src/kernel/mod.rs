@@ -26,6 +26,6 @@ pub use polynomial::{Monomial, Polynomial, product};
 pub use statement::{FunctionOf, Given, Instance, Law, Property, Quantity, Statement, Step};
 pub use term::{Elementary, Function, Node, Symbol, Term, Terms};
 pub use verdict::{
-    Evaluated, Point, Proved, Refuted, With, contradicts, evaluate, follows, prove, refute, refute_nowhere,
+    EFFORT, Evaluated, Point, Proved, Refuted, With, contradicts, evaluate, follows, prove, refute, refute_nowhere,
 };
-pub use witness::Witness;
+pub use witness::{At, Witness};

@@ -101,6 +101,20 @@ impl<'a> At<'a> {
         Ok(at)
     }
 
+    /// The statement, to print what is at the point.
+    pub fn statement(&mut self) -> &mut Statement {
+        self.statement
+    }
+
+    /// The value of a term at the point, as a term without symbols.
+    ///
+    /// # Errors
+    /// A [`Refusal`] where an unknown function has no value at a time that the term speaks of.
+    pub fn value(&mut self, term: Term) -> Outcome<Term> {
+        let translated = self.translate(term, None)?;
+        Ok(self.sampled(translated, None))
+    }
+
     /// Values of the sample hold no symbols, real ones are real; solved values hold no solved symbols.
     fn check_values(&mut self) -> Outcome<()> {
         for (symbol, value) in self.witness.sample.iter().chain(&self.witness.solved) {

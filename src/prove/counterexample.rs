@@ -1,7 +1,7 @@
 //! Points at which the premises of a claim hold and the claim does not.
 
 use super::print::{simplified, tex};
-use crate::kernel::{Node, Property, Quantity, Statement, Symbol, Term, With, Witness, term_value};
+use crate::kernel::{At, EFFORT, Node, Property, Quantity, Statement, Symbol, Term, With, Witness, term_value};
 use crate::number::{Field, Interval, Rational, Wide};
 use std::collections::{BTreeSet, HashMap};
 use std::fmt;
@@ -29,64 +29,39 @@ impl fmt::Display for Counterexample {
 }
 
 /// A statement at a witness.
-pub struct Values<'a> {
-    statement: Statement,
-    witness: &'a Witness,
-    solved: HashMap<Symbol, Term>,
-    sample: HashMap<Symbol, Term>,
-}
+pub struct Values<'a>(At<'a>);
 
 impl<'a> Values<'a> {
-    pub fn new(witness: &'a With<Witness>) -> Self {
-        Self {
-            statement: witness.statement.clone(),
-            solved: witness.evidence.solved.iter().copied().collect(),
-            sample: witness.evidence.sample.iter().copied().collect(),
-            witness: &witness.evidence,
-        }
+    /// Nothing where the kernel does not take the witness. `statement` is the one that the witness is about.
+    pub fn new(statement: &'a mut Statement, witness: &'a Witness) -> Option<Self> {
+        At::new(statement, witness, EFFORT).ok().map(Self)
+    }
+
+    fn statement(&mut self) -> &mut Statement {
+        self.0.statement()
     }
 
     /// The value of a term, in its simplest form.
     fn of(&mut self, term: Term) -> Term {
-        let statement = &mut self.statement;
-        let mut term = statement.written_out(term);
-        for _ in 0..4 {
-            term = statement.with_functions(term, &self.witness.functions);
-            term = statement.terms_mut().rewrite(term, &mut |_, node| match node {
-                Node::Symbol(symbol) => self.solved.get(symbol).copied(),
-                Node::Value(function, order, at) => {
-                    let found = self
-                        .witness
-                        .table
-                        .iter()
-                        .find(|(f, n, time, _)| (f, n, time) == (function, order, at));
-                    found.map(|(.., value)| *value)
-                }
-                _ => None,
-            });
-        }
-        let term = statement.terms_mut().rewrite(term, &mut |_, node| match node {
-            Node::Symbol(symbol) => self.sample.get(symbol).copied(),
-            _ => None,
-        });
-        simplified(statement.terms_mut(), term)
+        let value = self.0.value(term).unwrap_or(term);
+        simplified(self.statement().terms_mut(), value)
     }
 
     /// The sides of what is written as their difference.
     fn sides(&mut self, difference: Term) -> [Term; 2] {
-        match self.statement.terms().node(difference).clone() {
-            Node::Sum(parts) if parts.len() == 2 => [parts[0], negated(&mut self.statement, parts[1])],
-            _ => [difference, self.statement.terms_mut().integer(0)],
+        match self.statement().terms().node(difference).clone() {
+            Node::Sum(parts) if parts.len() == 2 => [parts[0], negated(self.statement(), parts[1])],
+            _ => [difference, self.statement().terms_mut().integer(0)],
         }
     }
 
     /// The premises that are no laws: the label and the values of both sides.
     pub fn premises(&mut self) -> Vec<(String, String, String)> {
         let mut found = Vec::new();
-        for given in self.statement.givens().to_vec() {
+        for given in self.statement().givens().to_vec() {
             if given.property == Property::Zero && given.law.is_none() {
                 let values = self.sides(given.term).map(|side| self.of(side));
-                let [left, right] = values.map(|value| tex(self.statement.terms(), value));
+                let [left, right] = values.map(|value| tex(self.statement().terms(), value));
                 found.push((given.label, left, right));
             }
         }
@@ -96,7 +71,7 @@ impl<'a> Values<'a> {
     /// The first figures of the value of a term, as an enclosure of 40 digits has them.
     pub fn decimal(&mut self, term: Term) -> Option<String> {
         let value = self.of(term);
-        let enclosure: Interval<Wide<40>> = term_value(self.statement.terms(), value, &mut HashMap::new())?;
+        let enclosure: Interval<Wide<40>> = term_value(self.statement().terms(), value, &mut HashMap::new())?;
         let (low, high) = (
             enclosure.low().to_decimal(FIGURES),
             enclosure.high().to_decimal(FIGURES),
@@ -110,26 +85,19 @@ const FIGURES: usize = 12;
 
 /// The point of a witness, in the names of the sheet, and the two sides of the goal that fails there.
 pub fn at(witness: &With<Witness>) -> Option<Counterexample> {
-    let mut values = Values::new(witness);
+    let mut statement = witness.statement.clone();
+    let mut values = Values::new(&mut statement, &witness.evidence)?;
     let witness = &witness.evidence;
     // what the claim and its premises speak of
     let mut spoken: BTreeSet<Symbol> = BTreeSet::new();
-    let givens = values.statement.givens().iter();
-    let written: Vec<Term> = givens
-        .filter(|given| !given.label.starts_with('['))
-        .map(|given| given.term)
-        .chain(values.statement.goal().iter().map(|(_, term)| *term))
-        .collect();
+    let own = values.statement();
+    let givens = own.givens().iter().filter(|given| !given.label.starts_with('['));
+    let goals = own.goal().iter().map(|(_, term)| *term);
+    let written: Vec<Term> = givens.map(|given| given.term).chain(goals).collect();
     for term in written {
-        let whole = values.statement.written_out(term);
-        for inner in values
-            .statement
-            .terms()
-            .inside(term)
-            .into_iter()
-            .chain(values.statement.terms().inside(whole))
-        {
-            if let Node::Symbol(symbol) = values.statement.terms().node(inner) {
+        let whole = own.written_out(term);
+        for inner in own.terms().inside(term).into_iter().chain(own.terms().inside(whole)) {
+            if let Node::Symbol(symbol) = own.terms().node(inner) {
                 spoken.insert(*symbol);
             }
         }
@@ -143,36 +111,33 @@ pub fn at(witness: &With<Witness>) -> Option<Counterexample> {
     };
     let mut symbols: Vec<(i32, Symbol)> = spoken
         .into_iter()
-        .filter_map(|symbol| Some((order(&symbol, &values.statement)?, symbol)))
+        .filter_map(|symbol| Some((order(&symbol, values.statement())?, symbol)))
         .collect();
     symbols.sort();
     let mut point = Vec::new();
     for (_, symbol) in symbols {
-        let term = values.statement.terms_mut().symbol(symbol);
+        let term = values.statement().terms_mut().symbol(symbol);
         let found = values.of(term);
-        if values.statement.terms().is_closed(found) {
+        if values.statement().terms().is_closed(found) {
             point.push((
-                values.statement.terms().symbol_name(symbol).to_string(),
-                tex(values.statement.terms(), found),
+                values.statement().terms().symbol_name(symbol).to_string(),
+                tex(values.statement().terms(), found),
             ));
         }
     }
     for (function, order, time, _) in &witness.table {
-        let named = values.statement.value(*function, *order, *time);
-        let name = tex(values.statement.terms(), named);
+        let named = values.statement().value(*function, *order, *time);
+        let name = tex(values.statement().terms(), named);
         let found = values.of(named);
-        point.push((name, tex(values.statement.terms(), found)));
+        point.push((name, tex(values.statement().terms(), found)));
     }
     for (function, time, term) in &witness.functions {
-        let name = format!(
-            "{}({})",
-            values.statement.terms().function_name(*function),
-            values.statement.terms().symbol_name(*time)
-        );
+        let terms = values.statement().terms();
+        let name = format!("{}({})", terms.function_name(*function), terms.symbol_name(*time));
         let found = values.of(*term);
-        point.push((name, tex(values.statement.terms(), found)));
+        point.push((name, tex(values.statement().terms(), found)));
     }
-    let goals = values.statement.goal().to_vec();
+    let goals = values.statement().goal().to_vec();
     for (property, goal) in goals {
         let [first, second] = values.sides(goal);
         let (left, right) = (values.of(first), values.of(second));
@@ -181,13 +146,13 @@ pub fn at(witness: &With<Witness>) -> Option<Counterexample> {
         }
         let mut terms = Vec::new();
         for side in [first, second] {
-            let side = values.statement.written_out(side);
-            if let Node::Sum(parts) = values.statement.terms().node(side).clone() {
+            let side = values.statement().written_out(side);
+            if let Node::Sum(parts) = values.statement().terms().node(side).clone() {
                 for part in parts {
                     let found = values.of(part);
                     terms.push((
-                        tex(values.statement.terms(), part),
-                        tex(values.statement.terms(), found),
+                        tex(values.statement().terms(), part),
+                        tex(values.statement().terms(), found),
                     ));
                 }
             }
@@ -195,8 +160,8 @@ pub fn at(witness: &With<Witness>) -> Option<Counterexample> {
         let decimals = (values.decimal(first), values.decimal(second));
         return Some(Counterexample {
             point,
-            left: tex(values.statement.terms(), left),
-            right: tex(values.statement.terms(), right),
+            left: tex(values.statement().terms(), left),
+            right: tex(values.statement().terms(), right),
             decimals,
             terms,
         });

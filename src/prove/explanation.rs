@@ -344,7 +344,10 @@ fn refutation(witness: &With<Witness>, lines: &mut Vec<String>) {
     };
     lines.push("\nevery premise holds, exactly, and the claim does not, where".into());
     lines.extend(found.point.iter().map(|(name, value)| format!("  {name} = {value}")));
-    let mut values = Values::new(witness);
+    let mut statement = witness.statement.clone();
+    let Some(mut values) = Values::new(&mut statement, &witness.evidence) else {
+        return;
+    };
     lines.push("there the premises are".into());
     lines.extend(
         values

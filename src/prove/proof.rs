@@ -97,6 +97,24 @@ fn prove_goals(session: &mut Session) -> Option<()> {
     for (_, term) in &goals {
         polynomials.push(session.numerator(*term)?);
     }
+    given(session);
+    let generators = session.generators(&polynomials).into_iter();
+    let met = generators.flat_map(|term| session.checker.statement.terms().inside(term));
+    let met: BTreeSet<Term> = met.collect();
+    single_functions(session, &met);
+    session.triangulate_all();
+    // what follows from the premises as they stand needs no maps, laws and functions
+    for ((property, _), polynomial) in goals.iter().zip(&polynomials) {
+        if *property == Property::Zero {
+            session.show_by_triangle(polynomial);
+        }
+    }
+    if goals
+        .iter()
+        .all(|(property, term)| session.checker.knows(*property, *term) == Ok(true))
+    {
+        return Some(());
+    }
     prepare(session, &polynomials)?;
     for (property, term) in goals {
         if session.checker.knows(property, term).ok()? {
@@ -301,9 +319,16 @@ pub fn prepare_premises(session: &mut Session, goals: &[Polynomial]) -> Vec<valu
 }
 
 fn bring_in(session: &mut Session, goals: &[Polynomial]) {
+    given(session);
+    along(session, goals);
+}
+
+/// Brings in the premises that are no laws, and what abbreviations stand for.
+fn given(session: &mut Session) {
     for number in 0..session.checker.statement.givens().len() {
-        if session.checker.statement.givens()[number].law.is_none() {
-            let _ = session.step(Inference::Given(number));
+        let given = Inference::Given(number);
+        if session.checker.statement.givens()[number].law.is_none() && !session.steps.contains(&given) {
+            let _ = session.step(given);
         }
     }
     let definitions: Vec<crate::kernel::Symbol> = session.checker.statement.definitions().keys().copied().collect();
@@ -311,7 +336,6 @@ fn bring_in(session: &mut Session, goals: &[Polynomial]) {
         let term = session.terms().symbol(symbol);
         session.axiom(Axiom::Unfold(term));
     }
-    along(session, goals);
 }
 
 /// What is known of roots, logarithms, powers and inverse functions by themselves.

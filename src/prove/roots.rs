@@ -43,7 +43,7 @@ pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
             let _ = session.show_root_positive(term, &radicand);
         }
         if let Some(radicand) = session.numerator(of)
-            && session.normal_form(&radicand).is_some_and(|rest| rest.is_zero())
+            && session.reduces_to_zero(&radicand)
         {
             let zero = session.terms().integer(0);
             session.unique_root(term, zero);

@@ -799,20 +799,38 @@ impl<'a> Session<'a> {
         Some((current, links))
     }
 
-    /// What a polynomial is modulo the triangle.
+    /// Whether a polynomial vanishes by the triangle.
+    pub fn reduces_to_zero(&mut self, polynomial: &Polynomial) -> bool {
+        self.reduce(polynomial, false).is_some_and(|(rest, _)| rest.is_zero())
+    }
+
+    /// What a polynomial is modulo the pivots with a number as leading coefficient, so that equal values have equal forms.
     pub fn normal_form(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
-        self.reduce(polynomial, false).map(|(rest, _)| rest)
+        self.reduce(polynomial, true).map(|(rest, _)| rest)
     }
 
     /// Shows that a polynomial vanishes: by the triangle, then by an ideal of what is left.
     pub fn show_zero(&mut self, polynomial: &Polynomial) -> Option<usize> {
+        self.show_zero_by(polynomial, &mut |session, rest| session.show_rest(rest))
+    }
+
+    /// Shows that a polynomial vanishes by the triangle alone.
+    pub fn show_by_triangle(&mut self, polynomial: &Polynomial) -> Option<usize> {
+        self.show_zero_by(polynomial, &mut |_, _| None)
+    }
+
+    fn show_zero_by(
+        &mut self,
+        polynomial: &Polynomial,
+        show_rest: &mut dyn FnMut(&mut Self, &Polynomial) -> Option<usize>,
+    ) -> Option<usize> {
         if polynomial.is_zero() {
             return self.zero_step(Polynomial::default(), Vec::new(), Vec::new());
         }
         let (rest, links) = self.reduce(polynomial, false)?;
         let mut last = match rest.is_zero() {
             true => self.zero_step(rest, Vec::new(), Vec::new())?,
-            false => self.show_rest(&rest)?,
+            false => show_rest(self, &rest)?,
         };
         for link in links.into_iter().rev() {
             let mut terms = link.terms;
