@@ -266,7 +266,10 @@ fn the_motion_law_holds_at_each_impact_and_on_each_flight() {
         &[],
     );
     let law = r"\dot{Z}_k^+ = -r \dot{Z}_k^-";
-    proved(&[motion[0], law], ELEVEN, &["r = r_T"]);
+    // k is fixed: the law says nothing of the impact after it
+    refuted(&[motion[0], law], ELEVEN, &["r = r_T"]);
+    let next = r"\dot{Z}_{k+1}^+ = -r \dot{Z}_{k+1}^-";
+    proved(&[motion[0], next], ELEVEN, &["r = r_T"]);
     proved(&[THREE], NINE, &["r = r_B", "t = t_k + T_1"]);
 }
 

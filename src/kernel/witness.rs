@@ -5,7 +5,7 @@ use super::check::Checker;
 use super::enclosure;
 use super::expand::{Expansion, Refusal, derivative, vanishes};
 use super::polynomial::Polynomial;
-use super::statement::{FunctionOf, Given, Instance, Law, Property, Quantity, Statement};
+use super::statement::{FunctionOf, Given, Instance, Law, Property, Quantity, Statement, Step};
 use super::term::{Elementary, Function, Node, Symbol, Term};
 use crate::number::Rational;
 use num_traits::Zero;
@@ -450,7 +450,7 @@ impl<'a> At<'a> {
         for step in self.statement.steps.clone() {
             let own = |(of, by): &&(Symbol, Symbol)| step.of.contains(of) && step.by.contains(by);
             let wanted: BTreeSet<(Symbol, Symbol)> = partials.iter().filter(own).copied().collect();
-            if wanted.is_empty() || step.equations.len() != step.of.len() {
+            if wanted.is_empty() || (step.equations.len() < step.of.len() && !self.is_free(&step)?) {
                 continue;
             }
             for (label, term) in &step.equations {
@@ -478,6 +478,46 @@ impl<'a> At<'a> {
             true => Ok(()),
             false => refused("nothing determines a derivative along a map"),
         }
+    }
+
+    /// Whether a map of which too few equations are given may have all derivatives that meet these at the point: the
+    /// slopes of the equations are independent there (implicit function theorem), and nothing else that is given speaks
+    /// of what the map gives, but the equations of maps that start there.
+    fn is_free(&mut self, step: &Step) -> Outcome<bool> {
+        let determined = |step: &&Step| step.equations.len() == step.of.len();
+        let others = self.statement.steps.iter().filter(determined);
+        let mut known: Vec<Term> = others.flat_map(|step| &step.equations).map(|(_, term)| *term).collect();
+        known.extend(step.equations.iter().map(|(_, term)| *term));
+        for given in self.statement.givens.clone() {
+            let at_the_point = given.label == super::build::ASSUMPTIONS || given.property != Property::Zero;
+            if given.law.as_ref().is_some_and(|law| law.flight.is_some()) {
+                return Ok(false);
+            }
+            let written = self.statement.written_out(given.term);
+            let speaks = step.of.iter().any(|of| self.statement.terms.holds(written, *of));
+            if speaks && !at_the_point && !known.contains(&given.term) {
+                return Ok(false);
+            }
+        }
+        let size = step.equations.len();
+        let choices = (0_u32..1 << step.of.len().min(8)).filter(|choice| choice.count_ones() as usize == size);
+        for choice in choices {
+            let chosen = step.of.iter().enumerate().filter(|(place, _)| choice >> place & 1 == 1);
+            let minor = Step {
+                of: chosen.map(|(_, of)| *of).collect(),
+                ..step.clone()
+            };
+            let given = Given {
+                label: super::build::DERIVATIVES_EXIST.to_string(),
+                property: Property::Nonzero,
+                term: super::implicit::slope_determinant(self.statement, &minor),
+                law: None,
+            };
+            if self.holds(&given).is_ok() {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Whether a term is a polynomial in even powers of a symbol with positive coefficients, once the sample is put in.

@@ -12,7 +12,7 @@ use super::values::{self, Usable};
 use crate::algebra::{Steps, coefficients_in, degree_in, factors, primitive, rational_root, square_root};
 use crate::kernel::{
     CLAIM_DOMAIN, Certificate, Elementary, Expansion, Function, FunctionOf, Inference, Law, Node, Polynomial, Property,
-    Quantity, Statement, Symbol, Term, With, Witness,
+    Quantity, Statement, Symbol, Term, Terms, With, Witness,
 };
 use crate::number::{Field, Rational, Sequence};
 use num_traits::Zero;
@@ -35,6 +35,9 @@ const MOST_CASES: usize = 24;
 /// Products of terms for one numerator, and terms of all numerators for one unit of effort.
 const LARGEST_FORM: u64 = 20_000;
 const MOST_STEPS: u64 = 200_000;
+
+/// Products of terms for the numerators of the claim.
+const LARGEST_GOAL: u64 = 200_000;
 
 /// Choices of functions that meet the laws in floating point.
 const MOST_MODELS: usize = 60;
@@ -231,9 +234,17 @@ fn laws_may_hold(statement: &mut Statement, functions: &[(Function, Symbol, Term
 fn equations(statement: &mut Statement) -> (Vec<Term>, Vec<Usable>) {
     let goals: Vec<Term> = statement.goal().iter().map(|(_, term)| *term).collect();
     let written: Vec<Term> = goals.iter().map(|goal| statement.written_out(*goal)).collect();
-    let mut session = Session::new(statement, Vec::new(), 2_000_000);
+    let whole = proof::large_bases(statement);
+    let mut small = Expansion::new(whole.iter().copied().collect(), LARGEST_GOAL);
+    let mut session = Session::new(statement, whole, 2_000_000);
     // what is too large to be multiplied out has values all the same; derivatives have some even where they cancel
-    let mut polynomials: Vec<Polynomial> = goals.into_iter().filter_map(|goal| session.numerator(goal)).collect();
+    let mut polynomials: Vec<Polynomial> = Vec::new();
+    for goal in goals {
+        match small.of(session.checker.statement.terms(), goal) {
+            Ok(quotient) => polynomials.push(quotient.numerator),
+            Err(_) => polynomials.extend(spoken_of(session.checker.statement.terms(), goal)),
+        }
+    }
     let inside = written
         .into_iter()
         .flat_map(|term| session.checker.statement.terms().inside(term));
@@ -273,6 +284,18 @@ fn equations(statement: &mut Statement) -> (Vec<Term>, Vec<Usable>) {
         .map(|term| session.checker.statement.written_out(term))
         .collect();
     (found, laws)
+}
+
+/// The symbols and the values of functions in a term.
+fn spoken_of(terms: &Terms, term: Term) -> Vec<Polynomial> {
+    let is_generator = |inner: &Term| {
+        matches!(
+            terms.node(*inner),
+            Node::Symbol(_) | Node::Value(..) | Node::Elementary(..)
+        )
+    };
+    let inside = terms.inside(term).into_iter().filter(is_generator);
+    inside.map(Polynomial::generator).collect()
 }
 
 /// The periods that laws declare.
@@ -758,6 +781,9 @@ impl Search<'_> {
                 }
             }
         }
+        if let Some((number, form, generator)) = self.single_complex(system) {
+            best = Some(((0, 0, 0), number, form, generator));
+        }
         let Some((_, number, form, generator)) = best else {
             return Vec::new();
         };
@@ -769,6 +795,31 @@ impl Search<'_> {
         }
         ways.dedup();
         ways
+    }
+
+    /// A complex symbol that a single equation speaks of, a quadratic one with a number as leading coefficient: it has
+    /// a value whatever all else is.
+    fn single_complex(&mut self, system: &System) -> Option<(usize, Polynomial, Term)> {
+        for symbol in self.statement.complex_symbols().iter().copied().collect::<Vec<_>>() {
+            let holds = |term: &Term| self.statement.terms().holds(*term, symbol);
+            let mut speaking = system.open.iter().enumerate().filter(|(_, term)| holds(term));
+            let (Some((number, &term)), None) = (speaking.next(), speaking.next()) else {
+                continue;
+            };
+            let own = matches!(self.statement.quantity(symbol), Some(Quantity::Parameter(_)));
+            if !own || !self.statement.is_complex() || system.solved.iter().any(|(_, term)| holds(term)) {
+                continue;
+            }
+            let Some(form) = self.form(term) else { continue };
+            let generator = self.statement.terms_mut().symbol(symbol);
+            let coefficients = coefficients_in(&form, generator);
+            let lead = coefficients.last().and_then(Polynomial::as_constant);
+            let inside = |other: &Term| *other != generator && self.statement.terms().holds(*other, symbol);
+            if coefficients.len() == 3 && lead.is_some() && !form.generators().iter().any(inside) {
+                return Some((number, form, generator));
+            }
+        }
+        None
     }
 
     /// The factors of an equation, where it has several or a square.
@@ -1620,7 +1671,8 @@ impl Search<'_> {
         let mut wished = Vec::new();
         for term in givens {
             let term = self.translated(term, system)?;
-            if numerator(&self.statement, term)?.is_zero() {
+            // what is too large as it is may be small at the numbers
+            if numerator(&self.statement, term).is_some_and(|form| form.is_zero()) {
                 continue;
             }
             let term = self.statement.terms_mut().rewrite(term, &mut |_, node| match node {

@@ -71,7 +71,8 @@ pub fn contradiction(statement: &Statement, budget: u64) -> Option<With<Certific
     })
 }
 
-fn large_bases(statement: &Statement) -> Vec<Term> {
+/// Sums in the goals that are raised to large powers.
+pub fn large_bases(statement: &Statement) -> Vec<Term> {
     let mut whole = BTreeSet::new();
     let terms = statement.terms();
     for (_, term) in statement.goal() {
@@ -151,7 +152,10 @@ fn attempt(session: &mut Session, property: Property, polynomial: &Polynomial) -
             Some(fact) => fact,
             None => session.nonzero_fact(polynomial)?.0,
         },
-        Property::Positive => session.show_sign(polynomial, true)?,
+        Property::Positive => match session.show_sign(polynomial, true) {
+            Some(fact) => fact,
+            None => session.show_positive(polynomial)?,
+        },
         Property::NonNegative => session.show_sign(polynomial, false)?,
         Property::Integer => return None,
     };
@@ -160,6 +164,12 @@ fn attempt(session: &mut Session, property: Property, polynomial: &Polynomial) -
 
 /// By what is known of roots, logarithms, inverse functions and signs, then by cases.
 fn settle(session: &mut Session, property: Property, polynomial: &Polynomial, depth: usize) -> Option<()> {
+    if property == Property::Zero
+        && roots::as_claimed(session, polynomial).is_some()
+        && attempt(session, property, polynomial).is_some()
+    {
+        return Some(());
+    }
     for _ in 0..PASSES {
         let count = session.checker.facts.len();
         deduce(session, polynomial);

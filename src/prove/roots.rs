@@ -73,6 +73,35 @@ pub fn simplify(session: &mut Session, met: &BTreeSet<Term>) {
     }
 }
 
+/// Shows that a root is what a claim makes it, where the claim is linear in it.
+pub fn as_claimed(session: &mut Session, polynomial: &Polynomial) -> Option<()> {
+    for generator in polynomial.generators() {
+        if !matches!(session.node(generator), Node::Elementary(Elementary::Root(_), _))
+            || session.is_determined(generator)
+        {
+            continue;
+        }
+        let Ok([rest, lead]) = <[Polynomial; 2]>::try_from(coefficients_in(polynomial, generator)) else {
+            continue;
+        };
+        let Some(lead) = lead.as_constant().filter(|lead| !lead.is_zero()) else {
+            continue;
+        };
+        let value = rest.scaled(&(-Rational::one() / lead));
+        if value
+            .generators()
+            .iter()
+            .any(|&term| session.checker.statement.terms().inside(term).contains(&generator))
+        {
+            continue;
+        }
+        let value = polynomial_term(session, &value);
+        session.unique_root(generator, value)?;
+        return Some(());
+    }
+    None
+}
+
 /// The principal square root of a negative number, and of the square of a positive one.
 fn principal(session: &mut Session, root: Term) -> Option<()> {
     let Node::Elementary(Elementary::Root(2), of) = session.node(root) else {

@@ -373,8 +373,13 @@ impl<'a> Session<'a> {
             .collect();
         type Rank = (u32, bool, (u8, i32), usize);
         let mut best: Option<(Rank, Pivot)> = None;
+        // what speaks of derivatives along maps determines these, not what they depend on
+        let of_partials = polynomial.generators().iter().any(|&term| self.is_partial(term));
         for generator in polynomial.generators() {
-            if !may(self.checker.statement.terms(), generator) {
+            let is_symbol = matches!(self.node(generator), Node::Symbol(_) | Node::Value(..));
+            if !may(self.checker.statement.terms(), generator)
+                || (of_partials && is_symbol && !self.is_partial(generator))
+            {
                 continue;
             }
             let coefficients = coefficients_in(&polynomial, generator);
@@ -474,7 +479,7 @@ impl<'a> Session<'a> {
         let polynomial = self.polynomial(fact);
         let generators = polynomial.generators();
         let linear = |session: &Self, term: Term| session.is_determined(term);
-        if !generators.iter().any(|&term| linear(self, term)) {
+        if !generators.iter().any(|&term| linear(self, term)) || generators.iter().any(|&term| self.is_partial(term)) {
             return None;
         }
         let mut best: Option<((u8, i32), Pivot)> = None;

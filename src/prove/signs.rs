@@ -484,6 +484,24 @@ impl Session<'_> {
         })
     }
 
+    /// Shows that what is neither negative nor 0 is positive.
+    pub fn show_positive(&mut self, polynomial: &Polynomial) -> Option<usize> {
+        let nonzero = match self.show_nonzero(polynomial) {
+            Some(fact) => fact,
+            None => self.nonzero_fact(polynomial)?.0,
+        };
+        self.show_sign(polynomial, false)?;
+        self.by_cases(polynomial, true, Property::Positive, polynomial, &mut |session| {
+            session.triangulate_all();
+            if let Some(copy) = session.reduced_fact(nonzero)
+                && session.polynomial(copy).is_zero()
+            {
+                session.absurd_from(copy);
+            }
+            session.show_absurd().then_some(())
+        })
+    }
+
     /// Shows that a sine is not negative where its argument is between 0 and pi.
     pub fn show_sine_sign(&mut self, argument: Term) -> Option<usize> {
         let pi = self.terms().add(Node::Pi);
