@@ -228,7 +228,7 @@ impl<'a> Builder<'a> {
             for condition in &premise.assume {
                 conditions.push(builder.condition(condition).map_err(named)?);
             }
-            builder.give(&premise.label, property, term, conditions);
+            builder.give(&own_label(&premise.label), property, term, conditions);
         }
         let number = statements
             .claims
@@ -1355,6 +1355,17 @@ impl<'a> Builder<'a> {
                 self.push(&label, Property::Nonzero, term, None);
             }
         }
+    }
+}
+
+/// The label of a premise, told apart from those that the kernel gives itself.
+fn own_label(label: &str) -> String {
+    let is_kernels = [CLAIM_DOMAIN, ASSUMPTIONS].contains(&label)
+        || label.starts_with(DERIVATIVES_EXIST)
+        || label.starts_with("[symbols]");
+    match is_kernels {
+        true => format!("premise {label}"),
+        false => label.to_string(),
     }
 }
 
