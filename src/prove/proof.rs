@@ -8,9 +8,7 @@ use super::roots;
 use super::session::Session;
 use super::values;
 use crate::algebra::factors;
-use crate::kernel::{
-    Axiom, Certificate, Elementary, Inference, Node, Polynomial, Property, Quantity, Statement, Term, With,
-};
+use crate::kernel::{Axiom, Certificate, Elementary, Inference, Node, Polynomial, Property, Statement, Term, With};
 use std::collections::BTreeSet;
 
 /// The largest power of a sum that is multiplied out rather than kept whole.
