@@ -44,7 +44,7 @@ fn only_the_verdicts_of_the_kernel_are_verdicts() {
     let expected = [
         "verdict.rs: Ok(Proved {",
         "verdict.rs: Ok(Refuted { nowhere: true })",
-        "verdict.rs: true => Ok(Refuted { nowhere: false }),",
+        "verdict.rs: Ok(true) => Evaluated::Fails(Refuted { nowhere: false }),",
     ];
     let of_kernel: Vec<&String> = made.iter().filter(|line| line.starts_with("verdict.rs")).collect();
     assert_eq!(of_kernel, expected, "{made:#?}");

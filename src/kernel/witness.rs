@@ -229,6 +229,16 @@ impl<'a> At<'a> {
         Ok(self.rank(around)? + within >= symbols.len())
     }
 
+    /// Whether a term is a sum of symbols with numbers as coefficients.
+    fn is_linear(&self, term: Term) -> bool {
+        let quotient = Expansion::new(BTreeSet::new(), self.effort).of(&self.statement.terms, term);
+        let is_symbol = |term: Term| matches!(self.statement.terms.node(term), Node::Symbol(_));
+        quotient.is_ok_and(|quotient| {
+            let of = &quotient.numerator;
+            quotient.divisors.is_empty() && of.degree() <= 1 && of.generators().into_iter().all(is_symbol)
+        })
+    }
+
     /// Terms in these symbols and others of a kind that vanish by premises or definitions, as far as they bind these
     /// symbols, directly or through others; and all symbols that take part.
     fn premises_on(&mut self, of: &[Symbol], others: &dyn Fn(&Quantity) -> bool) -> (Vec<Term>, Vec<Symbol>) {
@@ -252,7 +262,9 @@ impl<'a> At<'a> {
                 Node::Value(..) => false,
                 _ => true,
             };
-            inside.into_iter().all(is_plain)
+            // a premise with others is linear: what it allows has no parts, of which one may be thin
+            let own = self.statement.symbols_in(term).iter().all(|symbol| of.contains(symbol));
+            inside.into_iter().all(is_plain) && (own || self.is_linear(term))
         });
         let (mut premises, mut symbols): (Vec<Term>, BTreeSet<Symbol>) = (Vec::new(), of.iter().copied().collect());
         while let Some(next) = open.iter().position(|&term| {
