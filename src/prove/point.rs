@@ -800,7 +800,7 @@ impl Search<'_> {
     /// A complex symbol that a single equation speaks of, a quadratic one with a number as leading coefficient: it has
     /// a value whatever all else is.
     fn single_complex(&mut self, system: &System) -> Option<(usize, Polynomial, Term)> {
-        for symbol in self.statement.complex_symbols().iter().copied().collect::<Vec<_>>() {
+        for symbol in self.statement.complex_symbols().to_vec() {
             let holds = |term: &Term| self.statement.terms().holds(*term, symbol);
             let mut speaking = system.open.iter().enumerate().filter(|(_, term)| holds(term));
             let (Some((number, &term)), None) = (speaking.next(), speaking.next()) else {
