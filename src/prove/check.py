@@ -373,7 +373,10 @@ class Statement:
                 ])
             elif kind == "power":
                 base, exponent = node[1:]
-                result = self.product([self.number(exponent), self.add(("power", base, exponent - 1)), done[base]])
+                if exponent in (0, 1):
+                    result = done[base] if exponent else zero
+                else:
+                    result = self.product([self.number(exponent), self.add(("power", base, exponent - 1)), done[base]])
             elif kind == "quotient":
                 above, below = inner_parts
                 relative = self.quotient(done[below], below)
@@ -1425,7 +1428,14 @@ class Point:
 
     def check_given(self, holds, term):
         if holds == ZERO and self.s.generic:
-            numerator, _ = Expansion(self.s).of(self.translate(term))
+            # what the generic symbols depend on runs around the point, all else stays
+            around = set()
+            for symbol in self.s.generic:
+                value = self.translate(self.s.add(("symbol", symbol)))
+                nodes = [self.s.nodes[inner] for inner in self.s.inside(value)]
+                around |= {node[1] for node in nodes if node[0] == "symbol"}
+            fixed = {symbol: value for symbol, value in self.sample.items() if symbol not in around}
+            numerator, _ = Expansion(self.s).of(self.put_in(self.translate(term), fixed))
             require(not numerator, "the premise does not hold identically in the generic symbols")
         require(self.holds(holds, term), "it does not hold at the point")
 
