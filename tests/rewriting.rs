@@ -93,7 +93,7 @@ proptest! {
 
     #[test]
     fn written_in_another_way(seed in any::<u64>(), which in 0usize..14, wrong in any::<bool>()) {
-        static UNDECIDED: Undecided = Undecided::at_most(10);
+        static UNDECIDED: Undecided = Undecided::at_most(24);
         let bench = Bench::new();
         let claims = claims(&bench);
         let claim = &claims[which % claims.len()];
