@@ -489,3 +489,29 @@ fn a_huge_negative_exponent_is_not_one_less() {
     let followed = vibro_audit::kernel::Checker::new(&mut copy, &Certificate::default(), 1_000_000).follow(&steps);
     assert!(followed.is_err());
 }
+
+#[test]
+fn a_derivative_along_a_recursion_is_not_free() {
+    let asked = question(
+        "[symbols]\nparameters = ['a']\nstates = ['x']\nindices = ['n']\n[[equation]]\nlabel = \"p\"\nrole = \"premise\"\ntex = 'x_{n+1} = 3 x_n'\n\
+         [[equation]]\nlabel = \"1\"\nrole = \"claim\"\ntex = '\\frac{\\partial x_{n+2}}{\\partial x_{n+1}} = 3'\nfollows_from = [\"p\"]\n",
+    );
+    let mut own = asked.statement.clone();
+    let mut sample = Vec::new();
+    for (number, quantity) in (0_u32..).zip(asked.statement.quantities()) {
+        let value = match quantity {
+            Quantity::State { index, .. } => 3_i64.pow(index.unsigned_abs()),
+            Quantity::Partial { .. } => 5,
+            _ => 1,
+        };
+        sample.push((Symbol(number), own.terms_mut().integer(value)));
+    }
+    let point = With {
+        statement: own,
+        evidence: Witness {
+            sample,
+            ..Witness::default()
+        },
+    };
+    assert!(refute(&asked.statement, &point).is_err());
+}

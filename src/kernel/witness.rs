@@ -501,13 +501,17 @@ impl<'a> At<'a> {
         let mut known: Vec<Term> = others.flat_map(|step| &step.equations).map(|(_, term)| *term).collect();
         known.extend(step.equations.iter().map(|(_, term)| *term));
         for given in self.statement.givens.clone() {
-            let at_the_point = given.label == super::build::ASSUMPTIONS || given.property != Property::Zero;
-            if given.law.as_ref().is_some_and(|law| law.flight.is_some()) {
+            // what holds at every impact or in every flight speaks of these too
+            if given
+                .law
+                .as_ref()
+                .is_some_and(|law| law.flight.is_some() || law.every_impact)
+            {
                 return Ok(false);
             }
             let written = self.statement.written_out(given.term);
             let speaks = step.of.iter().any(|of| self.statement.terms.holds(written, *of));
-            if speaks && !at_the_point && !known.contains(&given.term) {
+            if speaks && given.property == Property::Zero && !known.contains(&given.term) {
                 return Ok(false);
             }
         }
