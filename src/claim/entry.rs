@@ -7,7 +7,7 @@ use super::nearest::nearest;
 use super::substitute::any;
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
-use crate::tex::{Condition, Equation, Name, Relation, Tree, read, read_conditions};
+use crate::tex::{Condition, Equation, Lines, Name, Relation, Tree, read, read_conditions};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashSet};
 use toml::Spanned;
@@ -244,7 +244,7 @@ fn sides<'a>(equation: &'a Equation, source: &'a Source) -> [(&'a Tree, &'a Sour
 /// # Errors
 /// The [`Fault`] of a label in `follows_from` that no entry has.
 pub(super) fn read_entry(
-    text: &str,
+    lines: &Lines,
     raw: &RawEntry,
     positions: &BTreeMap<&str, usize>,
     vocabulary: &Vocabulary,
@@ -254,13 +254,13 @@ pub(super) fn read_entry(
     let mut seen = HashSet::new();
     for label in raw.follows_from.iter().flatten() {
         let Some(&position) = positions.get(label.get_ref().as_str()) else {
-            return Err(no_label(label.get_ref(), positions).at(&Source::new(text, label)));
+            return Err(no_label(label.get_ref(), positions).at(&Source::new(lines, label)));
         };
         if seen.insert(position) {
             follows_from.push(position);
         }
     }
-    let tex = Source::new(text, &raw.tex);
+    let tex = Source::new(lines, &raw.tex);
     let mut faults = Vec::new();
     let mut keep = |read: Result<Vec<Equation>, Fault>| {
         read.unwrap_or_else(|fault| {
@@ -274,7 +274,7 @@ pub(super) fn read_entry(
         Vec::new()
     };
     let mut sourced = |list: &[Spanned<String>]| -> Vec<(Equation, Source)> {
-        let sources = list.iter().filter(|_| wanted).map(|value| Source::new(text, value));
+        let sources = list.iter().filter(|_| wanted).map(|value| Source::new(lines, value));
         let read = sources.map(|source| {
             let equations = keep(read_tex(&source, vocabulary));
             equations.into_iter().map(move |equation| (equation, source.clone()))
@@ -284,7 +284,7 @@ pub(super) fn read_entry(
     let (local, with) = (sourced(&raw.local), sourced(&raw.with));
     let mut assume = Vec::new();
     for value in raw.assume.iter().filter(|_| wanted) {
-        let source = Source::new(text, value);
+        let source = Source::new(lines, value);
         match read_conditions(&source.tex, &vocabulary.names) {
             Ok(conditions) => assume.extend(conditions.into_iter().map(|condition| (condition, source.clone()))),
             Err(error) => faults.push(source.fault(error.at, error.reason.to_string())),

@@ -1,6 +1,6 @@
 //! What is wrong with a sheet, and where.
 
-use crate::tex::Place;
+use crate::tex::{Lines, Place};
 use std::fmt;
 use toml::Spanned;
 
@@ -18,11 +18,11 @@ pub struct Source {
 const MOST_SHOWN: usize = 160;
 
 impl Source {
-    pub(super) fn new(text: &str, value: &Spanned<String>) -> Self {
+    pub(super) fn new(lines: &Lines, value: &Spanned<String>) -> Self {
         let span = value.span();
-        let raw = text.get(span.clone()).unwrap_or_default();
+        let raw = lines.text.get(span.clone()).unwrap_or_default();
         let offset = raw.find(value.get_ref().as_str());
-        let Place { line, column } = Place::of(text, span.start + offset.unwrap_or(0));
+        let Place { line, column } = lines.place(span.start + offset.unwrap_or(0));
         Self {
             tex: value.get_ref().clone(),
             line,

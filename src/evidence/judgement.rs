@@ -158,8 +158,10 @@ impl Witness<'_> {
             };
             self.look::<N>(&mut search, many, 1);
         }
-        if self.verdict == Verdict::Proved && !search.found.is_empty() && agrees(&search) {
-            self.probe::<N>(&mut search);
+        if !search.found.is_empty() && agrees(&search) {
+            if self.verdict == Verdict::Proved {
+                self.probe::<N>(&mut search);
+            }
             self.look_closer::<N>(&mut search);
         }
         if search.found.is_empty() {

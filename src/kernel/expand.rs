@@ -24,6 +24,9 @@ pub enum Refusal {
     Other(String),
 }
 
+/// A polynomial with more monomials than this is not built, whatever effort is left, so that memory stays bounded.
+const MOST_MONOMIALS: usize = 20_000;
+
 /// Expands terms, those in `whole` excepted: they stay generators, as functions and symbols do.
 pub struct Expansion {
     pub whole: BTreeSet<Term>,
@@ -67,7 +70,7 @@ impl Expansion {
         self.effort = self.effort.checked_sub(cost).ok_or(Refusal::Effort)?;
         // exponents that do not fit would be cut off without a word
         a.degree().checked_add(b.degree()).ok_or(Refusal::Effort)?;
-        Ok(a.times(b))
+        bounded(a.times(b))
     }
 
     /// The power, within the effort.
@@ -184,10 +187,17 @@ impl Expansion {
                 None => divisors.push((divisor, power)),
             }
         }
-        Ok(Quotient {
-            numerator: left.plus(&right),
-            divisors,
-        })
+        let cost = (left.terms().len() + right.terms().len()) as u64;
+        self.effort = self.effort.checked_sub(cost).ok_or(Refusal::Effort)?;
+        let numerator = bounded(left.plus(&right))?;
+        Ok(Quotient { numerator, divisors })
+    }
+}
+
+fn bounded(polynomial: Polynomial) -> Result<Polynomial, Refusal> {
+    match polynomial.terms().len() > MOST_MONOMIALS {
+        true => Err(Refusal::Effort),
+        false => Ok(polynomial),
     }
 }
 

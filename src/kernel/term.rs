@@ -57,6 +57,8 @@ pub enum Node {
 pub struct Terms {
     nodes: Vec<Node>,
     numbers: HashMap<Node, Term>,
+    /// Whether a symbol or a value of an unknown function is inside, by the number of the term.
+    open: Vec<bool>,
     /// How each symbol is printed, by its number.
     symbols: Vec<String>,
     /// How each unknown function is printed, by its number.
@@ -74,6 +76,9 @@ impl Terms {
             return known;
         }
         let term = Term(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
+        let open = matches!(node, Node::Symbol(_) | Node::Value(..))
+            || parts_of(&node).any(|part| self.open.get(part.0 as usize).is_none_or(|&open| open));
+        self.open.push(open);
         self.numbers.insert(node.clone(), term);
         self.nodes.push(node);
         term
@@ -250,8 +255,7 @@ impl Terms {
 
     /// Whether no symbol and no unknown function occurs in the term.
     pub fn is_closed(&self, term: Term) -> bool {
-        let open = |inner: &Term| matches!(self.node(*inner), Node::Symbol(_) | Node::Value(..));
-        !self.inside(term).iter().any(open)
+        self.open.get(term.0 as usize) == Some(&false)
     }
 }
 

@@ -36,6 +36,9 @@ const MOST_CASES: usize = 24;
 const LARGEST_FORM: u64 = 20_000;
 const MOST_STEPS: u64 = 200_000;
 
+/// Terms that a solution is put into, and terms that are new then, that cost as much as one term of a numerator.
+const MET_IN_A_STEP: u64 = 8;
+
 /// Products of terms for the numerators of the claim.
 const LARGEST_GOAL: u64 = 200_000;
 
@@ -935,6 +938,7 @@ impl Search<'_> {
             Way::Put(number, symbol, solution) => {
                 system.open.remove(number);
                 let terms = self.statement.terms_mut();
+                let known = terms.len();
                 for term in &mut system.open {
                     *term = terms.substitute(*term, symbol, solution);
                 }
@@ -945,6 +949,8 @@ impl Search<'_> {
                 for (_, _, time, _) in &mut self.table {
                     *time = terms.substitute(*time, symbol, solution);
                 }
+                let met = system.open.len() + system.solved.len() + terms.len() - known;
+                self.steps_left = self.steps_left.saturating_sub(met as u64 / MET_IN_A_STEP);
             }
         }
     }

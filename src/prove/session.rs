@@ -9,7 +9,10 @@ use crate::kernel::{
 };
 use crate::number::{Field, Rational};
 use num_traits::{One, Zero};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+
+/// What an inference costs, as steps of a division do.
+const STEPS_OF_INFERENCE: u64 = 20;
 
 /// The most terms of a polynomial while it is reduced: what grows further is checked at great cost, if ever.
 const MOST_TERMS: usize = 4000;
@@ -242,6 +245,7 @@ impl<'a> Session<'a> {
 
     /// Adds a step, and gives the number of the fact that it makes.
     pub fn step(&mut self, step: Inference) -> Result<usize, Refusal> {
+        self.budget.take(STEPS_OF_INFERENCE).map_err(|_| Refusal::Effort)?;
         self.checker.apply(&step)?;
         self.steps.push(step);
         Ok(self.checker.facts.len() - 1)
@@ -353,6 +357,7 @@ impl<'a> Session<'a> {
     /// linear in a new generator and the triangle stays without circles, else reduced by those in it. `may` says which
     /// generators may be.
     pub fn triangulate(&mut self, fact: usize, may: &dyn Fn(&Terms, Term) -> bool) -> Option<()> {
+        self.budget.take(self.triangle.len() as u64).ok()?;
         if let Some(pivot) = self.definition(fact, may) {
             self.triangle.push(pivot);
             self.sort_triangle();
@@ -523,15 +528,17 @@ impl<'a> Session<'a> {
 
     /// Whether what determines these generators, or them in turn, holds another one.
     fn leads_to(&self, from: &[Term], to: Term) -> bool {
-        let (mut open, mut met): (Vec<Term>, BTreeSet<Term>) = (from.to_vec(), BTreeSet::new());
+        let pivots: HashMap<Term, &Pivot> = self.triangle.iter().map(|pivot| (pivot.generator, pivot)).collect();
+        let (mut open, mut met): (Vec<Term>, HashSet<Term>) = (from.to_vec(), HashSet::new());
         open.retain(|&term| term != to);
         while let Some(term) = open.pop() {
             if term == to {
                 return true;
             }
-            if met.insert(term) {
-                let pivots = self.triangle.iter().filter(|pivot| pivot.generator == term);
-                open.extend(pivots.flat_map(|pivot| pivot.by.clone()));
+            if let Some(pivot) = pivots.get(&term)
+                && met.insert(term)
+            {
+                open.extend(&pivot.by);
             }
         }
         false
@@ -539,11 +546,28 @@ impl<'a> Session<'a> {
 
     /// What is determined by others stands before these, so that nothing is reduced twice.
     fn sort_triangle(&mut self) {
-        let mut open = std::mem::take(&mut self.triangle);
-        while !open.is_empty() {
-            let needed: BTreeSet<Term> = open.iter().flat_map(|pivot| pivot.by.clone()).collect();
-            let first = open.iter().position(|pivot| !needed.contains(&pivot.generator));
-            self.triangle.push(open.remove(first.unwrap_or(0)));
+        let unsorted = std::mem::take(&mut self.triangle);
+        let places: HashMap<Term, usize> = (0..)
+            .zip(&unsorted)
+            .map(|(place, pivot)| (pivot.generator, place))
+            .collect();
+        let determined =
+            |pivot: &Pivot| -> Vec<usize> { pivot.by.iter().filter_map(|by| places.get(by).copied()).collect() };
+        let mut needed = vec![0usize; unsorted.len()];
+        for place in unsorted.iter().flat_map(determined) {
+            needed[place] += 1;
+        }
+        let mut open: BTreeSet<usize> = (0..unsorted.len()).collect();
+        let mut free: BTreeSet<usize> = open.iter().copied().filter(|&place| needed[place] == 0).collect();
+        while let Some(place) = free.pop_first().or_else(|| open.first().copied()) {
+            open.remove(&place);
+            for by in determined(&unsorted[place]) {
+                needed[by] -= 1;
+                if needed[by] == 0 && open.contains(&by) {
+                    free.insert(by);
+                }
+            }
+            self.triangle.push(unsorted[place].clone());
         }
         self.version += 1;
     }
@@ -659,21 +683,23 @@ impl<'a> Session<'a> {
         let mut current = fact;
         for _ in 0..50 {
             let mut changed = false;
-            for pivot in self.triangle.clone() {
-                let polynomial = self.polynomial(current);
-                if pivot.fact == current || degree_in(&polynomial, pivot.generator) < pivot.degree {
+            for place in 0..self.triangle.len() {
+                let pivot = &self.triangle[place];
+                let (known, generator, degree) = (pivot.fact, pivot.generator, pivot.degree);
+                if known == current || degree_in(&self.checker.facts[current].polynomial, generator) < degree {
                     continue;
                 }
-                let divisor = self.polynomial(pivot.fact);
+                let polynomial = self.polynomial(current);
+                let divisor = self.polynomial(known);
                 let (multiplier, quotient, rest) =
-                    pseudo_divide(&polynomial, &divisor, pivot.generator, &mut self.budget).ok()??;
+                    pseudo_divide(&polynomial, &divisor, generator, &mut self.budget).ok()??;
                 let step = match property {
                     Property::Zero => Inference::Zero {
                         target: rest,
                         power: 1,
                         squares: Vec::new(),
                         factors: Vec::new(),
-                        terms: vec![(multiplier, current), (quotient.negated(), pivot.fact)],
+                        terms: vec![(multiplier, current), (quotient.negated(), known)],
                     },
                     Property::Nonzero | Property::Positive | Property::NonNegative => {
                         let (scale, factors) = self.nonzero_product(&multiplier)?;
@@ -686,7 +712,7 @@ impl<'a> Session<'a> {
                                 target: rest,
                                 cofactor: Polynomial::constant(&inverse),
                                 factors: all,
-                                terms: vec![(quotient.negated().scaled(&inverse), pivot.fact)],
+                                terms: vec![(quotient.negated().scaled(&inverse), known)],
                             }
                         } else {
                             if !factors.is_empty() || scale <= Rational::zero() {
@@ -702,7 +728,7 @@ impl<'a> Session<'a> {
                                 strict: property == Property::Positive,
                                 factors: Vec::new(),
                                 summands: vec![summand],
-                                terms: vec![(quotient.negated(), pivot.fact)],
+                                terms: vec![(quotient.negated(), known)],
                             }
                         }
                     }
@@ -786,13 +812,15 @@ impl<'a> Session<'a> {
         let (mut current, mut links) = (polynomial.clone(), Vec::new());
         for _ in 0..50 {
             let mut changed = false;
-            for pivot in self.triangle.clone() {
-                if degree_in(&current, pivot.generator) < pivot.degree || (exact && !pivot.lead.is_empty()) {
+            for place in 0..self.triangle.len() {
+                let pivot = &self.triangle[place];
+                let (known, generator) = (pivot.fact, pivot.generator);
+                if degree_in(&current, generator) < pivot.degree || (exact && !pivot.lead.is_empty()) {
                     continue;
                 }
-                let divisor = self.polynomial(pivot.fact);
+                let divisor = self.polynomial(known);
                 let (multiplier, quotient, rest) =
-                    pseudo_divide(&current, &divisor, pivot.generator, &mut self.budget).ok()??;
+                    pseudo_divide(&current, &divisor, generator, &mut self.budget).ok()??;
                 if rest.terms().len() > MOST_TERMS {
                     return None;
                 }
@@ -802,7 +830,7 @@ impl<'a> Session<'a> {
                 links.push(Link {
                     before: current,
                     factors,
-                    terms: vec![(quotient.scaled(&inverse), pivot.fact)],
+                    terms: vec![(quotient.scaled(&inverse), known)],
                     after: after.clone(),
                 });
                 current = after;
@@ -1022,8 +1050,11 @@ impl<'a> Session<'a> {
                 let Some(number) = session.reduced_fact(fact) else {
                     continue;
                 };
-                let polynomial = session.polynomial(number);
-                let known = |&other: &usize| session.polynomial(other).is_multiple_of(&polynomial);
+                if session.budget.take(kept.len() as u64).is_err() {
+                    break;
+                }
+                let polynomial = &session.checker.facts[number].polynomial;
+                let known = |&other: &usize| session.checker.facts[other].polynomial.is_multiple_of(polynomial);
                 if polynomial.as_constant().is_none() && !kept.iter().any(known) {
                     kept.push(number);
                 }

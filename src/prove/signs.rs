@@ -152,6 +152,9 @@ impl Session<'_> {
 
     /// The facts with signs, and those that vanish, that speak of the symbols of a polynomial.
     fn signs_near(&mut self, polynomial: &Polynomial) -> (Vec<usize>, Vec<usize>) {
+        if self.budget.take(self.checker.facts.len() as u64).is_err() {
+            return (Vec::new(), Vec::new());
+        }
         let mut facts: Vec<usize> = self.reduced_signs();
         facts.retain(|&fact| self.polynomial(fact).as_constant().is_none());
         let mut powers: Vec<usize> = self

@@ -53,5 +53,5 @@ pub use display::{read, read_expression, read_name};
 pub use error::{ReadError, Reason};
 pub use evaluate::{EvaluationError, Scope, Unsupported, evaluate};
 pub use names::Names;
-pub use place::Place;
+pub use place::{Lines, Place};
 pub use tree::{At, Condition, Equation, Invariant, Name, Relation, Tree};

@@ -9,19 +9,41 @@ pub struct Place {
     pub column: usize,
 }
 
-impl Place {
-    /// The place of byte `at` of `text`; within a character, that character's; beyond the end, the end.
-    pub fn of(text: &str, at: usize) -> Self {
-        let mut at = at.min(text.len());
-        while !text.is_char_boundary(at) {
+/// A text and where its lines start, for the places of many bytes of it.
+#[derive(Debug)]
+pub struct Lines<'a> {
+    pub text: &'a str,
+    starts: Vec<usize>,
+}
+
+impl<'a> Lines<'a> {
+    /// The lines of a text.
+    pub fn new(text: &'a str) -> Self {
+        let ends = text.match_indices('\n').map(|(end, _)| end + 1);
+        let starts = std::iter::once(0).chain(ends).collect();
+        Self { text, starts }
+    }
+
+    /// The place of byte `at`; within a character, that character's; beyond the end, the end.
+    pub fn place(&self, at: usize) -> Place {
+        let mut at = at.min(self.text.len());
+        while !self.text.is_char_boundary(at) {
             at -= 1;
         }
-        let before = text.get(..at).unwrap_or_default();
-        let last = before.rsplit('\n').next().unwrap_or_default();
-        Self {
-            line: before.matches('\n').count() + 1,
-            column: last.chars().count() + 1,
+        let line = self.starts.partition_point(|&start| start <= at);
+        let start = line.checked_sub(1).and_then(|n| self.starts.get(n)).copied();
+        let before = self.text.get(start.unwrap_or(0)..at).unwrap_or_default();
+        Place {
+            line,
+            column: before.chars().count() + 1,
         }
+    }
+}
+
+impl Place {
+    /// The place of one byte of `text`, as [`Lines::place`] says.
+    pub fn of(text: &str, at: usize) -> Self {
+        Lines::new(text).place(at)
     }
 }
 

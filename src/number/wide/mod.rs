@@ -168,6 +168,9 @@ impl<const DIGITS: usize> fmt::Display for Wide<DIGITS> {
         let Some(big) = &self.0 else {
             return f.write_str("NaN");
         };
+        if text::needs_power_of_two(big.repr().exponent()) {
+            return f.write_str(&self.to_decimal(DIGITS));
+        }
         let decimal = big.clone().with_base_and_precision::<10>(Self::digits()).value();
         decimal.fmt(f)
     }

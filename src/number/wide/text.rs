@@ -7,6 +7,11 @@ use dashu_int::{IBig, Sign, UBig};
 /// Powers of ten beyond this take too long to be of use; f64 ends at 308.
 const LARGEST_POWER: u32 = 100_000;
 
+/// Whether a binary exponent belongs to a value too large or too small to be written with a power of ten.
+pub(super) fn needs_power_of_two(exponent: isize) -> bool {
+    exponent.unsigned_abs() > 4 * LARGEST_POWER as usize
+}
+
 impl<const DIGITS: usize> Wide<DIGITS> {
     /// The number nearest to a decimal such as `-0.26`, `1e-3` or `.5`: sign, digits with at most one point, power of
     /// ten up to 100000 in size.
@@ -52,7 +57,8 @@ impl<const DIGITS: usize> Wide<DIGITS> {
     }
 
     /// The decimal of `significant` digits nearest to the value, halves to even: `-0.26000`, or `2.60e-12` where
-    /// the power of ten is below -5 or leaves no room for the point. NaN where invalid.
+    /// the power of ten is below -5 or leaves no room for the point. Values too large or too small for a power of ten
+    /// are written with a power of two: `1.7333*2^14426950408`. NaN where invalid.
     pub fn to_decimal(&self, significant: usize) -> String {
         let Some(big) = &self.0 else {
             return "NaN".to_owned();
@@ -65,8 +71,11 @@ impl<const DIGITS: usize> Wide<DIGITS> {
         let (sign, integer) = repr.significand().clone().into_parts();
         let sign = if sign == Sign::Negative { "-" } else { "" };
         let exponent = repr.exponent();
-        if exponent.unsigned_abs() > 4 * LARGEST_POWER as usize {
-            return self.to_string();
+        if needs_power_of_two(exponent) {
+            let places = isize::try_from(bits(&integer) - 1).unwrap_or_default();
+            let mantissa = Self::from_repr(Repr::new(IBig::from(integer), -places));
+            let mantissa = mantissa.to_decimal(significant);
+            return format!("{sign}{mantissa}*2^{}", exponent.saturating_add(places));
         }
         // an estimate of the power of ten of the first digit, at most one too small
         let size = exponent as f64 + (bits(&integer) - 1) as f64;
@@ -137,6 +146,15 @@ mod tests {
     use crate::number::{Analytic, Sequence};
 
     type Number = Wide<40>;
+
+    #[test]
+    fn values_beyond_powers_of_ten_are_written_with_powers_of_two() {
+        let exponential = |exponent: i64| Number::from_integer(exponent).exp();
+        // 10^10 / ln 2 = 14426950408.88963...
+        assert_eq!(exponential(10_000_000_000).to_decimal(5), "1.8527*2^14426950408");
+        assert_eq!(exponential(-10_000_000_000).to_decimal(3), "1.08*2^-14426950409");
+        assert!(exponential(10_000_000_000).to_string().ends_with("*2^14426950408"));
+    }
 
     #[test]
     fn a_decimal_reads_as_the_nearest_number() {
