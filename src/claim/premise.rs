@@ -6,7 +6,7 @@ use super::entry::{Entry, Role};
 use super::fault::{Fault, Source};
 use super::sheet::Sheet;
 use super::substitute::{any, flies, rewrite_alone, rewrite_condition, runs, tree_runs};
-use super::vocabulary::{Vocabulary, index_of};
+use super::vocabulary::{Map, Vocabulary, index_of};
 use crate::tex::{Condition, Equation, Name, Tree};
 use std::collections::BTreeSet;
 
@@ -38,6 +38,8 @@ pub struct Statements {
     /// The symbols that the claim may use beyond the vocabulary: its own definitions, then those that it follows from. A
     /// definition comes before what the vocabulary says of a name.
     pub locals: Vec<Local>,
+    /// How many of these, from the first, are the claim's own.
+    pub own_locals: usize,
     /// The equations to be decided.
     pub claims: Vec<Equation>,
     /// The conditions under which the claim is made.
@@ -51,6 +53,9 @@ pub struct Statements {
     pub speaks_of_maps: bool,
     /// Whether a partial derivative is written out anywhere.
     pub has_partials: bool,
+    /// The maps of the vocabulary that claim and premises name: in traces and determinants, also those of products and
+    /// in abbreviations; all where a derivative is written out.
+    pub maps: BTreeSet<Name>,
 }
 
 impl Premise {
@@ -126,6 +131,7 @@ impl Statements {
             found.push(claim, equation, source, joined(claim.own.clone(), &shared));
         }
         found.locals = joined(claim.own.clone(), &shared);
+        found.own_locals = claim.own.len();
         if let Some(name) = circular(&found.locals) {
             return Err(claim
                 .tex
@@ -238,6 +244,48 @@ impl Statements {
         }
     }
 
+    fn named_maps(&self, vocabulary: &Vocabulary) -> BTreeSet<Name> {
+        let premises = self.premises.iter();
+        let equations = self
+            .claims
+            .iter()
+            .chain(premises.clone().map(|premise| &premise.equation));
+        let sides = |equation: &'_ Equation| [equation.left.clone(), equation.right.clone()];
+        let mut open: Vec<Tree> = equations.chain(&vocabulary.relations).flat_map(sides).collect();
+        for condition in self.assume.iter().chain(premises.flat_map(|premise| &premise.assume)) {
+            match condition {
+                Condition::Relation(equation) => open.extend(sides(equation)),
+                Condition::Integer(tree) => open.push(tree.clone()),
+            }
+        }
+        open.extend(self.locals.iter().map(|local| local.tree.clone()));
+        let (mut met, mut maps): (BTreeSet<Name>, BTreeSet<Name>) = Default::default();
+        while let Some(tree) = open.pop() {
+            any(&tree, &mut |node| {
+                match node {
+                    Tree::Symbol(name, _) if met.insert(name.clone()) => {
+                        let meant = vocabulary.abbreviations.iter().filter(|(known, _)| known == name);
+                        open.extend(meant.map(|(_, tree)| tree.clone()));
+                    }
+                    Tree::Invariant { of, .. } => {
+                        maps.insert(of.clone());
+                    }
+                    _ => {}
+                }
+                false
+            });
+        }
+        let mut named = BTreeSet::new();
+        while let Some(name) = maps.pop_first() {
+            if named.insert(name.clone())
+                && let Some((_, Map::Product(factors))) = vocabulary.maps.iter().find(|(known, _)| *known == name)
+            {
+                maps.extend(factors.iter().cloned());
+            }
+        }
+        named
+    }
+
     fn with_overview(mut self, vocabulary: &Vocabulary) -> Self {
         for premise in &mut self.premises {
             premise.first = vocabulary.impacts(&premise.equation).first().copied();
@@ -260,6 +308,10 @@ impl Statements {
         let has_partials = any_node(|node| matches!(node, Tree::Partial { .. }));
         let speaks_of_maps = has_partials || any_node(|node| matches!(node, Tree::Invariant { .. }));
         (self.first, self.last) = (impacts.first().copied(), impacts.last().copied());
+        self.maps = match has_partials {
+            true => vocabulary.maps.iter().map(|(name, _)| name.clone()).collect(),
+            false => self.named_maps(vocabulary),
+        };
         (self.claim_runs, self.has_partials, self.speaks_of_maps) = (claim_runs, has_partials, speaks_of_maps);
         self
     }

@@ -5,7 +5,7 @@ use super::course::Forcing;
 use super::derivative::StepRows;
 use super::domain::{self, Condition, Kind};
 use super::formula::{Formula, Formulas, Op, Program, Work};
-use super::maps::{Maps, read_maps};
+use super::maps::{Maps, Step, read_maps};
 use super::space::{Slot, Space};
 use crate::claim::{Local, Premise, Statements, Vocabulary};
 use crate::tex::{At, Condition as Assumption, Equation, Invariant, Name, Relation, Tree};
@@ -198,7 +198,7 @@ impl System {
         let written: Vec<Written> = rows.iter().map(|row| self.written(*row)).collect();
         let rows: Vec<Formula> = rows.into_iter().map(|row| self.resolve(row, vocabulary)).collect();
         self.rows = rows;
-        self.choose_step_rows(statements.speaks_of_maps, &written, vocabulary);
+        self.choose_step_rows(statements, &written, vocabulary);
         self.maps.opaque = self.step_rows.iter().all(Vec::is_empty) && !statements.has_partials;
         for premise in of_matrices {
             for (left, right) in self.sides(&premise.equation, vocabulary, &premise.locals, premise.first, first)? {
@@ -381,11 +381,13 @@ impl System {
     }
 
     /// The rows each map follows from: what has a state first, then the rest.
-    fn choose_step_rows(&mut self, speaks_of_maps: bool, written: &[Written], vocabulary: &Vocabulary) {
+    fn choose_step_rows(&mut self, statements: &Statements, written: &[Written], vocabulary: &Vocabulary) {
         let bound = self.bound(written);
         let rows = self.rows.clone();
-        for step in self.maps.steps.clone() {
-            if !speaks_of_maps {
+        let steps = self.maps.steps.clone();
+        let is_named = |step: &Step| statements.maps.contains(&step.name) || step.name == Name::default();
+        for (number, step) in steps.iter().enumerate() {
+            if !statements.speaks_of_maps || !is_named(step) {
                 self.step_rows.push(Vec::new());
                 continue;
             }
@@ -395,7 +397,12 @@ impl System {
                     .iter()
                     .map(|row| self.resolve(*row, vocabulary))
                     .collect();
-                self.rows.extend(&rows);
+                let others = steps.iter().enumerate().filter(|(other, _)| *other != number);
+                let mut others = others.filter(|(_, other)| is_named(other));
+                // of two maps that lead to the same quantities the equations do not hold together
+                if !others.any(|(_, other)| other.of.iter().any(|slot| step.of.contains(slot))) {
+                    self.rows.extend(&rows);
+                }
                 self.step_rows.push(rows);
                 continue;
             }

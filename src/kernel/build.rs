@@ -60,6 +60,7 @@ fn asked(statements: &Statements, vocabulary: &Vocabulary, complex: bool) -> Res
                     let (mut builder, at) = Builder::given(statements, vocabulary, complex)?;
                     builder.upper = upper;
                     let goal = builder.claim(equation, at)?;
+                    builder.write_claims(statements, equation)?;
                     let statement = builder.finish(vec![goal])?;
                     let instance = upper.map_or("", |upper| if upper { "upper sign" } else { "lower sign" });
                     questions.push(question(equation, instance, statement));
@@ -78,7 +79,7 @@ fn question(equation: &Equation, instance: &str, statement: Statement) -> Questi
     }
 }
 
-/// `x_{1,2} = a \pm b`: every solution of the premises for x is one of the two values, and each value is a solution.
+/// `x_{1,2} = a \pm b`: every solution of the premises for x is one of the two values, and where there is one, each value is a solution.
 fn pair_questions(
     statements: &Statements,
     vocabulary: &Vocabulary,
@@ -104,6 +105,7 @@ fn pair_questions(
         ));
     };
     builder.written.extend([first, second]);
+    builder.write_claims(statements, equation)?;
     let factors = [first, second].map(|value| builder.statement.terms.difference(symbol, value));
     let product = builder.statement.terms.product(factors.to_vec());
     questions.push(question(
@@ -115,6 +117,7 @@ fn pair_questions(
         let (mut builder, at) = Builder::given(statements, vocabulary, complex)?;
         let values = values(&mut builder, at)?;
         builder.written.extend(values);
+        builder.write_claims(statements, equation)?;
         let goals = builder.solution(pair, values[sign], equation.at.0)?;
         let instance = if sign == 0 {
             "the upper value is a solution"
@@ -254,7 +257,7 @@ impl<'a> Builder<'a> {
         }
         builder.declare_periods()?;
         builder.imply_maps(statements);
-        builder.declare_maps()?;
+        builder.declare_maps(statements)?;
         Ok((builder, 1))
     }
 
@@ -375,6 +378,38 @@ impl<'a> Builder<'a> {
         Ok(goal)
     }
 
+    /// What else the claim writes is defined too: the other equations at single times, and its own definitions.
+    fn write_claims(&mut self, statements: &Statements, decided: &Equation) -> Result<(), Unreadable> {
+        let upper = self.upper;
+        let others = statements.claims.iter().filter(|&other| other != decided);
+        for other in others.filter(|other| !crate::claim::flies(other, self.vocabulary)) {
+            let flight = self.scope.flight;
+            self.own_scope(self.first_impact(other).unwrap_or(flight), false);
+            for sign in match upper.is_none() && (has_sign(&other.left) || has_sign(&other.right)) {
+                true => vec![Some(true), Some(false)],
+                false => vec![upper],
+            } {
+                self.upper = sign;
+                let is_pair = matches!(&other.left, Tree::Symbol(name, _) if pair_of(name).is_some());
+                for side in [&other.left, &other.right].into_iter().skip(usize::from(is_pair)) {
+                    let term = self.tree(side)?;
+                    self.written.push(term);
+                }
+            }
+            self.own_scope(flight, false);
+        }
+        self.upper = upper;
+        for local in self.locals.iter().take(statements.own_locals) {
+            let scope = self.scope.number;
+            let term = self.abbreviation(&local.name, &local.tree, scope, 0)?;
+            self.written.push(term);
+        }
+        for (property, term) in std::mem::take(&mut self.brought) {
+            self.push(CLAIM_DOMAIN, property, term, None);
+        }
+        Ok(())
+    }
+
     fn in_claim(&mut self, tree: &Tree, _at: usize) -> Result<Term, Unreadable> {
         self.own_scope(self.scope.flight, false);
         let term = self.tree(tree)?;
@@ -385,13 +420,12 @@ impl<'a> Builder<'a> {
         Ok(term)
     }
 
-    /// What must hold for `value` to be a solution of the givens for `symbol`, which go: of the premises, and of what is
-    /// declared of the symbol.
+    /// What must hold for `value` to be a solution of the givens for `symbol`, of which it is one itself: of the premises,
+    /// and of what is declared of the symbol.
     fn solution(&mut self, symbol: Symbol, value: Term, at: usize) -> Result<Vec<(Property, Term)>, Unreadable> {
         self.declare_signs()?;
         let mut goals = Vec::new();
-        let givens = std::mem::take(&mut self.statement.givens);
-        for given in givens {
+        for given in self.statement.givens.clone() {
             let term = self.statement.written_out(given.term);
             let conditions = given.law.iter().flat_map(|law| law.conditions.clone());
             let conditions: Vec<Term> = conditions.map(|(_, of)| self.statement.written_out(of)).collect();
@@ -400,7 +434,6 @@ impl<'a> Builder<'a> {
                 .chain([&term])
                 .any(|&of| self.statement.terms.holds(of, symbol))
             {
-                self.statement.givens.push(given);
                 continue;
             }
             if given.law.is_some() {
@@ -1089,17 +1122,15 @@ impl<'a> Builder<'a> {
         if here.iter().any(|step| step.by.contains(&of)) {
             return Some(self.statement.terms.integer(i64::from(of == by)));
         }
-        if here.iter().any(|step| step.of.contains(&of)) {
-            let partial = self.statement.partial(of, by);
-            return Some(self.statement.terms.symbol(partial));
+        if let Some(step) = here.iter().find(|step| step.of.contains(&of)) {
+            return Some(self.slope(of, by, step));
         }
         if left == 0 {
             return None;
         }
         for step in here {
             let chained = step.of.iter().map(|&between| {
-                let inner = self.statement.partial(between, by);
-                let inner = self.statement.terms.symbol(inner);
+                let inner = self.slope(between, by, step);
                 let outer = self.entry(of, between, steps, left - 1)?;
                 Some(self.statement.terms.product(vec![outer, inner]))
             });
@@ -1108,6 +1139,17 @@ impl<'a> Builder<'a> {
             }
         }
         None
+    }
+
+    /// A derivative along one map: a symbol of its own, or the derivative of what the map says outright.
+    fn slope(&mut self, of: Symbol, by: Symbol, step: &Step) -> Term {
+        let place = step.of.iter().position(|&known| known == of);
+        let Some(&image) = place.and_then(|place| step.images.get(place)) else {
+            let partial = self.statement.partial(of, by);
+            return self.statement.terms.symbol(partial);
+        };
+        self.written.push(image);
+        self.statement.along(image, step, by)
     }
 
     fn invariant(&mut self, kind: Invariant, of: &Name, at: usize) -> Result<Term, Unreadable> {
@@ -1138,15 +1180,8 @@ impl<'a> Builder<'a> {
 
     fn matrix(&mut self, name: &Name, steps: &[(Name, Step)], left: usize) -> Option<Vec<Vec<Term>>> {
         if let Some((_, step)) = steps.iter().find(|(known, _)| known == name) {
-            let row = |of: &Symbol, builder: &mut Self| -> Vec<Term> {
-                let partials = step.by.iter().map(|by| builder.statement.partial(*of, *by));
-                let partials: Vec<Symbol> = partials.collect();
-                partials
-                    .into_iter()
-                    .map(|partial| builder.statement.terms.symbol(partial))
-                    .collect()
-            };
-            return Some(step.of.iter().map(|of| row(of, self)).collect());
+            let row = |of: &Symbol| step.by.iter().map(|by| self.slope(*of, *by, step)).collect();
+            return Some(step.of.iter().map(row).collect());
         }
         let (_, map) = self.vocabulary.maps.iter().find(|(known, _)| known == name)?;
         let Map::Product(factors) = map else { return None };
@@ -1194,7 +1229,7 @@ impl<'a> Builder<'a> {
                 Map::Premises { of, by } => Step {
                     of: self.quantities(of, name)?,
                     by: self.quantities(by, name)?,
-                    equations: Vec::new(),
+                    ..Step::default()
                 },
                 Map::Equations(equations) => self.explicit(equations, name)?,
             };
@@ -1258,11 +1293,35 @@ impl<'a> Builder<'a> {
             let (_, term) = self.relation(equation)?;
             rows.push((format!("the map {map}"), term));
         }
-        Ok(Step {
+        let mut step = Step {
             of: side(last),
             by: side(first),
             equations: rows,
-        })
+            images: Vec::new(),
+        };
+        let images: Option<Vec<Term>> = step.of.iter().map(|&of| self.image(of, equations, &step)).collect();
+        step.images = images.unwrap_or_default();
+        Ok(step)
+    }
+
+    /// What a quantity is, where one of the equations says so outright.
+    fn image(&mut self, of: Symbol, equations: &[Equation], step: &Step) -> Option<Term> {
+        let mut outright = equations.iter().filter_map(|equation| {
+            let left = self.tree(&equation.left).ok()?;
+            let is_outright =
+                equation.relation == Relation::Equal && *self.statement.terms.node(left) == Node::Symbol(of);
+            is_outright.then(|| self.tree(&equation.right).ok()).flatten()
+        });
+        let image = outright.next().filter(|_| equations.len() == step.of.len())?;
+        let written = self.statement.written_out(image);
+        let moves = |symbol: Symbol| {
+            let quantity = self.statement.quantity(symbol);
+            matches!(quantity, Some(Quantity::Time { .. } | Quantity::State { .. })) && !step.by.contains(&symbol)
+        };
+        let mut inside = self.statement.terms.inside(written).into_iter();
+        let moved =
+            inside.any(|inner| matches!(self.statement.terms.node(inner), Node::Symbol(symbol) if moves(*symbol)));
+        (!moved).then_some(written)
     }
 
     /// Where no map is declared, a derivative of a quantity at one impact by one at the impact before is that of the map
@@ -1305,6 +1364,7 @@ impl<'a> Builder<'a> {
                 of: at(last),
                 by: at(first),
                 equations: Vec::new(),
+                ..Step::default()
             };
             let known = |(_, known): &(Name, Step)| known.of == step.of && known.by == step.by;
             if last == first + 1 && is_plain && !self.implied.iter().any(known) {
@@ -1313,20 +1373,41 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// Takes the equations of maps as given, and finds those that determine each map.
-    fn declare_maps(&mut self) -> Result<(), Unreadable> {
+    /// Finds the equations that determine each map that is named, and takes those of explicit maps as given. Of two maps
+    /// that lead to the same quantities the equations do not hold together: neither is given then.
+    fn declare_maps(&mut self, statements: &Statements) -> Result<(), Unreadable> {
         if (self.vocabulary.maps.is_empty() && self.implied.is_empty()) || self.opaque {
             return Ok(());
         }
-        for (_, mut step) in self.map_steps()? {
-            if step.equations.is_empty() {
-                step.equations = super::implicit::determining(&mut self.statement, &step);
-            } else {
-                for (label, term) in step.equations.clone() {
-                    self.give(&label, Property::Zero, term, Vec::new());
+        let implied = self.implied.len();
+        let steps = (0..).zip(self.map_steps()?);
+        let steps = steps.filter(|(number, (name, _))| *number < implied || statements.maps.contains(name));
+        let steps: Vec<(Name, Step)> = steps.map(|(_, step)| step).collect();
+        for (number, (name, step)) in steps.iter().enumerate() {
+            let others = steps.iter().enumerate().filter(|(other, _)| *other != number);
+            let mut others = others.map(|(_, other)| other);
+            let rival = others.find(|(_, other)| other.of.iter().any(|of| step.of.contains(of)));
+            let mut step = step.clone();
+            match rival {
+                _ if step.equations.is_empty() => {
+                    step.equations = super::implicit::determining(&mut self.statement, &step);
                 }
+                None => {
+                    for (label, term) in step.equations.clone() {
+                        self.give(&label, Property::Zero, term, Vec::new());
+                    }
+                }
+                Some((rival, _)) if step.images.is_empty() => {
+                    let message = format!(
+                        "the maps `{name}` and `{rival}` lead to the same quantities: solve the equations of `{name}` for these, or part the claim"
+                    );
+                    return Err(unreadable(0, message));
+                }
+                Some(_) => {}
             }
-            self.statement.steps.push(step);
+            if step.images.is_empty() {
+                self.statement.steps.push(step);
+            }
         }
         Ok(())
     }

@@ -103,6 +103,8 @@ pub struct Step {
     pub by: Vec<Symbol>,
     /// The terms that vanish along the map and determine it, with the labels of the givens they come from.
     pub equations: Vec<(String, Term)>,
+    /// What each of `of` is, where the equations of a map say so outright in `by` and symbols that do not move.
+    pub images: Vec<Term>,
 }
 
 /// A claim, ready to be decided: wherever all givens hold, the goals hold.

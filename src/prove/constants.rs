@@ -120,7 +120,8 @@ fn equation(session: &mut Session, chain: &[Term; 3], time: Term) -> Option<Vec<
             rest = rest.minus(&part.times(&Polynomial::generator(*value)));
             coefficients.push(part);
         }
-        let Some(lead) = coefficients.pop().and_then(|lead| lead.as_constant()) else {
+        let lead = coefficients.pop().and_then(|lead| lead.as_constant());
+        let Some(lead) = lead.filter(|lead| !lead.0.is_zero()) else {
             continue;
         };
         let scale = Rational::from_integer(-1) / lead;

