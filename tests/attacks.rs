@@ -75,6 +75,7 @@ fn no_verdict_is_wrong_and_few_are_undecided() {
             class.0 += 1;
             let right = match (truth.as_str(), decision.verdict) {
                 ("true", Verdict::Proved) | ("false", Verdict::Refuted) | ("unread", Verdict::Unread) => true,
+                (_, Verdict::Undecided) if decision.reason.contains("broke down") => false,
                 ("contradictory" | "unread", Verdict::Undecided) => true,
                 ("true" | "false", Verdict::Undecided) => {
                     class.1 += 1;
@@ -182,7 +183,7 @@ fn hostile_sheets_end_within_the_effort() {
         let start = std::time::Instant::now();
         for position in (0..sheet.entries.len()).filter(|&n| sheet.is_claim(n)) {
             let decision = decide(&sheet, position, &Options::default());
-            assert!(!decision.reason.is_empty(), "{name}");
+            assert!(!decision.reason.contains("broke down"), "{name}: {}", decision.label);
         }
         let taken = start.elapsed().as_secs_f64();
         println!("{name}: {taken:.1} s");

@@ -3,6 +3,7 @@
 use super::print::{simplified, tex};
 use crate::kernel::{At, EFFORT, Node, Property, Quantity, Statement, Symbol, Term, With, Witness, term_value};
 use crate::number::{Field, Interval, Rational, Wide};
+use crate::tex::Relation;
 use std::collections::{BTreeSet, HashMap};
 use std::fmt;
 
@@ -83,8 +84,8 @@ impl<'a> Values<'a> {
 /// Figures of a value that are printed beside it.
 const FIGURES: usize = 12;
 
-/// The point of a witness, in the names of the sheet, and the two sides of the goal that fails there.
-pub fn at(witness: &With<Witness>) -> Option<Counterexample> {
+/// The point of a witness, in the names of the sheet, and the two sides of the relation whose goal fails there.
+pub fn at(witness: &With<Witness>, relation: Relation) -> Option<Counterexample> {
     let mut statement = witness.statement.clone();
     let mut values = Values::new(&mut statement, &witness.evidence)?;
     let witness = &witness.evidence;
@@ -139,7 +140,12 @@ pub fn at(witness: &With<Witness>) -> Option<Counterexample> {
     }
     let goals = values.statement().goal().to_vec();
     for (property, goal) in goals {
-        let [first, second] = values.sides(goal);
+        let mut sides = values.sides(goal);
+        if matches!(relation, Relation::Less | Relation::LessOrEqual) {
+            // what is positive is right - left
+            sides.reverse();
+        }
+        let [first, second] = sides;
         let (left, right) = (values.of(first), values.of(second));
         if property == Property::Zero && left == right {
             continue;

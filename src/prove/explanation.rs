@@ -9,6 +9,7 @@ use crate::claim::{Sheet, Verdict};
 use crate::kernel::{
     Axiom, Certificate, Checker, Fact, Inference, LawSource, Polynomial, Property, Statement, With, Witness,
 };
+use crate::tex::Relation;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Terms of a polynomial that are printed; `--proof` writes all.
@@ -42,7 +43,7 @@ pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Op
             Found::Proved { certificate, .. } => {
                 Proof::replayed(certificate).write(certificate.evidence.steps.len(), &mut lines);
             }
-            Found::Refuted { witness } => refutation(witness, &mut lines),
+            Found::Refuted { witness } => refutation(witness, one.question.equation.relation, &mut lines),
         }
     }
     lines.join("\n") + "\n"
@@ -338,8 +339,8 @@ fn described(axiom: &Axiom) -> String {
 }
 
 /// The point of a witness, what the premises and the two sides are there.
-fn refutation(witness: &With<Witness>, lines: &mut Vec<String>) {
-    let Some(found) = super::counterexample::at(witness) else {
+fn refutation(witness: &With<Witness>, relation: Relation, lines: &mut Vec<String>) {
+    let Some(found) = super::counterexample::at(witness, relation) else {
         return;
     };
     lines.push("\nevery premise holds, exactly, and the claim does not, where".into());

@@ -59,7 +59,9 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     decision.verdict = Verdict::Proved;
     decision.reason = follows_from(sheet, position);
     for question in questions {
-        let outcome = outcome(&question.statement, options.effort);
+        let search = std::panic::AssertUnwindSafe(|| outcome(&question.statement, options.effort));
+        // a fault of the search costs its own claim a verdict, and no other
+        let outcome = std::panic::catch_unwind(search).unwrap_or_else(|_| Outcome::Undecided(BROKE_DOWN.into()));
         match outcome {
             Outcome::Proved(proof, certificate, _) => {
                 let terms = certificate.statement.terms();
@@ -84,7 +86,7 @@ eq 0",
                     false => "does not follow from its premises".into(),
                 };
                 if !refuted.is_nowhere_defined() {
-                    decision.counterexample = counterexample::at(&witness);
+                    decision.counterexample = counterexample::at(&witness, question.equation.relation);
                 }
                 decision.failed = Some(question.equation.clone());
                 break;
@@ -107,6 +109,9 @@ eq 0",
     }
     decision
 }
+
+/// The reason of a claim at which the search itself fails.
+const BROKE_DOWN: &str = "the search broke down here, which is a fault of this program: please report the sheet";
 
 fn follows_from(sheet: &Sheet, position: usize) -> String {
     let premises = sheet

@@ -74,6 +74,8 @@ struct Search<'a> {
     /// What is declared of symbols, as far as it was asked for; whether sines or cosines are spoken of.
     declared: HashMap<Symbol, Declared>,
     circles: bool,
+    /// Rational numbers about those that an inequality speaks of: these, next to them, and between.
+    spoken: Vec<Rational>,
     /// The values of numbers, as far as they were asked for.
     numbers: HashMap<Term, Complex>,
     /// Numerators by term; `None` of those that are too large.
@@ -146,6 +148,7 @@ pub fn search(
             random: Sequence::new(7),
             declared: HashMap::new(),
             circles: speaks_of_circles(statement),
+            spoken: numbers_about(statement),
             numbers: HashMap::new(),
             forms: HashMap::new(),
             split: BTreeSet::new(),
@@ -1408,6 +1411,13 @@ impl Search<'_> {
             .into_iter()
             .map(|(above, below)| terms.number(Rational::from_ratio(above, below)))
             .collect();
+        for number in &self.spoken {
+            let fits = (!positive || *number > Rational::zero())
+                && (!integer || *number.0.denominator() == dashu_int::UBig::ONE);
+            if fits {
+                found.push(terms.number(number.clone()));
+            }
+        }
         if circles && !integer {
             let pi = terms.add(Node::Pi);
             found.push(pi);
@@ -1729,6 +1739,45 @@ impl Search<'_> {
 }
 
 /// Whether sines or cosines are spoken of.
+/// The most numbers that inequalities are looked at about.
+const MOST_SPOKEN: usize = 6;
+
+/// The numbers that inequalities of a statement speak of, the numbers next to them, and those between two.
+fn numbers_about(statement: &Statement) -> Vec<Rational> {
+    let ordered = |property: Property| matches!(property, Property::Positive | Property::NonNegative);
+    if !statement.goal().iter().any(|(property, _)| *property != Property::Zero)
+        && !statement.givens().iter().any(|given| ordered(given.property))
+    {
+        return Vec::new();
+    }
+    let terms = statement.terms();
+    let mut spoken: BTreeSet<Rational> = BTreeSet::new();
+    let givens = statement.givens().iter().map(|given| given.term);
+    for term in statement.goal().iter().map(|(_, term)| *term).chain(givens) {
+        for inner in terms.inside(term) {
+            let closed = terms.is_closed(inner) && spoken.len() < 2 * MOST_SPOKEN;
+            let number = closed.then(|| Expansion::new(BTreeSet::new(), 100).of(terms, inner).ok());
+            let number = number.flatten().filter(|quotient| quotient.divisors.is_empty());
+            if let Some(value) = number.and_then(|quotient| quotient.numerator.as_constant()) {
+                spoken.extend([value.clone(), Rational::zero() - value]);
+            }
+        }
+    }
+    spoken.insert(Rational::zero());
+    let spoken: Vec<Rational> = spoken.into_iter().collect();
+    let (one, half) = (Rational::from_integer(1), Rational::from_ratio(1, 2));
+    let mut about: BTreeSet<Rational> = spoken.iter().cloned().collect();
+    for number in &spoken {
+        about.extend([number.clone() + one.clone(), number.clone() - one.clone()]);
+    }
+    for pair in spoken.windows(2) {
+        if let [low, high] = pair {
+            about.insert((low.clone() + high.clone()) * half.clone());
+        }
+    }
+    about.into_iter().collect()
+}
+
 fn speaks_of_circles(statement: &Statement) -> bool {
     let terms = statement.terms();
     let given = statement.givens().iter().map(|given| given.term);

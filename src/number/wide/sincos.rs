@@ -119,7 +119,10 @@ pub(super) fn sincos(x: &Big, precision: usize) -> (Big, Big) {
     if x.repr().significand() == &IBig::ZERO {
         return (Big::ZERO, Big::ONE);
     }
-    let size = x.repr().exponent().saturating_add_unsigned(bits(x.repr().significand()));
+    let size = x
+        .repr()
+        .exponent()
+        .saturating_add_unsigned(bits(x.repr().significand()));
     if size < -isize::try_from(precision).unwrap_or(isize::MAX) {
         // x - x^3/6 and 1 - x^2/2 round to these
         return (x.clone().with_precision(precision).value(), Big::ONE);
