@@ -41,6 +41,9 @@ const ORDER_WIDE: usize = 44;
 const MOST_STEPS: usize = 100;
 /// The shortest step, as a part of the way left.
 const SHORTEST: f64 = 1e-4;
+/// How near to 0 a divisor, or the argument of a root or logarithm or of an absolute value, may come, as a part of what
+/// it is at first: a law is one function within one interval in which its right side is defined and smooth.
+const NEAREST: f64 = 1e-6;
 /// Flows whose laws take other flows at fixed times, within each other.
 const DEEPEST: usize = 3;
 
@@ -194,8 +197,9 @@ pub fn value<V: Value>(law: usize, level: usize, time: &V, inputs: &Inputs<V>) -
                 .collect()
         });
     }
+    let mut first_guards: Option<Vec<f64>> = None;
     for _ in 0..MOST_STEPS {
-        let Some(series) = flow.series(&states, &now, &inner) else {
+        let Some((series, guards)) = flow.series(&states, &now, &inner) else {
             return none();
         };
         let left = time.clone() - now.clone();
@@ -213,6 +217,22 @@ pub fn value<V: Value>(law: usize, level: usize, time: &V, inputs: &Inputs<V>) -
         } else {
             V::float(left.parts()[0].to_f64() * (reach / distance))
         };
+        let ends = guards.iter().map(|guard| {
+            let end = |value: V| value.parts().map(|part| part.to_f64());
+            Some((end(guard.first()?.clone()), end(derivative(guard, 0, &step))))
+        });
+        let Some(ends) = ends.collect::<Option<Vec<_>>>() else {
+            return none();
+        };
+        let size = |[re, im]: [f64; 2]| re.hypot(im);
+        let first = first_guards.get_or_insert_with(|| ends.iter().map(|(from, _)| size(*from)).collect());
+        let passes = |((from, to), first): (&([f64; 2], [f64; 2]), &f64)| {
+            let turns = from[1] == 0.0 && to[1] == 0.0 && from[0] * to[0] <= 0.0;
+            turns || size(*to) < NEAREST * first
+        };
+        if ends.iter().zip(first.iter()).any(passes) {
+            return none();
+        }
         if last {
             return series
                 .first()
@@ -255,8 +275,8 @@ fn is_wide<V: Value>() -> bool {
 }
 
 impl Flow {
-    /// The power series of each law's function about a time.
-    fn series<V: Value>(&self, states: &[Vec<V>], now: &V, inputs: &Inputs<V>) -> Option<Vec<Vec<V>>> {
+    /// The power series of each law's function about a time, and those of what must not become 0.
+    fn series<V: Value>(&self, states: &[Vec<V>], now: &V, inputs: &Inputs<V>) -> Option<(Vec<Vec<V>>, Vec<Vec<V>>)> {
         let (order, cost) = if is_wide::<V>() {
             (ORDER_WIDE, self.costs[1])
         } else {
@@ -288,7 +308,13 @@ impl Flow {
                 function.push(next.over(&V::integer(falling)));
             }
         }
-        Some(functions)
+        let guarded = self.ops.iter().filter_map(|op| match *op {
+            Op::Divide(_, a) | Op::Root(a, _) | Op::Apply(Function::Ln | Function::Abs | Function::Sgn, a) => Some(a),
+            _ => None,
+        });
+        let moving = guarded.filter(|a| self.lengths.get(a.position()).is_some_and(|&length| length > 1));
+        let guards = moving.filter_map(|a| series.get(a.position()).cloned()).collect();
+        Some((functions, guards))
     }
 
     /// Coefficient number `k` of an operation, from those before it (Moore, as above; Griewank and Walther,

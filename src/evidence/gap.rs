@@ -163,6 +163,9 @@ fn compare<N: Numbers, T: Real>(left: &(N::Of<T>, f64), right: &(N::Of<T>, f64),
     let difference = left.0.clone() - right.0.clone();
     let gap = difference.size();
     let size = left.1.max(right.1);
+    if !size.is_finite() {
+        return None;
+    }
     let relative = if gap == 0.0 { 0.0 } else { gap / size };
     let [re, im] = difference.parts().map(|part| part.to_f64());
     let is_wide = T::epsilon().to_f64() < 1e-20;

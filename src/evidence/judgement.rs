@@ -146,7 +146,8 @@ impl Witness<'_> {
         let agrees = |search: &Search<N::Of<f64>>| {
             search.found.iter().all(|(_, gap)| match gap.is_inequality {
                 true => !gap.fails,
-                false => gap.digits() >= DOUBTFUL_REFUTATION,
+                // in many digits only what differs there is kept
+                false => gap.digits() >= DOUBTFUL_REFUTATION && !gap.is_close,
             })
         };
         if self.verdict != Verdict::Proved && !search.found.is_empty() && agrees(&search) {
@@ -278,6 +279,12 @@ impl Witness<'_> {
     }
 
     fn worst_gap<N: Numbers, T: Real>(&self, values: &[N::Of<T>], running: &N::Of<T>) -> Option<Gap> {
+        let program = &self.system.written_program;
+        let written = program.run(&self.system.inputs(values, Some(running)));
+        let is_undefined = |&output: &usize| written.get(output).is_none_or(|value| value.size().is_nan());
+        if program.outputs.iter().any(is_undefined) {
+            return None;
+        }
         let gaps = self
             .system
             .questions
@@ -292,7 +299,9 @@ impl Witness<'_> {
         let wide = self.system.widened::<N>(point)?;
         let gap = self.worst_gap::<N, Wide<40>>(&wide.values, &wide.running)?;
         if gap.is_inequality {
-            return Some(gap.fails);
+            // sides that are too close to tell are equal only where nothing parts them
+            let is_open = gap.fails && gap.relative <= EQUAL_WIDE && gap.apart > 0.0;
+            return (!is_open).then_some(gap.fails);
         }
         if gap.relative <= self.apart() {
             return Some(false);

@@ -65,6 +65,9 @@ pub struct System {
     /// Factors in generic symbols alone.
     pub factors_program: Program,
     pub conditions_program: Program,
+    /// What is written and decides nothing, but has a value: definitions that no side takes up.
+    written: Vec<Formula>,
+    pub written_program: Program,
     pub work: Work,
     pub forcing: Forcing,
     /// What derivatives given by laws are at the running time; nothing while it is being found.
@@ -111,6 +114,8 @@ impl System {
             row_slots: Vec::new(),
             factors_program: Program::default(),
             conditions_program: Program::default(),
+            written: Vec::new(),
+            written_program: Program::default(),
             work: Work::new(WORK),
             forcing,
             resolved: HashMap::new(),
@@ -219,6 +224,12 @@ impl System {
                 pair,
                 program: Program::default(),
             });
+        }
+        for local in statements.locals.iter().take(statements.own_locals) {
+            let mut compiler = self.compiler(vocabulary, &statements.locals);
+            let value = compiler.tree(&local.tree)?;
+            let value = self.resolve(value, vocabulary);
+            self.written.push(value);
         }
         self.finish(vocabulary)
     }
@@ -488,6 +499,7 @@ impl System {
         }
         self.drop_definitions();
         self.rows_program = self.formulas.program(&self.rows);
+        self.written_program = self.formulas.program(&self.written);
         let formulas: Vec<Formula> = self.conditions.iter().map(|condition| condition.formula).collect();
         self.conditions_program = self.formulas.program(&formulas);
         for question in &mut self.questions {
@@ -536,7 +548,8 @@ impl System {
             let Some(position) = self.rows.iter().position(idle) else {
                 return;
             };
-            self.rows.remove(position);
+            let row = self.rows.remove(position);
+            self.written.push(row);
         }
     }
 

@@ -393,7 +393,7 @@ impl<'a> Builder<'a> {
                 let is_pair = matches!(&other.left, Tree::Symbol(name, _) if pair_of(name).is_some());
                 for side in [&other.left, &other.right].into_iter().skip(usize::from(is_pair)) {
                     let term = self.tree(side)?;
-                    self.written.push(term);
+                    self.statement.beside.push(term);
                 }
             }
             self.own_scope(flight, false);
@@ -402,8 +402,9 @@ impl<'a> Builder<'a> {
         for local in self.locals.iter().take(statements.own_locals) {
             let scope = self.scope.number;
             let term = self.abbreviation(&local.name, &local.tree, scope, 0)?;
-            self.written.push(term);
+            self.statement.beside.push(term);
         }
+        self.written.extend(self.statement.beside.clone());
         for (property, term) in std::mem::take(&mut self.brought) {
             self.push(CLAIM_DOMAIN, property, term, None);
         }
@@ -494,6 +495,12 @@ impl<'a> Builder<'a> {
             let givens = self.statement.givens.iter().map(|given| (given.property, given.term));
             for (property, term) in givens.chain(goal.iter().copied()) {
                 if ordered(property) && !self.statement.is_real(term) {
+                    if goal.iter().all(|(property, _)| *property == Property::Zero) {
+                        return Err(unreadable(
+                            0,
+                            "roots, powers and conditions of what may be complex are not read",
+                        ));
+                    }
                     return Err(unreadable(0, "an inequality between complex numbers has no meaning"));
                 }
             }
@@ -1227,6 +1234,7 @@ impl<'a> Builder<'a> {
             let step = match map {
                 Map::Product(_) => continue,
                 Map::Premises { of, by } => Step {
+                    name: name.to_string(),
                     of: self.quantities(of, name)?,
                     by: self.quantities(by, name)?,
                     ..Step::default()
@@ -1294,6 +1302,7 @@ impl<'a> Builder<'a> {
             rows.push((format!("the map {map}"), term));
         }
         let mut step = Step {
+            name: map.to_string(),
             of: side(last),
             by: side(first),
             equations: rows,
@@ -1405,8 +1414,9 @@ impl<'a> Builder<'a> {
                 }
                 Some(_) => {}
             }
-            if step.images.is_empty() {
-                self.statement.steps.push(step);
+            match step.images.is_empty() {
+                true => self.statement.steps.push(step),
+                false => self.statement.outright.push(step),
             }
         }
         Ok(())

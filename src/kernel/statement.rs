@@ -99,6 +99,8 @@ pub struct Instance {
 /// A map whose derivatives a statement speaks of.
 #[derive(Clone, Debug, Default)]
 pub struct Step {
+    /// The name of the map; none where derivatives that are written imply it.
+    pub name: String,
     pub of: Vec<Symbol>,
     pub by: Vec<Symbol>,
     /// The terms that vanish along the map and determine it, with the labels of the givens they come from.
@@ -131,6 +133,10 @@ pub struct Statement {
     pub(super) complex_symbols: Vec<Symbol>,
     pub(super) generic: Vec<Symbol>,
     pub(super) steps: Vec<Step>,
+    /// The explicit maps whose derivatives are those of their right sides.
+    pub(super) outright: Vec<Step>,
+    /// What else the entry of the claim writes: sides of its other equations, and its own definitions.
+    pub(super) beside: Vec<Term>,
     /// The times of impacts by index; states that may be named; the states that an impact does not change.
     pub(super) times: BTreeMap<i32, Symbol>,
     pub(super) states: Vec<Name>,
@@ -200,6 +206,16 @@ impl Statement {
     /// The maps whose derivatives the statement speaks of.
     pub fn maps(&self) -> &[Step] {
         &self.steps
+    }
+
+    /// The explicit maps whose derivatives are those of their right sides.
+    pub fn outright_maps(&self) -> &[Step] {
+        &self.outright
+    }
+
+    /// What else the entry of the claim writes, and so must have a value.
+    pub fn beside(&self) -> &[Term] {
+        &self.beside
     }
 
     /// The times of impacts by index.

@@ -173,6 +173,7 @@ class Statement:
         self.complex_symbols, self.generic = set(data["complex_symbols"]), set(data["generic"])
         self.flight = data["flight"][0] if data["flight"] else None
         self.maps = [(of, by, [term for _, term in equations]) for of, by, equations in data["maps"]]
+        self.beside = data["beside"]
         self.goals = data["goals"]
         self.givens = [
             (label, holds, term, {"time": law[0], "flight": law[1], "every": law[2], "conditions": law[3]} if law else None)
@@ -1618,12 +1619,18 @@ class Values:
     def __init__(self, statement, seed, definitions=(), maps=()):
         self.s, self.seed, self.numbers = statement, seed, {}
         self.definitions, self.maps = dict(definitions), dict(maps)
+        # beyond seeds with values of formulas over the reals, formulas are compared over the complex numbers
+        self.anywhere = seed >= 60
         whole = (statement.nodes[term] for _, holds, term, law in statement.givens if holds == INTEGER and not law)
         self.integers = {statement.symbols[node[1]][0] for node in whole if node[0] == "symbol"}
 
     def draw(self, key):
         if key not in self.numbers:
-            drawn = mpmath.mpf(random.Random("%s %s" % (self.seed, key)).randint(200, 900))
+            source = random.Random("%s %s" % (self.seed, key))
+            drawn = mpmath.mpf(source.randint(200, 900))
+            if self.seed >= 20 and key not in self.integers:
+                # elsewhere, where there is no value near 0
+                drawn *= source.choice([1, 3, 40] if self.seed < 40 else [-40, -3, 1, 3, 40])
             self.numbers[key] = mpmath.floor(drawn / 50) if key in self.integers else drawn / 1009
         return self.numbers[key]
 
@@ -1648,12 +1655,12 @@ class Values:
         return mpmath.mpf(value.numerator) / value.denominator
 
     def root(self, of, index):
-        if mpmath.im(of) == 0 and of < 0 and not self.s.complex and index % 2 == 0:
+        if mpmath.im(of) == 0 and mpmath.re(of) < 0 and not self.s.complex and index % 2 == 0 and not self.anywhere:
             raise Elsewhere
         return root(of, index, self.s.complex)
 
     def power(self, base, exponent):
-        if mpmath.im(base) == 0 and base < 0 and exponent != mpmath.nint(exponent):
+        if mpmath.im(base) == 0 and mpmath.re(base) < 0 and exponent != mpmath.nint(exponent) and not self.anywhere:
             raise Elsewhere
         return mpmath.power(base, exponent)
 
@@ -1680,19 +1687,37 @@ class Values:
     def partial(self, of, by):
         return self.draw("derivative of %s by %s" % (of, by))
 
+    def slope(self, of, by, images):
+        """Along one map: of what it says outright a difference in three times the digits."""
+        if of not in images:
+            return self.partial(of, by)
+        here, digits = self.draw(by), mpmath.mp.dps
+
+        def image(value):
+            self.numbers[by] = value
+            return images[of](self)
+
+        with mpmath.workdps(3 * digits):
+            step = mpmath.mpf(10) ** -digits
+            difference = (image(here + step) - image(here - step)) / (2 * step)
+        self.numbers[by] = here
+        return difference
+
     def derivative(self, of, by):
         """Along the maps, by the chain rule where impacts lie between."""
-        here = [(ends, starts) for ends, starts in self.maps.values() if starts and by in starts]
-        if any(of in starts for _, starts in here):
+        here = [found for found in self.maps.values() if found[1] and by in found[1]]
+        if any(of in starts for _, starts, _ in here):
             return mpmath.mpf(of == by)
-        if any(of in ends for ends, _ in here):
-            return self.partial(of, by)
-        return mpmath.fsum(self.derivative(of, n) * self.partial(n, by) for n in here[0][0])
+        for ends, _, images in here:
+            if of in ends:
+                return self.slope(of, by, images)
+        ends, _, images = here[0]
+        return mpmath.fsum(self.derivative(of, n) * self.slope(n, by, images) for n in ends)
 
     def matrix(self, name):
-        first, second = self.maps[name]
+        first, second, images = self.maps[name]
         if second:
-            return mpmath.matrix([[self.partial(of, by) for by in second] for of in first])
+            return mpmath.matrix([[self.slope(of, by, images) for by in second] for of in first])
         product = self.matrix(first[0])
         for factor in first[1:]:
             product = product * self.matrix(factor)
@@ -1711,7 +1736,7 @@ def check_translation(statement, readings):
     for label, definitions, formula in readings["formulas"]:
         definitions = {**readings["abbreviations"], **definitions}
         near, seeds = [], []
-        for seed in range(40):
+        for seed in range(80):
             try:
                 near.append(formula(Values(statement, seed, definitions, readings["maps"])))
                 seeds.append(seed)
@@ -1722,7 +1747,10 @@ def check_translation(statement, readings):
         wanted = [(n, term) for n, (given, _, term, _) in enumerate(statement.givens) if given == label]
         if label == "":
             wanted = [(-1 - n, term) for n, (_, term) in enumerate(statement.goals)]
-        found = not wanted
+        if label == "beside the claim":
+            wanted = [(("beside", term), term) for term in statement.beside]
+        # of what stands beside the claim, signs are read both ways
+        found = not wanted or label == "beside the claim"
         for number, term in wanted:
             compared.setdefault(number, False)
             own = [Values(statement, seed) for seed in seeds]
@@ -1730,6 +1758,10 @@ def check_translation(statement, readings):
             if near and all(abs(a - b) <= mpmath.mpf(10) ** -30 * (1 + abs(a) + abs(b)) for a, b in zip(near, own)):
                 compared[number] = found = True
         require(found, "the formula (%s) is not what was checked" % (label or "the claim"))
+    for term in sorted(set(statement.beside)):
+        require(compared.pop(("beside", term), False), "what was taken as written beside the claim is printed nowhere")
+    for number in [number for number in compared if isinstance(number, tuple)]:
+        del compared[number]
     for number, found in compared.items():
         if number >= 0 and statement.givens[number][0].startswith("the domain of"):
             continue  # its own conditions stand beside those of its formula
@@ -1742,7 +1774,7 @@ def check_domains(statement, readings):
     """Nothing is given as the domain of a formula but what the formula needs to have a value."""
     s = statement
     law_terms = [of for _, _, _, law in s.givens if law for _, of in law["conditions"]]
-    terms = [term for _, _, term, _ in s.givens] + [term for _, term in s.goals] + law_terms
+    terms = [term for _, _, term, _ in s.givens] + [term for _, term in s.goals] + law_terms + s.beside
     needed = set(s.domain(*terms))
     for inner in s.inside(*terms, *s.definitions.values()):
         node = s.nodes[inner]

@@ -1,7 +1,10 @@
 //! Points at which the premises of a claim hold and the claim does not.
 
+use super::point::family;
 use super::print::{simplified, tex};
-use crate::kernel::{At, EFFORT, Node, Property, Quantity, Statement, Symbol, Term, With, Witness, term_value};
+use crate::kernel::{
+    At, EFFORT, Function, Node, Property, Quantity, Statement, Symbol, Term, With, Witness, term_value,
+};
 use crate::number::{Field, Interval, Rational, Wide};
 use crate::tex::Relation;
 use std::collections::{BTreeSet, HashMap};
@@ -95,7 +98,7 @@ pub fn at(witness: &With<Witness>, relation: Relation) -> Option<Counterexample>
     let givens = own.givens().iter().filter(|given| !given.label.starts_with('['));
     let goals = own.goal().iter().map(|(_, term)| *term);
     let written: Vec<Term> = givens.map(|given| given.term).chain(goals).collect();
-    for term in written {
+    for &term in &written {
         let whole = own.written_out(term);
         for inner in own.terms().inside(term).into_iter().chain(own.terms().inside(whole)) {
             if let Node::Symbol(symbol) = own.terms().node(inner) {
@@ -132,7 +135,21 @@ pub fn at(witness: &With<Witness>, relation: Relation) -> Option<Counterexample>
         let found = values.of(named);
         point.push((name, tex(values.statement().terms(), found)));
     }
+    let own = values.statement();
+    let of_value = |term: &Term| match own.terms().node(*term) {
+        Node::Value(function, ..) => Some(*function),
+        _ => None,
+    };
+    let valued: BTreeSet<Function> = written
+        .iter()
+        .flat_map(|&term| own.terms().inside(term))
+        .filter_map(|term| of_value(&term))
+        .collect();
+    let is_spoken = |function: Function, statement: &Statement| !family(statement, function).is_disjoint(&valued);
     for (function, time, term) in &witness.functions {
+        if !is_spoken(*function, values.statement()) {
+            continue;
+        }
         let terms = values.statement().terms();
         let name = format!("{}({})", terms.function_name(*function), terms.symbol_name(*time));
         let found = values.of(*term);

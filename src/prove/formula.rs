@@ -1,7 +1,7 @@
 //! The printed formulas as Python expressions, from their trees alone: the kernel's terms are compared with these.
 
 use crate::claim::{Local, Map, Statements, Vocabulary, flies, index_of, pair_of, subscript_of};
-use crate::kernel::{Question, Step, Symbol};
+use crate::kernel::{Question, Symbol};
 use crate::tex::{Condition, Equation, Invariant, Name, Relation, Tree};
 
 /// All formulas of a question.
@@ -104,6 +104,22 @@ impl<'a> Formulas<'a> {
             }
             Some(_) => {}
         }
+        let others = self.statements.claims.iter().filter(|other| *other != claim);
+        for other in others.filter(|other| !flies(other, self.vocabulary)) {
+            let is_pair = matches!(&other.left, Tree::Symbol(name, _) if pair_of(name).is_some());
+            for side in [&other.left, &other.right].into_iter().skip(usize::from(is_pair)) {
+                for upper in [true, false] {
+                    let within = Within {
+                        upper,
+                        ..self.within(other, &self.statements.locals, first)
+                    };
+                    push("beside the claim", &within, within.python(side));
+                }
+            }
+        }
+        for local in self.statements.locals.iter().take(self.statements.own_locals) {
+            push("beside the claim", &own, own.name(&local.name));
+        }
         let abbreviations = self.vocabulary.abbreviations.iter().map(|(name, tree)| {
             let within = Within { locals: &[], ..own };
             format!(
@@ -143,31 +159,55 @@ impl<'a> Formulas<'a> {
         running.map_or("t".to_string(), Name::to_string)
     }
 
-    /// What each map takes to what; of a product, its factors.
+    /// What each map takes to what, and how where it says so outright; of a product, its factors.
     fn maps(&self) -> String {
         let statement = &self.question.statement;
-        let mut steps = statement.maps().iter();
         let name = |symbol: &Symbol| quoted(statement.terms().symbol_name(*symbol));
+        let entry = |map: &str, first: String, second: String, images: String| {
+            format!("{}: ({first}, {second}, {{{images}}})", quoted(map))
+        };
         let mut maps = Vec::new();
-        let both = |step: &Step| [list(step.of.iter().map(name)), list(step.by.iter().map(name))];
-        if self.vocabulary.maps.is_empty() {
-            for (number, step) in steps.enumerate() {
-                let [first, second] = both(step);
-                maps.push(format!("{}: ({first}, {second})", quoted(&number.to_string())));
-            }
-        } else if steps.len() > 0 {
-            for (map, meaning) in &self.vocabulary.maps {
-                let [first, second] = match meaning {
-                    Map::Product(factors) => {
-                        let factors = factors.iter().map(|factor| quoted(&factor.to_string()));
-                        [list(factors), "[]".into()]
-                    }
-                    _ => steps.next().map_or(["[]".into(), "[]".into()], both),
-                };
-                maps.push(format!("{}: ({first}, {second})", quoted(&map.to_string())));
+        for (number, step) in statement.maps().iter().enumerate() {
+            let (first, second) = (list(step.of.iter().map(name)), list(step.by.iter().map(name)));
+            let known = match step.name.is_empty() {
+                true => number.to_string(),
+                false => step.name.clone(),
+            };
+            maps.push(entry(&known, first, second, String::new()));
+        }
+        for step in statement.outright_maps() {
+            let (first, second) = (list(step.of.iter().map(name)), list(step.by.iter().map(name)));
+            maps.push(entry(&step.name, first, second, self.images(&step.name)));
+        }
+        for (map, meaning) in &self.vocabulary.maps {
+            if let Map::Product(factors) = meaning {
+                let factors = factors.iter().map(|factor| quoted(&factor.to_string()));
+                maps.push(entry(&map.to_string(), list(factors), "[]".into(), String::new()));
             }
         }
         format!("{{{}}}", maps.join(", "))
+    }
+
+    /// What the equations of a map say that its quantities are.
+    fn images(&self, map: &str) -> String {
+        let of_map = |(name, map_of): &'_ (Name, Map)| (name.to_string() == map).then(|| map_of.clone());
+        let Some(Map::Equations(equations)) = self.vocabulary.maps.iter().find_map(of_map) else {
+            return String::new();
+        };
+        let image = |equation: &Equation| {
+            let within = self.within(equation, &[], None);
+            let Tree::Symbol(left, _) = &equation.left else {
+                return None;
+            };
+            let printed = within.moving(left)?;
+            Some(format!(
+                "{}: lambda v: {}",
+                quoted(&printed),
+                within.python(&equation.right)
+            ))
+        };
+        let images: Vec<String> = equations.iter().filter_map(image).collect();
+        images.join(", ")
     }
 }
 

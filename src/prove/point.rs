@@ -467,7 +467,8 @@ fn is_own_derivative(statement: &Statement, function: Function) -> bool {
 }
 
 /// A function with all that are connected with it by derivatives.
-fn family(statement: &Statement, function: Function) -> BTreeSet<Function> {
+/// A function with all that are declared its derivatives, or whose derivative it is, in turn.
+pub(super) fn family(statement: &Statement, function: Function) -> BTreeSet<Function> {
     let mut family = BTreeSet::from([function]);
     loop {
         let size = family.len();

@@ -61,10 +61,13 @@ fn print(terms: &Terms, term: Term) -> (String, Binding) {
                 .iter()
                 .filter(|part| !is(part, &minus) && !is(part, &Rational::one()));
             let rest: Vec<String> = rest.map(|&part| within(terms, part, Binding::Product)).collect();
-            let text = match rest.is_empty() {
-                true => "1".to_string(),
-                false => rest.join(" "),
-            };
+            let text = rest
+                .into_iter()
+                .reduce(|text, factor| match factor.starts_with(|c: char| c.is_ascii_digit()) {
+                    true => format!("{text} \\cdot {factor}"),
+                    false => format!("{text} {factor}"),
+                });
+            let text = text.unwrap_or_else(|| "1".to_string());
             match negative {
                 true => (format!("-{text}"), Binding::Product),
                 false => (text, Binding::Product),
@@ -82,12 +85,16 @@ fn print(terms: &Terms, term: Term) -> (String, Binding) {
             format!("{}^{{{}}}", within(terms, *base, Binding::Atom), tex(terms, *exponent)),
             Binding::Power,
         ),
+        Node::Elementary(Elementary::Exp, of) => match tex(terms, *of).as_str() {
+            "1" => ("e".into(), Binding::Atom),
+            of => (format!("e^{{{of}}}"), Binding::Power),
+        },
         Node::Elementary(function, of) => {
             let of = tex(terms, *of);
             let text = match function {
                 Elementary::Root(2) => format!("\\sqrt{{{of}}}"),
                 Elementary::Root(index) => format!("\\sqrt[{index}]{{{of}}}"),
-                Elementary::Exp => format!("e^{{{of}}}"),
+                Elementary::Exp => format!("\\exp({of})"),
                 Elementary::Sin => format!("\\sin({of})"),
                 Elementary::Cos => format!("\\cos({of})"),
                 Elementary::Ln => format!("\\ln({of})"),

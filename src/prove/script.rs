@@ -386,6 +386,7 @@ fn statement_fields(statement: &Statement) -> Vec<String> {
         list([symbols(&map.of), symbols(&map.by), list(equations)])
     });
     fields.push(field("maps", list(maps)));
+    fields.push(field("beside", integers(statement.beside().iter().map(|term| term.0))));
     fields
 }
 
