@@ -39,6 +39,8 @@ const ENDLESS: usize = 1 << 16;
 const ORDER: usize = 24;
 const ORDER_WIDE: usize = 44;
 const MOST_STEPS: usize = 100;
+/// Terms of a series of which one is large where the function is.
+const FIRST_TERMS: usize = 4;
 /// The shortest step, as a part of the way left.
 const SHORTEST: f64 = 1e-4;
 /// How near to 0 a divisor, or the argument of a root or logarithm or of an absolute value, may come, as a part of what
@@ -258,16 +260,23 @@ fn derivative<V: Value>(series: &[V], level: usize, step: &V) -> V {
     sum
 }
 
-/// How far a series can be used: where its last terms are rounding errors beside the largest coefficient.
+/// How far a series can be used: where its last terms are rounding errors beside one of the first.
 fn reach<V: Value>(series: &[V]) -> f64 {
     let tolerance = if is_wide::<V>() { 1e-44 } else { 1e-18 };
-    let scale = series.iter().map(Value::size).fold(0.0, f64::max);
     let last = series.iter().enumerate().rev().take(3);
     let reach = last.map(|(power, coefficient)| match coefficient.size() {
         0.0 => f64::INFINITY,
-        size => (tolerance * scale / size).powf(1.0 / power as f64),
+        size => {
+            let first = series.iter().map(Value::size).enumerate().take(FIRST_TERMS);
+            let beside = first.map(|(n, first)| (tolerance * first / size).powf(1.0 / (power - n) as f64));
+            // one that is no number makes the reach none
+            beside.fold(0.0, |far, next| if next > far || next.is_nan() { next } else { far })
+        }
     });
-    reach.fold(f64::INFINITY, f64::min)
+    reach.fold(
+        f64::INFINITY,
+        |near, next| if next < near || next.is_nan() { next } else { near },
+    )
 }
 
 fn is_wide<V: Value>() -> bool {

@@ -426,7 +426,8 @@ impl<'a> Builder<'a> {
     fn solution(&mut self, symbol: Symbol, value: Term, at: usize) -> Result<Vec<(Property, Term)>, Unreadable> {
         self.declare_signs()?;
         let mut goals = Vec::new();
-        for given in self.statement.givens.clone() {
+        let mut solved = Vec::new();
+        for (number, given) in self.statement.givens.clone().into_iter().enumerate() {
             let term = self.statement.written_out(given.term);
             let conditions = given.law.iter().flat_map(|law| law.conditions.clone());
             let conditions: Vec<Term> = conditions.map(|(_, of)| self.statement.written_out(of)).collect();
@@ -442,8 +443,50 @@ impl<'a> Builder<'a> {
                 return Err(unreadable(at, message));
             }
             goals.push((given.property, self.statement.terms.substitute(term, symbol, value)));
+            solved.push((number, given.property, term));
+        }
+        // one equation with a number as leading coefficient has a complex solution, whatever the others are
+        if let [(number, Property::Zero, term)] = solved[..]
+            && self.may_be_complex(symbol)
+            && self.has_roots(term, symbol)
+        {
+            self.statement.givens.remove(number);
         }
         Ok(goals)
+    }
+
+    /// Whether a symbol is declared complex.
+    fn may_be_complex(&self, symbol: Symbol) -> bool {
+        let quantity = self.statement.quantity(symbol);
+        matches!(quantity, Some(Quantity::Parameter(name)) if self.vocabulary.complex.contains(name))
+    }
+
+    /// Whether a term is a polynomial in a symbol of degree 1 or more, with a number that is not 0 as leading coefficient
+    /// and the symbol nowhere else.
+    fn has_roots(&self, term: Term, symbol: Symbol) -> bool {
+        let terms = &self.statement.terms;
+        let quotient = super::expand::Expansion::new(BTreeSet::new(), MOST_ROOT_STEPS).of(terms, term);
+        let Ok(quotient) = quotient else { return false };
+        let degree = |monomial: &super::polynomial::Monomial| -> u32 {
+            let powers = monomial
+                .iter()
+                .filter(|(of, _)| *terms.node(*of) == Node::Symbol(symbol));
+            powers.map(|(_, power)| *power).sum()
+        };
+        let hidden = |of: &Term| *terms.node(*of) != Node::Symbol(symbol) && terms.holds(*of, symbol);
+        let numerator = &quotient.numerator;
+        let most = numerator.terms().iter().map(|(monomial, _)| degree(monomial)).max();
+        let mut leading = numerator
+            .terms()
+            .iter()
+            .filter(|(monomial, _)| Some(degree(monomial)) == most);
+        quotient.divisors.is_empty()
+            && !numerator.generators().iter().any(hidden)
+            && most >= Some(1)
+            && leading
+                .next()
+                .is_some_and(|(monomial, _)| monomial.iter().all(|(of, _)| *terms.node(*of) == Node::Symbol(symbol)))
+            && leading.next().is_none()
     }
 
     /// What must vanish, be positive or the like for a relation to hold.
@@ -1459,6 +1502,9 @@ fn own_label(label: &str) -> String {
         false => label.to_string(),
     }
 }
+
+/// Products of terms for the equation of which a claim states the solutions.
+const MOST_ROOT_STEPS: u64 = 100_000;
 
 /// The label of what must hold for the claim to be defined.
 pub const CLAIM_DOMAIN: &str = "the domain of the claim";

@@ -143,13 +143,14 @@ fn positional(sign: &str, digits: &str, power: i64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Analytic, Sequence};
+    use crate::number::derivable::Elementary;
+    use crate::number::{Analytic, Field, Sequence};
 
     type Number = Wide<40>;
 
     #[test]
     fn values_beyond_powers_of_ten_are_written_with_powers_of_two() {
-        let exponential = |exponent: i64| Number::from_integer(exponent).exp();
+        let exponential = |exponent: i64| Number::from_integer(exponent).elementary(Elementary::Exp);
         // 10^6 / ln 2 = 1442695.0408889...
         assert_eq!(exponential(1_000_000).to_decimal(5), "1.0287*2^1442695");
         assert_eq!(exponential(-1_000_000).to_decimal(3), "1.94*2^-1442696");
