@@ -7,7 +7,7 @@ use super::fault::{Fault, Source};
 use super::sheet::Sheet;
 use super::substitute::{any, flies, rewrite_alone, rewrite_condition, runs, tree_runs};
 use super::vocabulary::{Map, Vocabulary, index_of};
-use crate::tex::{Condition, Equation, Name, Tree};
+use crate::tex::{At, Condition, Equation, Name, Relation, Tree};
 use std::collections::BTreeSet;
 
 /// One equation that is taken as true.
@@ -38,8 +38,6 @@ pub struct Statements {
     /// The symbols that the claim may use beyond the vocabulary: its own definitions, then those that it follows from. A
     /// definition comes before what the vocabulary says of a name.
     pub locals: Vec<Local>,
-    /// How many of these, from the first, are the claim's own.
-    pub own_locals: usize,
     /// The equations to be decided.
     pub claims: Vec<Equation>,
     /// The conditions under which the claim is made.
@@ -54,7 +52,7 @@ pub struct Statements {
     /// Whether a partial derivative is written out anywhere.
     pub has_partials: bool,
     /// The maps of the vocabulary that claim and premises name: in traces and determinants, also those of products and
-    /// in abbreviations; all where a derivative is written out.
+    /// in abbreviations; and those of the premises where a derivative is written out.
     pub maps: BTreeSet<Name>,
 }
 
@@ -131,7 +129,6 @@ impl Statements {
             found.push(claim, equation, source, joined(claim.own.clone(), &shared));
         }
         found.locals = joined(claim.own.clone(), &shared);
-        found.own_locals = claim.own.len();
         if let Some(name) = circular(&found.locals) {
             return Err(claim
                 .tex
@@ -238,6 +235,22 @@ impl Statements {
                 let substituted = one_impact && put_in.equation != shifted.equation;
                 *premise = Premise { substituted, ..put_in };
             }
+            // what the claim defines itself is no premise
+            let followed = self
+                .locals
+                .iter_mut()
+                .filter(|local| !is_defined(&local.name, &claim.own));
+            for local in followed {
+                let (left, at) = (Tree::Symbol(local.name.clone(), At(0)), At(0));
+                let equation = Equation {
+                    left,
+                    relation: Relation::Equal,
+                    right: local.tree.clone(),
+                    at,
+                    end: at,
+                };
+                local.tree = vocabulary.substituted(&equation, &pairs).right;
+            }
         }
         for (equation, source) in more {
             self.push(claim, equation, source, Vec::new());
@@ -308,10 +321,15 @@ impl Statements {
         let has_partials = any_node(|node| matches!(node, Tree::Partial { .. }));
         let speaks_of_maps = has_partials || any_node(|node| matches!(node, Tree::Invariant { .. }));
         (self.first, self.last) = (impacts.first().copied(), impacts.last().copied());
-        self.maps = match has_partials {
-            true => vocabulary.maps.iter().map(|(name, _)| name.clone()).collect(),
-            false => self.named_maps(vocabulary),
-        };
+        self.maps = self.named_maps(vocabulary);
+        if has_partials {
+            // what is written out is along the maps that the premises give
+            let given = vocabulary
+                .maps
+                .iter()
+                .filter(|(_, map)| matches!(map, Map::Premises { .. }));
+            self.maps.extend(given.map(|(name, _)| name.clone()));
+        }
         (self.claim_runs, self.has_partials, self.speaks_of_maps) = (claim_runs, has_partials, speaks_of_maps);
         self
     }

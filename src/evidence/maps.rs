@@ -39,7 +39,12 @@ impl Maps {
     }
 
     fn chain(&self, of: usize, by: usize, space: &mut Space, formulas: &mut Formulas, left: usize) -> Option<Formula> {
-        let here = || self.steps.iter().filter(|step| step.by.contains(&by));
+        // explicit maps are spoken of by their names alone
+        let here = || {
+            self.steps
+                .iter()
+                .filter(|step| step.by.contains(&by) && step.equations.is_empty())
+        };
         if here().any(|step| step.of.contains(&of)) {
             return Some(partial(of, by, space, formulas));
         }

@@ -225,7 +225,7 @@ impl System {
                 program: Program::default(),
             });
         }
-        for local in statements.locals.iter().take(statements.own_locals) {
+        for local in &statements.locals {
             let mut compiler = self.compiler(vocabulary, &statements.locals);
             let value = compiler.tree(&local.tree)?;
             let value = self.resolve(value, vocabulary);

@@ -381,6 +381,7 @@ impl<'a> Builder<'a> {
     /// What else the claim writes is defined too: the other equations at single times, and its own definitions.
     fn write_claims(&mut self, statements: &Statements, decided: &Equation) -> Result<(), Unreadable> {
         let upper = self.upper;
+        let mut brought = Vec::new();
         let others = statements.claims.iter().filter(|&other| other != decided);
         for other in others.filter(|other| !crate::claim::flies(other, self.vocabulary)) {
             let flight = self.scope.flight;
@@ -394,18 +395,20 @@ impl<'a> Builder<'a> {
                 for side in [&other.left, &other.right].into_iter().skip(usize::from(is_pair)) {
                     let term = self.tree(side)?;
                     self.statement.beside.push(term);
+                    brought.append(&mut self.brought);
                 }
             }
             self.own_scope(flight, false);
         }
         self.upper = upper;
-        for local in self.locals.iter().take(statements.own_locals) {
+        for local in self.locals {
             let scope = self.scope.number;
             let term = self.abbreviation(&local.name, &local.tree, scope, 0)?;
             self.statement.beside.push(term);
         }
         self.written.extend(self.statement.beside.clone());
-        for (property, term) in std::mem::take(&mut self.brought) {
+        brought.append(&mut self.brought);
+        for (property, term) in brought {
             self.push(CLAIM_DOMAIN, property, term, None);
         }
         Ok(())
@@ -803,7 +806,15 @@ impl<'a> Builder<'a> {
                 let parts = self.trees(parts)?;
                 self.statement.terms.product(parts)
             }
-            Tree::Quotient(above, below, _) => {
+            Tree::Quotient(above, below, at) => {
+                if let Tree::Product(parts) = below.as_ref()
+                    && let [Tree::Symbol(d, _), Tree::Symbol(time, _)] = parts.as_slice()
+                    && (is_letter(d, "d") || is_letter(d, r"\mathrm{d}"))
+                    && (self.vocabulary.running.as_ref() == Some(time) || is_letter(time, "t"))
+                {
+                    let message = "this can be read as a derivative and as a quotient: write the derivative by its name, or `d` beside another factor";
+                    return Err(unreadable(at.0, message));
+                }
                 let (above, below) = (self.tree(above)?, self.tree(below)?);
                 self.statement.terms.quotient(above, below)
             }
@@ -876,12 +887,24 @@ impl<'a> Builder<'a> {
             if index == 1 {
                 return Ok(self.power(base, power));
             }
-            self.brought.push((Property::NonNegative, base));
+            if !self.statement.complex {
+                self.brought.push((Property::NonNegative, base));
+            }
             let root = self.statement.terms.elementary(Elementary::Root(index), base);
             return Ok(self.power(root, power));
         }
-        if !self.is_integer(exponent) {
+        let whole = self.is_integer(exponent);
+        if !whole {
             self.brought.push((Property::NonNegative, base));
+        }
+        if matches!(self.statement.terms.node(base), Node::Number(value) if value.0.is_zero()) {
+            // 0^0 is 1 where the exponent is an integer
+            let property = if whole {
+                Property::NonNegative
+            } else {
+                Property::Positive
+            };
+            self.brought.push((property, exponent));
         }
         Ok(self.statement.terms.add(Node::RealPower(base, exponent)))
     }
@@ -1157,7 +1180,9 @@ impl<'a> Builder<'a> {
     fn partial(&mut self, of: &Name, by: &Name, at: usize) -> Result<Term, Unreadable> {
         let none = || unreadable(at, format!("no map gives the derivative of `{of}` by `{by}`"));
         let (above, below) = (self.quantity(of).ok_or_else(none)?, self.quantity(by).ok_or_else(none)?);
-        let steps = self.map_steps()?;
+        let mut steps = self.map_steps()?;
+        // explicit maps are spoken of by their names alone
+        steps.retain(|(_, step)| step.equations.is_empty());
         self.entry(above, below, &steps, steps.len()).ok_or_else(none)
     }
 
@@ -1379,7 +1404,8 @@ impl<'a> Builder<'a> {
     /// Where no map is declared, a derivative of a quantity at one impact by one at the impact before is that of the map
     /// of the premises: from all times and states that these name at the one impact to all at the other.
     fn imply_maps(&mut self, statements: &Statements) {
-        if !self.vocabulary.maps.is_empty() || self.opaque {
+        let of_premises = |(_, map): &(Name, Map)| matches!(map, Map::Premises { .. });
+        if self.vocabulary.maps.iter().any(of_premises) || self.opaque {
             return;
         }
         let premises = statements.premises.iter().map(|premise| &premise.equation);
@@ -1468,7 +1494,8 @@ impl<'a> Builder<'a> {
     /// Takes as given that derivatives along maps exist, where the claim or a premise speaks of such.
     fn derivatives_exist(&mut self, goal: &[(Property, Term)]) {
         let givens = self.statement.givens.iter().map(|given| given.term);
-        let spoken: Vec<Term> = givens.chain(goal.iter().map(|(_, term)| *term)).collect();
+        let beside = self.statement.beside.iter().copied();
+        let spoken: Vec<Term> = givens.chain(goal.iter().map(|(_, term)| *term)).chain(beside).collect();
         let mut partials: BTreeSet<Symbol> = BTreeSet::new();
         for term in spoken {
             let term = self.statement.written_out(term);

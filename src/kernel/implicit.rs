@@ -11,7 +11,8 @@ const PRIME: u128 = (1 << 61) - 1;
 
 /// The vanishing terms among the givens that determine the map: of those that speak of no other impact, the ones with
 /// a state before the others, each taken if it makes the rank of the slopes by what the map gives larger. What is left
-/// restricts the point, not the map.
+/// and does not lead from one impact to the next restricts the point; where something is left that does, nothing tells
+/// which of these is the map, and none determines it.
 pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)> {
     let mut candidates: Vec<(String, Term)> = Vec::new();
     for number in 0..statement.givens.len() {
@@ -44,6 +45,7 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
         )
     };
     let mut fitting: Vec<(bool, String, Term)> = Vec::new();
+    let mut leading: BTreeSet<Term> = BTreeSet::new();
     for (label, term) in candidates {
         let written = statement.written_out(term);
         let met: BTreeSet<Symbol> = statement
@@ -74,6 +76,9 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
             let state = met
                 .iter()
                 .any(|symbol| matches!(statement.quantity(*symbol), Some(Quantity::State { .. })));
+            if state && met.iter().any(|symbol| step.by.contains(symbol)) {
+                leading.insert(term);
+            }
             fitting.push((!state, label, term));
         }
     }
@@ -92,7 +97,11 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
             rows.pop();
         }
     }
-    chosen
+    let is_left = |term: &Term| !chosen.iter().any(|(_, known)| known == term);
+    match chosen.len() == step.of.len() && leading.iter().any(is_left) {
+        true => Vec::new(),
+        false => chosen,
+    }
 }
 
 /// The determinant of the slopes of the determining terms by what the map gives: where it is not 0, the map has

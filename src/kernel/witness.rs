@@ -475,6 +475,13 @@ impl<'a> At<'a> {
                         return refused("an equation of a map is not differentiated");
                     }
                     let slope = self.statement.along(written, &step, by);
+                    let between = self.statement.terms.inside(slope).into_iter().any(|inner| {
+                        matches!(self.statement.terms.node(inner), Node::Symbol(symbol)
+                            if matches!(self.statement.quantity(*symbol), Some(Quantity::Partial { of, .. }) if !step.of.contains(of)))
+                    });
+                    if between {
+                        return refused("nothing determines the derivative of what stands between the ends of a map");
+                    }
                     let given = Given {
                         label: label.clone(),
                         property: Property::Zero,
@@ -496,8 +503,9 @@ impl<'a> At<'a> {
     /// slopes of the equations are independent there (implicit function theorem), and nothing else that is given speaks
     /// of what the map gives, but the equations of maps that start there.
     fn is_free(&mut self, step: &Step) -> Outcome<bool> {
-        let determined = |step: &&Step| step.equations.len() == step.of.len();
-        let others = self.statement.steps.iter().filter(determined);
+        let starts_there =
+            |other: &&Step| other.equations.len() == other.of.len() && other.by.iter().any(|by| step.of.contains(by));
+        let others = self.statement.steps.iter().filter(starts_there);
         let mut known: Vec<Term> = others.flat_map(|step| &step.equations).map(|(_, term)| *term).collect();
         known.extend(step.equations.iter().map(|(_, term)| *term));
         for given in self.statement.givens.clone() {
@@ -710,6 +718,13 @@ impl<'a> At<'a> {
 
     /// A number without symbols has a value.
     fn exists(&mut self, term: Term) -> Outcome<()> {
+        let written = self.statement.written_out(term);
+        for inner in self.statement.terms.inside(written) {
+            // whether a power of 0 has a value hangs on its exponent
+            if let Node::RealPower(base, _) = *self.statement.terms.node(inner) {
+                self.is_in_domain(Property::Nonzero, base)?;
+            }
+        }
         for (property, of) in self.statement.domain(term) {
             self.is_in_domain(property, of)?;
         }
@@ -881,7 +896,53 @@ impl<'a> At<'a> {
             };
             self.vanishes_at_all_times(instance.term, running)?;
         }
-        Ok(())
+        self.may_go_on(number, base)
+    }
+
+    /// A law of flight holds after the last impact too: what it says of the start of that flight must not go against
+    /// what is known there, nor against the end of the flight before where a state is continuous.
+    fn may_go_on(&mut self, number: usize, base: i32) -> Outcome<()> {
+        let Some(last) = self.flights().last().map(|flight| flight + 1) else {
+            return Ok(());
+        };
+        let known = self.statement.times.get(&last).copied();
+        let end = known.unwrap_or_else(|| self.statement.fresh("t"));
+        if known.is_none() {
+            self.statement.times.insert(last, end);
+        }
+        let start = self.statement.terms.symbol(end);
+        let Some(instance) = self.statement.instance(number, Some(start), last - base, None) else {
+            return Ok(());
+        };
+        let mut term = self.statement.written_out(instance.term);
+        for (function, time, body) in self.witness.functions.clone() {
+            let named = self.statement.functions.get(function.0 as usize).cloned();
+            if let Some(FunctionOf::Flight { state, impact }) = named
+                && impact + 1 == last
+                && self.statement.continuous.contains(&state)
+            {
+                let letter = self.statement.letter.clone();
+                let symbol = self.statement.state(&state, last, false, &letter);
+                let value = self.statement.terms.substitute(body, time, start);
+                term = self.statement.terms.substitute(term, symbol, value);
+            }
+        }
+        let is_open = |inner: Term| match self.statement.terms.node(inner) {
+            Node::Symbol(symbol) => !self.solved.contains_key(symbol) && !self.sample.contains_key(symbol),
+            Node::Value(function, ..) => {
+                matches!(self.statement.functions.get(function.0 as usize), Some(FunctionOf::Flight { impact, .. }) if *impact == last)
+            }
+            _ => false,
+        };
+        if self.statement.terms.inside(term).into_iter().any(is_open) {
+            return Ok(());
+        }
+        self.holds(&Given {
+            label: "the flight after the last impact".into(),
+            property: Property::Zero,
+            term,
+            law: None,
+        })
     }
 
     fn vanishes_at_all_times(&mut self, term: Term, time: Symbol) -> Outcome<()> {

@@ -117,7 +117,7 @@ impl<'a> Formulas<'a> {
                 }
             }
         }
-        for local in self.statements.locals.iter().take(self.statements.own_locals) {
+        for local in &self.statements.locals {
             push("beside the claim", &own, own.name(&local.name));
         }
         let abbreviations = self.vocabulary.abbreviations.iter().map(|(name, tree)| {

@@ -853,6 +853,28 @@ impl<'a> Session<'a> {
         self.reduce(polynomial, true).map(|(rest, _)| rest)
     }
 
+    /// What a term is by the pivots with a number as leading coefficient, where that tells it from others: not of a
+    /// quotient, nor where a pivot divides by more than a number.
+    pub fn value_form(&mut self, term: Term) -> Option<Polynomial> {
+        let quotient = self.checker.expansion.of(self.checker.statement.terms(), term).ok()?;
+        let divided: Vec<Term> = self
+            .triangle
+            .iter()
+            .filter(|pivot| !pivot.lead.is_empty())
+            .map(|pivot| pivot.generator)
+            .collect();
+        let is_plain =
+            quotient.divisors.is_empty() && !quotient.numerator.generators().iter().any(|of| divided.contains(of));
+        is_plain.then(|| self.normal_form(&quotient.numerator)).flatten()
+    }
+
+    /// Whether the difference of two terms vanishes by the triangle.
+    pub fn is_difference_zero(&mut self, a: Term, b: Term) -> bool {
+        let difference = self.terms().difference(a, b);
+        self.numerator(difference)
+            .is_some_and(|form| self.reduces_to_zero(&form))
+    }
+
     /// Shows that a polynomial vanishes: by the triangle, then by an ideal of what is left.
     pub fn show_zero(&mut self, polynomial: &Polynomial) -> Option<usize> {
         self.show_zero_by(polynomial, &mut |session, rest| session.show_rest(rest))

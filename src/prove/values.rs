@@ -448,17 +448,19 @@ impl Session<'_> {
 
 /// Equal arguments have equal values.
 fn merge(session: &mut Session, goals: &[Polynomial]) {
-    let mut groups: BTreeMap<(Function, u32), Vec<(Term, Polynomial)>> = BTreeMap::new();
+    // quotients have no form of their own: their differences are looked at
+    let mut groups: BTreeMap<(Function, u32), Vec<(Term, Option<Polynomial>)>> = BTreeMap::new();
     for (function, order, at) in values(session, goals) {
-        let Some(form) = session.numerator(at) else { continue };
-        let Some(form) = session.normal_form(&form) else {
-            continue;
-        };
+        let form = session.value_form(at);
         groups.entry((function, order)).or_default().push((at, form));
     }
     for ((function, order), members) in groups {
         for (n, (a, form)) in members.iter().enumerate() {
-            let Some((b, _)) = members[..n].iter().find(|(_, other)| other == form) else {
+            let mut equal = members[..n].iter().filter(|(b, other)| match (form, other) {
+                (Some(form), Some(other)) => form == other,
+                _ => n < MOST_COMPARED && session.is_difference_zero(*a, *b),
+            });
+            let Some((b, _)) = equal.next() else {
                 continue;
             };
             if session.show_equal(*a, *b).is_some() {
@@ -469,6 +471,9 @@ fn merge(session: &mut Session, goals: &[Polynomial]) {
         }
     }
 }
+
+/// Values of one function of which the arguments are quotients, compared with each other.
+const MOST_COMPARED: usize = 12;
 
 /// A law that says something of a function at two times that are a fixed time apart.
 struct Recurrence {
