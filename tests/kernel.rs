@@ -1,8 +1,9 @@
 //! The kernel against whoever searches for certificates: what it must not accept, whatever it is handed.
 //!
 //! `attacks` holds one test for each hole that was found by reading: a certificate or a witness that was accepted
-//! once, and the wrong verdict that it would have made. `rules` goes through the rules one by one. `mutants.py` breaks
-//! the kernel's own code, a line at a time, and says what these tests do not notice.
+//! once, and the wrong verdict that it would have made. `rules` goes through the rules one by one; `refusals` breaks one
+//! condition at a time. `mutants.py` breaks the kernel's own code, a line at a time, and says what these tests do not
+//! notice.
 
 #![cfg(feature = "kernel")]
 
@@ -17,6 +18,8 @@ mod breaks;
 mod digits;
 #[path = "kernel/forge.rs"]
 mod forge;
+#[path = "kernel/refusals.rs"]
+mod refusals;
 #[path = "kernel/rules.rs"]
 mod rules;
 

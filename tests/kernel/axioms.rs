@@ -23,12 +23,12 @@ struct Case {
 const REAL: &str = "parameters = ['x', 'y']\nintegers = ['n', 'm']";
 const COMPLEX: &str = "parameters = ['x', 'y']\ncomplex = ['x', 'y']\nintegers = ['n', 'm']";
 
-fn stated(complex: bool, conditions: &[&str]) -> Statement {
+pub fn stated(complex: bool, conditions: &[&str]) -> Statement {
     let claim = "x + y + n + m = y + x + m + n";
     statement(if complex { COMPLEX } else { REAL }, conditions, claim)
 }
 
-fn given_and(own: &mut Statement, axiom: Axiom, whole: Vec<Term>) -> Result<Vec<Fact>, Refusal> {
+pub fn given_and(own: &mut Statement, axiom: Axiom, whole: Vec<Term>) -> Result<Vec<Fact>, Refusal> {
     let certificate = Certificate {
         whole,
         steps: Vec::new(),
@@ -63,7 +63,7 @@ fn elementary(own: &mut Statement, function: Elementary) -> Term {
     own.terms_mut().elementary(function, x)
 }
 
-fn power(own: &mut Statement, base: Term, exponent: Term) -> Term {
+pub fn power(own: &mut Statement, base: Term, exponent: Term) -> Term {
     own.terms_mut().add(Node::RealPower(base, exponent))
 }
 

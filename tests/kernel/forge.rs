@@ -25,7 +25,12 @@ pub fn sheet(symbols: &str, premises: &[&str], claim: &str) -> String {
 
 /// The questions of the only claim.
 pub fn read(symbols: &str, premises: &[&str], claim: &str) -> Result<Vec<Question>, Unreadable> {
-    let sheet = Sheet::read(&sheet(symbols, premises, claim), &vocabulary().unwrap()).unwrap();
+    read_sheet(&sheet(symbols, premises, claim))
+}
+
+/// The questions of the only claim of a sheet.
+pub fn read_sheet(text: &str) -> Result<Vec<Question>, Unreadable> {
+    let sheet = Sheet::read(text, &vocabulary().unwrap()).unwrap();
     let position = (0..sheet.entries.len()).find(|&n| sheet.is_claim(n)).unwrap();
     let statements = Statements::gather(&sheet, position).unwrap();
     questions(&statements, &sheet.vocabulary)

@@ -182,7 +182,7 @@ fn derivatives_are_the_limits_of_differences() {
 }
 
 /// Facts known beforehand: 0 and 1 not negative, 2 and 3 positive, 4 not zero, 5 zero: a, b, c, d, e, f.
-fn with_facts(step: impl FnOnce(&[Polynomial]) -> Inference) -> bool {
+pub fn with_facts(step: impl FnOnce(&[Polynomial]) -> Inference) -> bool {
     let symbols = "parameters = ['a', 'b', 'c', 'd', 'e', 'f']";
     let mut own = statement(symbols, &[], "a + b + c + d + e + f = f + e + d + c + b + a");
     let generators: Vec<Polynomial> = ["a", "b", "c", "d", "e", "f"]
@@ -426,7 +426,8 @@ fn equal_arguments_have_equal_values() {
     assert!(!congruent(&["a = -b"], "a", "b"));
 }
 
-const FLIGHT: &str = "parameters = ['g', 's']\ntimes = ['t', 't_k']\nstates = ['x', '\\dot{x}']\ncontinuous = ['x']";
+pub const FLIGHT: &str =
+    "parameters = ['g', 's']\ntimes = ['t', 't_k']\nstates = ['x', '\\dot{x}']\ncontinuous = ['x']";
 
 #[test]
 fn a_law_of_flight_holds_from_its_impact_to_the_next() {
