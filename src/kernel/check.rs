@@ -333,6 +333,16 @@ impl<'a> Checker<'a> {
                 steps,
             } => self.constant(*of, *time, *at, *flight, steps),
             Inference::Generic(term) => {
+                let vanishing = self
+                    .statement
+                    .givens
+                    .iter()
+                    .filter(|given| given.property == Property::Zero);
+                let vanishing: Vec<Term> = vanishing.map(|given| given.term).collect();
+                let said: Vec<Term> = vanishing
+                    .into_iter()
+                    .map(|term| self.statement.written_out(term))
+                    .collect();
                 let statement = &self.statement;
                 let in_generic = |inner: Term| match statement.terms.node(inner) {
                     Node::Symbol(symbol) => statement.generic.contains(symbol),
@@ -341,9 +351,7 @@ impl<'a> Checker<'a> {
                 };
                 let is_generic = |term: Term| statement.terms.inside(term).into_iter().all(in_generic);
                 // what premises say of generic symbols alone would have parts, of which one may not be left out
-                let bound =
-                    |given: &super::statement::Given| given.property == Property::Zero && is_generic(given.term);
-                if !is_generic(*term) || statement.givens.iter().any(bound) {
+                if !is_generic(*term) || said.into_iter().any(is_generic) {
                     return refused("no polynomial in generic symbols that are free");
                 }
                 self.excluded.push(*term);

@@ -580,6 +580,10 @@ impl<'a> At<'a> {
         };
         let mut checker = Checker::new(&mut bare, &self.witness.certificate, self.effort);
         checker.follow(&self.witness.certificate.steps)?;
+        // what generic symbols exclude is not asked of the point here
+        if !checker.excluded().is_empty() {
+            return refused("a witness takes nothing as not 0");
+        }
         let zeros = checker.facts.iter().filter(|fact| fact.property == Property::Zero);
         self.zeros = zeros.map(|fact| fact.polynomial.clone()).collect();
         self.statement.terms = bare.terms;

@@ -5,7 +5,8 @@
 
 A mutant changes one operator, constant or condition of one line outside tests and comments.
 """
-import pathlib, random, re, subprocess, sys
+import os, pathlib, random, re, signal, subprocess, sys
+from subprocess import DEVNULL
 
 COUNT, SEED = int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 1
 RULES = [
@@ -48,8 +49,11 @@ for path, number, rule, start in places:
             unbuilt += 1
             continue
         try:
-            passed = subprocess.run(["cargo", "test", *flags], capture_output=True, timeout=240).returncode == 0
+            judge = subprocess.Popen(["cargo", "test", *flags], stdout=DEVNULL, stderr=DEVNULL, start_new_session=True)
+            passed = judge.wait(timeout=240) == 0
         except subprocess.TimeoutExpired:
+            # a mutant may loop for ever, in a child of cargo
+            os.killpg(judge.pid, signal.SIGKILL)
             passed = False
         if passed:
             survived += 1

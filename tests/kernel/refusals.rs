@@ -706,3 +706,24 @@ fn generic_symbols_take_all_values_around_a_point() {
         assert_eq!(fails(&own, &[("x", value)], |_, _| ()), accepted, "x = {value}");
     }
 }
+#[test]
+fn a_witness_takes_nothing_as_not_zero() {
+    // x = 1 makes x not 0; a certificate of the witness that takes 0 as not 0 would make everything vanish
+    let own = statement("parameters = ['x']", &["x = 1"], r"x \neq 0");
+    let outcome = refutes(&own, |own| {
+        let nought = integer(own, 0);
+        let steps = vec![
+            Inference::Generic(nought),
+            zero_after(Polynomial::integer(1), vec![(0, 1)], Vec::new()),
+        ];
+        Witness {
+            sample: sample(own, &[("x", 1)]),
+            certificate: Certificate {
+                whole: Vec::new(),
+                steps,
+            },
+            ..Witness::default()
+        }
+    });
+    assert!(outcome.is_err());
+}
