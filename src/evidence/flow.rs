@@ -39,8 +39,8 @@ const ENDLESS: usize = 1 << 16;
 const ORDER: usize = 24;
 const ORDER_WIDE: usize = 44;
 const MOST_STEPS: usize = 100;
-/// Terms of a series of which one is large where the function is.
-const FIRST_TERMS: usize = 4;
+/// Terms of a series of which one is large where the function or its slope is.
+const FIRST_TERMS: usize = 2;
 /// The shortest step, as a part of the way left.
 const SHORTEST: f64 = 1e-4;
 /// How near to 0 a divisor, or the argument of a root or logarithm or of an absolute value, may come, as a part of what

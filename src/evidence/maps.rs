@@ -176,12 +176,14 @@ pub fn read_maps(vocabulary: &Vocabulary, compiler: &mut Compiler) -> Result<Map
 
 impl Maps {
     /// Adds the map from one impact to another where a derivative between them belongs to no map: all times and states
-    /// of the one, each with the others held.
-    pub fn add_step(&mut self, of: &Name, by: &Name, compiler: &mut Compiler) {
+    /// of the one, each with the others held. An explicit map is that map only where no premise is `said` of the one.
+    pub fn add_step(&mut self, of: &Name, by: &Name, said: bool, compiler: &mut Compiler) {
         let (Some(above), Some(below)) = (compiler.quantity(of), compiler.quantity(by)) else {
             return;
         };
-        if self.entry(above, below, compiler.space, compiler.formulas).is_some() {
+        let is_explicit = |step: &Step| !step.equations.is_empty();
+        let explicit = self.steps.iter().all(is_explicit) && said;
+        if !explicit && self.entry(above, below, compiler.space, compiler.formulas).is_some() {
             return;
         }
         let vocabulary = compiler.vocabulary;

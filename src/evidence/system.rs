@@ -135,7 +135,9 @@ impl System {
         let first = statements.first.unwrap_or(0);
         let mut maps = read_maps(vocabulary, &mut self.compiler(vocabulary, &[]))?;
         for (of, by) in partials(statements) {
-            maps.add_step(&of, &by, &mut self.compiler(vocabulary, &[]));
+            let is_of = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if *name == of);
+            let said = statements.premises.iter().any(|premise| any(&premise.equation, &is_of));
+            maps.add_step(&of, &by, said, &mut self.compiler(vocabulary, &[]));
         }
         self.maps = maps;
         if let (Some(first), false) = (statements.first, vocabulary.times.is_empty()) {

@@ -1180,9 +1180,16 @@ impl<'a> Builder<'a> {
     fn partial(&mut self, of: &Name, by: &Name, at: usize) -> Result<Term, Unreadable> {
         let none = || unreadable(at, format!("no map gives the derivative of `{of}` by `{by}`"));
         let (above, below) = (self.quantity(of).ok_or_else(none)?, self.quantity(by).ok_or_else(none)?);
-        let mut steps = self.map_steps()?;
-        // explicit maps are spoken of by their names alone
-        steps.retain(|(_, step)| step.equations.is_empty());
+        let (explicit, mut steps): (Vec<_>, Vec<_>) = self
+            .map_steps()?
+            .into_iter()
+            .partition(|(_, step)| !step.equations.is_empty());
+        let leads = |step: &Step| step.of.contains(&above) && step.by.contains(&below);
+        if !steps.iter().any(|(_, step)| leads(step)) {
+            // where the premises lead nowhere, along the one explicit map that does
+            let mut explicit = explicit.into_iter().filter(|(_, step)| leads(step));
+            steps.extend(explicit.next().filter(|_| explicit.next().is_none()));
+        }
         self.entry(above, below, &steps, steps.len()).ok_or_else(none)
     }
 
@@ -1423,7 +1430,19 @@ impl<'a> Builder<'a> {
             Quantity::State { index, after, .. } => Some((*index, *after)),
             _ => None,
         };
+        let premises = statements.premises.iter().map(|premise| &premise.equation);
+        let said: Vec<&Equation> = premises.collect();
+        let has_explicit = !self.vocabulary.maps.is_empty();
         for (of, by) in written {
+            let names = |equation: &&Equation| {
+                crate::claim::any_side(
+                    equation,
+                    &mut |node| matches!(node, Tree::Symbol(name, _) if *name == of),
+                )
+            };
+            if has_explicit && !said.iter().any(names) {
+                continue;
+            }
             let ends = [of, by].map(|name| {
                 let symbol = self.quantity(&name)?;
                 self.statement.quantity(symbol).and_then(place)
