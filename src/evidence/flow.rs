@@ -201,7 +201,7 @@ pub fn value<V: Value>(law: usize, level: usize, time: &V, inputs: &Inputs<V>) -
     }
     let mut first_guards: Option<Vec<f64>> = None;
     for _ in 0..MOST_STEPS {
-        let Some((series, guards)) = flow.series(&states, &now, &inner) else {
+        let Some([series, guards]) = flow.series(&states, &now, &inner) else {
             return none();
         };
         let left = time.clone() - now.clone();
@@ -285,7 +285,7 @@ fn is_wide<V: Value>() -> bool {
 
 impl Flow {
     /// The power series of each law's function about a time, and those of what must not become 0.
-    fn series<V: Value>(&self, states: &[Vec<V>], now: &V, inputs: &Inputs<V>) -> Option<(Vec<Vec<V>>, Vec<Vec<V>>)> {
+    fn series<V: Value>(&self, states: &[Vec<V>], now: &V, inputs: &Inputs<V>) -> Option<[Vec<Vec<V>>; 2]> {
         let (order, cost) = if is_wide::<V>() {
             (ORDER_WIDE, self.costs[1])
         } else {
@@ -323,7 +323,7 @@ impl Flow {
         });
         let moving = guarded.filter(|a| self.lengths.get(a.position()).is_some_and(|&length| length > 1));
         let guards = moving.filter_map(|a| series.get(a.position()).cloned()).collect();
-        Some((functions, guards))
+        Some([functions, guards])
     }
 
     /// Coefficient number `k` of an operation, from those before it (Moore, as above; Griewank and Walther,

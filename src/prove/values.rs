@@ -449,7 +449,8 @@ impl Session<'_> {
 /// Equal arguments have equal values.
 fn merge(session: &mut Session, goals: &[Polynomial]) {
     // quotients have no form of their own: their differences are looked at
-    let mut groups: BTreeMap<(Function, u32), Vec<(Term, Option<Polynomial>)>> = BTreeMap::new();
+    type Argument = (Term, Option<Polynomial>);
+    let mut groups: BTreeMap<(Function, u32), Vec<Argument>> = BTreeMap::new();
     for (function, order, at) in values(session, goals) {
         let form = session.value_form(at);
         groups.entry((function, order)).or_default().push((at, form));
