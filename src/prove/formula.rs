@@ -162,6 +162,10 @@ impl<'a> Formulas<'a> {
     /// What each map takes to what, and how where it says so outright; of a product, its factors.
     fn maps(&self) -> String {
         let statement = &self.question.statement;
+        if statement.maps().is_empty() && statement.outright_maps().is_empty() {
+            // traces and determinants are numbers of their own
+            return "{}".into();
+        }
         let name = |symbol: &Symbol| quoted(statement.terms().symbol_name(*symbol));
         let entry = |map: &str, first: String, second: String, images: String| {
             format!("{}: ({first}, {second}, {{{images}}})", quoted(map))
