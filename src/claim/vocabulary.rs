@@ -282,7 +282,8 @@ impl Vocabulary {
         let abbreviations = self.abbreviations.iter().map(|(name, _)| name);
         let mut seen: HashSet<&Name> = HashSet::new();
         let singles = self.parameters.iter().chain(&self.indices).chain(functions);
-        for name in singles.chain(abbreviations).chain(&self.states) {
+        let others = abbreviations.chain(&self.states).chain(&self.running);
+        for name in singles.chain(others) {
             if !seen.insert(name) {
                 return Err(Fault::new(format!("`{name}` is declared twice")));
             }
@@ -355,5 +356,16 @@ mod tests {
         }
         assert_eq!(index_of("B", "k"), None);
         assert_eq!(index_of("k1", "k"), None);
+    }
+
+    #[test]
+    fn the_running_time_is_no_parameter() {
+        let symbols = Symbols {
+            parameters: vec!["a".to_string(), "t".to_string()],
+            times: vec!["t".to_string(), "t_k".to_string()],
+            ..Symbols::default()
+        };
+        let fault = Vocabulary::read(&symbols).unwrap_err();
+        assert_eq!(fault.to_string(), "`t` is declared twice");
     }
 }

@@ -378,14 +378,14 @@ impl<'a> Builder<'a> {
         Ok(goal)
     }
 
-    /// What else the claim writes is defined too: the other equations at single times, and its own definitions.
+    /// What else the claim writes is defined too: the other equations, at the same time of a flight where the claim speaks
+    /// of that flight and at every time of theirs otherwise, and its own definitions.
     fn write_claims(&mut self, statements: &Statements, decided: &Equation) -> Result<(), Unreadable> {
         let upper = self.upper;
-        let mut brought = Vec::new();
-        let others = statements.claims.iter().filter(|&other| other != decided);
-        for other in others.filter(|other| !crate::claim::flies(other, self.vocabulary)) {
-            let flight = self.scope.flight;
-            self.own_scope(self.first_impact(other).unwrap_or(flight), false);
+        let Scope { flight, in_flight, .. } = self.scope;
+        for other in statements.claims.iter().filter(|&other| other != decided) {
+            let flies = crate::claim::flies(other, self.vocabulary);
+            self.own_scope(self.first_impact(other).unwrap_or(flight), flies);
             for sign in match upper.is_none() && (has_sign(&other.left) || has_sign(&other.right)) {
                 true => vec![Some(true), Some(false)],
                 false => vec![upper],
@@ -394,24 +394,50 @@ impl<'a> Builder<'a> {
                 let is_pair = matches!(&other.left, Tree::Symbol(name, _) if pair_of(name).is_some());
                 for side in [&other.left, &other.right].into_iter().skip(usize::from(is_pair)) {
                     let term = self.tree(side)?;
+                    let conditions = std::mem::take(&mut self.brought);
+                    if flies && !(in_flight && self.scope.flight == flight) {
+                        let domain = self.statement.domain(term);
+                        if conditions.iter().chain(&domain).any(|(_, of)| self.runs(*of)) {
+                            let why =
+                                format!("where `{side}` is defined changes in flight: write it in an entry of its own");
+                            return Err(unreadable(other.at.0, why));
+                        }
+                    }
                     self.statement.beside.push(term);
-                    brought.append(&mut self.brought);
+                    self.written.push(term);
+                    for (property, of) in conditions {
+                        self.push(CLAIM_DOMAIN, property, of, None);
+                    }
                 }
             }
-            self.own_scope(flight, false);
         }
         self.upper = upper;
+        self.own_scope(flight, in_flight);
         for local in self.locals {
             let scope = self.scope.number;
             let term = self.abbreviation(&local.name, &local.tree, scope, 0)?;
             self.statement.beside.push(term);
+            self.written.push(term);
         }
-        self.written.extend(self.statement.beside.clone());
-        brought.append(&mut self.brought);
-        for (property, term) in brought {
+        for (property, term) in std::mem::take(&mut self.brought) {
             self.push(CLAIM_DOMAIN, property, term, None);
         }
         Ok(())
+    }
+
+    /// Whether a term changes in flight.
+    fn runs(&mut self, term: Term) -> bool {
+        let running = self.running_symbol();
+        let written = self.statement.written_out(term);
+        let inside = self.statement.terms.inside(written);
+        inside.into_iter().any(|inner| match self.statement.terms.node(inner) {
+            Node::Symbol(symbol) => Some(*symbol) == running,
+            Node::Value(function, ..) => matches!(
+                self.statement.functions.get(function.0 as usize),
+                Some(FunctionOf::Flight { .. })
+            ),
+            _ => false,
+        })
     }
 
     fn in_claim(&mut self, tree: &Tree, _at: usize) -> Result<Term, Unreadable> {
@@ -895,9 +921,18 @@ impl<'a> Builder<'a> {
         }
         let whole = self.is_integer(exponent);
         if !whole {
-            self.brought.push((Property::NonNegative, base));
+            let principal = self.statement.complex;
+            let property = if principal {
+                Property::Nonzero
+            } else {
+                Property::NonNegative
+            };
+            self.brought.push((property, base));
         }
         if matches!(self.statement.terms.node(base), Node::Number(value) if value.0.is_zero()) {
+            if self.statement.complex {
+                return Err(unreadable(at, "powers of 0 among complex numbers are not read"));
+            }
             // 0^0 is 1 where the exponent is an integer
             let property = if whole {
                 Property::NonNegative

@@ -11,8 +11,8 @@ const PRIME: u128 = (1 << 61) - 1;
 
 /// The vanishing terms among the givens that determine the map: of those that speak of no other impact, the ones with
 /// a state before the others, each taken if it makes the rank of the slopes by what the map gives larger. What is left
-/// and does not lead from one impact to the next restricts the point; where something is left that does, nothing tells
-/// which of these is the map, and none determines it.
+/// and does not lead from one impact to the next, or speaks of times alone where those with states suffice, restricts the
+/// point; where something else is left, nothing tells which of these is the map, and none determines it.
 pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)> {
     let mut candidates: Vec<(String, Term)> = Vec::new();
     for number in 0..statement.givens.len() {
@@ -45,7 +45,7 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
         )
     };
     let mut fitting: Vec<(bool, String, Term)> = Vec::new();
-    let mut leading: BTreeSet<Term> = BTreeSet::new();
+    let mut leading: BTreeSet<(bool, Term)> = BTreeSet::new();
     for (label, term) in candidates {
         let written = statement.written_out(term);
         let met: BTreeSet<Symbol> = statement
@@ -76,15 +76,15 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
             let state = met
                 .iter()
                 .any(|symbol| matches!(statement.quantity(*symbol), Some(Quantity::State { .. })));
-            if state && met.iter().any(|symbol| step.by.contains(symbol)) {
-                leading.insert(term);
+            if met.iter().any(|symbol| step.by.contains(symbol)) {
+                leading.insert((!state, term));
             }
             fitting.push((!state, label, term));
         }
     }
     fitting.sort_by_key(|(without_state, ..)| *without_state);
-    let (mut chosen, mut rows): (Vec<(String, Term)>, Vec<Vec<u128>>) = (Vec::new(), Vec::new());
-    for (_, label, term) in fitting {
+    let (mut chosen, mut rows): (Vec<(bool, String, Term)>, Vec<Vec<u128>>) = (Vec::new(), Vec::new());
+    for (without_state, label, term) in fitting {
         if chosen.len() == step.of.len() {
             break;
         }
@@ -92,15 +92,18 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
         let Some(slopes) = slopes else { continue };
         rows.push(slopes);
         if rank(&rows) == rows.len() {
-            chosen.push((label, term));
+            chosen.push((without_state, label, term));
         } else {
             rows.pop();
         }
     }
-    let is_left = |term: &Term| !chosen.iter().any(|(_, known)| known == term);
-    match chosen.len() == step.of.len() && leading.iter().any(is_left) {
+    let all_have_states = chosen.iter().all(|(without_state, ..)| !without_state);
+    let is_rival = |(without_state, term): &(bool, Term)| {
+        !chosen.iter().any(|(.., known)| known == term) && !(*without_state && all_have_states)
+    };
+    match chosen.len() == step.of.len() && leading.iter().any(is_rival) {
         true => Vec::new(),
-        false => chosen,
+        false => chosen.into_iter().map(|(_, label, term)| (label, term)).collect(),
     }
 }
 

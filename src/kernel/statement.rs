@@ -734,7 +734,6 @@ fn domain_of(terms: &mut Terms, term: Term, complex: bool) -> Vec<(Property, Ter
             let (above, below) = (terms.difference(one, of), terms.sum(vec![one, of]));
             vec![(Property::NonNegative, above), (Property::NonNegative, below)]
         }
-        Node::RealPower(base, _) if complex => vec![(Property::Nonzero, base)],
         _ => Vec::new(),
     }
 }

@@ -31,6 +31,9 @@ type Outcome<T> = Result<T, Refusal>;
 /// How often values are put into values before these are taken to go in a circle.
 const MOST_SUBSTITUTIONS: usize = 64;
 
+/// The laws of a flight are followed to this derivative at its ends: no state has more dots.
+const DERIVATIVES_AT_AN_END: usize = 2;
+
 fn refused<T>(why: impl Into<String>) -> Outcome<T> {
     Err(Refusal::Other(why.into()))
 }
@@ -98,6 +101,7 @@ impl<'a> At<'a> {
                 refusal => refusal,
             })?;
         }
+        at.flights_go_on()?;
         Ok(at)
     }
 
@@ -900,53 +904,137 @@ impl<'a> At<'a> {
             };
             self.vanishes_at_all_times(instance.term, running)?;
         }
-        self.may_go_on(number, base)
+        Ok(())
     }
 
-    /// A law of flight holds after the last impact too: what it says of the start of that flight must not go against
-    /// what is known there, nor against the end of the flight before where a state is continuous.
-    fn may_go_on(&mut self, number: usize, base: i32) -> Outcome<()> {
-        let Some(last) = self.flights().last().map(|flight| flight + 1) else {
+    /// Laws of flight hold before the first impact and after the last one too. There is such a flight from what is known
+    /// at that impact where the laws and their first derivatives hold there, or can be solved for what is not known.
+    fn flights_go_on(&mut self) -> Outcome<()> {
+        let laws: Vec<(usize, i32)> = (self.statement.givens.iter().enumerate())
+            .filter_map(|(number, given)| Some((number, given.law.as_ref()?.flight?)))
+            .collect();
+        let flights = self.flights();
+        let (Some(first), Some(last), false) = (flights.first(), flights.last(), laws.is_empty()) else {
             return Ok(());
         };
-        let known = self.statement.times.get(&last).copied();
-        let end = known.unwrap_or_else(|| self.statement.fresh("t"));
-        if known.is_none() {
-            self.statement.times.insert(last, end);
+        for (flight, impact) in [(first - 1, *first), (last + 1, last + 1)] {
+            let times = self.statement.times.clone();
+            let time = times.get(&impact).copied().unwrap_or_else(|| self.statement.fresh("t"));
+            self.statement.times.insert(impact, time);
+            let at = self.statement.terms.symbol(time);
+            let mut rows: Vec<Term> = Vec::new();
+            for &(number, base) in &laws {
+                let running = self.statement.fresh("t");
+                let (now, of) = (self.statement.terms.symbol(running), Some((running, flight)));
+                let Some(instance) = self.statement.instance(number, Some(now), flight - base, of) else {
+                    continue;
+                };
+                let mut term = instance.term;
+                for _ in 0..=DERIVATIVES_AT_AN_END {
+                    let there = self.statement.moved(term, Some((running, at)), 0);
+                    term = self.statement.derivative(term, running);
+                    let mut is_known = false;
+                    for known in rows.clone() {
+                        let difference = self.statement.terms.difference(there, known);
+                        is_known |= self.vanishes_identically(difference)?;
+                    }
+                    if !is_known {
+                        rows.push(there);
+                    }
+                }
+            }
+            let rows = rows
+                .into_iter()
+                .map(|row| self.at_the_end(row, flight, impact, at))
+                .collect();
+            let solved = self.can_be_solved(rows);
+            self.statement.times = times;
+            solved?;
         }
-        let start = self.statement.terms.symbol(end);
-        let Some(instance) = self.statement.instance(number, Some(start), last - base, None) else {
-            return Ok(());
-        };
-        let mut term = self.statement.written_out(instance.term);
+        Ok(())
+    }
+
+    /// A term at an impact that ends a flight of no length: its other end is the same time, and states that no impact
+    /// changes are those of the flight on the other side.
+    fn at_the_end(&mut self, term: Term, flight: i32, impact: i32, at: Term) -> Term {
+        let mut term = self.statement.written_out(term);
+        if let Some(&start) = self.statement.times.get(&flight) {
+            term = self.statement.terms.substitute(term, start, at);
+        }
+        let beyond = if flight == impact { impact - 1 } else { impact };
         for (function, time, body) in self.witness.functions.clone() {
             let named = self.statement.functions.get(function.0 as usize).cloned();
-            if let Some(FunctionOf::Flight { state, impact }) = named
-                && impact + 1 == last
-                && self.statement.continuous.contains(&state)
-            {
-                let letter = self.statement.letter.clone();
-                let symbol = self.statement.state(&state, last, false, &letter);
-                let value = self.statement.terms.substitute(body, time, start);
-                term = self.statement.terms.substitute(term, symbol, value);
+            let mut state = match named {
+                Some(FunctionOf::Flight { state, impact: own }) if own == beyond => state,
+                _ => continue,
+            };
+            let mut slope = body;
+            for _ in 0..=DERIVATIVES_AT_AN_END {
+                if self.statement.continuous.contains(&state) {
+                    let letter = self.statement.letter.clone();
+                    let symbol = self.statement.state(&state, impact, false, &letter);
+                    let value = self.statement.terms.substitute(slope, time, at);
+                    term = self.statement.terms.substitute(term, symbol, value);
+                }
+                slope = self.statement.derivative(slope, time);
+                state = state.dotted();
             }
         }
-        let is_open = |inner: Term| match self.statement.terms.node(inner) {
-            Node::Symbol(symbol) => !self.solved.contains_key(symbol) && !self.sample.contains_key(symbol),
-            Node::Value(function, ..) => {
-                matches!(self.statement.functions.get(function.0 as usize), Some(FunctionOf::Flight { impact, .. }) if *impact == last)
+        term
+    }
+
+    /// Terms that vanish at the point, or can be made to by states that it does not give: they are linear in these, with
+    /// a matrix of full rank.
+    fn can_be_solved(&mut self, rows: Vec<Term>) -> Outcome<()> {
+        let mut open: Vec<(Node, Symbol)> = Vec::new();
+        let mut equations = Vec::new();
+        for row in rows {
+            let is_open = |node: &Node| match node {
+                Node::Symbol(symbol) => {
+                    let is_state = matches!(self.statement.quantity(*symbol), Some(Quantity::State { .. }));
+                    is_state && !self.solved.contains_key(symbol) && !self.sample.contains_key(symbol)
+                }
+                Node::Value(function, ..) => {
+                    let of = self.statement.functions.get(function.0 as usize);
+                    let is_given = self.witness.functions.iter().any(|(named, ..)| named == function);
+                    matches!(of, Some(FunctionOf::Flight { .. })) && !is_given
+                }
+                _ => false,
+            };
+            let inside = self.statement.terms.inside(row).into_iter();
+            let own: Vec<Node> = inside
+                .map(|inner| self.statement.terms.node(inner).clone())
+                .filter(is_open)
+                .collect();
+            if own.is_empty() {
+                self.holds(&Given {
+                    label: "the flight beyond an impact".into(),
+                    property: Property::Zero,
+                    term: row,
+                    law: None,
+                })?;
+                continue;
             }
-            _ => false,
-        };
-        if self.statement.terms.inside(term).into_iter().any(is_open) {
-            return Ok(());
+            for node in own {
+                if !open.iter().any(|(known, _)| *known == node) {
+                    open.push((node, self.statement.fresh("u")));
+                }
+            }
+            equations.push(self.statement.terms.rewrite(row, &mut |terms, node| {
+                let known = open.iter().find(|(known, _)| known == node);
+                known.map(|(_, symbol)| terms.symbol(*symbol))
+            }));
         }
-        self.holds(&Given {
-            label: "the flight after the last impact".into(),
-            property: Property::Zero,
-            term,
-            law: None,
-        })
+        let unknown: Vec<Symbol> = open.into_iter().map(|(_, symbol)| symbol).collect();
+        let matrix = self.jacobian(&equations, &unknown);
+        let is_linear = matrix.iter().flatten().all(|&entry| {
+            let symbols = self.statement.symbols_in(entry);
+            !symbols.iter().any(|symbol| unknown.contains(symbol))
+        });
+        match is_linear && self.rank(matrix)? == equations.len() {
+            true => Ok(()),
+            false => refused("the flight beyond an impact cannot be had from what is known there"),
+        }
     }
 
     fn vanishes_at_all_times(&mut self, term: Term, time: Symbol) -> Outcome<()> {
@@ -1018,6 +1106,10 @@ impl<'a> At<'a> {
         }
         if own.len() != 1 {
             return refused("a recursion of several states");
+        }
+        let is_law = |given: &Given| given.law.as_ref().is_some_and(|law| law.flight.is_some());
+        if self.statement.givens.iter().any(is_law) {
+            return refused("a recursion beside laws of flight");
         }
         let (Some((&low, &first)), Some((&high, &last))) = (symbols.first_key_value(), symbols.last_key_value()) else {
             return refused("a recursion without states");

@@ -450,8 +450,6 @@ class Statement:
                     conditions.append((NONZERO, node[2]))
                 elif kind == "ln":
                     conditions.append((NONZERO if self.complex else POSITIVE, node[1]))
-                elif kind == "realpower" and self.complex:
-                    conditions.append((NONZERO, node[1]))
                 elif kind == "root" and not self.complex and node[1] % 2 == 0:
                     conditions.append((NONNEGATIVE, node[2]))
                 elif kind in ("arcsin", "arccos") and not self.complex:
@@ -1390,8 +1388,11 @@ class Point:
             require(self.has(holds, of), "something written is not defined at the point")
         for inner in self.s.inside(term):
             node = self.s.nodes[inner]
-            if node[0] == "realpower" and not self.s.complex:
+            if node[0] == "realpower":
                 base, exponent = self.s.evaluate(node[1]), self.s.evaluate(node[2])
+                if self.s.complex:
+                    require(abs(base) > SMALL, "a power is not defined at the point")
+                    continue
                 whole = exponent == mpmath.nint(exponent)
                 fine = base > SMALL or (base < -SMALL and whole) or (abs(base) <= SMALL and exponent >= 0 and (exponent > SMALL or whole))
                 require(fine, "a power is not defined at the point")
@@ -1778,9 +1779,11 @@ def check_domains(statement, readings):
     needed = set(s.domain(*terms))
     for inner in s.inside(*terms, *s.definitions.values()):
         node = s.nodes[inner]
-        # a fractional exponent is read of a base that is not negative
-        if node[0] == "realpower" or (node[0] == "root" and not s.complex):
-            needed.add((NONNEGATIVE, node[1] if node[0] == "realpower" else node[2]))
+        # a fractional exponent is read of a base that is not negative, among complex numbers any other of one that is not 0
+        if node[0] == "realpower":
+            needed.add((NONZERO if s.complex else NONNEGATIVE, node[1]))
+        elif node[0] == "root" and not s.complex:
+            needed.add((NONNEGATIVE, node[2]))
     stated = {label for label, _, _ in readings["formulas"]}
     for label, holds, term, _ in s.givens:
         # beside a formula with conditions of its own, these stand under the same label

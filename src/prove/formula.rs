@@ -104,8 +104,7 @@ impl<'a> Formulas<'a> {
             }
             Some(_) => {}
         }
-        let others = self.statements.claims.iter().filter(|other| *other != claim);
-        for other in others.filter(|other| !flies(other, self.vocabulary)) {
+        for other in self.statements.claims.iter().filter(|other| *other != claim) {
             let is_pair = matches!(&other.left, Tree::Symbol(name, _) if pair_of(name).is_some());
             for side in [&other.left, &other.right].into_iter().skip(usize::from(is_pair)) {
                 for upper in [true, false] {
