@@ -179,6 +179,9 @@ struct Builder<'a> {
     is_declared: bool,
     /// The maps from one impact to the next whose derivatives are written, where the vocabulary names no map.
     implied: Vec<(Name, Step)>,
+    /// The names that the premises write, and whether one of them is a law of flight.
+    spoken: BTreeSet<Name>,
+    has_flight: bool,
 }
 
 impl<'a> Builder<'a> {
@@ -216,7 +219,13 @@ impl<'a> Builder<'a> {
             opaque: false,
             is_declared: false,
             implied: Vec::new(),
+            spoken: BTreeSet::new(),
+            has_flight: false,
         };
+        for premise in &statements.premises {
+            builder.has_flight |= crate::claim::flies(&premise.equation, vocabulary);
+            builder.spoken.append(&mut names_in(&premise.equation));
+        }
         builder.opaque = builder.is_opaque(statements);
         builder.declare_derivatives()?;
         for (number, premise) in statements.premises.iter().enumerate() {
@@ -1220,12 +1229,21 @@ impl<'a> Builder<'a> {
             .into_iter()
             .partition(|(_, step)| !step.equations.is_empty());
         let leads = |step: &Step| step.of.contains(&above) && step.by.contains(&below);
+        if explicit.iter().any(|(_, step)| leads(step)) {
+            steps.retain(|(_, step)| self.is_led_to(step));
+        }
         if !steps.iter().any(|(_, step)| leads(step)) {
             // where the premises lead nowhere, along the one explicit map that does
             let mut explicit = explicit.into_iter().filter(|(_, step)| leads(step));
             steps.extend(explicit.next().filter(|_| explicit.next().is_none()));
         }
         self.entry(above, below, &steps, steps.len()).ok_or_else(none)
+    }
+
+    /// Whether a premise says something of what a map gives.
+    fn is_led_to(&mut self, step: &Step) -> bool {
+        let mut spoken = self.spoken.clone().into_iter();
+        self.has_flight || spoken.any(|name| self.quantity(&name).is_some_and(|symbol| step.of.contains(&symbol)))
     }
 
     /// The derivative of one quantity by another: 1 and 0 among those a map starts from, by the chain rule where
@@ -1277,9 +1295,12 @@ impl<'a> Builder<'a> {
             return Ok(self.statement.terms.symbol(symbol));
         }
         let steps = self.map_steps()?;
-        let matrix = self
-            .matrix(of, &steps, self.vocabulary.maps.len())
-            .ok_or_else(|| unreadable(at, format!("`{of}` is no known matrix")))?;
+        let matrix = self.matrix(of, &steps, self.vocabulary.maps.len()).ok_or_else(|| {
+            unreadable(
+                at,
+                format!("`{of}` is no known matrix, or one to which no premise leads"),
+            )
+        })?;
         if matrix.iter().any(|row| row.len() != matrix.len()) {
             return Err(unreadable(
                 at,
@@ -1297,6 +1318,11 @@ impl<'a> Builder<'a> {
 
     fn matrix(&mut self, name: &Name, steps: &[(Name, Step)], left: usize) -> Option<Vec<Vec<Term>>> {
         if let Some((_, step)) = steps.iter().find(|(known, _)| known == name) {
+            let shares = |other: &Step| other.of.iter().any(|of| step.of.contains(of));
+            let is_rival = |(_, other): &(Name, Step)| !other.equations.is_empty() && shares(other);
+            if step.equations.is_empty() && steps.iter().any(is_rival) && !self.is_led_to(step) {
+                return None;
+            }
             let row = |of: &Symbol| step.by.iter().map(|by| self.slope(*of, *by, step)).collect();
             return Some(step.of.iter().map(row).collect());
         }
@@ -1367,15 +1393,7 @@ impl<'a> Builder<'a> {
 
     /// The map from the first impact that its equations name to the last: times before states, as declared.
     fn explicit(&mut self, equations: &[Equation], map: &Name) -> Result<Step, Unreadable> {
-        let mut named = BTreeSet::new();
-        for equation in equations {
-            crate::claim::any_side(equation, &mut |node| {
-                if let Tree::Symbol(name, _) = node {
-                    named.insert(name.clone());
-                }
-                false
-            });
-        }
+        let named: BTreeSet<Name> = equations.iter().flat_map(names_in).collect();
         let mut order: Vec<(i32, usize, Symbol)> = Vec::new();
         for name in named {
             if let Some(symbol) = self.quantity(&name) {
@@ -1571,6 +1589,18 @@ impl<'a> Builder<'a> {
             }
         }
     }
+}
+
+/// The symbols that an equation writes.
+fn names_in(equation: &Equation) -> BTreeSet<Name> {
+    let mut named = BTreeSet::new();
+    crate::claim::any_side(equation, &mut |node| {
+        if let Tree::Symbol(name, _) = node {
+            named.insert(name.clone());
+        }
+        false
+    });
+    named
 }
 
 /// The label of a premise, told apart from those that the kernel gives itself.

@@ -237,7 +237,7 @@ fn with_swapped_squares(session: &mut Session, polynomial: &Polynomial) -> Optio
 
 /// A quotient as a product of powers.
 fn split(session: &mut Session, above: &Polynomial, below: &Polynomial) -> Option<Form> {
-    if above.is_zero() || above.terms().len() > 60 {
+    if above.is_zero() || below.is_zero() || above.terms().len() > 60 {
         return None;
     }
     let most = session.budget.left() / 20;
