@@ -555,6 +555,7 @@ impl<'a> Builder<'a> {
             self.declare_signs()?;
         }
         self.derivatives_exist(&goal);
+        self.name_times();
         if self.is_complex() && !self.statement.complex {
             // it is built anew, with principal branches
             self.statement.complex = true;
@@ -614,6 +615,22 @@ impl<'a> Builder<'a> {
             ));
         }
         Ok(self.statement)
+    }
+
+    /// Where laws of flight are given, the impacts at which states are named have times.
+    fn name_times(&mut self) {
+        let is_flight = |given: &Given| given.law.as_ref().is_some_and(|law| law.flight.is_some());
+        let (Some(family), true) = (
+            self.vocabulary.times.first(),
+            self.statement.givens.iter().any(is_flight),
+        ) else {
+            return;
+        };
+        for quantity in self.statement.quantities.clone() {
+            if let Quantity::State { index, .. } = quantity {
+                self.statement.time(family, index, &self.vocabulary.index);
+            }
+        }
     }
 
     fn is_complex(&mut self) -> bool {

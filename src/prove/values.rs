@@ -8,6 +8,7 @@ use crate::kernel::{
     Symbol, Term,
 };
 use crate::number::{Field, Rational};
+use crate::tex::Name;
 use num_traits::Zero;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -137,12 +138,35 @@ fn values(session: &Session, goals: &[Polynomial]) -> BTreeSet<(Function, u32, T
     found
 }
 
+/// What the facts and goals speak of.
+fn spoken(session: &Session, goals: &[Polynomial]) -> Vec<Term> {
+    let goal_terms = session.checker.statement.goal().iter().map(|(_, term)| *term);
+    session.generators(goals).into_iter().chain(goal_terms).collect()
+}
+
 /// The impacts that the facts and goals speak of.
 fn impacts(session: &Session, goals: &[Polynomial]) -> BTreeSet<i32> {
     let statement = &session.checker.statement;
-    let goal_terms: Vec<Term> = statement.goal().iter().map(|(_, term)| *term).collect();
-    let spoken = session.generators(goals).into_iter().chain(goal_terms);
-    spoken.flat_map(|term| indices(statement, term)).collect()
+    spoken(session, goals)
+        .into_iter()
+        .flat_map(|term| indices(statement, term))
+        .collect()
+}
+
+/// The states at impacts that the facts and goals speak of.
+fn states(session: &Session, goals: &[Polynomial]) -> BTreeSet<(Name, i32)> {
+    let statement = &session.checker.statement;
+    let inside = spoken(session, goals)
+        .into_iter()
+        .flat_map(|term| statement.terms().inside(term));
+    let state = |inner: Term| match statement.terms().node(inner) {
+        Node::Symbol(symbol) => match statement.quantity(*symbol)? {
+            Quantity::State { state, index, .. } => Some((state.clone(), *index)),
+            _ => None,
+        },
+        _ => None,
+    };
+    inside.filter_map(state).collect()
 }
 
 /// The impacts that a term speaks of.
@@ -209,9 +233,9 @@ fn sequences(session: &mut Session, goals: &[Polynomial]) {
 }
 
 fn given_laws(session: &mut Session, goals: &[Polynomial]) {
-    let spoken = impacts(session, goals);
+    let (spoken, states) = (impacts(session, goals), states(session, goals));
     let flights: Vec<i32> = match (spoken.first(), spoken.last()) {
-        (Some(&first), Some(&last)) => (first..last.max(first + 1)).collect(),
+        (Some(&first), Some(&last)) => (first - 1..last.max(first + 1)).collect(),
         _ => vec![0],
     };
     for given in 0..session.checker.statement.givens().len() {
@@ -230,17 +254,34 @@ fn given_laws(session: &mut Session, goals: &[Polynomial]) {
                 continue;
             }
             let written = session.checker.statement.written_out(entry.term);
+            let flight = law.flight.map(|flight| flight + shift);
+            // of the flight before all others a law tells where it brings nothing else along
+            if flight.is_some() && flight < flights.get(1).copied() {
+                let is_own = indices(session.checker.statement, written) == BTreeSet::from([base]);
+                if !is_own || !has_end(session, written, time, &states, flight) {
+                    continue;
+                }
+            }
             let term = session.checker.statement.moved(written, None, shift);
             session.laws.all.push(Usable {
                 source: LawSource::Given { given, shift },
                 time,
                 term,
-                flight: law.flight.map(|flight| flight + shift),
+                flight,
                 derivatives: 0,
                 integrals: 0,
             });
         }
     }
+}
+
+/// Whether a law tells of one of these states at the end of a flight, itself or by its derivatives.
+fn has_end(session: &Session, law: Term, time: Symbol, states: &BTreeSet<(Name, i32)>, flight: Option<i32>) -> bool {
+    let values = values_in(session, law, time).into_iter();
+    let mut named = values.flat_map(|(function, order, _)| {
+        (0..=MOST_DERIVATIVES).filter_map(move |more| end_state(session, function, order + u32::from(more)))
+    });
+    named.any(|(state, _)| flight.is_some_and(|flight| states.contains(&(state, flight + 1))))
 }
 
 /// The law as a polynomial, its numerator.
@@ -390,6 +431,7 @@ fn solved(session: &mut Session, inner: Term, time: Symbol, at: Term) -> Option<
 /// Laws for the derivatives of functions that a law says something of, where these are spoken of.
 fn derivatives(session: &mut Session, goals: &[Polynomial]) {
     let known = values(session, goals);
+    let states = states(session, goals);
     let mut number = 0;
     // a law and those derived from it, each once
     while let Some(law) = session.laws.all.get(number).cloned() {
@@ -404,6 +446,14 @@ fn derivatives(session: &mut Session, goals: &[Polynomial]) {
         let wanted = known
             .iter()
             .any(|(f, n, _)| next.iter().any(|(g, m)| g == f && m <= n) || reaches(session, &next, *f));
+        let ends = |(function, order): &(Function, u32)| {
+            end_state(session, *function, *order).is_some_and(|(state, flight)| {
+                [flight, flight + 1]
+                    .into_iter()
+                    .any(|index| states.contains(&(state.clone(), index)))
+            })
+        };
+        let wanted = wanted || (law.integrals == 0 && next.iter().any(ends));
         if wanted
             && law.derivatives < MOST_DERIVATIVES
             && session.laws.differentiated.insert(number)
@@ -419,6 +469,16 @@ fn derivatives(session: &mut Session, goals: &[Polynomial]) {
             });
         }
         number += 1;
+    }
+}
+
+/// The state that a derivative of a function of flight is at the ends of the flight, and the impact that it follows.
+fn end_state(session: &Session, function: Function, order: u32) -> Option<(Name, i32)> {
+    match session.checker.statement.functions().get(function.0 as usize)? {
+        FunctionOf::Flight { state, impact } => {
+            Some(((0..order).fold(state.clone(), |name, _| name.dotted()), *impact))
+        }
+        FunctionOf::Line(_) => None,
     }
 }
 
