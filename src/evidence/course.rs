@@ -55,7 +55,7 @@ impl System {
         // Both times must run as fast as t does.
         let one = self.formulas.integer(1);
         for time in [early, late] {
-            if self.formulas.slope(time) != one {
+            if self.formulas.slope(time, Op::Running) != one {
                 return None;
             }
         }
@@ -385,7 +385,7 @@ impl System {
             Some(None) => return self.formulas.float(f64::NAN),
             None => {
                 self.resolved.insert((number, level), None);
-                let slope = (order..level).fold(body, |body, _| self.formulas.slope(body));
+                let slope = (order..level).fold(body, |body, _| self.formulas.slope(body, Op::Running));
                 let body = self.resolve(slope, vocabulary);
                 self.resolved.insert((number, level), Some(body));
                 body

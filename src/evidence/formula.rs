@@ -310,15 +310,15 @@ impl Formulas {
         }
     }
 
-    /// The derivative by the running time.
-    pub fn slope(&mut self, root: Formula) -> Formula {
+    /// The derivative by the running time or by a slot, all else held.
+    pub fn slope(&mut self, root: Formula, by: Op) -> Formula {
         let zero = self.integer(0);
         let mut slopes: HashMap<Formula, Formula> = HashMap::new();
         for part in self.parts(&[root]) {
             let op = self.op(part);
             let of = |formula: Formula| slopes.get(&formula).copied().unwrap_or(zero);
             let slope = match op {
-                Op::Running => self.integer(1),
+                op if op == by => self.integer(1),
                 _ if op.operands().all(|operand| of(operand) == zero) => zero,
                 Op::Value { course, level, time } => {
                     let level = level + 1;
@@ -452,6 +452,9 @@ pub fn price<V>() -> usize {
 /// A quotient, or the argument of a jump, smaller than this part of its terms is rounding error.
 const NOISE: f64 = 1e-11;
 
+/// A sum of terms larger than this that comes to 0 may have lost its value: below, terms of small integers cancel exactly.
+const LOST: f64 = 1e3;
+
 impl Program {
     /// The values of all parts.
     pub fn run<V: Value>(&self, inputs: &Inputs<V>) -> Vec<V> {
@@ -473,7 +476,7 @@ impl Program {
 
     /// For each part the size of the terms it is made of: what a rounding error is to be compared with. By running
     /// error analysis (Wilkinson, Rounding Errors in Algebraic Processes, 1963), up to factors of the order of 1.
-    /// Nothing where a denominator, or the argument of a jump, is no more than rounding error.
+    /// Nothing where a denominator, or the argument of a jump or a root, is no more than rounding error.
     ///
     /// A slot that `solved` knows was moved until the premises held: its errors are those of the largest of these.
     pub fn sizes<V: Value>(&self, values: &[V], solved: &dyn Fn(usize) -> f64) -> Option<Vec<f64>> {
@@ -501,6 +504,8 @@ impl Program {
                     let power = f64::from(power).abs();
                     value.max(through(a, power * value / at(a)?.size().max(f64::MIN_POSITIVE)))
                 }
+                // a root of what is lost has a part of the digits of that, and no more
+                Op::Root(a, _) if is_noise(a) || (at(a)?.size() == 0.0 && size_of(a) > LOST) => return None,
                 Op::Root(a, index) => {
                     value + through(a, value / (f64::from(index) * at(a)?.size()).max(f64::MIN_POSITIVE))
                 }
@@ -638,7 +643,7 @@ mod tests {
         let root = formulas.make(Op::Root(square, 3));
         let sin = formulas.apply(Function::Sin, root);
         let quotient = formulas.divide(sin, t);
-        let slope = formulas.slope(quotient);
+        let slope = formulas.slope(quotient, Op::Running);
         let time = formulas.slot(0);
         let [value, slope] = [quotient, slope].map(|formula| formulas.at(formula, time));
         let at = |x: f64| run(&formulas, value, &[x]).0;

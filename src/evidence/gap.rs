@@ -46,6 +46,9 @@ pub fn digits(relative: f64) -> f64 {
     }
 }
 
+/// Where a premise that is fitted at -1, 0 and 1 must be the same quadratic: two integers would be met by absolute values.
+const ELSEWHERE: [i64; 3] = [2, 7, -11];
+
 impl System {
     /// The gap of one equation at a point; nothing where a side has no value there.
     pub fn gap<N: Numbers, T: Real>(
@@ -110,15 +113,19 @@ impl System {
         let number = |n: i64| N::Of::<T>::integer(n);
         for &premise in &premises {
             let at_integer = |n: i64| at(&number(n), premise);
-            let (Some((c, _)), Some((plus, _)), Some((minus, _)), Some((two, size))) =
-                (at_integer(0), at_integer(1), at_integer(-1), at_integer(2))
+            let (Some((c, _)), Some((plus, _)), Some((minus, _))) = (at_integer(0), at_integer(1), at_integer(-1))
             else {
                 continue;
             };
             let b = (plus.clone() - minus.clone()).over(&number(2));
             let a = (plus + minus).over(&number(2)) - c.clone();
-            let at_two = number(4) * a.clone() + number(2) * b.clone() + c.clone();
-            if a.size() <= 1e-9 * size || (at_two - two).size() > 1e-9 * size {
+            let is_quadratic = |n: i64| {
+                at_integer(n).is_some_and(|(found, size)| {
+                    let fitted = (number(n) * a.clone() + b.clone()) * number(n) + c.clone();
+                    a.size() > 1e-9 * size && (fitted - found).size() <= 1e-9 * size
+                })
+            };
+            if !ELSEWHERE.into_iter().all(is_quadratic) {
                 continue;
             }
             let (p, q) = (x.0.size(), y.0.size());

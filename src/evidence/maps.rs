@@ -3,7 +3,8 @@
 use super::compiler::{Compiler, Unwitnessed};
 use super::formula::{Formula, Formulas, Op};
 use super::space::{Slot, Space};
-use crate::claim::{Map, Vocabulary};
+use super::system::any;
+use crate::claim::{Map, Statements, Vocabulary, flies};
 use crate::tex::{Equation, Invariant, Name, Tree};
 
 /// The derivatives of some quantities by others.
@@ -14,6 +15,10 @@ pub struct Step {
     pub by: Vec<usize>,
     /// The equations that are meant, where the vocabulary gives them.
     pub equations: Vec<Formula>,
+    /// What each of `of` is, where the equations say so outright.
+    pub images: Vec<Formula>,
+    /// Whether a premise says something of what the map gives.
+    pub is_led: bool,
 }
 
 /// All maps of a vocabulary.
@@ -23,6 +28,15 @@ pub struct Maps {
     pub products: Vec<(Name, Vec<Name>)>,
     /// Whether no premise says anything of the maps: a trace is then a number of its own.
     pub opaque: bool,
+}
+
+impl Step {
+    /// A derivative of an image.
+    fn slope(&self, of: usize, by: usize, formulas: &mut Formulas) -> Option<Formula> {
+        let place = self.of.iter().position(|known| *known == of)?;
+        let image = *self.images.get(place)?;
+        Some(formulas.slope(image, Op::Slot(by)))
+    }
 }
 
 type Matrix = Vec<Vec<Formula>>;
@@ -39,14 +53,30 @@ impl Maps {
     }
 
     fn chain(&self, of: usize, by: usize, space: &mut Space, formulas: &mut Formulas, left: usize) -> Option<Formula> {
-        // explicit maps are spoken of by their names alone
-        let here = || {
-            self.steps
-                .iter()
-                .filter(|step| step.by.contains(&by) && step.equations.is_empty())
-        };
+        let starts = |step: &&Step| step.by.contains(&by);
+        let explicit: Vec<&Step> = self
+            .steps
+            .iter()
+            .filter(starts)
+            .filter(|step| !step.images.is_empty())
+            .collect();
+        let leads = |step: &&&Step| step.of.contains(&of);
+        let may_lead = |step: &Step| step.equations.is_empty() && (step.is_led || !explicit.iter().any(|e| leads(&e)));
+        let here = || self.steps.iter().filter(starts).filter(|step| may_lead(step));
+        if self
+            .steps
+            .iter()
+            .any(|step| step.by.contains(&by) && step.by.contains(&of))
+        {
+            return Some(formulas.integer(i64::from(of == by)));
+        }
         if here().any(|step| step.of.contains(&of)) {
             return Some(partial(of, by, space, formulas));
+        }
+        // where no premise leads, along the one explicit map that does
+        let mut along = explicit.iter().filter(leads);
+        if let (Some(step), None) = (along.next(), along.next()) {
+            return step.slope(of, by, formulas);
         }
         if left == 0 {
             return None;
@@ -82,6 +112,10 @@ impl Maps {
 
     fn matrix(&self, name: &Name, space: &mut Space, formulas: &mut Formulas, left: usize) -> Option<Matrix> {
         if let Some(step) = self.steps.iter().find(|step| step.name == *name) {
+            if !step.images.is_empty() {
+                let mut row = |of: &usize| step.by.iter().map(|&by| step.slope(*of, by, formulas)).collect();
+                return step.of.iter().map(&mut row).collect();
+            }
             let mut row = |of: &usize| step.by.iter().map(|&by| partial(*of, by, space, formulas)).collect();
             return Some(step.of.iter().map(&mut row).collect());
         }
@@ -165,6 +199,8 @@ pub fn read_maps(vocabulary: &Vocabulary, compiler: &mut Compiler) -> Result<Map
                     of: slots(of),
                     by: slots(by),
                     equations: Vec::new(),
+                    images: Vec::new(),
+                    is_led: false,
                 }
             }
             Map::Equations(equations) => explicit(name, equations, compiler)?,
@@ -175,6 +211,22 @@ pub fn read_maps(vocabulary: &Vocabulary, compiler: &mut Compiler) -> Result<Map
 }
 
 impl Maps {
+    /// Tells to which maps premises lead: those of which one names what the map gives, all where there are laws of flight.
+    pub fn tell_led(&mut self, statements: &Statements, compiler: &mut Compiler) {
+        let equations = || statements.premises.iter().map(|premise| &premise.equation);
+        let vocabulary = compiler.vocabulary;
+        let flies = equations().any(|equation| flies(equation, vocabulary));
+        for step in &mut self.steps {
+            let is_of = |tree: &Tree, compiler: &mut Compiler| match tree {
+                Tree::Symbol(name, _) => compiler.quantity(name).is_some_and(|slot| step.of.contains(&slot)),
+                _ => false,
+            };
+            let compiler = std::cell::RefCell::new(&mut *compiler);
+            let names = |equation: &Equation| any(equation, &|tree| is_of(tree, &mut compiler.borrow_mut()));
+            step.is_led = flies || equations().any(names);
+        }
+    }
+
     /// Adds the map from one impact to another where a derivative between them belongs to no map: all times and states
     /// of the one, each with the others held. An explicit map is that map only where no premise is `said` of the one.
     pub fn add_step(&mut self, of: &Name, by: &Name, said: bool, compiler: &mut Compiler) {
@@ -200,6 +252,8 @@ impl Maps {
             of: all(&of.subscript),
             by: all(&by.subscript),
             equations: Vec::new(),
+            images: Vec::new(),
+            is_led: said,
         };
         self.steps.push(step);
     }
@@ -207,10 +261,11 @@ impl Maps {
 
 /// The map from the first impact that its equations name to the last: times before states, as declared.
 fn explicit(name: &Name, equations: &[Equation], compiler: &mut Compiler) -> Result<Step, Unwitnessed> {
-    let mut rows = Vec::new();
+    let (mut rows, mut sides) = (Vec::new(), Vec::new());
     for equation in equations {
         let (left, right) = (compiler.tree(&equation.left)?, compiler.tree(&equation.right)?);
         rows.push(compiler.formulas.subtract(left, right));
+        sides.push((left, right));
     }
     let mut order: Vec<(i32, usize, usize)> = Vec::new();
     for slot in compiler.formulas.slots(&rows) {
@@ -229,11 +284,27 @@ fn explicit(name: &Name, equations: &[Equation], compiler: &mut Compiler) -> Res
         let there = order.iter().filter(|(i, ..)| Some(*i) == index);
         there.map(|(.., slot)| *slot).collect()
     };
+    let (of, by): (Vec<usize>, Vec<usize>) = (side(order.last().map(|o| o.0)), side(order.first().map(|o| o.0)));
+    let image = |slot: &usize| {
+        let mut own = sides
+            .iter()
+            .filter(|(left, _)| compiler.formulas.op(*left) == Op::Slot(*slot));
+        let (_, right) = own.next()?;
+        let moves = compiler
+            .formulas
+            .slots(&[*right])
+            .into_iter()
+            .any(|slot| of.contains(&slot));
+        (!moves && sides.len() == of.len()).then_some(*right)
+    };
+    let images: Option<Vec<Formula>> = of.iter().map(image).collect();
     Ok(Step {
         name: name.clone(),
-        of: side(order.last().map(|o| o.0)),
-        by: side(order.first().map(|o| o.0)),
+        images: images.unwrap_or_default(),
+        of,
+        by,
         equations: rows,
+        is_led: false,
     })
 }
 

@@ -17,6 +17,9 @@ const DRAWS: usize = 40;
 /// No quantity of a point is larger.
 const LARGEST: f64 = 1e4;
 
+/// By which part generic symbols are moved to see whether what is found is thin in them.
+const NEARBY: f64 = 1e-5;
+
 /// A point: a value for each slot, and a running time for claims that have one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point<V> {
@@ -173,6 +176,24 @@ impl System {
         program.outputs.iter().any(vanishes)
     }
 
+    /// A point with generic symbols a little different; itself nothing where there are none of these, and no answer where
+    /// the premises do not hold nearby.
+    pub fn nearby<N: Numbers>(&self, point: &Point<N::Of<f64>>) -> Option<Option<Point<N::Of<f64>>>> {
+        let generic = |slot: &usize| self.kinds.get(*slot).is_some_and(|kind| kind.generic);
+        if !(0..point.values.len()).any(|slot| generic(&slot)) {
+            return Some(None);
+        }
+        let mut near = point.clone();
+        for (slot, value) in near.values.iter_mut().enumerate().filter(|(slot, _)| generic(slot)) {
+            let part = NEARBY * (1.0 + 0.1 * slot as f64);
+            *value = value.clone() * N::Of::<f64>::float(1.0 - part) - N::Of::<f64>::float(part * part);
+        }
+        let unknowns = self.unknowns(self.row_slots.iter().copied().filter(|slot| !generic(slot)));
+        let rest = self.solve::<N, f64>(&self.rows_program, &mut near.values, &unknowns, PREMISE);
+        let near = (rest <= PREMISE).then(|| self.derived::<N>(near))?;
+        near.ok().map(Some)
+    }
+
     /// The point over 40 digits, where all premises hold to them.
     pub fn widened<N: Numbers>(&self, point: &Point<N::Of<f64>>) -> Option<Point<N::Of<Wide<40>>>> {
         let values = point.values.iter().map(lift::<N, Wide<40>>).collect();
@@ -193,7 +214,11 @@ impl System {
     }
 
     fn start<N: Numbers>(&self, random: &mut Sequence, style: Style) -> Point<N::Of<f64>> {
-        let mut clock = random.between(0.0, 0.5);
+        // times may be negative, but where a motion starts
+        let mut clock = match style {
+            Style::Moderate => random.between(0.0, 0.5),
+            _ => random.between(-3.0, 0.5),
+        };
         let mut values = vec![N::Of::<f64>::integer(0); self.space.slots.len()];
         // Impacts one after the other, towards one wall and the other in turn.
         let mut order: Vec<usize> = (0..values.len()).collect();

@@ -7,7 +7,7 @@ use super::domain::{self, Condition, Kind};
 use super::formula::{Formula, Formulas, Op, Program, Work};
 use super::maps::{Maps, Step, read_maps};
 use super::space::{Slot, Space};
-use crate::claim::{Local, Premise, Statements, Vocabulary};
+use crate::claim::{Local, Premise, Statements, Vocabulary, flies};
 use crate::tex::{At, Condition as Assumption, Equation, Invariant, Name, Relation, Tree};
 use std::collections::{BTreeSet, HashMap};
 
@@ -134,6 +134,7 @@ impl System {
     fn read(&mut self, statements: &Statements, vocabulary: &Vocabulary) -> Result<(), Unwitnessed> {
         let first = statements.first.unwrap_or(0);
         let mut maps = read_maps(vocabulary, &mut self.compiler(vocabulary, &[]))?;
+        maps.tell_led(statements, &mut self.compiler(vocabulary, &[]));
         for (of, by) in partials(statements) {
             let is_of = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if *name == of);
             let said = statements.premises.iter().any(|premise| any(&premise.equation, &is_of));
@@ -145,7 +146,8 @@ impl System {
         }
         let mut laws = Vec::new();
         let mut of_matrices = Vec::new();
-        let premises = said(statements, vocabulary);
+        let mut premises = said(statements, vocabulary);
+        premises.extend(before(statements, vocabulary).into_iter().map(|premise| (premise, 0)));
         for (premise, by) in &premises {
             self.index_shift = *by;
             let flight = if statements.claim_runs {
@@ -393,7 +395,7 @@ impl System {
         !row.has_functions && !row.slots.iter().any(|&slot| self.space.is_state(slot))
     }
 
-    /// The rows each map follows from: what has a state first, then the rest.
+    /// The rows each map follows from: what has a state first, then the rest, last what speaks of times alone.
     fn choose_step_rows(&mut self, statements: &Statements, written: &[Written], vocabulary: &Vocabulary) {
         let bound = self.bound(written);
         let rows = self.rows.clone();
@@ -427,10 +429,11 @@ impl System {
                 .collect();
             let speaks = |slot: &usize| self.space.impact(*slot).is_some() && !step.by.contains(slot);
             let fits = |(_, row): &(&Formula, &Written)| {
-                !self.is_pure(row) && row.slots.iter().any(speaks) && self.impacts(row, &bound).is_subset(&impacts)
+                row.slots.iter().any(speaks) && self.impacts(row, &bound).is_subset(&impacts)
             };
             let mut chosen: Vec<(&Formula, &Written)> = rows.iter().zip(written).filter(fits).collect();
-            chosen.sort_by_key(|(_, row)| !row.slots.iter().any(|&slot| self.space.is_state(slot)));
+            let has_state = |row: &Written| row.slots.iter().any(|&slot| self.space.is_state(slot));
+            chosen.sort_by_key(|(_, row)| (!has_state(row), self.is_pure(row)));
             self.step_rows.push(chosen.into_iter().map(|(row, _)| *row).collect());
         }
     }
@@ -499,6 +502,7 @@ impl System {
                 self.fixed.insert(number);
             }
         }
+        self.is_complex = self.speaks_of_complex();
         self.drop_definitions();
         self.rows_program = self.formulas.program(&self.rows);
         self.written_program = self.formulas.program(&self.written);
@@ -509,20 +513,25 @@ impl System {
         }
         let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
         let all: Vec<Formula> = sides.chain(&self.rows).chain(&self.late).copied().collect();
-        let complex = self
-            .formulas
-            .slots(&all)
-            .iter()
-            .any(|&slot| self.kinds.get(slot).is_some_and(|kind| kind.complex));
         self.row_slots = self.formulas.slots(&self.rows);
         self.factors_program = self.formulas.program(&self.generic_factors(&all));
-        let imaginary = |part: &Formula| self.formulas.op(*part) == Op::Imaginary;
-        self.is_complex = complex || self.formulas.parts(&all).iter().any(imaginary);
         Ok(())
     }
 }
 
 impl System {
+    /// Whether a complex symbol or the imaginary unit stands in claim or premises.
+    fn speaks_of_complex(&self) -> bool {
+        let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
+        let all: Vec<Formula> = sides.chain(&self.rows).chain(&self.late).copied().collect();
+        let is_complex = |part: Formula| match self.formulas.op(part) {
+            Op::Imaginary => true,
+            Op::Slot(slot) => self.kinds.get(slot).is_some_and(|kind| kind.complex),
+            _ => false,
+        };
+        self.formulas.parts(&all).into_iter().any(is_complex)
+    }
+
     /// Drops rows that only say what a symbol is of which nothing else is said.
     fn drop_definitions(&mut self) {
         let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
@@ -544,8 +553,11 @@ impl System {
                     *counts.entry(slot).or_default() += 1;
                 }
             }
-            let defines =
-                |slot: &usize| counts.get(slot) == Some(&1) && !needed.contains(slot) && !self.fixed.contains(slot);
+            // a real symbol that is said to be what may be complex restricts that
+            let is_free = |slot: &usize| !self.is_complex || self.kinds.get(*slot).is_some_and(|kind| kind.complex);
+            let defines = |slot: &usize| {
+                counts.get(slot) == Some(&1) && !needed.contains(slot) && !self.fixed.contains(slot) && is_free(slot)
+            };
             let idle = |row: &Formula| !steps.contains(row) && self.alone(*row).iter().any(defines);
             let Some(position) = self.rows.iter().position(idle) else {
                 return;
@@ -657,6 +669,27 @@ fn said(statements: &Statements, vocabulary: &Vocabulary) -> Vec<(Premise, i32)>
         }
     }
     instances
+}
+
+/// The laws of flight that give a state itself and name no impact, in the flight that ends at the first impact.
+fn before(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Premise> {
+    let Some(first) = statements.first.filter(|_| !statements.claim_runs) else {
+        return Vec::new();
+    };
+    let gives_a_state = |tree: &Tree| match tree {
+        Tree::Call(name, ..) | Tree::Symbol(name, _) => name.subscript.is_empty() && vocabulary.states.contains(name),
+        _ => false,
+    };
+    let ends_there = |premise: &&Premise| {
+        gives_a_state(&premise.equation.left)
+            && flies(&premise.equation, vocabulary)
+            && vocabulary.impacts(&premise.equation).is_empty()
+    };
+    let moved = |premise: &Premise| Premise {
+        first: Some(first - 1),
+        ..premise.clone()
+    };
+    statements.premises.iter().filter(ends_there).map(moved).collect()
 }
 
 /// Values of a running index at which a premise is taken.

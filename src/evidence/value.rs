@@ -281,7 +281,7 @@ impl<T: Real> Value for Complex<T> {
             }
             Function::Arsinh => ln(self.clone() + (square() + one()).root(2)),
             Function::Arcosh => ln(self.clone() + (self.clone() + one()).root(2) * (self.clone() - one()).root(2)),
-            Function::Artanh => (ln(one() + self.clone()) - ln(one() - self.clone())).halved(),
+            Function::Artanh => ln((one() + self.clone()).over(&(one() - self.clone()))).halved(),
             Function::Abs => Self::real(self.modulus()),
             Function::Sgn if self.im.is_zero() => Self::real(self.re.apply(Function::Sgn)),
             Function::Sgn => self.over(&Self::real(self.modulus())),
