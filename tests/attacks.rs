@@ -1,41 +1,17 @@
 //! Sheets made to attack the verdicts, from many fields. The truth of each stands in its first lines and was
 //! established by other means (`tests/attacks/verify.py`): no verdict may be wrong, and few undecided.
 
+#[path = "common/attacks.rs"]
+mod attacks;
+
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use vibro_audit::claim::{Sheet, Verdict, vocabulary};
 use vibro_audit::prove::{Options, decide};
 
-/// The sheets below a folder, in order.
-fn sheets(folder: &Path, found: &mut Vec<PathBuf>) {
-    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .collect();
-    entries.sort();
-    for path in entries {
-        if path.is_dir() {
-            sheets(&path, found);
-        } else if path.extension().is_some_and(|extension| extension == "toml") {
-            found.push(path);
-        }
-    }
-}
-
-/// The truth that the first lines of a sheet state: of one claim by its label, or of the last.
-fn truth(text: &str, label: &str, last: bool) -> Option<String> {
-    let of = |prefix: &str| {
-        text.lines()
-            .find_map(|line| line.strip_prefix(prefix))
-            .map(|word| word.trim().to_string())
-    };
-    of(&format!("# truth {label}:")).or_else(|| if last { of("# truth:") } else { None })
-}
-
 #[test]
 fn no_verdict_is_wrong_and_few_are_undecided() {
-    let mut paths = Vec::new();
-    sheets(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/attacks"), &mut paths);
+    let paths = attacks::sheets();
     assert!(paths.len() >= 600, "{}", paths.len());
     let only = std::env::var("ATTACK").ok();
     let mut wrong = Vec::new();
@@ -56,7 +32,7 @@ fn no_verdict_is_wrong_and_few_are_undecided() {
         let sheet = match Sheet::read(&text, &vocabulary().unwrap()) {
             Ok(sheet) => sheet,
             Err(fault) => {
-                if truth(&text, "", true).as_deref() != Some("unread") {
+                if attacks::truth(&text, "", true).as_deref() != Some("unread") {
                     wrong.push(format!("{shown}: {fault}"));
                 }
                 continue;
@@ -65,7 +41,7 @@ fn no_verdict_is_wrong_and_few_are_undecided() {
         let claims: Vec<usize> = (0..sheet.entries.len()).filter(|&n| sheet.is_claim(n)).collect();
         for &position in &claims {
             let label = sheet.entries[position].label.clone();
-            let Some(truth) = truth(&text, &label, claims.last() == Some(&position)) else {
+            let Some(truth) = attacks::truth(&text, &label, claims.last() == Some(&position)) else {
                 continue;
             };
             let start = std::time::Instant::now();

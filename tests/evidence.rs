@@ -1,5 +1,8 @@
 //! Witnesses of the paper's claims, and of claims made from them at random.
 
+#[path = "common/attacks.rs"]
+mod attacks;
+
 use proptest::prelude::*;
 use vibro_audit::claim::{Role, Sheet, Verdict, read_symbols};
 use vibro_audit::evidence::{Evidence, Flown, witness};
@@ -327,31 +330,27 @@ fn hostile_formulas_end_with_a_reason() {
 /// its premises contradict each other; no alarm is raised against the truth, and one against most wrong verdicts.
 #[test]
 fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/attacks");
     let vocabulary = read_symbols(SYMBOLS).unwrap();
     let (mut decidable, mut with_points, mut caught, mut complaints) = (0, 0, 0, Vec::new());
-    let classes = std::fs::read_dir(folder).unwrap().flatten().map(|class| class.path());
-    for file in classes
-        .filter(|class| class.is_dir())
-        .flat_map(|class| std::fs::read_dir(class).unwrap())
-    {
-        let path = file.unwrap().path();
+    for path in attacks::sheets() {
         let text = std::fs::read_to_string(&path).unwrap();
-        let truth = text.lines().find_map(|line| line.strip_prefix("# truth: "));
-        let (right, wrong) = match truth {
-            Some("true") => (Verdict::Proved, Verdict::Refuted),
-            Some("false") => (Verdict::Refuted, Verdict::Proved),
-            _ => (Verdict::Undecided, Verdict::Undecided),
-        };
         let Ok(sheet) = Sheet::read(&text, &vocabulary) else {
             continue;
         };
-        for position in claims(&sheet) {
+        let claims = claims(&sheet);
+        for &position in &claims {
+            let label = &sheet.entries[position].label;
+            let truth = attacks::truth(&text, label, claims.last() == Some(&position));
+            let (right, wrong) = match truth.as_deref() {
+                Some("true") => (Verdict::Proved, Verdict::Refuted),
+                Some("false") => (Verdict::Refuted, Verdict::Proved),
+                _ => (Verdict::Undecided, Verdict::Undecided),
+            };
             let Ok(found) = witness(&sheet, position, right, 24) else {
                 continue;
             };
             if let Some(against) = &found.against {
-                complaints.push(format!("{}: {against}", path.display()));
+                complaints.push(format!("{} ({label}): {against}", path.display()));
             }
             assert!(found.points > 0 || !found.notes.is_empty(), "{}", path.display());
             if right == Verdict::Undecided {

@@ -107,6 +107,19 @@ impl Premise {
     }
 }
 
+impl Premise {
+    /// A law of flight in the flight after this impact.
+    pub fn said_in(&self, flight: i32, vocabulary: &Vocabulary) -> Self {
+        match self.first {
+            Some(start) => self.shifted(flight - start, vocabulary),
+            None => Self {
+                first: Some(flight),
+                ..self.clone()
+            },
+        }
+    }
+}
+
 impl Statements {
     /// Gathers what bears on the claim at `position`.
     ///

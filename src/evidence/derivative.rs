@@ -183,6 +183,10 @@ impl System {
                 break;
             }
         }
+        // rows enough, but not here: where they cannot be solved there are no derivatives
+        if taken >= slots.len() && !determined {
+            return None;
+        }
         let columns: Vec<usize> = (0..all.len())
             .filter(|&n| all.get(n).is_some_and(|slot| slots.contains(slot)))
             .collect();

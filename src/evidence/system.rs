@@ -147,7 +147,7 @@ impl System {
         let mut laws = Vec::new();
         let mut of_matrices = Vec::new();
         let mut premises = said(statements, vocabulary);
-        premises.extend(before(statements, vocabulary).into_iter().map(|premise| (premise, 0)));
+        premises.extend(beside(statements, vocabulary).into_iter().map(|premise| (premise, 0)));
         for (premise, by) in &premises {
             self.index_shift = *by;
             let flight = if statements.claim_runs {
@@ -671,25 +671,40 @@ fn said(statements: &Statements, vocabulary: &Vocabulary) -> Vec<(Premise, i32)>
     instances
 }
 
-/// The laws of flight that give a state itself and name no impact, in the flight that ends at the first impact.
-fn before(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Premise> {
-    let Some(first) = statements.first.filter(|_| !statements.claim_runs) else {
+/// The laws of flight that restrict the states at its ends, in the flights that end at the first impact and start at the
+/// last: those that give a state itself, and name fewer states at their own impact than there are.
+fn beside(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Premise> {
+    let Some((first, last)) = statements.first.zip(statements.last).filter(|_| !statements.claim_runs) else {
         return Vec::new();
     };
+    let is_state = |name: &Name| vocabulary.states.contains(&name.bare());
     let gives_a_state = |tree: &Tree| match tree {
-        Tree::Call(name, ..) | Tree::Symbol(name, _) => name.subscript.is_empty() && vocabulary.states.contains(name),
+        Tree::Call(name, ..) | Tree::Symbol(name, _) => name.subscript.is_empty() && is_state(name),
         _ => false,
     };
-    let ends_there = |premise: &&Premise| {
+    let named = |equation: &Equation| {
+        let found = std::cell::RefCell::new(BTreeSet::new());
+        any(equation, &|tree| {
+            if let Tree::Symbol(name, _) = tree
+                && is_state(name)
+                && !name.subscript.is_empty()
+            {
+                found.borrow_mut().insert(name.clone());
+            }
+            false
+        });
+        found.into_inner().len()
+    };
+    let restricts = |premise: &&Premise| {
         gives_a_state(&premise.equation.left)
             && flies(&premise.equation, vocabulary)
-            && vocabulary.impacts(&premise.equation).is_empty()
+            && named(&premise.equation) < vocabulary.states.len()
     };
-    let moved = |premise: &Premise| Premise {
-        first: Some(first - 1),
-        ..premise.clone()
-    };
-    statements.premises.iter().filter(ends_there).map(moved).collect()
+    let laws = statements.premises.iter().filter(restricts);
+    // there is one flight where one impact is named
+    let after = last.max(first + 1);
+    laws.flat_map(|law| [first - 1, after].map(|flight| law.said_in(flight, vocabulary)))
+        .collect()
 }
 
 /// Values of a running index at which a premise is taken.

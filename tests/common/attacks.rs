@@ -1,0 +1,35 @@
+//! The sheets of `tests/attacks`, and the truth that stands in their first lines.
+
+use std::path::{Path, PathBuf};
+
+/// The sheets, in order.
+pub fn sheets() -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    below(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/attacks"), &mut found);
+    found
+}
+
+fn below(folder: &Path, found: &mut Vec<PathBuf>) {
+    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .collect();
+    entries.sort();
+    for path in entries {
+        if path.is_dir() {
+            below(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "toml") {
+            found.push(path);
+        }
+    }
+}
+
+/// What the first lines of a sheet say of one claim by its label, or of the last.
+pub fn truth(text: &str, label: &str, is_last: bool) -> Option<String> {
+    let of = |prefix: &str| {
+        text.lines()
+            .find_map(|line| line.strip_prefix(prefix))
+            .map(|word| word.trim().to_string())
+    };
+    of(&format!("# truth {label}:")).or_else(|| if is_last { of("# truth:") } else { None })
+}
