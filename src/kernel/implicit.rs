@@ -83,7 +83,8 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
         }
     }
     fitting.sort_by_key(|(without_state, ..)| *without_state);
-    let (mut chosen, mut rows): (Vec<(bool, String, Term)>, Vec<Vec<u128>>) = (Vec::new(), Vec::new());
+    let mut chosen: Vec<(bool, String, Term)> = Vec::new();
+    let mut rows: Vec<Vec<u128>> = Vec::new();
     for (without_state, label, term) in fitting {
         if chosen.len() == step.of.len() {
             break;
@@ -99,7 +100,8 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
     }
     let all_have_states = chosen.iter().all(|(without_state, ..)| !without_state);
     let is_rival = |(without_state, term): &(bool, Term)| {
-        !chosen.iter().any(|(.., known)| known == term) && !(*without_state && all_have_states)
+        let restricts = *without_state && all_have_states;
+        !restricts && chosen.iter().all(|(.., known)| known != term)
     };
     match chosen.len() == step.of.len() && leading.iter().any(is_rival) {
         true => Vec::new(),
