@@ -1,8 +1,11 @@
 //! `vibro-audit branch SCENE`.
 
-use super::{Answer, Asked, Content, Exit, Failure, Options, SceneArguments, note};
+use super::complete::{Complete, incomplete};
+use super::{Answer, Asked, Failure, Options, SceneArguments, note};
 use crate::number::{Decimals, Interval, Rung, Told};
-use crate::orbit::{Family, Followed, Found, Goal, Instant, Moment, Prepared, Rounded, Wanted, Word, confirmed_at};
+use crate::orbit::{
+    Family, Followed, Found, Goal, Instant, Moment, Open, OpenEvent, Prepared, Rounded, Wanted, Word, confirmed_at,
+};
 use crate::report::{Cell, Table};
 use crate::scene::{Over, Quantity, Scene, Setting, Sweep, Want};
 
@@ -11,10 +14,12 @@ use crate::scene::{Over, Quantity, Scene, Setting, Sweep, Want};
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
+    #[command(flatten)]
+    complete: Complete,
 }
 
 /// The columns that scripts rely on; where something other than d is swept, its name stands before d.
-const COLUMNS: [&str; 12] = [
+const COLUMNS: [&str; 15] = [
     "kind",
     "word",
     "periods",
@@ -27,6 +32,9 @@ const COLUMNS: [&str; 12] = [
     "admissible",
     "error_bound",
     "number",
+    "complete",
+    "low",
+    "high",
 ];
 
 /// Where d stands.
@@ -35,10 +43,7 @@ const GAP: usize = 3;
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let scene = arguments.scene.load_for(&[Want::Branch])?;
-    Ok(Answer {
-        content: Content::Table(table(&scene, options)?),
-        exit: Exit::AsExpected,
-    })
+    Ok(arguments.complete.answer(table(&scene, options)?))
 }
 
 /// The table of a scene: word by word, periods by periods, in the direction of the sweep.
@@ -94,8 +99,15 @@ where
         let [_, d, _, _] = wanted.parameters(&setting.fixed(value))?;
         let told = wanted.value(value);
         let at = told.to_f64();
-        let row = |orbit| (at, point(sweep.over, told.clone(), d.clone(), orbit));
-        rows.extend(found.orbits.into_iter().map(row));
+        let complete = found.is_complete(word, periods);
+        let row = |orbit: &Rounded<_>| (at, point(sweep.over, told.clone(), d.clone(), orbit.clone(), complete));
+        rows.extend(found.orbits.iter().map(row));
+        let place = |open: &Open| [open.place(), vec![Interval::point(at)]].concat();
+        let open = found
+            .open
+            .iter()
+            .map(|open| (at, undecided(sweep.over, word, periods, &place(open))));
+        rows.extend(open);
     }
     rows.extend(events);
     let sign = if from.midpoint() > to.midpoint() { -1.0 } else { 1.0 };
@@ -121,10 +133,13 @@ where
     let prepared = Prepared::new(setting, periods, range)?;
     let points = prepared.points_as(wanted, values)?;
     let (events, open) = prepared.bifurcations_as(wanted);
-    for open in open {
-        note(&open.to_string());
-    }
+    let is_complete = !open.iter().any(|open| matches!(open, OpenEvent::Box { .. }));
     let mut rows = Vec::new();
+    for open in &open {
+        note(&open.to_string());
+        let row = undecided(over, &Word::pair(), periods, &open.place());
+        rows.push((open.parameter().midpoint(), row));
+    }
     for event in events {
         let at = event.parameter.to_f64();
         if event.error_bound.is_none() {
@@ -133,7 +148,7 @@ where
                 event.event
             ));
         }
-        rows.push((at, instant(over, event)));
+        rows.push((at, instant(over, event, is_complete)));
     }
     Ok((points, rows))
 }
@@ -182,13 +197,14 @@ pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
     let columns = columns(&sweep);
     let mut tables = [Table::new(columns.clone()), Table::new(columns)];
     for periods in 1..=scene.max_periods()? {
-        let (events, _) = Prepared::new(&setting, periods, from.hull(&to))?
+        let (events, open) = Prepared::new(&setting, periods, from.hull(&to))?
             .bifurcations_as(&Goal::decimals(decimals, Rung::Wide(50)));
+        let is_complete = !open.iter().any(|open| matches!(open, OpenEvent::Box { .. }));
         for event in events {
             if let Ok(again) = confirmed_at(&setting, &event, decimals) {
-                tables[1].push(instant(sweep.over, again))?;
+                tables[1].push(instant(sweep.over, again, is_complete))?;
             }
-            tables[0].push(instant(sweep.over, event))?;
+            tables[0].push(instant(sweep.over, event, is_complete))?;
         }
     }
     Ok(tables)
@@ -208,7 +224,19 @@ fn tell<N>(value: &Quantity, found: &Found<N>) {
     }
 }
 
-fn point<N>(over: Over, parameter: N, d: N, orbit: Rounded<N>) -> Vec<Cell>
+/// What may be there in a box, or is there and cannot be told: nothing but where.
+fn undecided(over: Over, word: &Word, periods: u32, place: &[Interval<f64>]) -> Vec<Cell> {
+    let mut row = vec![
+        Cell::from("undecided"),
+        Cell::from(word.to_string()),
+        Cell::from(i64::from(periods)),
+    ];
+    row.resize(COLUMNS.len() - 3 + usize::from(over != Over::D), Cell::Empty);
+    row.extend(incomplete(place));
+    row
+}
+
+fn point<N>(over: Over, parameter: N, d: N, orbit: Rounded<N>, complete: bool) -> Vec<Cell>
 where
     Cell: From<N> + From<Vec<N>>,
 {
@@ -225,6 +253,9 @@ where
         Cell::from(orbit.admissible),
         orbit.error_bound.map_or(Cell::Empty, Cell::from),
         Cell::from(orbit.computed_in.to_string()),
+        Cell::from(complete),
+        Cell::Empty,
+        Cell::Empty,
     ];
     if over != Over::D {
         row.insert(GAP, Cell::from(parameter));
@@ -232,7 +263,7 @@ where
     row
 }
 
-fn instant<N>(over: Over, event: Instant<N>) -> Vec<Cell>
+fn instant<N>(over: Over, event: Instant<N>, complete: bool) -> Vec<Cell>
 where
     Cell: From<N> + From<Vec<N>>,
 {
@@ -249,6 +280,9 @@ where
         Cell::from(event.admissible),
         event.error_bound.map_or(Cell::Empty, Cell::from),
         Cell::from(event.computed_in.to_string()),
+        Cell::from(complete),
+        Cell::Empty,
+        Cell::Empty,
     ];
     if over != Over::D {
         row.insert(GAP, Cell::from(event.parameter));
@@ -270,6 +304,9 @@ fn moment(over: Over, event: &Moment) -> Vec<Cell> {
         Cell::from(event.admissible),
         Cell::from(event.error_bound),
         Cell::from(Rung::Double.to_string()),
+        Cell::from(false),
+        Cell::Empty,
+        Cell::Empty,
     ];
     if over != Over::D {
         row.insert(GAP, Cell::from(event.parameter));

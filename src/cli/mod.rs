@@ -4,6 +4,7 @@ mod answer;
 mod audit;
 mod branch;
 mod check;
+mod complete;
 mod exit;
 mod failure;
 mod golden;

@@ -1,5 +1,6 @@
 //! `vibro-audit orbits SCENE [--explain]`.
 
+use super::complete::{Complete, incomplete};
 use super::{Answer, Asked, Content, Exit, Failure, Options, SceneArguments, note};
 use crate::number::{Decimals, Interval, Rung};
 use crate::orbit::{Found, Goal, Isolation, Parameters, Rounded, Search, Wanted, Word, confirmed, find_as, one_to_one};
@@ -14,10 +15,12 @@ pub struct Arguments {
     /// Print the pieces of the curve of 1-1 motions that were examined, and how each was decided
     #[arg(long)]
     explain: bool,
+    #[command(flatten)]
+    complete: Complete,
 }
 
 /// The columns that scripts rely on.
-const COLUMNS: [&str; 17] = [
+const COLUMNS: [&str; 20] = [
     "word",
     "periods",
     "d",
@@ -35,20 +38,24 @@ const COLUMNS: [&str; 17] = [
     "admissible",
     "error_bound",
     "number",
+    "complete",
+    "low",
+    "high",
 ];
+
+/// Where the kind stands.
+const KIND: usize = 11;
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let scene = arguments.scene.load_for(&[Want::Orbits])?;
-    let content = if arguments.explain {
-        Content::Text(explain(&scene)?)
-    } else {
-        Content::Table(table(&scene, options)?)
-    };
-    Ok(Answer {
-        content,
-        exit: Exit::AsExpected,
-    })
+    if arguments.explain {
+        return Ok(Answer {
+            content: Content::Text(explain(&scene)?),
+            exit: Exit::AsExpected,
+        });
+    }
+    Ok(arguments.complete.answer(table(&scene, options)?))
 }
 
 /// The table of a scene.
@@ -69,8 +76,20 @@ where
     for word in scene.words()? {
         let found = find_as(wanted, &setting, &word, scene.max_periods()?)?;
         tell(&word, &found);
-        for orbit in found.orbits {
-            table.push(row(parameters.clone(), orbit))?;
+        let complete = |periods| found.is_complete(&word, periods);
+        for orbit in &found.orbits {
+            table.push(row(parameters.clone(), orbit.clone(), complete(orbit.periods)))?;
+        }
+        for open in &found.open {
+            let periods = open.periods();
+            table.push(undecided(&word, periods, parameters.clone(), &open.place()))?;
+        }
+        for periods in 1..=scene.max_periods()? {
+            let is_said = found.orbits.iter().any(|orbit| orbit.periods == periods)
+                || found.open.iter().any(|open| open.periods() == periods);
+            if !is_said && !complete(periods) {
+                table.push(undecided(&word, periods, parameters.clone(), &[]))?;
+            }
         }
     }
     Ok(table)
@@ -85,11 +104,12 @@ pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
     let mut tables = [Table::new(COLUMNS), Table::new(COLUMNS)];
     for word in scene.words()? {
         let found = find_as(&goal, &setting, &word, scene.max_periods()?)?;
-        for orbit in found.orbits {
+        for orbit in found.orbits.clone() {
+            let complete = found.is_complete(&word, orbit.periods);
             if let Ok(again) = confirmed(&setting, &orbit, decimals) {
-                tables[1].push(row(parameters.clone(), again))?;
+                tables[1].push(row(parameters.clone(), again, complete))?;
             }
-            tables[0].push(row(parameters.clone(), orbit))?;
+            tables[0].push(row(parameters.clone(), orbit, complete))?;
         }
     }
     Ok(tables)
@@ -114,7 +134,28 @@ fn tell<N>(word: &Word, found: &Found<N>) {
     }
 }
 
-fn row<N>([g, d, r_b, r_t]: [N; 4], orbit: Rounded<N>) -> Vec<Cell>
+/// Motions that may be there, or what is known of one that is: nothing but where. No place stands for a search that found
+/// nothing and proves nothing.
+fn undecided<N>(word: &Word, periods: u32, [g, d, r_b, r_t]: [N; 4], place: &[Interval<f64>]) -> Vec<Cell>
+where
+    Cell: From<N>,
+{
+    let mut row = vec![
+        Cell::Text(word.to_string()),
+        Cell::Integer(i64::from(periods)),
+        Cell::from(d),
+        Cell::from(g),
+        Cell::from(r_b),
+        Cell::from(r_t),
+    ];
+    row.resize(KIND, Cell::Empty);
+    row.push(Cell::Text("undecided".to_string()));
+    row.resize(COLUMNS.len() - 3, Cell::Empty);
+    row.extend(incomplete(place));
+    row
+}
+
+fn row<N>([g, d, r_b, r_t]: [N; 4], orbit: Rounded<N>, complete: bool) -> Vec<Cell>
 where
     Cell: From<N> + From<Vec<N>>,
 {
@@ -136,6 +177,9 @@ where
         Cell::from(orbit.admissible),
         orbit.error_bound.map_or(Cell::Empty, Cell::from),
         Cell::from(orbit.computed_in.to_string()),
+        Cell::from(complete),
+        Cell::Empty,
+        Cell::Empty,
     ]
 }
 

@@ -10,15 +10,16 @@ use super::equations::{Conditioned, Halved, Symmetric, Touching};
 use super::event::{Condition, Event, Touch};
 use super::family::Family;
 use super::isolate::{Isolation, Limits, isolate};
-use super::root::{Root, distinct_phases};
+use super::root::{Root, distinct_phases, is_shifted};
 use super::system::System;
 use crate::number::{Field, Interval};
 
 /// Cells narrower than this are not halved again.
 const FINEST: f64 = 1e-8;
 
-/// A search for one event that needs more cells than this is given up.
-const MOST_CELLS: usize = 40_000;
+/// A search for one event that needs more cells than this, or so many for each of the cover, is given up.
+const MOST_CELLS: usize = 6_000;
+const MOST_FOR_EACH: usize = 20;
 
 /// Where psi stands among the unknowns.
 const PHASE: usize = 1;
@@ -59,6 +60,19 @@ impl Located {
             Self::Crossing(root) | Self::Turn(root) => root.enclosure[1],
         }
     }
+
+    /// Whether it is proved to be the other one, found in another cover.
+    fn is_same(&self, other: &Self) -> bool {
+        fn meet<const D: usize>(one: &Root<f64, D>, other: &Root<f64, D>, phase: usize) -> bool {
+            is_shifted(one, other, phase) || is_shifted(other, one, phase)
+        }
+        match (self, other) {
+            (Self::Condition(a, one), Self::Condition(b, other)) => a == b && meet(one, other, PHASE),
+            (Self::Touch(a, one), Self::Touch(b, other)) => a == b && meet(one, other, PHASE),
+            (Self::Crossing(one), Self::Crossing(other)) | (Self::Turn(one), Self::Turn(other)) => meet(one, other, 0),
+            _ => false,
+        }
+    }
 }
 
 /// All events, and the boxes in which one could not be told.
@@ -68,6 +82,23 @@ pub struct Bifurcations {
     pub located: Vec<Located>,
     /// What may happen in (T_1, psi, parameter), none, once or several times.
     pub undecided: Vec<(Event, Cell<f64, 3>)>,
+}
+
+impl Bifurcations {
+    /// Takes in what another cover has, each event once.
+    pub(super) fn add(&mut self, other: Self) {
+        for located in other.located {
+            if !self.located.iter().any(|known| known.is_same(&located)) {
+                self.located.push(located);
+            }
+        }
+        for (event, cell) in other.undecided {
+            let known = self.undecided.extract_if(.., |(known, _)| *known == event);
+            let cells: Vec<Cell<f64, 3>> = known.map(|(_, cell)| cell).chain([cell]).collect();
+            let joined = joined(&cells, 0.0).into_iter();
+            self.undecided.extend(joined.map(|cell| (event, cell)));
+        }
+    }
 }
 
 /// Every event of the covered motions: complete, by proof, where `undecided` is empty.
@@ -115,6 +146,10 @@ pub fn bifurcations(family: &impl Family, cover: &Cover) -> Bifurcations {
     found
         .located
         .retain(|located| located.parameter().intersection(&cover.range).is_some());
+    let within = |(event, [t_1, middle, parameter]): (Event, Cell<f64, 3>)| {
+        Some((event, [t_1, middle, parameter.intersection(&cover.range)?]))
+    };
+    found.undecided = found.undecided.into_iter().filter_map(within).collect();
     let place = |located: &Located| located.parameter().midpoint();
     found.located.sort_by(|one, other| place(one).total_cmp(&place(other)));
     found
@@ -241,7 +276,7 @@ fn is_known_grazing(condition: Condition, root: &Root<f64, 3>, found: &Bifurcati
 fn isolated<const D: usize>(system: &impl System<f64, D>, cells: Vec<Cell<f64, D>>) -> Isolation<f64, D> {
     let limits = Limits {
         finest: FINEST,
-        most_cells: MOST_CELLS,
+        most_cells: MOST_CELLS.max(MOST_FOR_EACH * cells.len()),
     };
     let mut isolation = isolate(system, cells, Vec::new(), limits);
     // a proof reaches beyond the cells, to where a velocity points away from its wall

@@ -1,7 +1,7 @@
 //! The 1-1 motions followed over a sweep, and every bifurcation on the way.
 
-use super::bifurcation::bifurcations;
-use super::cell::Cell;
+use super::bifurcation::{Bifurcations, Located, bifurcations};
+use super::cell::{Cell, joined};
 use super::cover::{Cover, CoverError};
 use super::event::Event;
 use super::family::Family;
@@ -15,16 +15,25 @@ use super::wanted::{Goal, Wanted};
 use super::{Balance, Word};
 use crate::model::Exact;
 use crate::model::MotionError;
-use crate::number::{Analytic, Interval};
+use crate::number::Interval;
 
 /// The cells spent at one value before it is left undecided.
 const MOST_CELLS: usize = 100_000;
+
+/// The ends of a piece of the range that is covered by itself are in this ratio at most: at a small d motions change with
+/// d itself, not with the range.
+const RATIO: f64 = 3.0;
+
+/// How often the boxes in which something stays undecided are covered again.
+const MOST_COVERS: usize = 12;
 
 /// The 1-1 motions of so many periods, prepared over a range of a parameter: their curve is covered once, and motions
 /// at a value are looked for in the cover alone.
 pub struct Prepared<'a, F> {
     family: &'a F,
-    cover: Cover,
+    periods: u32,
+    /// Piece by piece.
+    covers: Vec<Cover>,
 }
 
 /// An event that could not be told from none, or to the last digit.
@@ -43,11 +52,31 @@ pub enum OpenEvent {
     Located {
         /// Which.
         event: Event,
-        /// About where.
-        parameter: f64,
+        /// The forcing periods of the motions.
+        periods: u32,
+        /// Where.
+        parameter: Interval<f64>,
         /// What is open.
         why: Unsettled,
     },
+}
+
+impl OpenEvent {
+    /// Where it may be, in (T_1, psi, parameter); of one that is there the parameter alone.
+    pub fn place(&self) -> Vec<Interval<f64>> {
+        match self {
+            Self::Box { cell, .. } => cell.to_vec(),
+            Self::Located { parameter, .. } => vec![*parameter],
+        }
+    }
+
+    /// The values of the parameter.
+    pub fn parameter(&self) -> Interval<f64> {
+        match self {
+            Self::Box { cell, .. } => cell[2],
+            Self::Located { parameter, .. } => *parameter,
+        }
+    }
 }
 
 impl std::fmt::Display for OpenEvent {
@@ -62,7 +91,9 @@ impl std::fmt::Display for OpenEvent {
                 "BT over {periods} forcing periods: undecided whether there is a {event} at {parameter} (T_1 in {t_1}, \
                  phase {psi} halfway through the first flight)"
             ),
-            Self::Located { event, parameter, why } => write!(f, "a {event} at {parameter}: {why}"),
+            Self::Located {
+                event, parameter, why, ..
+            } => write!(f, "a {event} at {}: {why}", parameter.midpoint()),
         }
     }
 }
@@ -73,8 +104,13 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
     /// # Errors
     /// A range in which a parameter of the motion cannot be.
     pub fn new(family: &'a F, periods: u32, range: Interval<f64>) -> Result<Self, CoverError> {
-        let cover = Cover::new(family, periods, range)?;
-        Ok(Self { family, cover })
+        let covers = each(&pieces(range), |piece| Cover::new(family, periods, *piece));
+        let covers = covers.into_iter().collect::<Result<_, _>>()?;
+        Ok(Self {
+            family,
+            periods,
+            covers,
+        })
     }
 
     /// Every motion at one value of the range, proved, and the boxes left undecided.
@@ -83,14 +119,15 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
     /// A parameter out of its range.
     pub fn at(&self, value: &impl Exact) -> Result<Search, MotionError> {
         let parameter: Interval<f64> = value.value();
-        let balance = Balance::new(&self.family.motion_at(&parameter)?, self.cover.periods);
+        let balance = Balance::new(&self.family.motion_at(&parameter)?, self.periods);
         let limits = Limits {
             finest: FINEST,
             most_cells: MOST_CELLS,
         };
         let system = Equations(&balance);
-        let isolation = isolate(&system, self.cover.at(parameter), Vec::new(), limits);
-        Ok(Search::new(self.cover.periods, 0, isolation, &system))
+        let cells = self.covers.iter().flat_map(|cover| cover.at(parameter)).collect();
+        let isolation = isolate(&system, cells, Vec::new(), limits);
+        Ok(Search::new(self.periods, 0, isolation, &system))
     }
 
     /// Every motion at one value of the range.
@@ -106,7 +143,7 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
     /// # Errors
     /// A parameter out of its range.
     pub fn orbits_as<W: Wanted>(&self, wanted: &W, value: &impl Exact) -> Result<Found<W::Number>, MotionError> {
-        let periods = self.cover.periods;
+        let periods = self.periods;
         let search = self.at(value)?;
         let fixed = self.family.fixed(value);
         let mut found = Found::new();
@@ -145,8 +182,13 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
 
     /// The same, told as they are wanted.
     pub fn bifurcations_as<W: Wanted>(&self, wanted: &W) -> (Vec<Instant<W::Number>>, Vec<OpenEvent>) {
-        let periods = self.cover.periods;
-        let found = bifurcations(self.family, &self.cover);
+        let periods = self.periods;
+        let mut found = Bifurcations::default();
+        for piece in each(&self.covers, |cover| self.settled(cover)) {
+            found.add(piece);
+        }
+        let place = |located: &Located| located.parameter().midpoint();
+        found.located.sort_by(|one, other| place(one).total_cmp(&place(other)));
         let open = found.undecided.into_iter();
         let mut open: Vec<OpenEvent> = open
             .map(|(event, cell)| OpenEvent::Box { event, periods, cell })
@@ -157,11 +199,50 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
                 Ok(instant) => instants.push(instant),
                 Err(why) => open.push(OpenEvent::Located {
                     event: located.event(),
-                    parameter: located.parameter().to_f64(),
+                    periods,
+                    parameter: located.parameter(),
                     why,
                 }),
             }
         }
         (instants, open)
     }
+
+    /// The events over one cover; the boxes in which some stay undecided are covered again, finer, by themselves.
+    fn settled(&self, cover: &Cover) -> Bifurcations {
+        let mut found = bifurcations(self.family, cover);
+        let mut cover = cover.clone();
+        for _ in 0..MOST_COVERS {
+            let undecided: Vec<Cell<f64, 3>> = found.undecided.iter().map(|(_, cell)| *cell).collect();
+            if undecided.is_empty() {
+                break;
+            }
+            let Ok(finer) = cover.within(self.family, &joined(&undecided, 0.0)) else {
+                break;
+            };
+            found.undecided.clear();
+            found.add(bifurcations(self.family, &finer));
+            cover = finer;
+        }
+        found
+    }
+}
+
+/// The range in pieces that are covered by themselves.
+fn pieces(range: Interval<f64>) -> Vec<Interval<f64>> {
+    let (low, high) = (range.low(), range.high());
+    let count = if low > 0.0 {
+        ((high / low).ln() / RATIO.ln()).ceil().max(1.0)
+    } else {
+        1.0
+    };
+    let end = |index: f64| match index {
+        0.0 => low,
+        index if index == count => high,
+        index => low * (high / low).powf(index / count),
+    };
+    (0..count as u32)
+        .map(f64::from)
+        .map(|index| Interval::new(end(index), end(index + 1.0)))
+        .collect()
 }

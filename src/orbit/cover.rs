@@ -13,6 +13,9 @@ use crate::number::{Dual, Interval, seeded};
 /// Cells of a cover are at most this part of the range of each unknown, for one period of the forcing.
 const PARTS: f64 = 32.0;
 
+/// The same of a box that is covered again.
+const PARTS_OF_A_BOX: f64 = 8.0;
+
 /// With so many cells none is halved any more: the cover stays one, of coarser cells.
 const MOST_CELLS: usize = 400_000;
 
@@ -53,36 +56,27 @@ impl Cover {
         let turn = 2.0 * std::f64::consts::PI;
         let total = 2.0 * f64::from(periods);
         let share = (4.0 * width(range) / PARTS).max(NARROW * range.magnitude());
-        let widest = [2.0 / PARTS, turn / PARTS, share];
         let start = [
             Interval::new(0.0, total),
             Interval::new(-0.5 * turn, 0.5 * turn.next_up()),
             range,
         ];
-        let mut left = vec![start];
         let mut cells = Vec::new();
-        while let Some(cell) = left.pop() {
-            let Some(cell) = settled(family, periods, cell)? else {
-                continue;
-            };
-            let excess = |i: usize| width(cell[i]) / widest[i];
-            let direction = (0..3).max_by(|&i, &j| excess(i).total_cmp(&excess(j))).unwrap_or(0);
-            if excess(direction) <= 1.0 || cells.len() + left.len() > MOST_CELLS {
-                // No motion is to lie on the edge of its cell, where it would be proved with more trouble.
-                cells.push(std::array::from_fn(|i| {
-                    let margin = MARGIN * widest[i];
-                    cell[i] + Interval::new(-margin, margin)
-                }));
-                continue;
-            }
-            let (low, high) = cell[direction].halves();
-            for half in [low, high] {
-                let mut cell = cell;
-                cell[direction] = half;
-                left.push(cell);
-            }
-        }
+        divide(family, periods, start, [2.0 / PARTS, turn / PARTS, share], &mut cells)?;
         Ok(Self { periods, range, cells })
+    }
+
+    /// The part of a cover that lies in these boxes, with cells that are small beside them.
+    ///
+    /// # Errors
+    /// As [`Cover::new`].
+    pub fn within(&self, family: &impl Family, boxes: &[Cell<f64, 3>]) -> Result<Self, CoverError> {
+        let mut cells = Vec::new();
+        for around in boxes {
+            let widest = around.map(|side| width(side) / PARTS_OF_A_BOX);
+            divide(family, self.periods, *around, widest, &mut cells)?;
+        }
+        Ok(Self { cells, ..*self })
     }
 
     /// The cells that reach a value of the parameter, without the parameter.
@@ -91,6 +85,49 @@ impl Cover {
         let cells = self.cells.iter().filter(reached);
         cells.map(|[t_1, middle, _]| [*t_1, *middle]).collect()
     }
+}
+
+/// Adds the cells of the curve in a box, none of them wider than `widest`.
+fn divide(
+    family: &impl Family,
+    periods: u32,
+    start: Cell<f64, 3>,
+    widest: [f64; 3],
+    cells: &mut Vec<Cell<f64, 3>>,
+) -> Result<(), CoverError> {
+    let mut left = vec![start];
+    while let Some(cell) = left.pop() {
+        let Some(cell) = settled(family, periods, cell)? else {
+            continue;
+        };
+        let excess = |i: usize| width(cell[i]) / widest[i];
+        let direction = (0..3).max_by(|&i, &j| excess(i).total_cmp(&excess(j))).unwrap_or(0);
+        if excess(direction) <= 1.0 || cells.len() + left.len() > MOST_CELLS {
+            cells.push(grown(family, cell, widest));
+            continue;
+        }
+        let (low, high) = cell[direction].halves();
+        for half in [low, high] {
+            let mut cell = cell;
+            cell[direction] = half;
+            left.push(cell);
+        }
+    }
+    Ok(())
+}
+
+/// The cell with a margin: no motion is to lie on the edge of its cell, where it would be proved with more trouble. There
+/// is none where the parameter would leave its range.
+fn grown(family: &impl Family, cell: Cell<f64, 3>, widest: [f64; 3]) -> Cell<f64, 3> {
+    let mut grown = std::array::from_fn(|i| {
+        let margin = MARGIN * widest[i];
+        cell[i] + Interval::new(-margin, margin)
+    });
+    let leaves = |end: f64| family.motion_at(&Interval::point(end)).is_err();
+    if leaves(grown[2].low()) || leaves(grown[2].high()) {
+        grown[2] = cell[2];
+    }
+    grown
 }
 
 /// The cell narrowed for as long as that makes it much smaller; `None` where nothing is left.

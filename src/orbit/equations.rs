@@ -195,7 +195,8 @@ where
     }
 }
 
-/// Whether v >= 0 >= w somewhere in the cell, with T_1 and T_2 not negative.
+/// Whether v >= 0 >= w somewhere in the cell, with T_1 and T_2 not negative; so it may be where the parameter leaves its
+/// range.
 fn may_move<E: Endpoint>(
     family: &impl Family,
     periods: u32,
@@ -203,7 +204,7 @@ fn may_move<E: Endpoint>(
     middle: &Interval<E>,
     parameter: &Interval<E>,
 ) -> bool {
-    family.motion_at(parameter).is_ok_and(|motion| {
+    family.motion_at(parameter).map_or(true, |motion| {
         let balance = Balance::new(&motion, periods);
         may_fly(&balance, t_1, &balance.scaled_velocities(t_1, middle))
     })

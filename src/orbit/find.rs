@@ -39,9 +39,28 @@ pub enum Open {
         word: Word,
         /// The forcing periods it takes.
         periods: u32,
+        /// Where: of a 1-1 motion (T_1, psi), of any other its phases.
+        place: Vec<Interval<f64>>,
         /// What.
         why: Unsettled,
     },
+}
+
+impl Open {
+    /// The forcing periods of the motions.
+    pub fn periods(&self) -> u32 {
+        match self {
+            Self::Box { periods, .. } | Self::Motion { periods, .. } => *periods,
+        }
+    }
+
+    /// Where they may be: of 1-1 motions (T_1, psi), of others their phases.
+    pub fn place(&self) -> Vec<Interval<f64>> {
+        match self {
+            Self::Box { cell, .. } => cell.to_vec(),
+            Self::Motion { place, .. } => place.clone(),
+        }
+    }
 }
 
 impl std::fmt::Display for Open {
@@ -55,7 +74,7 @@ impl std::fmt::Display for Open {
                 "BT over {periods} forcing periods: undecided whether there are motions with T_1 in {t_1} and phase \
                  {psi} halfway through the first flight; two motions meet there, or a velocity is 0"
             ),
-            Self::Motion { word, periods, why } => {
+            Self::Motion { word, periods, why, .. } => {
                 write!(f, "{word} over {periods} forcing periods: a motion, but {why}")
             }
         }
@@ -92,16 +111,22 @@ pub fn find_as<W: Wanted>(
             pairs(wanted, parameters, periods, &search.motions, undecided, &mut found.open)?
         } else {
             let cycles = cycle::search(word, periods, &motion)?;
-            let settle = |cycle| wanted.orbit(parameters, &Proved::Cycle(cycle));
-            cycles.iter().map(settle).collect()
+            cycles.iter().map(|cycle| settled(wanted, parameters, cycle)).collect()
         };
         found.take(word, periods, settled);
     }
     Ok(found)
 }
 
-/// A motion as it is wanted, or why not.
-pub(super) type Settled<N> = Result<Rounded<N>, Unsettled>;
+/// A motion as it is wanted, or why not, and where it is.
+pub(super) type Settled<N> = Result<Rounded<N>, (Unsettled, Vec<Interval<f64>>)>;
+
+/// A motion of any word, and where it is if it cannot be told.
+pub(super) fn settled<W: Wanted>(wanted: &W, parameters: &impl Parameters, cycle: &Cycle) -> Settled<W::Number> {
+    let place = || cycle.phases().iter().map(|phase| Interval::point(*phase)).collect();
+    let settled = wanted.orbit(parameters, &Proved::Cycle(cycle));
+    settled.map_err(|why| (why, place()))
+}
 
 /// The motions at proved roots, and those in boxes that f64 left undecided; what stays so is added to `open`.
 pub(super) fn pairs<W: Wanted>(
@@ -112,11 +137,18 @@ pub(super) fn pairs<W: Wanted>(
     undecided: &[Cell<f64, 2>],
     open: &mut Vec<Open>,
 ) -> Result<Vec<Settled<W::Number>>, MotionError> {
-    let settle = |root| wanted.orbit(parameters, &Proved::Pair { root, periods });
+    let settle = |root: &Root<f64, 2>| {
+        let settled = wanted.orbit(parameters, &Proved::Pair { root, periods });
+        settled.map_err(|why| (why, root.enclosure.to_vec()))
+    };
     let mut pairs: Vec<_> = roots.iter().map(settle).collect();
     if !undecided.is_empty() {
         let search = again(&parameters.motion()?, periods, undecided);
-        let settle = |root| wanted.orbit(parameters, &Proved::Close { root, periods });
+        let narrow = |side: &Interval<DoubleDouble>| Interval::new(side.low().to_f64(), side.high().to_f64());
+        let settle = |root: &Root<DoubleDouble, 2>| {
+            let settled = wanted.orbit(parameters, &Proved::Close { root, periods });
+            settled.map_err(|why| (why, root.enclosure.iter().map(narrow).collect()))
+        };
         // The boxes examined again reach a little into those of the roots proved before.
         let is_new = |root: &&Root<DoubleDouble, 2>| {
             let point = root.enclosure.each_ref().map(|side| side.midpoint().to_f64());
@@ -125,7 +157,6 @@ pub(super) fn pairs<W: Wanted>(
                 .any(|known| (0..2).all(|i| known.unique[i].contains(&point[i])))
         };
         pairs.extend(search.motions.iter().filter(is_new).map(settle));
-        let narrow = |side: &Interval<DoubleDouble>| Interval::new(side.low().to_f64(), side.high().to_f64());
         let cells = search.isolation.undecided.iter();
         let cells: Vec<Cell<f64, 2>> = cells.map(|cell| cell.each_ref().map(narrow)).collect();
         let told = joined(&cells, FINEST).into_iter();
@@ -140,16 +171,28 @@ impl<N: Told> Found<N> {
         Self { orbits, open }
     }
 
+    /// Whether it is proved that there is no other motion of this word over so many periods: of BT alone, where no box is
+    /// left open.
+    pub fn is_complete(&self, word: &Word, periods: u32) -> bool {
+        let is_box = |open: &Open| matches!(open, Open::Box { .. }) && open.periods() == periods;
+        *word == Word::pair() && !self.open.iter().any(is_box)
+    }
+
     pub(super) fn take(&mut self, word: &Word, periods: u32, settled: Vec<Settled<N>>) {
         let mut orbits = Vec::new();
         for outcome in settled {
             match outcome {
                 Ok(orbit) => orbits.push(orbit),
                 // The equations hold, but nothing moves so.
-                Err(Unsettled::Backwards { .. } | Unsettled::Timeless { .. }) => {}
-                Err(why) => {
+                Err((Unsettled::Backwards { .. } | Unsettled::Timeless { .. }, _)) => {}
+                Err((why, place)) => {
                     let word = word.clone();
-                    self.open.push(Open::Motion { word, periods, why });
+                    self.open.push(Open::Motion {
+                        word,
+                        periods,
+                        place,
+                        why,
+                    });
                 }
             }
         }

@@ -3,7 +3,7 @@
 use super::along::Along;
 use super::cycle::{Cycle, moves, search_from};
 use super::family::Family;
-use super::find::{Found, Proved};
+use super::find::{Found, settled};
 use super::happening::moments;
 use super::moment::Moment;
 use super::newton;
@@ -126,7 +126,7 @@ impl<'a, F: Family + Sync> Followed<'a, F> {
             }
         }
         let fixed = family.fixed(value);
-        let orbits = cycles.iter().map(|cycle| wanted.orbit(&fixed, &Proved::Cycle(cycle)));
+        let orbits = cycles.iter().map(|cycle| settled(wanted, &fixed, cycle));
         let mut found = Found::new();
         found.take(word, *periods, orbits.collect());
         Ok(found)

@@ -140,8 +140,9 @@ fn size<E: Endpoint>(number: &E) -> E {
     }
 }
 
-/// How much wider than the rounding of a point a box around it is tried to be.
-const ROOM: [f64; 6] = [8.0, 128.0, 2e3, 3e4, 1e6, 1e8];
+/// How much wider than the rounding of a point a box around it is tried to be: beside another root the rounding of the
+/// equations is some 1e10 times that of the point.
+const ROOM: [f64; 9] = [8.0, 128.0, 2e3, 3e4, 1e6, 1e8, 1e10, 1e12, 1e15];
 
 fn inverse<E: Endpoint, const D: usize>(slopes: &[Cell<E, D>; D]) -> Option<SMatrix<f64, D, D>> {
     let middle = SMatrix::<f64, D, D>::from_fn(|row, column| slopes[row][column].midpoint().to_f64());
