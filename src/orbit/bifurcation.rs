@@ -4,7 +4,7 @@
 //! two between neighbouring values of a sweep are found like one.
 
 use super::balance::Balance;
-use super::cell::{Cell, joined};
+use super::cell::{Cell, holds, joined};
 use super::cover::Cover;
 use super::equations::{Conditioned, Halved, Symmetric, Touching};
 use super::event::{Condition, Event, Touch};
@@ -92,11 +92,17 @@ impl Bifurcations {
                 self.located.push(located);
             }
         }
-        for (event, cell) in other.undecided {
-            let known = self.undecided.extract_if(.., |(known, _)| *known == event);
-            let cells: Vec<Cell<f64, 3>> = known.map(|(_, cell)| cell).chain([cell]).collect();
-            let joined = joined(&cells, 0.0).into_iter();
-            self.undecided.extend(joined.map(|cell| (event, cell)));
+        self.undecided.extend(other.undecided);
+    }
+
+    /// Tells boxes of one event that touch as one.
+    pub(super) fn join(&mut self) {
+        let mut left = std::mem::take(&mut self.undecided);
+        while let Some((event, _)) = left.first().copied() {
+            let own = left.extract_if(.., |(other, _)| *other == event);
+            let cells: Vec<Cell<f64, 3>> = own.map(|(_, cell)| cell).collect();
+            self.undecided
+                .extend(joined(&cells, FINEST).into_iter().map(|cell| (event, cell)));
         }
     }
 }
@@ -278,9 +284,17 @@ fn isolated<const D: usize>(system: &impl System<f64, D>, cells: Vec<Cell<f64, D
         finest: FINEST,
         most_cells: MOST_CELLS.max(MOST_FOR_EACH * cells.len()),
     };
-    let mut isolation = isolate(system, cells, Vec::new(), limits);
+    let mut isolation = isolate(system, cells.clone(), Vec::new(), limits);
     // a proof reaches beyond the cells, to where a velocity points away from its wall
     isolation.roots.retain(|root| system.is_wanted(&root.enclosure));
-    isolation.undecided = joined(&isolation.undecided, FINEST);
+    let mut left = std::mem::take(&mut isolation.undecided);
+    for cell in cells {
+        // of each cell one box: what is left of it
+        let own = left.extract_if(.., |part| holds(&cell, &part.map(|side| side.midpoint())));
+        isolation
+            .undecided
+            .extend(own.reduce(|one, other| std::array::from_fn(|i| one[i].hull(&other[i]))));
+    }
+    isolation.undecided.append(&mut left);
     isolation
 }

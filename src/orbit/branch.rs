@@ -24,8 +24,11 @@ const MOST_CELLS: usize = 100_000;
 /// d itself, not with the range.
 const RATIO: f64 = 3.0;
 
-/// How often the boxes in which something stays undecided are covered again.
-const MOST_COVERS: usize = 12;
+/// How often the boxes in which something stays undecided are covered again: at first those that touch as one, which is
+/// soon done, then each by itself, as long as these are few.
+const MOST_COVERS: usize = 10;
+const TOGETHER: usize = 7;
+const MOST_BOXES: usize = 1500;
 
 /// The 1-1 motions of so many periods, prepared over a range of a parameter: their curve is covered once, and motions
 /// at a value are looked for in the cover alone.
@@ -212,18 +215,22 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
     fn settled(&self, cover: &Cover) -> Bifurcations {
         let mut found = bifurcations(self.family, cover);
         let mut cover = cover.clone();
-        for _ in 0..MOST_COVERS {
-            let undecided: Vec<Cell<f64, 3>> = found.undecided.iter().map(|(_, cell)| *cell).collect();
-            if undecided.is_empty() {
+        for round in 0..MOST_COVERS {
+            let mut boxes: Vec<Cell<f64, 3>> = found.undecided.iter().map(|(_, cell)| *cell).collect();
+            if round < TOGETHER || boxes.len() > MOST_BOXES {
+                boxes = joined(&boxes, 0.0);
+            }
+            if boxes.is_empty() {
                 break;
             }
-            let Ok(finer) = cover.within(self.family, &joined(&undecided, 0.0)) else {
+            let Ok(finer) = cover.within(self.family, &boxes) else {
                 break;
             };
             found.undecided.clear();
             found.add(bifurcations(self.family, &finer));
             cover = finer;
         }
+        found.join();
         found
     }
 }
