@@ -435,3 +435,52 @@ fn every_parameter_type_gives_the_same_motion() {
     let narrow: Motion<Interval<f64>> = family.fixed(&0.25).motion().expect("a motion");
     assert!(narrow.g().contains(&0.12201) && narrow.d().contains(&0.25));
 }
+
+/// Kinds and places of the events over a range.
+fn events(family: &Along, periods: u32, range: [f64; 2]) -> Vec<(Event, f64)> {
+    let (events, open) = prepared(family, periods, range).bifurcations();
+    assert!(open.is_empty(), "{family:?} {range:?} {open:?}");
+    events.iter().map(|event| (event.event, event.parameter)).collect()
+}
+
+#[test]
+fn over_a_wide_range_the_events_are_those_of_its_parts() {
+    let ranges = [
+        (along(PAPER, 50, 50), vec![0.1, 0.22, 0.3, 1.0, 250.0]),
+        (along(19_700, 43, 21), vec![0.1, 0.2, 0.25, 3.0, 300.0]),
+        (along(30_660, 30, 20), vec![0.02, 0.05, 0.1, 0.5, 3.0]),
+        (along(0, 50, 50), vec![0.05, 0.3, 20.0]),
+    ];
+    for (family, ends) in ranges {
+        let whole = events(&family, 1, [ends[0], *ends.last().unwrap()]);
+        let parts: Vec<_> = ends
+            .windows(2)
+            .flat_map(|part| events(&family, 1, [part[0], part[1]]))
+            .collect();
+        assert_eq!(whole.len(), parts.len(), "{family:?} {whole:?} {parts:?}");
+        for ((event, at), (other, there)) in whole.iter().zip(&parts) {
+            assert!(
+                event == other && (at / there - 1.0).abs() < 1e-13,
+                "{family:?} {at} {there}"
+            );
+        }
+    }
+}
+
+#[test]
+fn events_that_wide_ranges_lost_are_found() {
+    let holds = |found: &[(Event, f64)], event, at: f64| {
+        found
+            .iter()
+            .any(|(other, there)| *other == event && (there / at - 1.0).abs() < 1e-13)
+    };
+    let found = events(&along(PAPER, 50, 50), 1, [0.1, 250.0]);
+    assert!(holds(&found, Event::NodeFocus, 0.300_277_382_732_094_14), "{found:?}");
+    let found = events(&along(19_700, 43, 21), 1, [0.1, 300.0]);
+    assert!(holds(&found, Event::Fold, 0.221_666_364_289_678_06), "{found:?}");
+    let found = events(&along(12_200, 50, 50), 1, [2e-3, 10.0]);
+    assert!(
+        holds(&found, Event::PeriodDoubling, 0.004_153_745_486_343_401),
+        "{found:?}"
+    );
+}

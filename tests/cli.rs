@@ -154,3 +154,52 @@ fn a_reader_that_stops_reading_is_no_error() {
         assert_eq!(String::from_utf8(output.stderr).unwrap(), "", "{arguments:?}");
     }
 }
+
+#[test]
+fn whether_the_rows_are_all_is_a_column_and_can_be_required() {
+    let last = |arguments: &[&str]| {
+        let output = run(&[arguments, &["--format", "csv", "--require-complete"]].concat());
+        let text = String::from_utf8(output.stdout).unwrap();
+        let rows: Vec<String> = text.lines().skip(1).map(str::to_owned).collect();
+        assert!(
+            text.lines().next().unwrap().ends_with(",number,complete,low,high"),
+            "{text}"
+        );
+        (output.status.code(), rows)
+    };
+    let (status, rows) = last(&["orbits", "fig02"]);
+    assert!(
+        status == Some(0) && rows.iter().all(|row| row.ends_with(",true,,")),
+        "{rows:?}"
+    );
+    let (status, rows) = last(&["branch", "fig02", "--set", "sweep.points=3"]);
+    assert!(
+        status == Some(0) && rows.iter().all(|row| row.ends_with(",true,,")),
+        "{rows:?}"
+    );
+    // a search for another word proves nothing, and says so where it finds nothing
+    let (status, rows) = last(&["orbits", "fig02", "--set", "words=BTT"]);
+    assert!(status == Some(1) && !rows.is_empty(), "{rows:?}");
+    assert!(rows.iter().all(|row| row.contains(",false,")), "{rows:?}");
+    let none = ["orbits", "fig02", "--set", "words=BBBBTT", "--set", "motion.d=50"];
+    let (status, rows) = last(&none);
+    assert!(
+        status == Some(1) && rows.len() == 1 && rows[0].contains(",undecided,"),
+        "{rows:?}"
+    );
+}
+
+#[test]
+fn more_digits_lose_no_orbit() {
+    // close to a symmetry breaking, where 60 digits could not prove the one in the middle
+    let scene = "want = ['orbits']\nwords = ['BT']\n[motion]\ng = 0.0\nd = 0.26343156\nr_b = 0.5\nr_t = 0.5\n";
+    let scratch = Scratch::new("digits");
+    let path = scratch.path("scene.toml");
+    fs::write(&path, scene).unwrap();
+    for digits in ["15", "30", "60", "100"] {
+        let output = run(&["orbits", &path, "--digits", digits, "--format", "csv"]);
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(text.lines().count(), 5, "{digits}: {text}");
+        assert!(!text.contains("undecided"), "{digits}: {text}");
+    }
+}

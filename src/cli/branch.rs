@@ -137,8 +137,8 @@ where
     let mut rows = Vec::new();
     for open in &open {
         note(&open.to_string());
-        let row = undecided(over, &Word::pair(), periods, &open.place());
-        rows.push((open.parameter().midpoint(), row));
+        let row = undecided(over, &Word::pair(), periods, open.cell());
+        rows.push((open.cell()[2].midpoint(), row));
     }
     for event in events {
         let at = event.parameter.to_f64();

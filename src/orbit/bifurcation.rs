@@ -61,6 +61,19 @@ impl Located {
         }
     }
 
+    /// Where it happens to motions of so many periods, in (T_1, psi, parameter).
+    pub fn cell(&self, periods: u32) -> Cell<f64, 3> {
+        match self {
+            Self::Condition(_, root) => root.enclosure,
+            Self::Touch(_, root) => [root.enclosure[0], root.enclosure[1], root.enclosure[2]],
+            Self::Crossing(root) | Self::Turn(root) => [
+                Interval::from_integer(i64::from(periods)),
+                root.enclosure[0],
+                root.enclosure[1],
+            ],
+        }
+    }
+
     /// Whether it is proved to be the other one, found in another cover.
     fn is_same(&self, other: &Self) -> bool {
         fn meet<const D: usize>(one: &Root<f64, D>, other: &Root<f64, D>, phase: usize) -> bool {

@@ -57,27 +57,18 @@ pub enum OpenEvent {
         event: Event,
         /// The forcing periods of the motions.
         periods: u32,
-        /// Where.
-        parameter: Interval<f64>,
+        /// Where, in (T_1, psi, parameter).
+        cell: Cell<f64, 3>,
         /// What is open.
         why: Unsettled,
     },
 }
 
 impl OpenEvent {
-    /// Where it may be, in (T_1, psi, parameter); of one that is there the parameter alone.
-    pub fn place(&self) -> Vec<Interval<f64>> {
+    /// Where it is or may be, in (T_1, psi, parameter).
+    pub fn cell(&self) -> &Cell<f64, 3> {
         match self {
-            Self::Box { cell, .. } => cell.to_vec(),
-            Self::Located { parameter, .. } => vec![*parameter],
-        }
-    }
-
-    /// The values of the parameter.
-    pub fn parameter(&self) -> Interval<f64> {
-        match self {
-            Self::Box { cell, .. } => cell[2],
-            Self::Located { parameter, .. } => *parameter,
+            Self::Box { cell, .. } | Self::Located { cell, .. } => cell,
         }
     }
 }
@@ -94,9 +85,7 @@ impl std::fmt::Display for OpenEvent {
                 "BT over {periods} forcing periods: undecided whether there is a {event} at {parameter} (T_1 in {t_1}, \
                  phase {psi} halfway through the first flight)"
             ),
-            Self::Located {
-                event, parameter, why, ..
-            } => write!(f, "a {event} at {}: {why}", parameter.midpoint()),
+            Self::Located { event, cell, why, .. } => write!(f, "a {event} at {}: {why}", cell[2].midpoint()),
         }
     }
 }
@@ -203,7 +192,7 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
                 Err(why) => open.push(OpenEvent::Located {
                     event: located.event(),
                     periods,
-                    parameter: located.parameter(),
+                    cell: located.cell(periods),
                     why,
                 }),
             }
