@@ -203,3 +203,30 @@ fn more_digits_lose_no_orbit() {
         assert!(!text.contains("undecided"), "{digits}: {text}");
     }
 }
+
+#[test]
+fn no_output_replaces_an_input() {
+    let scratch = Scratch::new("inputs");
+    let [sheet, link] = [scratch.path("sheet.toml"), scratch.path("link.toml")];
+    let text = "[[equation]]\nlabel = 'a'\nrole = 'claim'\ntex = 'd = d'\n";
+    fs::write(&sheet, text).unwrap();
+    std::os::unix::fs::symlink(&sheet, &link).unwrap();
+    for out in [&sheet, &link] {
+        assert_refused(&["audit", &sheet, "--out", out], &["read as an input", "another file"]);
+        assert_eq!(fs::read_to_string(&sheet).unwrap(), text);
+    }
+    assert_refused(&["audit", &link, "--out", &sheet], &["read as an input"]);
+    // beside it there is room
+    assert_eq!(
+        run(&["audit", &sheet, "--out", &scratch.path("rows.txt")])
+            .status
+            .code(),
+        Some(0)
+    );
+}
+
+#[test]
+fn an_endless_input_is_refused() {
+    assert_refused(&["audit", "/dev/zero"], &["/dev/zero", "64 MB"]);
+    assert_refused(&["orbits", "/dev/zero"], &["/dev/zero", "64 MB"]);
+}

@@ -2,7 +2,7 @@
 
 use super::{Answer, Content, Exit, Failure, Options, golden};
 use crate::reference::{Certified, Directory, Outcome, bless, check};
-use crate::report::{Cell, Output, Table};
+use crate::report::{Cell, Output, Table, note_input};
 use std::path::PathBuf;
 
 /// Hold golden values, the paper's or your own directory's, against what is computed
@@ -27,6 +27,9 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     let printed = directory.printed()?;
     if arguments.bless {
         return rewrite(&directory);
+    }
+    if let Directory::At(path) = &directory {
+        note_input(path);
     }
     let certified = directory.certified()?;
     let mut answer = |request: &_| golden::answer(&directory, request, options).map_err(|failure| failure.to_string());

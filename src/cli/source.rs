@@ -1,9 +1,13 @@
 //! Where a command reads from: a file, `-` for stdin.
 
+use crate::report::note_input;
 use std::fs;
 use std::io::{self, Read};
 use std::path::PathBuf;
 use std::str::FromStr;
+
+/// The longest input that is read: 64 MB.
+const MOST_BYTES: u64 = 64 << 20;
 
 /// A file, or stdin.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,6 +37,9 @@ pub enum SourceProblem {
     /// The path is a directory.
     #[error("it is a directory; name a file in it")]
     Directory,
+    /// It has more than 64 MB.
+    #[error("it has more than 64 MB; no sheet, scene or table of answers is that long")]
+    TooLarge,
     /// The bytes are no text.
     #[error("it is not UTF-8 from byte {0} on; save it as UTF-8")]
     NotText(usize),
@@ -63,6 +70,16 @@ impl FromStr for Source {
     }
 }
 
+/// All bytes, or the refusal of more than [`MOST_BYTES`], which may have no end.
+fn limited(from: impl Read) -> Result<Vec<u8>, SourceProblem> {
+    let mut bytes = Vec::new();
+    from.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
+    match bytes.len() as u64 > MOST_BYTES {
+        true => Err(SourceProblem::TooLarge),
+        false => Ok(bytes),
+    }
+}
+
 impl Source {
     /// How errors name the place: the path as given, or `stdin`.
     pub fn name(&self) -> String {
@@ -82,12 +99,11 @@ impl Source {
 
     fn text(&self) -> Result<String, SourceProblem> {
         let bytes = match self {
-            Self::Stdin => {
-                let mut bytes = Vec::new();
-                io::stdin().lock().read_to_end(&mut bytes)?;
-                bytes
+            Self::Stdin => limited(io::stdin().lock())?,
+            Self::File(path) => {
+                note_input(path);
+                limited(fs::File::open(path)?)?
             }
-            Self::File(path) => fs::read(path)?,
         };
         String::from_utf8(bytes).map_err(|error| SourceProblem::NotText(error.utf8_error().valid_up_to()))
     }

@@ -1,6 +1,6 @@
 //! `vibro-audit stress [CASE] [--search SECONDS [--bless]] [--frozen FILE]`.
 
-use super::{Answer, Content, Exit, Failure, Options, Source, note};
+use super::{Answer, Content, Exit, Failure, Options, Source, SourceError, note};
 use crate::accuracy::stress::{BAR, StressRow, WORST, WORST_PATH, frozen_text, search, stress};
 use crate::report::{Cell, Format, Output, Table};
 use std::path::PathBuf;
@@ -46,10 +46,12 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
         let frozen = arguments.frozen.as_ref().map_or(Ok(WORST.to_owned()), Source::read)?;
         return judged(stress(arguments.case.as_deref(), &frozen)?, options);
     };
-    let golden = Source::File(PathBuf::from(WORST_PATH));
     if arguments.bless {
         // before a long search, not after: it must be there
-        golden.read()?;
+        std::fs::metadata(WORST_PATH).map_err(|error| SourceError {
+            place: WORST_PATH.to_string(),
+            problem: error.into(),
+        })?;
     }
     let rows = search(seconds)?;
     if arguments.bless {

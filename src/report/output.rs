@@ -1,8 +1,10 @@
 //! Where a command writes: stdout, or a file that is there whole or not at all.
 
+use std::collections::BTreeSet;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 /// A place to write to.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
@@ -33,6 +35,9 @@ pub enum OutputProblem {
     /// The directory that the file would be in does not exist.
     #[error("there is no directory {0}; create it first")]
     NoDirectory(String),
+    /// The file is one that the command reads.
+    #[error("it is read as an input, which would be lost; choose another file")]
+    Input,
     /// The file exists and is protected.
     #[error("it is read-only; choose another file or change its permissions")]
     ReadOnly,
@@ -50,6 +55,22 @@ impl OutputProblem {
     fn system(doing: &'static str) -> impl Fn(io::Error) -> Self {
         move |source| Self::System { doing, source }
     }
+}
+
+/// The files and directories that were read from, links followed.
+static INPUTS: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+/// Takes note of a file, or of a directory with all in it, that is read: no output replaces it from now on.
+pub fn note_input(path: &Path) {
+    if let (Ok(path), Ok(mut inputs)) = (path.canonicalize(), INPUTS.lock()) {
+        inputs.insert(path);
+    }
+}
+
+fn is_input(path: &Path) -> bool {
+    INPUTS
+        .lock()
+        .is_ok_and(|inputs| path.ancestors().take(2).any(|place| inputs.contains(place)))
 }
 
 /// How a path is to be written.
@@ -124,10 +145,11 @@ fn target(path: &Path) -> Result<Target, OutputProblem> {
         Ok(found) if !found.is_file() => Ok(Target::Direct(path.to_owned())),
         Ok(found) if found.permissions().readonly() => Err(OutputProblem::ReadOnly),
         // A link keeps being a link: what it points to is replaced.
-        Ok(_) => path
-            .canonicalize()
-            .map(Target::Replace)
-            .map_err(OutputProblem::system("following links")),
+        Ok(_) => match path.canonicalize() {
+            Ok(path) if is_input(&path) => Err(OutputProblem::Input),
+            Ok(path) => Ok(Target::Replace(path)),
+            Err(error) => Err(OutputProblem::system("following links")(error)),
+        },
         Err(error) if error.kind() == io::ErrorKind::NotFound => new_file(path),
         Err(source) => Err(OutputProblem::System {
             doing: "opening",
