@@ -22,7 +22,7 @@ const MOST_CELLS: usize = 100_000;
 
 /// The ends of a piece of the range that is covered by itself are in this ratio at most: at a small d motions change with
 /// d itself, not with the range.
-const RATIO: f64 = 3.0;
+const RATIO: f64 = 6.0;
 
 /// How often the boxes in which something stays undecided are covered again: at first those that touch as one, which is
 /// soon done, then each by itself, as long as these are few.
