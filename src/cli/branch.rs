@@ -110,6 +110,10 @@ where
         rows.extend(open);
     }
     rows.extend(events);
+    if rows.is_empty() && *word != Word::pair() {
+        // nothing was found, which proves nothing
+        rows.push((nearest.low(), undecided(sweep.over, word, periods, &[])));
+    }
     let sign = if from.midpoint() > to.midpoint() { -1.0 } else { 1.0 };
     rows.sort_by(|(one, _), (other, _)| (sign * one).total_cmp(&(sign * other)));
     Ok(rows.into_iter().map(|(_, row)| row).collect())
@@ -133,7 +137,7 @@ where
     let prepared = Prepared::new(setting, periods, range)?;
     let points = prepared.points_as(wanted, values)?;
     let (events, open) = prepared.bifurcations_as(wanted);
-    let is_complete = !open.iter().any(|open| matches!(open, OpenEvent::Box { .. }));
+    let is_complete = OpenEvent::are_all_there(&open);
     let mut rows = Vec::new();
     for open in &open {
         note(&open.to_string());
@@ -199,7 +203,7 @@ pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
     for periods in 1..=scene.max_periods()? {
         let (events, open) = Prepared::new(&setting, periods, from.hull(&to))?
             .bifurcations_as(&Goal::decimals(decimals, Rung::Wide(50)));
-        let is_complete = !open.iter().any(|open| matches!(open, OpenEvent::Box { .. }));
+        let is_complete = OpenEvent::are_all_there(&open);
         for event in events {
             if let Ok(again) = confirmed_at(&setting, &event, decimals) {
                 tables[1].push(instant(sweep.over, again, is_complete))?;

@@ -65,6 +65,11 @@ pub enum OpenEvent {
 }
 
 impl OpenEvent {
+    /// Whether these leave no event out: of each of them it is proved that it is there.
+    pub fn are_all_there(open: &[Self]) -> bool {
+        !open.iter().any(|open| matches!(open, Self::Box { .. }))
+    }
+
     /// Where it is or may be, in (T_1, psi, parameter).
     pub fn cell(&self) -> &Cell<f64, 3> {
         match self {
@@ -227,15 +232,16 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
 /// The range in pieces that are covered by themselves.
 fn pieces(range: Interval<f64>) -> Vec<Interval<f64>> {
     let (low, high) = (range.low(), range.high());
-    let count = if low > 0.0 {
-        ((high / low).ln() / RATIO.ln()).ceil().max(1.0)
-    } else {
-        1.0
-    };
+    if low <= 0.0 {
+        return vec![range];
+    }
+    // by logarithms: the ratio of the ends may be beyond f64
+    let (from, to) = (low.ln(), high.ln());
+    let count = ((to - from) / RATIO.ln()).ceil().max(1.0);
     let end = |index: f64| match index {
         0.0 => low,
         index if index == count => high,
-        index => low * (high / low).powf(index / count),
+        index => (from + (to - from) * index / count).exp(),
     };
     (0..count as u32)
         .map(f64::from)
