@@ -116,6 +116,7 @@ impl Vocabulary {
         vocabulary.parameters = vocabulary.list(&symbols.parameters)?;
         vocabulary.indices = vocabulary.list(&symbols.indices)?;
         vocabulary.states = vocabulary.list(&symbols.states)?;
+        vocabulary.let_indices_run();
         vocabulary.continuous = vocabulary.list(&symbols.continuous)?;
         vocabulary.read_times(symbols)?;
         let as_states = |names: &[Name]| names.iter().map(Name::bare).collect::<Vec<_>>();
@@ -152,6 +153,22 @@ impl Vocabulary {
         Ok(vocabulary)
     }
 
+    /// What an index counts runs with it as a state does, in whichever list it stands.
+    fn let_indices_run(&mut self) {
+        let counts = |name: &Name| {
+            let is_counted = |letter: &Name| index_of(&name.subscript, &letter.base).is_some();
+            self.indices.iter().any(is_counted)
+        };
+        let (running, single) = self.parameters.drain(..).partition(counts);
+        self.parameters = single;
+        let running: Vec<Name> = running;
+        for name in running.iter().map(Name::bare) {
+            if !self.states.contains(&name) {
+                self.states.push(name);
+            }
+        }
+    }
+
     /// The lists that say of which kind a symbol is.
     fn read_kinds(&mut self, symbols: &Symbols) -> Result<(), Fault> {
         let kinds = symbols.kinds().map(|texts| self.list(texts));
@@ -182,6 +199,7 @@ impl Vocabulary {
             .cloned()
             .collect();
         self.parameters.extend(new);
+        self.let_indices_run();
         Ok(())
     }
 

@@ -170,7 +170,9 @@ fn compare<N: Numbers, T: Real>(left: &(N::Of<T>, f64), right: &(N::Of<T>, f64),
     let difference = left.0.clone() - right.0.clone();
     let gap = difference.size();
     let size = left.1.max(right.1);
-    if !size.is_finite() {
+    let is_zero = difference.parts().iter().all(num_traits::Zero::is_zero);
+    // what f64 cannot show the size of is not told
+    if !size.is_finite() || (gap == 0.0 && !is_zero) {
         return None;
     }
     let relative = if gap == 0.0 { 0.0 } else { gap / size };

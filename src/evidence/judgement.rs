@@ -414,7 +414,11 @@ impl Witness<'_> {
         } else {
             MANY / 2
         };
-        if count < enough || self.hides_from_points() {
+        let mut telling = found
+            .iter()
+            .filter(|(point, _)| !self.system.drowns::<N>(&point.values));
+        let few: Vec<_> = telling.by_ref().take(3).collect();
+        if few.len() + telling.count() < enough || self.hides_from_points() {
             evidence.notes.push(special());
             return;
         }
@@ -423,7 +427,7 @@ impl Witness<'_> {
             self.worst_gap::<N, Wide<40>>(&wide.values, &wide.running)
                 .map(|gap| gap.relative)
         };
-        let wide: Option<Vec<f64>> = found.iter().take(3).map(|(point, _)| gap(point)).collect();
+        let wide: Option<Vec<f64>> = few.into_iter().map(|(point, _)| gap(point)).collect();
         let Some(wide) = wide else {
             evidence
                 .notes
@@ -493,6 +497,9 @@ impl Witness<'_> {
     }
 }
 
+/// e to the power of twice this is 1e24: beyond, one of two exponentials is no part of the other in 25 digits.
+const DROWNING: f64 = 28.0;
+
 /// Characters of the longest printed number, and the highest power, with which random points tell a difference.
 const LONGEST_NUMBER: usize = 9;
 const HIGHEST_POWER: u32 = 8;
@@ -536,6 +543,18 @@ impl System {
             Op::Apply(function, _) => !within(function),
             _ => false,
         })
+    }
+
+    /// Whether an exponential of claim or premises is so large or so small at a point that 40 digits may lose what
+    /// stands beside it.
+    fn drowns<N: Numbers>(&self, values: &[N::Of<f64>]) -> bool {
+        let arguments = self.ops().filter_map(|op| match op {
+            Op::Apply(Function::Exp | Function::Sinh | Function::Cosh, argument) => Some(argument),
+            _ => None,
+        });
+        let program = self.formulas.program(&arguments.collect::<Vec<_>>());
+        let found = program.outputs(&program.run(&self.inputs(values, None)));
+        found.iter().any(|argument| argument.parts()[0].abs() > DROWNING)
     }
 
     /// Whether claim or premises have jumps or branch cuts.

@@ -114,7 +114,12 @@ impl System {
                 .and_then(|sizes| sizes.get(output))
                 .copied()
                 .unwrap_or(f64::NAN);
-            let relative = if gap == 0.0 { 0.0 } else { gap / size };
+            let relative = match gap {
+                0.0 => 0.0,
+                // beside terms without a size, as where a slope is infinite, nothing is small
+                _ if size.is_infinite() => f64::NAN,
+                _ => gap / size,
+            };
             // NaN counts as large, and stays.
             worst = if relative <= worst { worst } else { relative };
             if worst.is_nan() {

@@ -35,6 +35,8 @@ const MOST_CASES: usize = 24;
 /// Products of terms for one numerator, and terms of all numerators for one unit of effort.
 const LARGEST_FORM: u64 = 20_000;
 const MOST_STEPS: u64 = 200_000;
+/// What the certificates that numbers of witnesses are 0 may cost together.
+const MOST_CERTIFICATE_STEPS: u64 = 500_000;
 
 /// Terms that a solution is put into, and terms that are new then, that cost as much as one term of a numerator.
 const MET_IN_A_STEP: u64 = 8;
@@ -84,6 +86,8 @@ struct Search<'a> {
     split: BTreeSet<Term>,
     /// Terms of polynomials that may still be made.
     steps_left: u64,
+    /// The steps left for certificates.
+    certificate_steps: u64,
     /// Points that the kernel may still be asked for.
     asks_left: usize,
     found: Option<With<Witness>>,
@@ -130,6 +134,7 @@ pub fn search(
     }
     let many = models.len() > 4;
     let (mut steps_left, mut tried) = (MOST_STEPS * effort, 0);
+    let mut certificate_steps = MOST_CERTIFICATE_STEPS * effort;
     for functions in models {
         let functions = resolved(&mut session_statement, functions);
         if many && !laws_may_hold(&mut session_statement, &functions) {
@@ -153,6 +158,7 @@ pub fn search(
             forms: HashMap::new(),
             split: BTreeSet::new(),
             steps_left,
+            certificate_steps,
             asks_left: MOST_ASKED,
             found: None,
         };
@@ -167,7 +173,7 @@ pub fn search(
         if search.found.is_some() {
             return search.found;
         }
-        steps_left = search.steps_left;
+        (steps_left, certificate_steps) = (search.steps_left, search.certificate_steps);
         tried += 1;
         if tried >= MOST_MODELS {
             break;
@@ -1722,12 +1728,12 @@ impl Search<'_> {
         let mut statement = self.statement.clone();
         if !zeros.is_empty() || !wished.is_empty() {
             let all: Vec<Term> = zeros.iter().chain(&wished).copied().collect();
-            match numbers_vanish(&mut statement, &all) {
+            match numbers_vanish(&mut statement, &all, &mut self.certificate_steps) {
                 Some(certificate) => witness.certificate = certificate,
                 None => {
                     statement = self.statement.clone();
                     if !zeros.is_empty() {
-                        witness.certificate = numbers_vanish(&mut statement, &zeros)?;
+                        witness.certificate = numbers_vanish(&mut statement, &zeros, &mut self.certificate_steps)?;
                     }
                 }
             }
@@ -1967,18 +1973,22 @@ fn solved_affine(session: &mut Session, term: Term, symbol: Symbol, wanted: Term
     }
 }
 
-/// A certificate that these numbers, which are no rationals, are 0.
-fn numbers_vanish(statement: &mut Statement, zeros: &[Term]) -> Option<Certificate> {
+/// A certificate that these numbers, which are no rationals, are 0; takes its steps from those that are left.
+fn numbers_vanish(statement: &mut Statement, zeros: &[Term], left: &mut u64) -> Option<Certificate> {
     let mut bare = statement.with_givens(&|_| false);
-    let mut session = Session::new(&mut bare, Vec::new(), 2_000_000);
-    let mut polynomials = Vec::new();
-    for &term in zeros {
-        polynomials.push(session.numerator(term)?);
-    }
-    proof::prepare(&mut session, &polynomials)?;
-    for polynomial in &polynomials {
-        session.show_zero(polynomial)?;
-    }
+    let mut session = Session::new(&mut bare, Vec::new(), *left);
+    let shown = (|| {
+        let polynomials: Vec<Polynomial> = zeros
+            .iter()
+            .map(|&term| session.numerator(term))
+            .collect::<Option<_>>()?;
+        proof::prepare(&mut session, &polynomials)?;
+        polynomials
+            .iter()
+            .try_for_each(|polynomial| session.show_zero(polynomial).map(drop))
+    })();
+    *left = session.budget.left();
+    shown?;
     let steps = std::mem::take(&mut session.steps);
     statement.adopt(&bare).then_some(Certificate {
         whole: Vec::new(),
