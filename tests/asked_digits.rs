@@ -128,13 +128,12 @@ fn runs_have_the_digits_asked_at_close_to_the_least_cost() {
         let extent = Extent {
             impacts: 12,
             until: f64::INFINITY,
-            last: usize::MAX,
             digits,
         };
         let first = cheapest(Purpose::Impact, digits).expect("a choice");
         let run = |first: Rung| -> (Vec<[Exact; 2]>, Vec<u32>, Rung) {
             if digits <= FIGURES_OF_F64 {
-                let history = history(motion, &start, &extent, first).expect("a motion");
+                let history = history(motion, &start, &extent, usize::MAX, first).expect("a motion");
                 let told = history
                     .rows
                     .iter()
@@ -142,11 +141,10 @@ fn runs_have_the_digits_asked_at_close_to_the_least_cost() {
                 (
                     told.collect(),
                     history.rows.iter().map(|row| row.digits).collect(),
-                    history.computed_in,
+                    history.known.number,
                 )
             } else {
-                let decimals = Decimals(digits as usize);
-                let history = history_in_decimals(motion, &start, &extent, decimals, first).expect("a motion");
+                let history = history_in_decimals(motion, &start, &extent, usize::MAX, first).expect("a motion");
                 let told = history
                     .rows
                     .iter()
@@ -154,13 +152,14 @@ fn runs_have_the_digits_asked_at_close_to_the_least_cost() {
                 (
                     told.collect(),
                     history.rows.iter().map(|row| row.digits).collect(),
-                    history.computed_in,
+                    history.known.number,
                 )
             }
         };
         let (found, claimed, landed) = run(first);
         let (_, _, best) = run(Rung::Double);
-        let exact = history_in_decimals(motion, &start, &extent, Decimals(190), Rung::Wide(200)).expect("a motion");
+        let wide = Extent { digits: 190, ..extent };
+        let exact = history_in_decimals(motion, &start, &wide, usize::MAX, Rung::Wide(200)).expect("a motion");
         assert_eq!(found.len(), exact.rows.len());
         for ((found, claimed), exact) in found.iter().zip(&claimed).zip(&exact.rows) {
             assert!(*claimed >= digits, "{motion:?}: {claimed} claimed of {digits}");

@@ -335,19 +335,20 @@ fn claims_of(seed: u64, motions: usize, figures: Option<usize>) -> Claims {
         let extent = Extent {
             impacts: 40,
             until: f64::INFINITY,
-            last: usize::MAX,
             digits: [6, 10, 13][index % 3],
         };
         let from = (&motion, &start);
         match figures {
             None => {
-                let rows = history(&motion, &start, &extent, Rung::Double).expect("a motion").rows;
+                let rows = history(&motion, &start, &extent, usize::MAX, Rung::Double)
+                    .expect("a motion")
+                    .rows;
                 compare(rows, FIGURES_OF_F64, from, |value| Exact::from_f64(*value), &mut claims);
             }
             Some(figures) => {
                 let digits = figures as u32;
                 let extent = Extent { digits, ..extent };
-                let rows = history_in_decimals(&motion, &start, &extent, Decimals(figures), Rung::DoubleDouble)
+                let rows = history_in_decimals(&motion, &start, &extent, usize::MAX, Rung::DoubleDouble)
                     .expect("a motion")
                     .rows;
                 let read = |value: &Decimal| Exact::parse(value.as_str()).expect("a number");

@@ -80,7 +80,7 @@ fn help_names_every_command_format_and_exit_status() {
         "scenes",
         "run",
         "--format",
-        "text, csv, json, markdown",
+        "text, csv, json, jsonl, markdown",
         "--out",
         "--digits",
         "Exit status: 0",
@@ -175,6 +175,22 @@ fn whether_the_rows_are_all_is_a_column_and_can_be_required() {
     let (status, rows) = last(&["branch", "fig02", "--set", "sweep.points=3"]);
     assert!(
         status == Some(0) && rows.iter().all(|row| row.ends_with(",true,,")),
+        "{rows:?}"
+    );
+    // nor where it finds nothing along a branch
+    let none = [
+        "branch",
+        "fig02",
+        "--set",
+        "words=BBBT",
+        "--set",
+        "sweep.from=50",
+        "--set",
+        "sweep.to=51",
+    ];
+    let (status, rows) = last(&[&none[..], &["--set", "sweep.points=2"]].concat());
+    assert!(
+        status == Some(1) && rows.len() == 1 && rows[0].starts_with("undecided,BBBT,"),
         "{rows:?}"
     );
     // a search for another word proves nothing, and says so where it finds nothing

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::process::{Command, Output};
 use vibro_audit::impact::{Event, Extent, History, Kind, Simulation, Start, history, history_in_decimals};
 use vibro_audit::model::{Motion, Side};
-use vibro_audit::number::{Analytic, Decimals, Rung, Sequence, Wide};
+use vibro_audit::number::{Analytic, Rung, Sequence, Wide};
 use vibro_audit::orbit::{Word, find};
 
 fn run(arguments: &[&str]) -> Output {
@@ -129,10 +129,9 @@ fn told(motion: &Motion<f64>, start: &Start<f64>, impacts: u64, digits: u32) -> 
     let extent = Extent {
         impacts,
         until: f64::INFINITY,
-        last: usize::MAX,
         digits,
     };
-    history(motion, start, &extent, Rung::Double).expect("a motion")
+    history(motion, start, &extent, usize::MAX, Rung::Double).expect("a motion")
 }
 
 /// Errors grow by a digit in two impacts.
@@ -144,16 +143,16 @@ fn chaotic() -> (Motion<f64>, Start<f64>) {
 fn chaos_is_held_by_wider_numbers_without_being_asked_and_told_as_statistics_beyond_them() {
     let (motion, start) = chaotic();
     let held = told(&motion, &start, 100, 6);
-    assert!(held.rows.iter().all(|row| row.digits >= 6) && held.lost_at.is_none());
-    assert!(held.computed_in > Rung::Double, "f64 cannot hold it");
+    assert!(held.rows.iter().all(|row| row.digits >= 6) && held.known.lost_at.is_none());
+    assert!(held.known.number > Rung::Double, "f64 cannot hold it");
     let lost = told(&motion, &start, 1000, 6);
-    let from = lost.lost_at.expect("no number holds it for ever");
+    let from = lost.known.lost_at.expect("no number holds it for ever");
     assert!(from > 250, "{from}");
     // the last digit goes shortly before the bound of the error does
     assert!(lost.rows.iter().all(|row| row.event < from || row.digits == 0));
     assert!(lost.rows.iter().all(|row| row.event > from - 20 || row.digits > 0));
     assert_eq!(lost.rows.iter().filter(|row| row.kind == Kind::Impact).count(), 1000);
-    assert!(lost.lyapunov > 0.2, "{}", lost.lyapunov);
+    assert!(lost.known.lyapunov > 0.2, "{}", lost.known.lyapunov);
 }
 
 #[test]
@@ -169,10 +168,9 @@ fn the_digits_claimed_hold_against_a_hundred_more() {
         let extent = Extent {
             impacts: 80,
             until: f64::INFINITY,
-            last: usize::MAX,
             digits: 100,
         };
-        let exact = history_in_decimals(&motion, &start, &extent, Decimals(100), Rung::DoubleDouble).expect("a motion");
+        let exact = history_in_decimals(&motion, &start, &extent, usize::MAX, Rung::DoubleDouble).expect("a motion");
         let rows = told(&motion, &start, 80, 3).rows;
         for (row, exact) in rows.iter().zip(&exact.rows) {
             if row.digits == 0 || exact.digits < 30 {
@@ -208,10 +206,9 @@ fn wide_numbers_find_the_contacts_that_f64_finds() {
         let extent = Extent {
             impacts: 80,
             until: f64::INFINITY,
-            last: usize::MAX,
             digits: 20,
         };
-        let wide = history_in_decimals(&motion, &start, &extent, Decimals(20), Rung::DoubleDouble).expect("a motion");
+        let wide = history_in_decimals(&motion, &start, &extent, usize::MAX, Rung::DoubleDouble).expect("a motion");
         let narrow = told(&motion, &start, 80, 6);
         assert_eq!(wide.rows.len(), narrow.rows.len(), "{d}");
         for (wide, narrow) in wide.rows.iter().zip(&narrow.rows) {
@@ -224,7 +221,7 @@ fn wide_numbers_find_the_contacts_that_f64_finds() {
 fn a_motion_without_an_impact_to_list_ends() {
     for (g, d, phase, velocity) in [(0.99999, 0.26, 1.0, 0.2), (0.0, 1e-10, 1.0, 0.2), (0.0, 5.0, PI, 1e-20)] {
         let rows = told(&motion(g, d, 0.6, 0.3), &start(phase, velocity), 50, 6);
-        assert!(rows.has_ended, "{g} {d}");
+        assert!(rows.known.has_ended, "{g} {d}");
     }
 }
 

@@ -4,6 +4,10 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
+use vibro_audit::impact::{Start, Widening};
+use vibro_audit::model::{Motion, Side};
+use vibro_audit::number::Sequence;
+use vibro_audit::orbit::{Further, Length, Measure, Settled, Statistics};
 use vibro_audit::scene::{MeanOver, Scene, find};
 
 fn run_with(arguments: &[&str], stdin: &str, threads: Option<u32>) -> Output {
@@ -100,7 +104,8 @@ fn the_columns_are_those_that_scripts_rely_on() {
     }
     assert!(swept.numbers("voltage").iter().all(|voltage| *voltage > 0.0));
     let summary = Sheet::summary("fig03", &FEW);
-    let columns = "d,word,periods,impacts,mean_voltage,lyapunov,digits,mean_over";
+    let columns = "d,word,periods,impacts,mean_voltage,lyapunov,digits,mean_over,\
+                   mean_voltage_error,voltage_rate,voltage_rate_error,lyapunov_error,error_met";
     assert_eq!(summary.columns.join(","), columns);
     assert_eq!(summary.numbers("d"), [0.1, 0.2, 0.3, 0.4, 0.5]);
     let by_incline = ["sweep.over=incline", "sweep.from=0", "sweep.to=pi/3"];
@@ -301,6 +306,12 @@ fn what_cannot_be_swept_is_refused_before_anything_is_written() {
             &["sweep.keep is 501", "at most sweep.impacts, 500"][..],
         ),
         (&["sweep.start=never"], &["never", "each"]),
+        (&["sweep.error=0"], &["sweep.error is 0", "above 0"]),
+        (&["sweep.most_impacts=0"], &["sweep.most_impacts is 0"]),
+        (
+            &["sweep.impacts=1000000000", "sweep.keep=1000000000"],
+            &["sweep.keep is 1000000000", "1000000"],
+        ),
         (&["sweep.from=0"], &["sweep.from is 0", "above 0"]),
         (&["sweep.from=NaN"], &["sweep.from is NaN"]),
         (&["sweep.to=0.1"], &["sweep.to", "other than sweep.from"]),
@@ -402,7 +413,7 @@ fn the_library_gives_the_points_that_the_command_prints() {
     assert_eq!(velocities.collect::<Vec<_>>(), swept.numbers("velocity"));
     let voltages = points.iter().flat_map(|point| point.voltages.clone().unwrap());
     assert_eq!(voltages.collect::<Vec<_>>(), swept.numbers("voltage"));
-    assert_eq!(points[4].counted().1, MeanOver::Periods);
+    assert_eq!(points[4].means.as_ref().unwrap().over, MeanOver::Periods);
 }
 
 #[test]
@@ -427,4 +438,172 @@ fn the_summary_says_how_far_it_can_be_relied_on() {
         rows.iter().all(|(word, rate, _)| word.is_empty() || *rate < 0.0),
         "{rows:?}"
     );
+}
+
+/// g, d, r_b and r_t with a start from which the motion is chaotic.
+const CHAOTIC: [[f64; 4]; 10] = [
+    [0.144, 0.171, 0.700, 0.905],
+    [0.270, 0.256, 0.395, 0.726],
+    [0.264, 0.310, 0.579, 0.709],
+    [0.225, 0.336, 0.650, 0.891],
+    [0.105, 0.365, 0.889, 0.426],
+    [0.053, 0.473, 0.469, 0.821],
+    [0.117, 0.086, 0.762, 0.734],
+    [0.157, 0.151, 0.640, 0.421],
+    [0.014, 0.132, 0.915, 0.825],
+    [0.048, 0.214, 0.386, 0.925],
+];
+
+/// The statistics over so many impacts from a start of this number; `None` where the motion repeats.
+fn measured(motion: &Motion<f64>, start: u64, impacts: u32) -> Option<Statistics> {
+    let mut sequence = Sequence::new(start);
+    let (phase, velocity) = (sequence.between(0.0, std::f64::consts::TAU), sequence.between(0.2, 1.2));
+    let side = Side::Bottom;
+    let settled = Settled::after(
+        Widening::new(motion, &Start { side, phase, velocity }).without_growth(),
+        500,
+        60,
+    );
+    if settled.attractor.is_some() || settled.release.is_some() {
+        return None;
+    }
+    let measure = Measure {
+        motion,
+        length: Length {
+            impacts,
+            error: None,
+            most: impacts,
+        },
+        voltage: Some(&|impact| impact.velocity.abs().powf(1.1)),
+        with_growth: true,
+        at_releases: true,
+    };
+    match measure.after(&settled.end?) {
+        Further::Measured(found) => Some(found),
+        Further::Released(..) => None,
+    }
+}
+
+/// How many of 100 intervals of 95% hold the value, by statistic, at each of these devices.
+fn coverage(devices: &[[f64; 4]], replications: u64) -> Vec<[f64; 3]> {
+    let each = |found: &Statistics| [found.voltage, found.rate, found.lyapunov].map(|mean| mean.expect("a mean"));
+    let covered = devices.iter().enumerate().map(|(device, [g, d, r_b, r_t])| {
+        let motion = Motion::new(*g, *d, *r_b, *r_t).unwrap();
+        let start = |index: u64| 1000 * device as u64 + index;
+        let value = (0..).find_map(|index| measured(&motion, start(index), 40 * 500 * replications.min(100) as u32));
+        let value = each(&value.unwrap());
+        let (mut covered, mut count) = ([0.0; 3], 0.0);
+        for found in (0..replications).filter_map(|index| measured(&motion, start(index), 500)) {
+            count += 1.0;
+            for ((mean, value), covered) in each(&found).iter().zip(&value).zip(&mut covered) {
+                let reach = 2.093 * mean.error.expect("an error");
+                *covered += f64::from((mean.value - value.value).abs() <= reach);
+            }
+        }
+        assert!(count >= 0.4 * replications as f64, "{motion:?} is not chaotic: {count}");
+        covered.map(|covered| 100.0 * covered / count)
+    });
+    covered.collect()
+}
+
+#[test]
+fn intervals_of_95_percent_hold_the_mean_as_often_as_they_say() {
+    for (device, covered) in CHAOTIC.iter().zip(coverage(&CHAOTIC[..4], 100)) {
+        // of 100 with 95 in each some are at 88 by chance
+        assert!(
+            covered.iter().all(|covered| *covered >= 88.0),
+            "{device:?}: {covered:?}"
+        );
+    }
+}
+
+#[test]
+#[ignore = "a minute: part of .ci/long"]
+fn intervals_of_95_percent_hold_the_mean_in_500_replications() {
+    let covered = coverage(&CHAOTIC, 500);
+    for (device, covered) in CHAOTIC.iter().zip(&covered) {
+        println!("{device:?}: {covered:?}");
+        assert!(
+            covered.iter().all(|covered| *covered >= 90.0),
+            "{device:?}: {covered:?}"
+        );
+    }
+    // a mean whose fluctuations take each other back is known better than batches can tell
+    let sharp = covered.iter().flatten().filter(|covered| **covered <= 99.0).count();
+    assert!(sharp >= 20, "{covered:?}");
+}
+
+#[test]
+fn a_cycle_through_a_rest_is_seen_however_long() {
+    let scene = "[motion]\ng = 0.5\nd = 0.35\nr_b = 0.5\nr_t = 0.5\n[start]\nphase = 4.671\nvelocity = 6.5\n[sweep]\n\
+                 over = \"d\"\nfrom = 0.35\nto = 0.36\npoints = 1\nimpacts = 500\nkeep = 60\nstart = \"each\"\n";
+    let output = run_with(&["sweep", "-", "--summary", "--format", "csv"], scene, None);
+    let summary = Sheet::of(&String::from_utf8(output.stdout).unwrap());
+    assert_eq!(
+        (
+            summary.texts("periods"),
+            summary.texts("lyapunov"),
+            summary.texts("impacts")
+        ),
+        (vec!["41"], vec!["-inf"], vec!["86"])
+    );
+    let word = summary.texts("word")[0];
+    assert_eq!((word.matches('*').count(), word.starts_with('B')), (1, true));
+    // with r_b = 0.6, r_t = 0.3, d = 0.1 errors grow so fast that 244 periods need 200 digits
+    let long = Sheet::summary("fig03", &["sweep.points=1"]);
+    assert_eq!((long.texts("periods"), long.texts("digits")), (vec!["244"], vec!["0"]));
+}
+
+#[test]
+fn the_rate_of_the_voltage_does_not_depend_on_where_a_chatter_is_listed_to() {
+    let scene = Scene::read(find("fig03").unwrap(), "fig03").unwrap();
+    let (membrane, unit) = (
+        scene.membrane::<f64>().unwrap(),
+        scene.scales::<f64>().unwrap().velocity,
+    );
+    let summary = Sheet::summary("fig03", &["sweep.from=0.18", "sweep.points=1"]);
+    let swept = Sheet::swept("fig03", &["sweep.from=0.18", "sweep.points=1"]);
+    let speeds: Vec<f64> = swept.numbers("velocity");
+    let cycle = &speeds[speeds.len() - 2 * summary.numbers("impacts")[0] as usize..];
+    let first = cycle.iter().position(|velocity| *velocity > 0.0).unwrap();
+    let cycle = &cycle[first..];
+    let length = 1 + cycle[1..].iter().position(|velocity| *velocity > 0.0).unwrap();
+    let listed_to = |least: f64| -> f64 {
+        let voltage = |speed: f64| membrane.voltage(&(speed.abs() * unit));
+        let listed: Vec<f64> = cycle[..length]
+            .iter()
+            .copied()
+            .filter(|speed| speed.abs() >= least)
+            .collect();
+        let last = *listed.last().unwrap();
+        let tail = (1..200).map(|power| voltage(last * 0.3_f64.powi(power)));
+        listed.iter().map(|speed| voltage(*speed)).sum::<f64>() + tail.sum::<f64>()
+    };
+    let rate = summary.numbers("voltage_rate")[0];
+    // of the impacts of a chatter, each 0.3 times as fast as the one before but for the bend of the acceleration
+    for (least, apart) in [(1e-6, 1e-9), (1e-5, 1e-8), (1e-3, 1e-5)] {
+        let by_hand = listed_to(least);
+        assert!((rate - by_hand).abs() <= apart * rate, "{least}: {rate} {by_hand}");
+    }
+    assert_eq!(summary.texts("voltage_rate_error"), ["0.0"]);
+}
+
+#[test]
+fn an_error_that_is_asked_for_is_met_or_said_not_to_be() {
+    let sets = ["sweep.from=0.28", "sweep.points=1", "sweep.error=0.002"];
+    let summary = Sheet::summary("fig04", &sets);
+    assert_eq!(
+        (summary.texts("word"), summary.texts("error_met")),
+        (vec![""], vec!["true"])
+    );
+    assert!(summary.numbers("mean_voltage_error")[0] <= 0.002 * summary.numbers("mean_voltage")[0]);
+    assert!(summary.numbers("impacts")[0] >= 1000.0 && summary.numbers("lyapunov_error")[0] > 0.0);
+    let few: Vec<&str> = sets.into_iter().chain(["sweep.most_impacts=600"]).collect();
+    let summary = Sheet::summary("fig04", &few);
+    assert_eq!(
+        (summary.texts("error_met"), summary.texts("impacts")),
+        (vec!["false"], vec!["500"])
+    );
+    let lossless = ["sweep.from=0.36", "sweep.points=1", "motion.r_b=1", "motion.r_t=1"];
+    assert_eq!(Sheet::summary("fig04", &lossless).texts("mean_voltage_error"), [""]);
 }

@@ -40,7 +40,11 @@ fn the_simulated_mean_voltage_is_that_of_the_certified_orbit() {
         assert!(row.setting.names_word(&attractor.word), "{id}: {}", attractor.word);
         let certified: f64 = row.record.field("value").parse().unwrap();
         assert!(Figures::read(row.record.field("value")).is_some_and(|figures| figures.count >= 30));
-        let mean = point.mean_voltage.unwrap_or(f64::NAN);
+        let mean = point
+            .means
+            .as_ref()
+            .and_then(|means| means.voltage)
+            .map_or(f64::NAN, |mean| mean.value);
         assert!(
             (mean / certified - 1.0).abs() < ALLOWED,
             "{id}: {mean} V, certified {certified} V"

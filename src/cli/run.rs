@@ -109,6 +109,7 @@ fn run_with(served: &[Served], scene: &Scene, wants: &[Want], options: &Options)
             let (format, extension) = match options.format {
                 Format::Text | Format::Csv | Format::Junit => (Format::Csv, "csv"),
                 Format::Json => (Format::Json, "json"),
+                Format::Jsonl => (Format::Jsonl, "jsonl"),
                 Format::Markdown => (Format::Markdown, "md"),
             };
             let path = directory.join(format!("{file}.{extension}"));

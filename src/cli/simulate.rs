@@ -1,10 +1,12 @@
 //! `vibro-audit simulate SCENE [--impacts N] [--until T] [--last N]`.
 
+use super::answer::Rows;
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
 use crate::accuracy::{Purpose, cheapest};
-use crate::impact::{Extent, History, Kind, history, history_in_decimals};
-use crate::number::{Decimals, FIGURES_OF_F64, Rung};
-use crate::report::{Cell, Table};
+use crate::impact::{self, Extent, Kind, Known, Row, rows, rows_in_decimals};
+use crate::model::{MotionError, Parameters};
+use crate::number::FIGURES_OF_F64;
+use crate::report::{Cell, Column, Table};
 use crate::scene::{Scene, Want};
 
 /// The events of the motion from the start on: impacts, rest and release
@@ -19,8 +21,8 @@ pub struct Arguments {
     #[arg(long, value_name = "T", value_parser = time, allow_negative_numbers = true)]
     until: Option<f64>,
     /// Only the last so many events
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
-    last: Option<u64>,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    last: Option<u32>,
 }
 
 /// The columns that scripts rely on.
@@ -40,86 +42,92 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
         (None, Some(_)) => u64::MAX,
         (None, None) => IMPACTS,
     };
-    let extent = Extent {
-        impacts,
-        until: arguments.until.unwrap_or(f64::INFINITY),
-        last: arguments
-            .last
-            .map_or(usize::MAX, |last| usize::try_from(last).unwrap_or(usize::MAX)),
-        digits: 0,
-    };
+    let until = arguments.until.unwrap_or(f64::INFINITY);
     Ok(Answer {
-        content: Content::Table(told(&scene, options, &extent)?),
+        content: Content::Rows(told(&scene, options, impacts, until, arguments.last)?),
         exit: Exit::AsExpected,
     })
 }
 
 /// The table of a scene, as many impacts as where nothing limits them.
 pub fn table(scene: &Scene, options: &Options) -> Result<Table, Failure> {
-    let extent = Extent {
-        impacts: IMPACTS,
-        until: f64::INFINITY,
-        last: usize::MAX,
-        digits: 0,
-    };
-    told(scene, options, &extent)
+    told(scene, options, IMPACTS, f64::INFINITY, None)?.table()
 }
 
-fn told(scene: &Scene, options: &Options, extent: &Extent) -> Result<Table, Failure> {
+fn told(scene: &Scene, options: &Options, impacts: u64, until: f64, last: Option<u32>) -> Result<Rows, Failure> {
     let digits = options.asked_of(scene)?.unwrap_or(DIGITS);
-    let extent = Extent { digits, ..*extent };
+    let extent = Extent { impacts, until, digits };
     let (setting, start) = (scene.setting()?, scene.start()?);
     let first = cheapest(Purpose::Impact, digits)?;
     if digits <= FIGURES_OF_F64 {
-        listed(&history(&setting, &start, &extent, first)?)
+        listed(rows(setting, start, &extent, first)?, last)
     } else {
-        let decimals = Decimals(digits as usize);
-        listed(&history_in_decimals(&setting, &start, &extent, decimals, first)?)
+        listed(rows_in_decimals(setting, start, &extent, first)?, last)
     }
 }
 
-fn listed<N: Clone>(history: &History<N>) -> Result<Table, Failure>
+fn listed<P, O, N>(mut told: impact::Rows<P, O, N>, last: Option<u32>) -> Result<Rows, Failure>
+where
+    P: Parameters + 'static,
+    O: impact::Origin + 'static,
+    N: 'static,
+    Cell: From<N>,
+{
+    let columns = COLUMNS.map(Column::from).to_vec();
+    if let Some(last) = last {
+        let history = told.last(last as usize)?;
+        say(&history.known, history.rows.back().map(|row| row.kind));
+        let rows = Box::new(history.rows.into_iter().map(|row| Ok(cells(row))));
+        return Ok(Rows { columns, rows });
+    }
+    let (mut latest, mut is_over) = (None, false);
+    let row = move || -> Option<Result<Row<N>, MotionError>> {
+        let row = told.next();
+        match &row {
+            Some(Ok(row)) => latest = Some(row.kind),
+            // a closed iterator may be asked again
+            None if !std::mem::replace(&mut is_over, true) => say(told.known(), latest),
+            _ => {}
+        }
+        row
+    };
+    let rows = Box::new(std::iter::from_fn(row).map(|row| Ok(cells(row?))));
+    Ok(Rows { columns, rows })
+}
+
+fn cells<N>(row: Row<N>) -> Vec<Cell>
 where
     Cell: From<N>,
 {
-    let mut table = Table::new(COLUMNS);
-    for row in &history.rows {
-        table.push(vec![
-            Cell::Integer(i64::try_from(row.event).unwrap_or(i64::MAX)),
-            Cell::from(row.time.clone()),
-            Cell::from(row.phase.clone()),
-            Cell::Text(row.side.to_string()),
-            Cell::from(row.velocity.clone()),
-            Cell::Text(row.kind.to_string()),
-            Cell::Integer(i64::from(row.digits)),
-            // what no digit of holds was followed on in f64
-            Cell::Text(
-                if row.digits == 0 {
-                    Rung::Double
-                } else {
-                    history.computed_in
-                }
-                .to_string(),
-            ),
-        ])?;
-    }
-    let is_undecided = history.rows.back().is_some_and(|row| row.kind == Kind::Undecided);
-    if is_undecided {
+    vec![
+        Cell::Integer(i64::try_from(row.event).unwrap_or(i64::MAX)),
+        Cell::from(row.time),
+        Cell::from(row.phase),
+        Cell::Text(row.side.to_string()),
+        Cell::from(row.velocity),
+        Cell::Text(row.kind.to_string()),
+        Cell::Integer(i64::from(row.digits)),
+        Cell::Text(row.number.to_string()),
+    ]
+}
+
+/// What is to be said after the last row.
+fn say(known: &Known, latest: Option<Kind>) {
+    if latest == Some(Kind::Undecided) {
         note(&format!(
             "rounding hides whether the ball touches at the last event, computed in {}",
-            history.computed_in
+            known.number
         ));
-    } else if let Some(event) = history.lost_at {
+    } else if let Some(event) = known.lost_at {
         note(&format!(
             "from event {event} on no digit holds, computed in {}: what follows tells how such a motion goes \
              on, not how this one does; Lyapunov exponent {:.3} per unit of time",
-            history.computed_in, history.lyapunov
+            known.number, known.lyapunov
         ));
     }
-    if history.has_ended {
+    if known.has_ended {
         note("nothing follows the last event, or no impact of 1e-6 and above");
     }
-    Ok(table)
 }
 
 fn time(text: &str) -> Result<f64, String> {

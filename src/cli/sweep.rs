@@ -4,8 +4,9 @@ use super::answer::Rows;
 use super::progress::Progress;
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
 use crate::number::FIGURES_OF_F64;
+use crate::orbit::Estimate;
 use crate::report::{Cell, Column, Table};
-use crate::scene::{Over, Point, Points, Scene, Want};
+use crate::scene::{Means, Over, Point, Points, Scene, Want};
 
 /// The bifurcation diagram of a scene: at each value of its sweep the last impacts and their voltage
 #[derive(Debug, clap::Args)]
@@ -19,7 +20,7 @@ pub struct Arguments {
 
 /// The columns that scripts rely on; where something other than d is swept, its name stands before d.
 const COLUMNS: [&str; 6] = ["d", "impact", "side", "phase", "velocity", "voltage"];
-const SUMMARY: [&str; 8] = [
+const SUMMARY: [&str; 13] = [
     "d",
     "word",
     "periods",
@@ -28,6 +29,11 @@ const SUMMARY: [&str; 8] = [
     "lyapunov",
     "digits",
     "mean_over",
+    "mean_voltage_error",
+    "voltage_rate",
+    "voltage_rate_error",
+    "lyapunov_error",
+    "error_met",
 ];
 
 /// Runs the command.
@@ -62,38 +68,38 @@ pub fn summary(scene: &Scene, options: &Options) -> Result<Table, Failure> {
 
 /// The last impacts at each value.
 pub fn impact_rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
-    rows(scene.points()?.listed(), options, &COLUMNS, of_impacts)
+    let kept = |point: &Point| point.settled.kept.len();
+    rows(scene.points()?.listed(), options, &COLUMNS, kept, of_impact)
 }
 
 /// What the motion at each value has come to.
 pub fn summary_rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
-    rows(scene.points()?.with_reliance(), options, &SUMMARY, |point| {
-        vec![of_point(point)]
-    })
+    rows(scene.points()?.with_reliance(), options, &SUMMARY, |_| 1, of_point)
 }
 
 fn rows(
     points: Points,
     options: &Options,
     columns: &[&str],
-    of: fn(&Point) -> Vec<Vec<Cell>>,
+    count: fn(&Point) -> usize,
+    row: fn(&Point, usize) -> Vec<Cell>,
 ) -> Result<Rows, Failure> {
     let over = points.sweep().over;
     let total = points.sweep().points as usize;
     let swept = (over != Over::D).then_some(over.name());
-    let rows_of = move |point: &Point| {
-        let mut rows = of(point);
+    let row_of = move |point: &Point, index: usize| {
+        let mut row = row(point, index);
         if over != Over::D {
-            for row in &mut rows {
-                row.insert(0, Cell::from(point.value.value::<f64>()));
-            }
+            row.insert(0, Cell::from(point.value.value::<f64>()));
         }
-        rows
+        row
     };
     let points = Progress::over(points, total, "values", options.out.is_some());
-    let rows = points.flat_map(move |point| match point {
-        Ok(point) => rows_of(&point).into_iter().map(Ok).collect(),
-        Err(error) => vec![Err(Failure::from(error))],
+    let rows = points.flat_map(move |point| -> Box<dyn Iterator<Item = Result<Vec<Cell>, Failure>>> {
+        match point {
+            Ok(point) => Box::new((0..count(&point)).map(move |index| Ok(row_of(&point, index)))),
+            Err(error) => Box::new(std::iter::once(Err(error.into()))),
+        }
     });
     Ok(Rows {
         columns: swept
@@ -105,39 +111,43 @@ fn rows(
     })
 }
 
-fn of_impacts(point: &Point) -> Vec<Vec<Cell>> {
-    let d = *point.motion.d();
-    let kept = point.settled.kept.iter().enumerate();
-    let row = kept.map(|(index, impact)| {
-        let voltage = point
-            .voltages
-            .as_ref()
-            .and_then(|voltages| voltages.get(index))
-            .copied();
-        vec![
-            Cell::from(d),
-            count(point.settled.first + index as u64),
-            Cell::from(impact.side.to_string()),
-            Cell::from(impact.phase),
-            Cell::from(impact.velocity),
-            Cell::from(voltage),
-        ]
-    });
-    row.collect()
+fn of_impact(point: &Point, index: usize) -> Vec<Cell> {
+    let impact = &point.settled.kept[index];
+    let voltage = point
+        .voltages
+        .as_ref()
+        .and_then(|voltages| voltages.get(index))
+        .copied();
+    vec![
+        Cell::from(*point.motion.d()),
+        count(point.settled.first + index as u64),
+        Cell::from(impact.side.to_string()),
+        Cell::from(impact.phase),
+        Cell::from(impact.velocity),
+        Cell::from(voltage),
+    ]
 }
 
-fn of_point(point: &Point) -> Vec<Cell> {
-    let (counted, over) = point.counted();
+fn of_point(point: &Point, _: usize) -> Vec<Cell> {
+    let means = point.means.as_ref();
     let attractor = point.settled.attractor.as_ref();
+    let estimate = |of: fn(&Means) -> Option<Estimate>| means.and_then(of);
+    let value = |of| Cell::from(estimate(of).map(|found| found.value));
+    let error = |of| Cell::from(estimate(of).and_then(|found| found.error));
     vec![
         Cell::from(*point.motion.d()),
         attractor.map_or(Cell::Empty, |found| Cell::from(found.word.as_str())),
         Cell::from(attractor.and_then(|found| found.periods)),
-        count(counted.len() as u64),
-        Cell::from(point.mean_voltage),
-        Cell::from(point.reliance.and_then(|reliance| reliance.lyapunov)),
-        Cell::from(point.reliance.map(|reliance| i64::from(reliance.digits))),
-        Cell::from(over.name()),
+        means.map_or(Cell::Empty, |means| count(means.impacts)),
+        value(|means| means.voltage),
+        value(|means| means.lyapunov),
+        Cell::from(point.digits.map(i64::from)),
+        means.map_or(Cell::Empty, |means| Cell::from(means.over.name())),
+        error(|means| means.voltage),
+        value(|means| means.rate),
+        error(|means| means.rate),
+        error(|means| means.lyapunov),
+        means.and_then(|means| means.is_met).map_or(Cell::Empty, Cell::from),
     ]
 }
 

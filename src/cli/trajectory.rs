@@ -1,14 +1,17 @@
 //! `vibro-audit trajectory SCENE [--samples N] [--until T | --impacts N]`.
 
+use super::answer::Rows;
 use super::simulate::DIGITS;
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
 use crate::accuracy::{Purpose, cheapest};
-use crate::impact::{Event, Extent, History, Row, Snapshot, Trajectory, history};
-use crate::model::Scales;
+use crate::impact::{self, Event, Extent, Row, Snapshot, Trajectory, rows};
+use crate::model::{MotionError, Scales};
 use crate::number::FIGURES_OF_F64;
-use crate::report::{Cell, Table};
-use crate::scene::{Scene, Want};
+use crate::report::{Cell, Column, Table};
+use crate::scene::{Scene, Setting, Start, Want};
+use std::cell::RefCell;
 use std::f64::consts::PI;
+use std::rc::Rc;
 use std::str::FromStr;
 
 /// The samples where none are named.
@@ -83,79 +86,138 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     let until = arguments.until.map_or(UNTIL, |Duration(time)| time);
     let end = arguments.impacts.map_or(End::Time(until), End::Impact);
     Ok(Answer {
-        content: Content::Table(sampled(&scene, options, end, arguments.samples)?),
+        content: Content::Rows(sampled(&scene, options, end, arguments.samples)?),
         exit: Exit::AsExpected,
     })
 }
 
 /// The table of a scene, as far and as fine as without options.
 pub fn table(scene: &Scene, options: &Options) -> Result<Table, Failure> {
-    sampled(scene, options, End::Time(UNTIL), SAMPLES)
+    sampled(scene, options, End::Time(UNTIL), SAMPLES)?.table()
 }
 
-fn sampled(scene: &Scene, options: &Options, end: End, samples: u32) -> Result<Table, Failure> {
-    let history = events(scene, options, end)?;
-    let last = history.rows.back().map_or(0.0, |row| row.time);
+fn sampled(scene: &Scene, options: &Options, end: End, samples: u32) -> Result<Rows, Failure> {
     let until = match end {
         End::Time(time) => time,
-        End::Impact(_) => last,
+        End::Impact(count) => time_of_impact(scene, options, count)?,
     };
     if options.digits.is_some_and(|digits| digits > FIGURES_OF_F64) {
         note(&format!(
             "samples are f64, of {FIGURES_OF_F64} digits at most; `simulate` tells the events in more"
         ));
     }
-    let first = history.rows.front().map_or(0.0, |row| row.phase);
     let motion = scene.motion::<f64>()?;
     let g = *motion.g();
-    let mut trajectory = Trajectory::new(motion, history.rows.iter().map(|row| event(row, first)));
     let units = units(scene);
-    let mut table = Table::new(COLUMNS);
-    for index in 0..samples {
+    // one event beyond the end is looked at
+    let mut events = events(scene, options, u64::MAX, until)?;
+    let latest = Rc::new(RefCell::new(Latest::default()));
+    let seen = Rc::clone(&latest);
+    let mut first = None;
+    let told = std::iter::from_fn(move || {
+        let told = events.next();
+        let mut latest = seen.borrow_mut();
+        latest.lost_at = events.known().lost_at;
+        match told? {
+            Ok(row) => {
+                latest.push((row.time, row.digits));
+                Some(event(&row, *first.get_or_insert(row.phase)))
+            }
+            Err(error) => {
+                latest.failure = Some(error);
+                None
+            }
+        }
+    });
+    let mut trajectory = Trajectory::new(motion, told);
+    let mut index = 0;
+    let rows = std::iter::from_fn(move || {
+        if index == samples {
+            latest.borrow().say();
+            index += 1;
+        }
+        if index > samples {
+            return None;
+        }
         let time = sample(index, samples, until);
+        index += 1;
         let Some(snapshot) = trajectory.at(&time) else {
+            index = samples + 1;
+            let mut latest = latest.borrow_mut();
             note(&format!(
-                "rounding hides what happens at time {last}; what follows is not known"
+                "rounding hides what happens at time {}; what follows is not known",
+                latest.time()
             ));
-            break;
+            return latest.failure.take().map(|error| Err(Failure::from(error)));
         };
         let mut cells = row(&snapshot, units, g);
-        let before = history.rows.partition_point(|row| row.time < time).saturating_sub(1);
-        cells.push(Cell::from(history.rows.get(before).map(|row| i64::from(row.digits))));
-        table.push(cells)?;
-    }
-    Ok(table)
+        cells.push(Cell::from(latest.borrow().digits_before(time)));
+        Some(Ok(cells))
+    });
+    Ok(Rows {
+        columns: COLUMNS.map(Column::from).to_vec(),
+        rows: Box::new(rows),
+    })
 }
 
-/// The events up to the end, in numbers wide enough for them.
-fn events(scene: &Scene, options: &Options, end: End) -> Result<History<f64>, Failure> {
-    let (impacts, until) = match end {
-        End::Time(time) => (u64::MAX, time),
-        End::Impact(count) => (u64::from(count), f64::INFINITY),
-    };
-    let extent = Extent {
-        impacts,
-        until,
-        last: usize::MAX,
-        digits: options
-            .asked_of(scene)?
-            .map_or(DIGITS, |digits| digits.min(FIGURES_OF_F64)),
-    };
-    let first = cheapest(Purpose::Impact, extent.digits)?;
-    let history = history(&scene.setting()?, &scene.start()?, &extent, first)?;
-    if let Some(event) = history.lost_at {
+/// The latest events that a trajectory has asked for: it looks one ahead of its time.
+#[derive(Debug, Default)]
+struct Latest {
+    /// Times and digits.
+    events: [Option<(f64, u32)>; 3],
+    lost_at: Option<u64>,
+    failure: Option<MotionError>,
+}
+
+impl Latest {
+    fn push(&mut self, event: (f64, u32)) {
+        self.events.rotate_left(1);
+        self.events[2] = Some(event);
+    }
+
+    fn time(&self) -> f64 {
+        self.events[2].map_or(0.0, |(time, _)| time)
+    }
+
+    /// The digits of the last event before a time, or of the first.
+    fn digits_before(&self, time: f64) -> Option<i64> {
+        let events = || self.events.iter().flatten();
+        let before = events().rfind(|event| event.0 < time).or(events().next());
+        before.map(|(_, digits)| i64::from(*digits))
+    }
+
+    fn say(&self) {
+        if let Some(event) = self.lost_at {
+            note(&format!(
+                "from event {event} on no digit holds: what follows tells how such a motion goes on, not how this one does"
+            ));
+        }
+    }
+}
+
+/// The events up to a number of impacts and a time, in numbers wide enough for them.
+fn events(
+    scene: &Scene,
+    options: &Options,
+    impacts: u64,
+    until: f64,
+) -> Result<impact::Rows<Setting, Start, f64>, Failure> {
+    let asked = options.asked_of(scene)?;
+    let digits = asked.map_or(DIGITS, |digits| digits.min(FIGURES_OF_F64));
+    let first = cheapest(Purpose::Impact, digits)?;
+    let extent = Extent { impacts, until, digits };
+    Ok(rows(scene.setting()?, scene.start()?, &extent, first)?)
+}
+
+/// The time of an impact, the start counted as the first, or of the last event before it.
+fn time_of_impact(scene: &Scene, options: &Options, impact: u32) -> Result<f64, Failure> {
+    let told = events(scene, options, u64::from(impact), f64::INFINITY)?.last(1)?;
+    if told.known.has_ended {
         note(&format!(
-            "from event {event} on no digit holds: what follows tells how such a motion goes on, not how this one does"
+            "there are not {impact} impacts: the last row is at the last event"
         ));
     }
-    if let End::Impact(count) = end
-        && history.has_ended
-    {
-        note(&format!(
-            "there are not {count} impacts: the last row is at the last event"
-        ));
-    }
-    Ok(history)
+    Ok(told.rows.back().map_or(0.0, |row| row.time))
 }
 
 /// An event with its turn of the forcing, counted from that of the first event, of phase `first`.

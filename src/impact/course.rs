@@ -75,6 +75,21 @@ impl<T: Analytic> Course<T> {
         }
     }
 
+    /// The motion of a ball that `side` is about to release, at turn 0; `None` where nothing ever releases it.
+    pub fn released(motion: &Motion<T>, side: Side) -> Option<Self> {
+        let scaled = Scaled::new(motion);
+        let since = scaled.release(side)?;
+        let velocity = T::zero();
+        let start = Start {
+            side,
+            phase: since.clone(),
+            velocity,
+        };
+        let mut course = Self::new(motion, &start);
+        course.ball.place = Place::Resting { side, since };
+        Some(course)
+    }
+
     /// Completes a chatter as soon as that leaves no more than this error of the phase, not only at rounding.
     pub fn complete_to(&mut self, error: f64) {
         self.ball.completing = error.max(self.scaled.epsilon);

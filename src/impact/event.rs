@@ -76,4 +76,9 @@ impl<T: Analytic> Event<T> {
     pub fn time(&self, start: &T) -> T {
         T::from_integer(2 * self.turns) + (self.phase.clone() - start.clone()) / T::pi()
     }
+
+    /// The time from here to a later event of the same motion.
+    pub fn time_to(&self, later: &Self) -> T {
+        T::from_integer(2 * (later.turns - self.turns)) + (later.phase.clone() - self.phase.clone()) / T::pi()
+    }
 }

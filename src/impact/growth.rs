@@ -36,6 +36,7 @@ pub struct Growth {
     /// Of bottom and top.
     restitution: [f64; 2],
     lost: bool,
+    lost_since_release: bool,
 }
 
 impl Growth {
@@ -53,6 +54,7 @@ impl Growth {
                 .map_or(0.0, |turn| scaled.g.to_f64().abs() / turn.sin.to_f64()),
             restitution: [Side::Bottom, Side::Top].map(|side| scaled.restitution(side).to_f64()),
             lost: false,
+            lost_since_release: false,
         }
     }
 
@@ -74,6 +76,16 @@ impl Growth {
     /// nothing is claimed.
     pub fn digits(&self, velocity: f64) -> u32 {
         digits(self.phase_error().max(part(self.velocity_error(), velocity)))
+    }
+
+    /// The same of an event after a release, taken from that: a release forgets what was before, so that digits come back
+    /// with it although the turns since the start may be lost. As [`Growth::digits`] where there was none.
+    pub fn digits_since_release(&self, velocity: f64) -> u32 {
+        if self.lost_since_release {
+            return 0;
+        }
+        let [phase, speed] = self.error;
+        digits(phase.max(part(speed * FRAC_1_PI, velocity)))
     }
 
     /// The same of the time since the start as well.
@@ -108,9 +120,10 @@ impl Growth {
                 self.axes = [[0.0, 1.0], [1.0, 0.0]];
                 self.sides.swap(0, 1);
                 self.since_release = 0.0;
+                self.lost_since_release = false;
                 self.stretch = f64::NEG_INFINITY;
             }
-            Step::Undecided => self.lost = true,
+            Step::Undecided => self.lose(),
             Step::Rest { start, angle, error } => {
                 // the phase of rest alone; what follows does not depend on it
                 let (push, angle) = (start.push.to_f64(), angle.to_f64());
@@ -133,7 +146,9 @@ impl Growth {
         let [[by_phase, by_speed], _] = flown.jacobian;
         let moved = (by_phase - 1.0).abs() * phase + by_speed.abs() * speed;
         let bend = moved * flown.push.abs() / flown.speed;
-        self.lost |= bend.is_nan() || bend >= STRAIGHT || at_a_dip >= clearance;
+        if bend.is_nan() || bend >= STRAIGHT || at_a_dip >= clearance {
+            self.lose();
+        }
 
         let [[a, b], [c, d]] = flown.jacobian;
         let [[p, q], [r, s]] = self.axes;
@@ -164,7 +179,7 @@ impl Growth {
 
     /// Claims nothing any more.
     pub(super) fn lose(&mut self) {
-        self.lost = true;
+        (self.lost, self.lost_since_release) = (true, true);
     }
 
     /// Whether anything is claimed; once it is not, it never is again.

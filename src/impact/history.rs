@@ -17,9 +17,7 @@ pub struct Extent {
     pub impacts: u64,
     /// Up to this time; infinite where only the impacts count.
     pub until: f64,
-    /// Only the last so many events.
-    pub last: usize,
-    /// The digits that each of these is to have.
+    /// The digits that each event is to have.
     pub digits: u32,
 }
 
@@ -40,15 +38,15 @@ pub struct Row<N> {
     pub kind: Kind,
     /// The digits that hold: relative of time and velocity, absolute of the phase; 0 where none does.
     pub digits: u32,
+    /// The number that found it.
+    pub number: Rung,
 }
 
-/// A motion, told.
-#[derive(Clone, Debug, PartialEq)]
-pub struct History<N> {
-    /// The events asked for.
-    pub rows: VecDeque<Row<N>>,
-    /// The number that found them.
-    pub computed_in: Rung,
+/// What is known of a motion at its latest row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Known {
+    /// The widest number that was needed.
+    pub number: Rung,
     /// The first event of all of which no digit holds, although the widest number was tried: from here on rows tell
     /// what such a motion does, not what this one does.
     pub lost_at: Option<u64>,
@@ -60,235 +58,368 @@ pub struct History<N> {
     pub has_ended: bool,
 }
 
-/// The motion over `first` where that holds the digits asked, else over wider numbers up to 200 digits. What those lose
-/// too is followed on in f64 as statistics: its rows have no digits.
+/// A motion, told.
+#[derive(Clone, Debug, PartialEq)]
+pub struct History<N> {
+    /// The events asked for, or the last of them.
+    pub rows: VecDeque<Row<N>>,
+    /// What is known at the last of them.
+    pub known: Known,
+}
+
+/// What one number says of an event.
+struct Told<N> {
+    row: Row<N>,
+    event: Event<f64>,
+    elapsed: f64,
+    /// Whether any digit holds.
+    holds: bool,
+    /// The logarithm of how much errors have grown.
+    stretch: f64,
+    is_idle: bool,
+}
+
+/// The events in one number.
+type Source<N> = Box<dyn FnMut() -> Option<Told<N>>>;
+
+/// Begins a motion anew in a number.
+type Open<P, O, N> = fn(&P, &O, &Extent, Rung) -> Result<Source<N>, MotionError>;
+
+/// The rows of a motion, one after the other, in memory that does not grow with their number.
+///
+/// A number is taken as long as its rows have the digits asked; the next wider one then begins anew and goes on from
+/// there, up to 200 digits. What those lose too is followed on in f64 as statistics: its rows have no digits.
+pub struct Rows<P, O, N> {
+    parameters: P,
+    origin: O,
+    extent: Extent,
+    open: Open<P, O, N>,
+    tell: fn(f64) -> N,
+    source: Source<N>,
+    /// The latest row of the present number that held, and how much errors had grown.
+    before: Option<(Event<f64>, f64)>,
+    /// What follows what every number lost, with the growth up to there.
+    further: Option<(Widening, f64)>,
+    /// The events and impacts that are told, and the time of the last.
+    events: u64,
+    impacts: u64,
+    elapsed: f64,
+    is_over: bool,
+    known: Known,
+}
+
+/// The motion over `first` where that holds the digits asked, else over wider numbers.
 ///
 /// `first` is the narrowest number that may do, f64 or wider: a wrong choice costs time and no digit.
 ///
 /// # Errors
 /// A parameter out of its range.
-pub fn history(
-    motion: &impl Parameters,
-    origin: &impl Origin,
+pub fn rows<P: Parameters, O: Origin>(
+    parameters: P,
+    origin: O,
     extent: &Extent,
     first: Rung,
-) -> Result<History<f64>, MotionError> {
-    let asked = Asked { motion, origin, extent };
-    let figures = FIGURES_OF_F64;
-    let attempt = |rung| match rung {
-        Rung::Single | Rung::Double => asked.attempt(figures, f64::clone),
-        Rung::DoubleDouble => asked.attempt(figures, <DoubleDouble as Analytic>::to_f64),
-        Rung::Wide(digits) => at_digits(digits, || asked.attempt(figures, <Digits as Analytic>::to_f64)),
-    };
-    asked.climb(first.max(Rung::Double), attempt, |value| value)
+) -> Result<Rows<P, O, f64>, MotionError> {
+    const FIGURES: u32 = FIGURES_OF_F64;
+    Rows::new(
+        parameters,
+        origin,
+        extent,
+        |parameters, origin, extent, rung| match rung {
+            Rung::Single | Rung::Double => opened(parameters, origin, extent, FIGURES, f64::clone),
+            Rung::DoubleDouble => opened(parameters, origin, extent, FIGURES, <DoubleDouble as Analytic>::to_f64),
+            Rung::Wide(digits) => wide(digits, || {
+                opened(parameters, origin, extent, FIGURES, <Digits as Analytic>::to_f64)
+            }),
+        },
+        |value| value,
+        first.max(Rung::Double),
+    )
 }
 
-/// The same in decimals, over double-double or wider: of two figures more than asked, so that their rounding takes none
-/// of those that hold.
+/// The same in decimals of as many digits as are asked, over double-double or wider: of two figures more than that, so that
+/// their rounding takes none of those that hold.
 ///
 /// # Errors
 /// A parameter out of its range.
-pub fn history_in_decimals(
-    motion: &impl Parameters,
-    origin: &impl Origin,
+pub fn rows_in_decimals<P: Parameters, O: Origin>(
+    parameters: P,
+    origin: O,
     extent: &Extent,
-    decimals: Decimals,
     first: Rung,
-) -> Result<History<Decimal>, MotionError> {
+) -> Result<Rows<P, O, Decimal>, MotionError> {
     fn tell<E: Endpoint>(decimals: Decimals) -> impl Fn(&E) -> Decimal
     where
         Decimals: Telling<E, Number = Decimal>,
     {
         move |value| decimals.tell(&Interval::point(value.clone()))
     }
-    let asked = Asked { motion, origin, extent };
-    let figures = u32::try_from(decimals.0).unwrap_or(u32::MAX);
-    let more = Decimals(decimals.0 + 2);
-    let attempt = |rung| match rung {
-        Rung::Wide(digits) => at_digits(digits, || asked.attempt(figures, tell::<Digits>(more))),
-        _ => asked.attempt(figures, tell::<DoubleDouble>(more)),
-    };
-    let few = Decimals(FIGURES_OF_F64 as usize);
-    let tell_f64 = |value| at_digits(50, || tell::<Digits>(few)(&Analytic::from_f64(value)));
-    asked.climb(first.max(Rung::DoubleDouble), attempt, tell_f64)
-}
-
-/// What an attempt in one number came to.
-struct Attempt<N> {
-    history: History<N>,
-    /// The latest event that holds, and how much errors had grown by then; `None` where all do.
-    before_loss: Option<(Event<f64>, f64)>,
-    /// The contact that rounding hides, where that is why.
-    undecided: Option<Event<f64>>,
-    impacts: u64,
-    events: u64,
-    /// The time of the last event told.
-    elapsed: f64,
-}
-
-impl<N> Attempt<N> {
-    /// Whether every row has the digits asked.
-    fn suffices(&self, extent: &Extent) -> bool {
-        self.before_loss.is_none() && self.history.rows.iter().all(|row| row.digits >= extent.digits)
-    }
-
-    fn push(&mut self, row: Row<N>, extent: &Extent) {
-        self.events = row.event;
-        self.impacts += u64::from(row.kind == Kind::Impact);
-        if self.history.rows.len() >= extent.last {
-            self.history.rows.pop_front();
-        }
-        self.history.rows.push_back(row);
-    }
-}
-
-/// A motion, and how much of it is asked for.
-struct Asked<'a, P, O> {
-    motion: &'a P,
-    origin: &'a O,
-    extent: &'a Extent,
-}
-
-impl<P: Parameters, O: Origin> Asked<'_, P, O> {
-    /// The first attempt that suffices, from `first` on; else what the widest number has, followed on in f64.
-    fn climb<N>(
-        &self,
-        first: Rung,
-        attempt: impl Fn(Rung) -> Result<Attempt<N>, MotionError>,
-        tell: impl Fn(f64) -> N,
-    ) -> Result<History<N>, MotionError> {
-        let mut rung = first;
-        loop {
-            let attempt = attempt(rung)?;
-            if attempt.suffices(self.extent) {
-                return Ok(attempt.history);
+    Rows::new(
+        parameters,
+        origin,
+        extent,
+        |parameters, origin, extent, rung| {
+            let more = Decimals(extent.digits as usize + 2);
+            match rung {
+                Rung::Wide(digits) => wide(digits, || {
+                    opened(parameters, origin, extent, extent.digits, tell::<Digits>(more))
+                }),
+                _ => opened(parameters, origin, extent, extent.digits, tell::<DoubleDouble>(more)),
             }
-            let Some(wider) = self.wider(rung, &attempt) else {
-                return self.at_last(attempt, tell);
+        },
+        |value| {
+            let few = Decimals(FIGURES_OF_F64 as usize);
+            at_digits(50, || tell::<Digits>(few)(&Analytic::from_f64(value)))
+        },
+        first.max(Rung::DoubleDouble),
+    )
+}
+
+/// All of [`rows`] at once, or the last so many.
+///
+/// # Errors
+/// A parameter out of its range.
+pub fn history(
+    parameters: &impl Parameters,
+    origin: &impl Origin,
+    extent: &Extent,
+    last: usize,
+    first: Rung,
+) -> Result<History<f64>, MotionError> {
+    rows(parameters, origin, extent, first)?.last(last)
+}
+
+/// All of [`rows_in_decimals`] at once, or the last so many.
+///
+/// # Errors
+/// A parameter out of its range.
+pub fn history_in_decimals(
+    parameters: &impl Parameters,
+    origin: &impl Origin,
+    extent: &Extent,
+    last: usize,
+    first: Rung,
+) -> Result<History<Decimal>, MotionError> {
+    rows_in_decimals(parameters, origin, extent, first)?.last(last)
+}
+
+impl<P: Parameters, O: Origin, N> Rows<P, O, N> {
+    fn new(
+        parameters: P,
+        origin: O,
+        extent: &Extent,
+        open: Open<P, O, N>,
+        tell: fn(f64) -> N,
+        first: Rung,
+    ) -> Result<Self, MotionError> {
+        Ok(Self {
+            source: open(&parameters, &origin, extent, first)?,
+            parameters,
+            origin,
+            extent: *extent,
+            open,
+            tell,
+            before: None,
+            further: None,
+            events: 0,
+            impacts: 0,
+            elapsed: 0.0,
+            is_over: false,
+            known: Known {
+                number: first,
+                lost_at: None,
+                lyapunov: f64::NAN,
+                has_ended: false,
+            },
+        })
+    }
+
+    /// What is known at the latest row.
+    pub fn known(&self) -> &Known {
+        &self.known
+    }
+
+    /// The last so many rows, or all there are.
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn last(mut self, count: usize) -> Result<History<N>, MotionError> {
+        let mut rows = VecDeque::new();
+        for row in self.by_ref() {
+            if rows.len() >= count {
+                rows.pop_front();
+            }
+            rows.push_back(row?);
+        }
+        Ok(History {
+            rows,
+            known: self.known,
+        })
+    }
+
+    /// The next row of the present number or of a wider one; what every number loses is followed on.
+    fn told(&mut self) -> Result<Option<Row<N>>, MotionError> {
+        loop {
+            let Some(told) = (self.source)() else {
+                self.known.has_ended = true;
+                return Ok(None);
             };
-            rung = wider;
+            if told.row.event <= self.events {
+                self.before = Some((told.event, told.stretch));
+                continue;
+            }
+            if told.elapsed > self.extent.until {
+                return Ok(None);
+            }
+            if !told.holds || told.row.digits < self.extent.digits {
+                if let Some(wider) = self.wider(&told) {
+                    self.source = (self.open)(&self.parameters, &self.origin, &self.extent, wider)?;
+                    (self.known.number, self.before) = (wider, None);
+                    continue;
+                }
+                if !told.holds {
+                    return self.lose(&told);
+                }
+            }
+            self.known.lyapunov = told.stretch / told.elapsed;
+            self.known.has_ended = told.is_idle && self.extent.until.is_infinite();
+            self.before = Some((told.event, told.stretch));
+            self.elapsed = told.elapsed;
+            return Ok(Some(told.row));
         }
     }
 
-    /// The next number to try: of the wider ones the narrowest that has the digits which `attempt` lacked, if errors go on
+    /// The next number to try: of the wider ones the narrowest that has the digits which are lacking, if errors go on
     /// growing as they did.
-    fn wider<N>(&self, rung: Rung, attempt: &Attempt<N>) -> Option<Rung> {
-        let extent = self.extent;
+    fn wider(&self, told: &Told<N>) -> Option<Rung> {
+        let rung = self.known.number;
         let had = f64::from(rung.digits());
-        let least = attempt.history.rows.iter().map(|row| row.digits).min();
-        let needed = if attempt.before_loss.is_some() {
-            let whole = (extent.impacts as f64).min(extent.until / attempt.elapsed * attempt.impacts as f64);
-            had * whole / attempt.impacts.max(1) as f64
+        let needed = if told.holds {
+            had + f64::from(self.extent.digits - told.row.digits)
         } else {
-            had + f64::from(extent.digits.saturating_sub(least.unwrap_or(0)))
+            let by_time = self.extent.until / self.elapsed * self.impacts as f64;
+            let whole = by_time.min(self.extent.impacts as f64);
+            had * whole / self.impacts.max(1) as f64
         };
         let mut wider = rung.and_wider().skip(1);
         let widest = rung.and_wider().skip(1).last();
         wider.find(|rung| f64::from(rung.digits()) >= needed).or(widest)
     }
 
-    /// The motion over `T`, as far as that number holds it; at most `figures` digits are told.
-    fn attempt<T: Endpoint, N>(&self, figures: u32, tell: impl Fn(&T) -> N) -> Result<Attempt<N>, MotionError> {
-        let extent = self.extent;
-        let start = self.origin.start::<T>();
-        // digits of a rest are relative to the time it comes at, which a slow start makes short
-        let pace = start.velocity.to_f64().abs().clamp(f64::MIN_POSITIVE, 1.0);
-        let pace = if start.velocity.is_zero() { 1.0 } else { pace };
-        let completing = pace * 10_f64.powi(-(figures.max(extent.digits) as i32) - 2);
-        let simulation = Simulation::new(&self.motion.motion::<T>()?, &start).with_growth();
-        let mut simulation = simulation.completing_to(completing);
-        let mut attempt = Attempt {
-            history: History {
-                rows: VecDeque::new(),
-                computed_in: T::rung(),
-                lost_at: None,
-                lyapunov: f64::NAN,
-                has_ended: false,
-            },
-            before_loss: None,
-            undecided: None,
-            impacts: 0,
-            events: 0,
-            elapsed: 0.0,
+    /// Goes on in f64 from the last row that held.
+    fn lose(&mut self, told: &Told<N>) -> Result<Option<Row<N>>, MotionError> {
+        self.known.lost_at = Some(self.events + 1);
+        let Some((before, grown)) = self.before.take() else {
+            return Ok(None);
         };
-        let mut before: Option<(Event<f64>, f64)> = None;
-        while attempt.impacts < extent.impacts {
-            let Some(event) = simulation.next() else {
-                attempt.history.has_ended = true;
-                break;
-            };
-            let time = event.time(&start.phase);
-            let elapsed = time.to_f64();
-            if elapsed > extent.until {
-                break;
-            }
-            let growth = simulation.tracked();
-            if !growth.holds() {
-                attempt.history.lost_at = Some(attempt.events + 1);
-                attempt.before_loss = before;
-                attempt.undecided = (event.kind == Kind::Undecided).then_some(event.convert(T::to_f64));
-                break;
-            }
-            let row = Row {
-                event: attempt.events + 1,
+        if told.event.kind == Kind::Undecided {
+            self.known.has_ended = true;
+            return Ok(Some(self.without_digits(&told.event)));
+        }
+        let motion = self.parameters.motion::<f64>()?;
+        self.further = Some((Widening::after(&motion, &before), grown));
+        Ok(self.followed())
+    }
+
+    /// The next row of what no number holds.
+    fn followed(&mut self) -> Option<Row<N>> {
+        let (widening, grown) = self.further.as_mut()?;
+        let Some(event) = widening.next() else {
+            self.known.has_ended = true;
+            return None;
+        };
+        let elapsed = event.time(&self.origin.start::<f64>().phase);
+        if elapsed > self.extent.until {
+            return None;
+        }
+        self.known.lyapunov = (*grown + widening.growth().stretch()) / elapsed;
+        self.known.has_ended = widening.is_idle() && self.extent.until.is_infinite();
+        Some(self.without_digits(&event))
+    }
+
+    fn without_digits(&self, event: &Event<f64>) -> Row<N> {
+        let tell = self.tell;
+        Row {
+            event: self.events + 1,
+            time: tell(event.time(&self.origin.start::<f64>().phase)),
+            phase: tell(event.phase),
+            side: event.side,
+            velocity: tell(event.velocity),
+            kind: event.kind,
+            digits: 0,
+            number: Rung::Double,
+        }
+    }
+}
+
+impl<P: Parameters, O: Origin, N> Iterator for Rows<P, O, N> {
+    type Item = Result<Row<N>, MotionError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.is_over || self.impacts >= self.extent.impacts {
+            return None;
+        }
+        let row = if self.further.is_some() {
+            Ok(self.followed())
+        } else {
+            self.told()
+        };
+        self.is_over = self.known.has_ended || !matches!(row, Ok(Some(_)));
+        if let Ok(Some(row)) = &row {
+            self.events = row.event;
+            self.impacts += u64::from(row.kind == Kind::Impact);
+        }
+        row.transpose()
+    }
+}
+
+/// The events over `T`; at most `figures` digits are told.
+fn opened<T: Endpoint, N: 'static>(
+    parameters: &impl Parameters,
+    origin: &impl Origin,
+    extent: &Extent,
+    figures: u32,
+    tell: impl Fn(&T) -> N + 'static,
+) -> Result<Source<N>, MotionError> {
+    let start = origin.start::<T>();
+    // digits of a rest are relative to the time it comes at, which a slow start makes short
+    let pace = start.velocity.to_f64().abs().clamp(f64::MIN_POSITIVE, 1.0);
+    let pace = if start.velocity.is_zero() { 1.0 } else { pace };
+    let completing = pace * 10_f64.powi(-(figures.max(extent.digits) as i32) - 2);
+    let simulation = Simulation::new(&parameters.motion::<T>()?, &start).with_growth();
+    let mut simulation = simulation.completing_to(completing);
+    let mut events = 0;
+    Ok(Box::new(move || {
+        let event = simulation.next()?;
+        let time = event.time(&start.phase);
+        let elapsed = time.to_f64();
+        let growth = simulation.tracked();
+        events += 1;
+        Some(Told {
+            row: Row {
+                event: events,
                 time: tell(&time),
                 phase: tell(&event.phase),
                 side: event.side,
                 velocity: tell(&event.velocity),
                 kind: event.kind,
                 digits: growth.digits_at(elapsed, event.velocity.to_f64()).min(figures),
-            };
-            attempt.elapsed = elapsed;
-            attempt.push(row, extent);
-            attempt.history.lyapunov = growth.stretch() / elapsed;
-            if simulation.is_idle() && extent.until.is_infinite() {
-                attempt.history.has_ended = true;
-                break;
-            }
-            before = Some((event.convert(T::to_f64), growth.stretch()));
-        }
-        Ok(attempt)
-    }
+                number: T::rung(),
+            },
+            event: event.convert(T::to_f64),
+            elapsed,
+            holds: growth.holds(),
+            stretch: growth.stretch(),
+            is_idle: simulation.is_idle(),
+        })
+    }))
+}
 
-    /// The attempt in the widest number, followed on in f64 where that lost the motion.
-    fn at_last<N>(&self, attempt: Attempt<N>, tell: impl Fn(f64) -> N) -> Result<History<N>, MotionError> {
-        let mut attempt = attempt;
-        let Some((before, grown)) = attempt.before_loss.take() else {
-            return Ok(attempt.history);
-        };
-        let start = self.origin.start::<f64>();
-        let extent = self.extent;
-        let row = |event: &Event<f64>, number: u64| Row {
-            event: number,
-            time: tell(event.time(&start.phase)),
-            phase: tell(event.phase),
-            side: event.side,
-            velocity: tell(event.velocity),
-            kind: event.kind,
-            digits: 0,
-        };
-        if let Some(event) = attempt.undecided.take() {
-            attempt.push(row(&event, attempt.events + 1), extent);
-            attempt.history.has_ended = true;
-            return Ok(attempt.history);
-        }
-        let mut widening = Widening::after(&self.motion.motion::<f64>()?, &before);
-        while attempt.impacts < extent.impacts {
-            let Some(event) = widening.next() else {
-                attempt.history.has_ended = true;
-                break;
-            };
-            let elapsed = event.time(&start.phase);
-            if elapsed > extent.until {
-                break;
-            }
-            attempt.push(row(&event, attempt.events + 1), extent);
-            attempt.history.lyapunov = (grown + widening.growth().stretch()) / elapsed;
-            if widening.is_idle() && extent.until.is_infinite() {
-                attempt.history.has_ended = true;
-                break;
-            }
-        }
-        Ok(attempt.history)
-    }
+/// What is opened and run at so many digits.
+fn wide<N: 'static>(
+    digits: u32,
+    open: impl FnOnce() -> Result<Source<N>, MotionError>,
+) -> Result<Source<N>, MotionError> {
+    let mut source = at_digits(digits, open)?;
+    Ok(Box::new(move || at_digits(digits, &mut source)))
 }

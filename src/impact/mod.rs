@@ -21,7 +21,7 @@ mod widening;
 pub use batch::{Batch, Instructions};
 pub use event::{Event, Kind};
 pub use growth::Growth;
-pub use history::{Extent, History, Row, history, history_in_decimals};
+pub use history::{Extent, History, Known, Row, Rows, history, history_in_decimals, rows, rows_in_decimals};
 pub use simulation::{LISTED, Simulation};
 pub use start::{Origin, Start};
 pub use trajectory::{Snapshot, Trajectory};

@@ -5,9 +5,9 @@ use super::event::{Event, Kind};
 use super::growth::Growth;
 use super::scaled::Departure;
 use super::start::Start;
-use crate::model::Motion;
 #[cfg(test)]
 use crate::model::calls::{self, Call};
+use crate::model::{Motion, Side};
 use crate::number::Analytic;
 
 /// Impacts of a chatter that completes are listed down to this velocity.
@@ -44,12 +44,21 @@ pub struct Simulation<T> {
 impl<T: Analytic> Simulation<T> {
     /// The motion from `start` on.
     pub fn new(motion: &Motion<T>, start: &Start<T>) -> Self {
-        let course = Course::new(motion, start);
+        Self::of(Course::new(motion, start), false)
+    }
+
+    /// The motion of a ball that rests on `side`, from its release on, which is the first event; `None` where nothing ever
+    /// releases it.
+    pub fn released(motion: &Motion<T>, side: Side) -> Option<Self> {
+        Some(Self::of(Course::released(motion, side)?, true))
+    }
+
+    fn of(course: Course<T>, has_started: bool) -> Self {
         Self {
             growth: Growth::new(course.scaled()),
             course,
             is_tracked: false,
-            has_started: false,
+            has_started,
             idle: 0,
             exhaustive: false,
         }

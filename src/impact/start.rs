@@ -42,6 +42,12 @@ pub trait Origin {
     fn start<T: Analytic>(&self) -> Start<T>;
 }
 
+impl<O: Origin> Origin for &O {
+    fn start<T: Analytic>(&self) -> Start<T> {
+        (*self).start()
+    }
+}
+
 /// The numbers of an f64 start, taken as exact.
 impl Origin for Start<f64> {
     fn start<T: Analytic>(&self) -> Start<T> {

@@ -12,6 +12,12 @@ pub trait Parameters {
     fn motion<T: Analytic>(&self) -> Result<Motion<T>, MotionError>;
 }
 
+impl<P: Parameters> Parameters for &P {
+    fn motion<T: Analytic>(&self) -> Result<Motion<T>, MotionError> {
+        (*self).motion()
+    }
+}
+
 /// The numbers of an f64 motion, taken as exact.
 impl Parameters for Motion<f64> {
     fn motion<T: Analytic>(&self) -> Result<Motion<T>, MotionError> {

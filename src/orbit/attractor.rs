@@ -1,14 +1,21 @@
 //! What a motion comes to: the word and the forcing periods of its last impacts.
 
-use super::letter::{Letter, letters};
+use super::letter::{self, Letter, letters};
 use super::repeat::{repeated, start};
+use super::resting::RestingCycle;
 use crate::impact::{Event, Kind};
-use crate::model::Side;
+use crate::model::{MotionError, Parameters, Side};
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
 
 /// The most letters of a word that is looked for.
 pub const LONGEST_WORD: usize = 60;
+
+/// The most letters of a word that is written out; of a longer one its length is told.
+pub const LONGEST_WRITTEN: usize = 10_000;
+
+/// The most letters that are held at once.
+const HELD: usize = 1_000_000;
 
 /// How far two events may lie apart that are taken for the same one a cycle on: in phase, rad, and in velocity as a
 /// part of the greatest one of the cycle.
@@ -28,15 +35,17 @@ const LATEST: usize = 20_000;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Attractor {
     /// The impacts of one cycle by wall, written as a [`Word`](super::Word) is: from a bottom impact that follows a top
-    /// one; of several such, the fastest first; on one wall, from the fastest. It may have up to [`LONGEST_WORD`]
-    /// letters. A chatter that comes to rest is infinitely many impacts and one letter with a star: `BT*` is a bottom
+    /// one; of several such, the fastest first; on one wall, from the fastest. Without a rest it has at most
+    /// [`LONGEST_WORD`] letters; of more than [`LONGEST_WRITTEN`] it only says how many there are. A chatter that comes to rest is infinitely many impacts and one letter with a star: `BT*` is a bottom
     /// impact, then a chatter that ends at rest on the top, and a release from there.
     pub word: String,
     /// The forcing periods of one cycle; none where the ball rests for ever (`B*`, `T*`).
     pub periods: Option<i64>,
     /// The impacts of the last cycle in word order, those of a chatter as far as they are listed; none where the ball
-    /// rests for ever.
+    /// rests for ever, or where there is [`Attractor::resting`].
     pub impacts: Vec<Event<f64>>,
+    /// The cycle through a rest that is known to be one.
+    pub resting: Option<RestingCycle>,
 }
 
 impl Attractor {
@@ -82,7 +91,37 @@ impl Attractor {
         Some(Self {
             word: rotated().map(Letter::text).collect(),
             periods: Some(periods),
+            resting: None,
             impacts,
+        })
+    }
+
+    /// A cycle through a rest; its impacts are shown by [`RestingCycle::visit`].
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn through(parameters: &impl Parameters, cycle: RestingCycle) -> Result<Self, MotionError> {
+        let mut letters = Vec::new();
+        let mut index = 0;
+        cycle.visit(parameters, |event| {
+            if letters.len() < HELD {
+                letter::add(&mut letters, index, event);
+            }
+            index += 1;
+        })?;
+        let word = match letters.len() {
+            HELD.. => format!("more than {HELD} letters"),
+            length if length > LONGEST_WRITTEN => format!("{length} letters"),
+            _ => {
+                let (before, after) = letters.split_at(start(&letters));
+                after.iter().chain(before).map(Letter::text).collect()
+            }
+        };
+        Ok(Self {
+            word,
+            periods: Some(cycle.periods),
+            impacts: Vec::new(),
+            resting: Some(cycle),
         })
     }
 
@@ -119,7 +158,7 @@ impl Attractor {
 
     /// Whether the ball rests in each cycle, or for ever.
     pub fn rests(&self) -> bool {
-        self.word.contains('*')
+        self.word.contains('*') || self.resting.is_some()
     }
 
     fn at_rest(side: Side) -> Self {
@@ -131,6 +170,7 @@ impl Attractor {
             word: text.to_owned(),
             periods: None,
             impacts: Vec::new(),
+            resting: None,
         }
     }
 }

@@ -47,33 +47,38 @@ impl Letter {
 
 /// The letters of a list of events: all impacts on one wall that lead to a rest without another event between are one.
 pub fn letters(events: &[Event<f64>]) -> Vec<Letter> {
-    let mut letters: Vec<Letter> = Vec::with_capacity(events.len());
+    let mut letters = Vec::with_capacity(events.len());
     for (index, event) in events.iter().enumerate() {
-        let mut letter = Letter {
-            side: event.side,
-            rests: event.kind == Kind::Rest,
-            turns: event.turns,
-            phase: event.phase,
-            speed: event.velocity.abs(),
-            from: index,
-            to: index + 1,
-        };
-        match event.kind {
-            Kind::Impact => letters.push(letter),
-            Kind::Rest => {
-                while let Some(first) = letters.pop_if(|last| !last.rests && last.side == event.side) {
-                    letter = Letter {
-                        rests: true,
-                        to: index + 1,
-                        ..first
-                    };
-                }
-                letters.push(letter);
-            }
-            Kind::Release | Kind::Undecided => {}
-        }
+        add(&mut letters, index, event);
     }
     letters
+}
+
+/// Adds what event number `index` says to the letters before it.
+pub fn add(letters: &mut Vec<Letter>, index: usize, event: &Event<f64>) {
+    let mut letter = Letter {
+        side: event.side,
+        rests: event.kind == Kind::Rest,
+        turns: event.turns,
+        phase: event.phase,
+        speed: event.velocity.abs(),
+        from: index,
+        to: index + 1,
+    };
+    match event.kind {
+        Kind::Impact => letters.push(letter),
+        Kind::Rest => {
+            while let Some(first) = letters.pop_if(|last| !last.rests && last.side == event.side) {
+                letter = Letter {
+                    rests: true,
+                    to: index + 1,
+                    ..first
+                };
+            }
+            letters.push(letter);
+        }
+        Kind::Release | Kind::Undecided => {}
+    }
 }
 
 #[cfg(test)]

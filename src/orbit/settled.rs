@@ -1,6 +1,7 @@
 //! What a motion does after many impacts.
 
 use super::Attractor;
+use super::resting::Releases;
 use crate::impact::{Event, Kind};
 
 /// The impacts among which a cycle is looked for, at least: three times the longest word, and two cycles of which each
@@ -19,6 +20,8 @@ pub struct Settled {
     pub kept: Vec<Event<f64>>,
     /// What the motion has come to, where it repeats itself or rests for ever; none where that was not looked for.
     pub attractor: Option<Attractor>,
+    /// The last release that was the second or a later one from its wall: the motion repeats from it on.
+    pub release: Option<Event<f64>>,
     /// The last event: the impact at which counting stopped, or what ended the motion before.
     pub end: Option<Event<f64>>,
 }
@@ -46,6 +49,8 @@ struct Window {
     events: Vec<Event<f64>>,
     /// All impacts so far.
     impacts: u64,
+    /// The last release that closes a cycle.
+    release: Option<Event<f64>>,
 }
 
 impl Window {
@@ -56,12 +61,17 @@ impl Window {
         let mut window = Self {
             events: Vec::with_capacity((2 * most).min(impacts as usize)),
             impacts: 0,
+            release: None,
         };
+        let mut releases = Releases::default();
         // cut now and then, not at each event: of an impact this is to cost next to nothing
         let mut next_cut = last.min(2 * most as u64);
         let mut idle = 0;
         for event in events {
             let is_impact = event.kind == Kind::Impact;
+            if releases.is_second(&event) {
+                window.release = Some(event.clone());
+            }
             window.events.push(event);
             if !is_impact {
                 idle += 1;
@@ -104,6 +114,7 @@ impl Window {
             first: self.impacts + 1 - kept.len() as u64,
             kept,
             attractor: None,
+            release: self.release,
             end: self.events.pop(),
         }
     }

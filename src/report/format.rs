@@ -13,6 +13,8 @@ pub enum Format {
     Csv,
     /// An array with one object per row.
     Json,
+    /// One object per row and line, each written when it is known.
+    Jsonl,
     /// A table for a report or an issue.
     Markdown,
     /// A test report for CI, one test a row; of tables that have verdicts only.
@@ -21,7 +23,14 @@ pub enum Format {
 
 impl Format {
     /// Every format, in the order in which help lists them.
-    pub const ALL: [Self; 5] = [Self::Text, Self::Csv, Self::Json, Self::Markdown, Self::Junit];
+    pub const ALL: [Self; 6] = [
+        Self::Text,
+        Self::Csv,
+        Self::Json,
+        Self::Jsonl,
+        Self::Markdown,
+        Self::Junit,
+    ];
 
     /// The name on the command line.
     pub const fn name(self) -> &'static str {
@@ -29,6 +38,7 @@ impl Format {
             Self::Text => "text",
             Self::Csv => "csv",
             Self::Json => "json",
+            Self::Jsonl => "jsonl",
             Self::Markdown => "markdown",
             Self::Junit => "junit",
         }
@@ -43,7 +53,7 @@ impl fmt::Display for Format {
 
 /// A name that is no format.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("unknown format `{0}`: text, csv, json, markdown and junit are known")]
+#[error("unknown format `{0}`: text, csv, json, jsonl, markdown and junit are known")]
 pub struct UnknownFormat(pub String);
 
 impl FromStr for Format {

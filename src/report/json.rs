@@ -1,4 +1,4 @@
-//! A table as JSON: an array with one object per row, keys in column order, one row per line.
+//! A table as JSON: an array with one object per row, keys in column order, one row per line; or the lines alone.
 
 use super::csv::texts;
 use super::figures::whole;
@@ -13,6 +13,11 @@ pub struct Objects {
     is_empty: bool,
 }
 
+/// One object per line.
+pub struct Lines {
+    columns: Vec<Column>,
+}
+
 /// Opens the array.
 pub fn begin(head: &Table, to: &mut dyn Write) -> io::Result<Objects> {
     to.write_all(b"[")?;
@@ -20,6 +25,13 @@ pub fn begin(head: &Table, to: &mut dyn Write) -> io::Result<Objects> {
         columns: head.columns().to_vec(),
         is_empty: true,
     })
+}
+
+/// Lines of objects.
+pub fn lines(head: &Table) -> Lines {
+    Lines {
+        columns: head.columns().to_vec(),
+    }
 }
 
 impl Printer for Objects {
@@ -35,6 +47,17 @@ impl Printer for Objects {
 
     fn end(&mut self, to: &mut dyn Write) -> io::Result<()> {
         to.write_all(if self.is_empty { b"]\n" } else { b"\n]\n" })
+    }
+}
+
+impl Printer for Lines {
+    fn rows(&mut self, rows: &[Vec<Cell>], to: &mut dyn Write) -> io::Result<()> {
+        let columns = &self.columns;
+        for cells in rows {
+            serde_json::to_writer(&mut *to, &Row { columns, cells })?;
+            to.write_all(b"\n")?;
+        }
+        to.flush()
     }
 }
 

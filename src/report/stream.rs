@@ -24,6 +24,7 @@ pub(super) fn begin(head: &Table, format: Format, digits: usize, to: &mut dyn Wr
         Format::Text => Box::new(text::begin(head, digits, to)?),
         Format::Csv => Box::new(csv::begin(head, to)?),
         Format::Json => Box::new(json::begin(head, to)?),
+        Format::Jsonl => Box::new(json::lines(head)),
         Format::Markdown => Box::new(markdown::begin(head, to)?),
         Format::Junit => {
             let message = "a test report is written as a whole";
@@ -63,7 +64,7 @@ impl<'a> Stream<'a> {
     /// Another number of cells, JUnit, and what the writer says.
     pub fn push(&mut self, row: Vec<Cell>) -> io::Result<()> {
         self.held.push(row).map_err(io::Error::other)?;
-        if self.held.rows().len() == HEAD {
+        if self.held.rows().len() == HEAD || self.format == Format::Jsonl {
             self.print()?;
         }
         Ok(())
@@ -94,7 +95,7 @@ impl<'a> Stream<'a> {
 mod tests {
     use super::*;
 
-    const STREAMED: [Format; 4] = [Format::Text, Format::Csv, Format::Json, Format::Markdown];
+    const STREAMED: [Format; 5] = [Format::Text, Format::Csv, Format::Json, Format::Jsonl, Format::Markdown];
 
     fn row(number: usize) -> Vec<Cell> {
         let side = if number.is_multiple_of(2) { "bottom" } else { "top" };

@@ -35,7 +35,8 @@ pub const MOST_DIGITS: u32 = 10_000;
 /// Beyond, nobody waits for the answer.
 const MOST_PERIODS: u32 = 1000;
 const MOST_POINTS: u32 = 1_000_000;
-const MOST_IMPACTS: u32 = 1_000_000_000;
+const IMPACTS_AT_MOST: u32 = 1_000_000_000;
+const KEPT_AT_MOST: u32 = 1_000_000;
 
 macro_rules! keys {
     ($($constant:ident = $section:literal $name:literal $allowed:expr, $meaning:literal;)*) => {
@@ -77,9 +78,11 @@ keys! {
     FROM = "sweep" "from" Allowed::Finite, "the first value";
     TO = "sweep" "to" Allowed::Finite, "the last value";
     POINTS = "sweep" "points" Allowed::Count(MOST_POINTS), "the number of values, both ends counted";
-    IMPACTS = "sweep" "impacts" Allowed::Count(MOST_IMPACTS), "the impacts at each value";
-    KEEP = "sweep" "keep" Allowed::Count(MOST_IMPACTS), "the last impacts at each value, which are kept";
+    IMPACTS = "sweep" "impacts" Allowed::Count(IMPACTS_AT_MOST), "the impacts at each value";
+    KEEP = "sweep" "keep" Allowed::Count(KEPT_AT_MOST), "the last impacts at each value, which are kept";
     BEGIN = "sweep" "start" Allowed::Text, "where each value starts from";
+    ERROR = "sweep" "error" Allowed::Positive, "the relative standard error that mean voltages are to have";
+    MOST_IMPACTS = "sweep" "most_impacts" Allowed::Count(IMPACTS_AT_MOST), "the most impacts for sweep.error";
 }
 
 /// The sections, in the order of DESIGN.

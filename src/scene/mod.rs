@@ -36,7 +36,7 @@ pub use builtin::{BUILT_IN, built_in, find};
 pub use error::{Origin, SceneError, SceneProblem};
 pub use key::MOST_DIGITS;
 pub use need::Note;
-pub use points::{MeanOver, Point, Points, Reliance};
+pub use points::{MeanOver, Means, Point, Points};
 pub use quantity::{Quantity, QuantityError};
 pub use scene::{Scene, Start};
 pub use setting::Setting;

@@ -106,6 +106,7 @@ impl Scene {
             Want::Sweep => {
                 required.extend(RANGE);
                 required.extend(DIAGRAM);
+                optional.extend([&key::ERROR, &key::MOST_IMPACTS]);
                 required.extend(START);
             }
             Want::Voltage => {

@@ -1,11 +1,12 @@
 //! The points of a sweep: at each value the motion, its last impacts, what it has come to, and their voltage.
 
+use super::setting::At;
 use super::sweep::{Begin, Diagram, Sweep};
 use super::{Quantity, Scene, SceneError, Setting, Want};
 use crate::impact::{Event, Kind, Origin, Start, Widening};
-use crate::model::{Membrane, Motion};
+use crate::model::{Membrane, Motion, MotionError, Parameters};
 use crate::number::FIGURES_OF_F64;
-use crate::orbit::{Settled, lyapunov};
+use crate::orbit::{Attractor, Estimate, Further, Length, Measure, OfImpact, RestingCycle, Settled, lyapunov};
 use rayon::prelude::*;
 use std::vec::IntoIter;
 
@@ -26,21 +27,30 @@ pub struct Point {
     pub settled: Settled,
     /// U_k of (6) for each impact that is kept, V; none where no voltage is modelled.
     pub voltages: Option<Vec<f64>>,
-    /// The mean (7) of U_k over [`Point::counted`], V; none where no voltage is modelled, there is no impact, or the points
-    /// are [`Points::listed`].
-    pub mean_voltage: Option<f64>,
-    /// How far the last impact can be relied on; none where that is not asked for ([`Points::with_reliance`]).
-    pub reliance: Option<Reliance>,
+    /// The means of the motion; none where the points are [`Points::listed`].
+    pub means: Option<Means>,
+    /// The digits that hold at the last event: absolute of the phase, relative of the velocity; from the release before
+    /// it where there was one. 0 where none does, and the impacts tell what such a motion does, not what this one does.
+    /// None where that is not asked for ([`Points::with_reliance`]).
+    pub digits: Option<u32>,
 }
 
-/// How far a motion can be relied on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reliance {
-    /// The digits that hold at the last event: absolute of the phase, relative of the velocity. 0 where none does, and
-    /// the impacts tell what such a motion does, not what this one does.
-    pub digits: u32,
-    /// The largest Lyapunov exponent of what the motion has come to, per unit of time, as [`lyapunov`] has it.
-    pub lyapunov: Option<f64>,
+/// The means of a motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Means {
+    /// What they are taken over.
+    pub over: MeanOver,
+    /// The impacts among that, as they are listed.
+    pub impacts: u64,
+    /// The mean (7) of U_k over these impacts, V; none where no voltage is modelled, or there is no impact.
+    pub voltage: Option<Estimate>,
+    /// The sum of U_k per forcing period, V: of a chatter that comes to rest, over all of its impacts. None where no
+    /// voltage is modelled.
+    pub rate: Option<Estimate>,
+    /// The largest Lyapunov exponent, per unit of time (the forcing period is 2); none where [`Point::digits`] are none.
+    pub lyapunov: Option<Estimate>,
+    /// Whether `sweep.error` is met; none where that was not asked for.
+    pub is_met: Option<bool>,
 }
 
 /// What a mean is taken over.
@@ -48,7 +58,7 @@ pub struct Reliance {
 pub enum MeanOver {
     /// The impacts of one cycle, a whole number of forcing periods.
     Periods,
-    /// The impacts that are kept, as many as there are.
+    /// Impacts after those of the diagram, at least as many as these.
     Impacts,
 }
 
@@ -58,18 +68,6 @@ impl MeanOver {
         match self {
             Self::Periods => "periods",
             Self::Impacts => "impacts",
-        }
-    }
-}
-
-impl Point {
-    /// The impacts that stand for the motion: those of its last cycle where it is periodic, else those that are kept.
-    /// Of a chatter that comes to rest, those that are listed.
-    pub fn counted(&self) -> (&[Event<f64>], MeanOver) {
-        match &self.settled.attractor {
-            // at rest for ever: none
-            Some(attractor) => (&attractor.impacts, MeanOver::Periods),
-            _ => (&self.settled.kept, MeanOver::Impacts),
         }
     }
 }
@@ -99,11 +97,13 @@ impl Scene {
     pub fn points(&self) -> Result<Points, SceneError> {
         let wants = self.wants_of_sweep()?;
         self.check(&wants)?;
+        let setting = self.swept_setting()?;
         let membrane = wants.contains(&Want::Voltage).then(|| self.membrane()).transpose()?;
         Ok(Points {
             sweep: self.sweep()?,
             diagram: self.diagram()?,
-            setting: self.swept_setting()?.over_number(),
+            setting: setting.over_number(),
+            typed: setting,
             start: self.start()?.start(),
             membrane,
             depth: Depth::Settled,
@@ -133,6 +133,7 @@ pub struct Points {
     sweep: Sweep,
     diagram: Diagram,
     setting: Setting<f64>,
+    typed: Setting,
     start: Start<f64>,
     membrane: Option<Membrane<f64>>,
     depth: Depth,
@@ -143,7 +144,7 @@ pub struct Points {
 }
 
 impl Points {
-    /// The same points, each with its [`Reliance`]; for up to twice the time.
+    /// The same points, each with its digits and its Lyapunov exponent; for up to twice the time.
     pub fn with_reliance(self) -> Self {
         Self {
             depth: Depth::Reliable,
@@ -151,8 +152,8 @@ impl Points {
         }
     }
 
-    /// The same impacts and their voltages alone, for what simulating them costs: neither what the motion has come to nor a
-    /// mean voltage.
+    /// The same impacts and their voltages alone, for what simulating them costs: neither what the motion has come to nor
+    /// its means.
     pub fn listed(self) -> Self {
         Self {
             depth: Depth::Listed,
@@ -175,21 +176,31 @@ impl Points {
             Some(impact) if impact.kind == Kind::Impact => Widening::new(&motion, &Start::from(impact)),
             Some(event) => Widening::after(&motion, event),
         };
-        let (settled, reliance) = self.settled(&motion, events);
-        let mut point = Point {
-            value,
-            motion,
-            settled,
-            voltages: None,
-            mean_voltage: None,
-            reliance,
+        let unit = match &self.membrane {
+            Some(_) => self.scene.swept_scales::<f64>(self.sweep.over, &value)?.velocity,
+            None => 1.0,
         };
-        self.add_voltages(&mut point)?;
+        let membrane = self.membrane.as_ref();
+        let voltage = membrane.map(|membrane| move |event: &Event<f64>| membrane.voltage(&(event.velocity * unit)));
+        let voltage = voltage.as_ref().map(|voltage| voltage as OfImpact);
+        let (settled, digits) = self.settled(events);
+        let mut point = Point {
+            voltages: voltage.map(|voltage| settled.kept.iter().map(voltage).collect()),
+            means: None,
+            settled,
+            motion,
+            digits,
+            value,
+        };
+        if self.depth != Depth::Listed {
+            self.add_means(&mut point, voltage)
+                .map_err(|error| self.scene.error(None, error))?;
+        }
         Ok(point)
     }
 
-    /// What the events come to, as deep as is asked for.
-    fn settled(&self, motion: &Motion<f64>, events: Widening) -> (Settled, Option<Reliance>) {
+    /// The impacts and, where that is asked for, what they come to without a rest, and the digits that hold.
+    fn settled(&self, events: Widening) -> (Settled, Option<u32>) {
         let Diagram { impacts, keep, .. } = self.diagram;
         let mut events = match self.depth {
             Depth::Listed => return (Settled::listed(events.without_growth(), impacts, keep), None),
@@ -198,29 +209,71 @@ impl Points {
         };
         let mut settled = Settled::after(events.by_ref(), impacts, keep);
         let end = settled.end.as_ref();
-        let digits = end.map_or(0, |end| events.growth().digits(end.velocity));
+        let digits = end.map_or(0, |end| events.growth().digits_since_release(end.velocity));
         // on to rounding nobody asks what still holds
         let further = events.without_growth();
         settled.attractor = settled.attractor.map(|found| found.settled_further(further));
-        let reliance = (self.depth == Depth::Reliable).then(|| Reliance {
-            digits: digits.min(FIGURES_OF_F64),
-            lyapunov: lyapunov(motion, &settled, impacts),
-        });
-        (settled, reliance)
+        (
+            settled,
+            (self.depth == Depth::Reliable).then_some(digits.min(FIGURES_OF_F64)),
+        )
     }
 
-    fn add_voltages(&self, point: &mut Point) -> Result<(), SceneError> {
-        let Some(membrane) = &self.membrane else {
+    /// The means, and what the motion comes to through a rest.
+    fn add_means(&self, point: &mut Point, voltage: Option<OfImpact>) -> Result<(), MotionError> {
+        let Diagram {
+            impacts,
+            error,
+            most_impacts: most,
+            ..
+        } = self.diagram;
+        let parameters = At {
+            setting: &self.typed,
+            value: &point.value,
+        };
+        let through = |side, after: u64| -> Result<Option<Attractor>, MotionError> {
+            // errors may lead round a longer way than f64 has seen
+            let cycle = RestingCycle::find(&parameters, side, 4 * after.max(1000))?;
+            cycle.map(|cycle| Attractor::through(&parameters, cycle)).transpose()
+        };
+        let mut measure = Measure {
+            motion: &point.motion,
+            length: Length { impacts, error, most },
+            voltage,
+            with_growth: self.depth == Depth::Reliable,
+            at_releases: true,
+        };
+        if let Some(release) = &point.settled.release {
+            point.settled.attractor = through(release.side, u64::from(impacts))?;
+            measure.at_releases = false;
+        }
+        if let Some(found) = &point.settled.attractor {
+            point.means = Some(of_cycle(&measure, &parameters, found)?);
+            return Ok(());
+        }
+        let Some(end) = point.settled.end.as_ref().filter(|end| end.kind != Kind::Undecided) else {
             return Ok(());
         };
-        let unit = self.scene.swept_scales::<f64>(self.sweep.over, &point.value)?.velocity;
-        let voltage = |event: &Event<f64>| membrane.voltage(&(event.velocity * unit));
-        if self.depth != Depth::Listed {
-            let (counted, _) = point.counted();
-            let sum: f64 = counted.iter().map(voltage).sum();
-            point.mean_voltage = (!counted.is_empty()).then_some(sum / counted.len() as f64);
+        let mut further = measure.after(end);
+        if let Further::Released(side, after) = further {
+            point.settled.attractor = through(side, after)?;
+            if let Some(found) = &point.settled.attractor {
+                point.means = Some(of_cycle(&measure, &parameters, found)?);
+                return Ok(());
+            }
+            measure.at_releases = false;
+            further = measure.after(end);
         }
-        point.voltages = Some(point.settled.kept.iter().map(voltage).collect());
+        if let Further::Measured(found) = further {
+            point.means = Some(Means {
+                over: MeanOver::Impacts,
+                impacts: found.impacts,
+                voltage: found.voltage,
+                rate: found.rate,
+                lyapunov: found.lyapunov,
+                is_met: found.is_met,
+            });
+        }
         Ok(())
     }
 
@@ -247,6 +300,75 @@ impl Points {
         };
         self.next += block.len() as u32;
         self.block = block.into_iter();
+    }
+}
+
+/// The means over a cycle, or of a ball that rests for ever.
+fn of_cycle(measure: &Measure, parameters: &impl Parameters, cycle: &Attractor) -> Result<Means, MotionError> {
+    let mut sums = Sums::default();
+    match &cycle.resting {
+        None => cycle.impacts.iter().for_each(|impact| sums.add(measure, impact)),
+        Some(resting) => resting.visit(parameters, |event| sums.add(measure, event))?,
+    }
+    let has_voltage = measure.voltage.is_some();
+    let mean = (has_voltage && sums.impacts > 0).then(|| sums.listed / sums.impacts as f64);
+    let rate = has_voltage.then(|| sums.all / cycle.periods.map_or(1.0, |periods| periods as f64));
+    let lyapunov = if measure.with_growth {
+        lyapunov(measure.motion, cycle)
+    } else {
+        None
+    };
+    let [voltage, rate, lyapunov] = [mean, rate, lyapunov].map(|value| value.map(Estimate::exact));
+    Ok(Means {
+        over: MeanOver::Periods,
+        impacts: sums.impacts,
+        voltage,
+        rate,
+        lyapunov,
+        is_met: measure.length.error.map(|_| true),
+    })
+}
+
+/// Sums along a cycle.
+#[derive(Default)]
+struct Sums {
+    impacts: u64,
+    /// Of the voltages of the impacts that are listed, and of all.
+    listed: f64,
+    all: f64,
+    last: Option<Event<f64>>,
+}
+
+impl Sums {
+    fn add(&mut self, measure: &Measure, event: &Event<f64>) {
+        let Some(voltage) = measure.voltage else {
+            self.impacts += u64::from(event.kind == Kind::Impact);
+            return;
+        };
+        match event.kind {
+            Kind::Impact => {
+                let voltage = voltage(event);
+                (self.impacts, self.listed, self.all) = (self.impacts + 1, self.listed + voltage, self.all + voltage);
+                self.last = Some(event.clone());
+            }
+            // the impacts that are not listed: each r times as fast as the one before, and so slow that their voltages,
+            // a power of the velocity, are a geometric series
+            Kind::Rest => {
+                let r = *measure.motion.restitution(event.side);
+                if let Some(last) = self.last.take().filter(|last| last.side == event.side) {
+                    let next = |times: f64| {
+                        voltage(&Event {
+                            velocity: last.velocity * times,
+                            ..last.clone()
+                        })
+                    };
+                    let (first, second) = (next(r), next(r * r));
+                    let tail = first / (1.0 - second / first);
+                    self.all += if tail.is_finite() { tail } else { 0.0 };
+                }
+            }
+            Kind::Release | Kind::Undecided => {}
+        }
     }
 }
 

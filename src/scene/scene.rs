@@ -10,6 +10,9 @@ use crate::model::{Device, Membrane, MembraneError, Motion, Scales, gravity_comp
 use crate::number::Analytic;
 use crate::orbit::{Word, WordError};
 
+/// The most impacts for an error that is asked for, where the scene does not say.
+const FOR_AN_ERROR: u32 = 1_000_000;
+
 /// What a person wants to know, of which device and motion.
 ///
 /// The syntax and the names of sections and keys are checked when it is read, a value when it is asked for: what is
@@ -301,6 +304,11 @@ impl Scene {
             impacts,
             keep,
             start: start.ok_or_else(|| self.wrong(&key::BEGIN, entry, one_of(name, &known)))?,
+            error: match self.document.get(&key::ERROR) {
+                Some(_) => Some(self.number(&key::ERROR)?.value()),
+                None => None,
+            },
+            most_impacts: self.count_or(&key::MOST_IMPACTS, FOR_AN_ERROR)?,
         })
     }
 

@@ -183,3 +183,15 @@ impl Family for Setting {
         r_b == r_t && (self.is_weightless() || r_b.compared_with_one() == Ordering::Equal)
     }
 }
+/// A setting at one value of what is swept, as typed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct At<'a> {
+    pub setting: &'a Setting,
+    pub value: &'a Quantity,
+}
+
+impl Parameters for At<'_> {
+    fn motion<T: Analytic>(&self) -> Result<Motion<T>, MotionError> {
+        self.setting.over_number().at(&self.value.value())
+    }
+}

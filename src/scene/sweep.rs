@@ -98,7 +98,7 @@ impl Begin {
 }
 
 /// What a bifurcation diagram needs besides the sweep.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Diagram {
     /// The impacts computed at each value.
     pub impacts: u32,
@@ -106,6 +106,11 @@ pub struct Diagram {
     pub keep: u32,
     /// Where each value starts from.
     pub start: Begin,
+    /// The relative standard error that the mean voltages of a motion that does not repeat are to have; none where
+    /// `impacts` are enough.
+    pub error: Option<f64>,
+    /// The most impacts for that.
+    pub most_impacts: u32,
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use super::values::{Number, Values, number, read, reduced};
 use super::{Means, Why};
 use crate::impact::{Extent, History, Kind, Origin, Simulation, Start, history, history_in_decimals};
 use crate::model::{Flight, Forcing, Impact, Parameters, Side, Watch, next_impact};
-use crate::number::{Analytic, Decimal, Decimals, FIGURES_OF_F64, Field, Rung, Wide};
+use crate::number::{Analytic, Decimal, FIGURES_OF_F64, Field, Rung, Wide};
 
 /// The figures in which the first means is told, of which all must hold.
 const FIGURES: usize = 40;
@@ -25,9 +25,8 @@ const MOST_BEFORE_REST: usize = 10_000;
 /// The quantities by both means.
 pub fn both(problem: &Problem) -> Result<[Values<Number>; 2], Why> {
     let (given, begin) = (problem.given()?, problem.begin()?);
-    let decimals = Decimals(FIGURES);
-    let extent = extent(problem, &given, &begin, FIGURES as u32)?;
-    let history = history_in_decimals(&given, &begin, &extent, decimals, Rung::Wide(50))?;
+    let (extent, last) = extent(problem, &given, &begin, FIGURES as u32)?;
+    let history = history_in_decimals(&given, &begin, &extent, last, Rung::Wide(50))?;
     let first = told(problem, &history, FIGURES as u32)?.convert(|decimal: Decimal| read(&decimal));
     let again = match problem.impacts {
         Some(impacts) => bracketed::<100>(&given, &begin, impacts)?,
@@ -41,8 +40,8 @@ pub fn solved(problem: &Problem, means: Means) -> Result<Values<f64>, Why> {
     let (given, begin) = (problem.given()?, problem.begin()?);
     match means {
         Means::Default => {
-            let extent = extent(problem, &given, &begin, FIGURES_OF_F64)?;
-            let history = history(&given, &begin, &extent, Rung::Double)?;
+            let (extent, last) = extent(problem, &given, &begin, FIGURES_OF_F64)?;
+            let history = history(&given, &begin, &extent, last, Rung::Double)?;
             told(problem, &history, 0)
         }
         Means::Double => {
@@ -58,20 +57,16 @@ pub fn solved(problem: &Problem, means: Means) -> Result<Values<f64>, Why> {
     }
 }
 
-/// As far as the problem asks: up to the impact, or to the one that follows a first rest.
-fn extent(problem: &Problem, given: &Given, begin: &Begin, digits: u32) -> Result<Extent, Why> {
+/// As far as the problem asks, and the last events that it needs: up to the impact, or to the one that follows a first rest.
+fn extent(problem: &Problem, given: &Given, begin: &Begin, digits: u32) -> Result<(Extent, usize), Why> {
     let (impacts, last) = match problem.impacts {
         // the start is an impact too
         Some(impacts) => (u64::from(impacts) + 1, 1),
         None => (plain(problem, given, begin)?.1, usize::MAX),
     };
     let until = f64::INFINITY;
-    Ok(Extent {
-        impacts,
-        until,
-        last,
-        digits,
-    })
+    let extent = Extent { impacts, until, digits };
+    Ok((extent, last))
 }
 
 /// An event: what, and its time, phase and velocity.

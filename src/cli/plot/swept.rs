@@ -152,7 +152,8 @@ fn simulate(scene: &Scene, diagram: &mut Diagram) -> Result<Option<Energy>, Fail
         for (event, voltage) in point.settled.kept.iter().zip(voltages) {
             walls[usize::from(event.side == Side::Top)].push((at, *voltage));
         }
-        mean.push((at, point.mean_voltage.unwrap_or(f64::NAN)));
+        let found = point.means.and_then(|means| means.voltage);
+        mean.push((at, found.map_or(f64::NAN, |mean| mean.value)));
     }
     diagram.impacts = Some(impacts);
     mean.sort_by(|one, other| one.0.total_cmp(&other.0));

@@ -1,0 +1,169 @@
+//! Cycles through a rest: a release forgets what was before, so the second one from a wall closes a cycle.
+
+use crate::impact::{Event, Growth, Kind, Simulation};
+use crate::model::{MotionError, Parameters, Side};
+use crate::number::{Analytic, Digits, DoubleDouble, Rung, at_digits};
+
+/// The walls from which a ball has been released.
+///
+/// The ball leaves a wall at rest at the phase where the acceleration of the wall changes sign, which g alone gives:
+/// one on each wall.
+#[derive(Clone, Debug, Default)]
+pub struct Releases {
+    released: [bool; 2],
+}
+
+impl Releases {
+    /// Takes in an event: whether it is a release from a wall that the ball was released from before.
+    pub fn is_second(&mut self, event: &Event<f64>) -> bool {
+        event.kind == Kind::Release && std::mem::replace(&mut self.released[usize::from(event.side == Side::Top)], true)
+    }
+}
+
+/// A cycle through a rest: from a release to the next one from that wall.
+///
+/// The release is known by itself to every digit, so all of the cycle is that of the exact parameters, in a number wide
+/// enough for errors not to take its impacts over.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RestingCycle {
+    /// The wall that releases the ball.
+    pub side: Side,
+    /// The number that holds the cycle.
+    pub number: Rung,
+    /// The forcing periods it takes.
+    pub periods: i64,
+}
+
+impl RestingCycle {
+    /// The cycle on which the ball is released from `side`; `None` where it does not come back within `most` impacts, or
+    /// no number up to 200 digits can tell.
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn find(parameters: &impl Parameters, side: Side, most: u64) -> Result<Option<Self>, MotionError> {
+        for number in Rung::Double.and_wider() {
+            let cycle = Self {
+                side,
+                number,
+                periods: 0,
+            };
+            let mut left = most;
+            let closed = cycle.follow(parameters, |event| {
+                left -= u64::from(event.kind == Kind::Impact);
+                left > 0
+            })?;
+            match closed {
+                Some(periods) => return Ok(Some(Self { periods, ..cycle })),
+                None if left == 0 => return Ok(None),
+                None => {}
+            }
+        }
+        Ok(None)
+    }
+
+    /// Shows the events after the release to `visit`, the next release from that wall as the last.
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn visit(&self, parameters: &impl Parameters, mut visit: impl FnMut(&Event<f64>)) -> Result<(), MotionError> {
+        let all = |event: &Event<f64>| {
+            visit(event);
+            true
+        };
+        self.follow(parameters, all).map(drop)
+    }
+
+    /// The turns from release to release, as long as the visitor goes on; `None` where it does not, and where the motion
+    /// ends before or errors take it over.
+    fn follow(
+        &self,
+        parameters: &impl Parameters,
+        visit: impl FnMut(&Event<f64>) -> bool,
+    ) -> Result<Option<i64>, MotionError> {
+        match self.number {
+            Rung::Single | Rung::Double => self.follow_in::<f64>(parameters, visit),
+            Rung::DoubleDouble => self.follow_in::<DoubleDouble>(parameters, visit),
+            Rung::Wide(digits) => at_digits(digits, || self.follow_in::<Digits>(parameters, visit)),
+        }
+    }
+
+    fn follow_in<T: Analytic>(
+        &self,
+        parameters: &impl Parameters,
+        mut visit: impl FnMut(&Event<f64>) -> bool,
+    ) -> Result<Option<i64>, MotionError> {
+        let motion = parameters.motion::<T>()?;
+        let Some(simulation) = Simulation::released(&motion, self.side) else {
+            return Ok(None);
+        };
+        let mut simulation = simulation.with_growth();
+        let mut released = None;
+        while let Some(event) = simulation.next() {
+            if !simulation.growth().is_some_and(Growth::holds) {
+                break;
+            }
+            let event = event.convert(T::to_f64);
+            let is_release = event.kind == Kind::Release && event.side == self.side;
+            match released {
+                None => released = Some(event.turns),
+                Some(_) if !visit(&event) => break,
+                Some(turns) if is_release => return Ok(Some(event.turns - turns)),
+                Some(_) => {}
+            }
+        }
+        Ok(None)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Motion;
+
+    #[test]
+    fn the_second_release_from_a_wall_closes_a_cycle() {
+        let event = |kind, side| Event {
+            kind,
+            side,
+            turns: 0,
+            phase: 1.0,
+            velocity: 0.0,
+        };
+        let mut releases = Releases::default();
+        let told = [
+            (Kind::Release, Side::Bottom, false),
+            (Kind::Impact, Side::Bottom, false),
+            (Kind::Release, Side::Top, false),
+            (Kind::Release, Side::Bottom, true),
+            (Kind::Release, Side::Top, true),
+        ];
+        for (kind, side, closes) in told {
+            assert_eq!(releases.is_second(&event(kind, side)), closes, "{kind} {side}");
+        }
+    }
+
+    fn periods(motion: &Motion<f64>, side: Side) -> Option<(i64, Rung)> {
+        let found = RestingCycle::find(motion, side, 10_000).unwrap();
+        found.map(|cycle| (cycle.periods, cycle.number))
+    }
+
+    #[test]
+    fn a_long_chaotic_cycle_is_found_in_a_number_that_holds_it() {
+        // 41 periods by 60 and by 200 digits; f64 alone comes back after 39, then 59
+        let motion = Motion::new(0.5, 0.35, 0.5, 0.5).unwrap();
+        assert_eq!(periods(&motion, Side::Bottom), Some((41, Rung::DoubleDouble)));
+        let short = Motion::new(0.12201, 0.18, 0.6, 0.3).unwrap();
+        assert_eq!(periods(&short, Side::Top), Some((1, Rung::Double)));
+    }
+
+    #[test]
+    fn a_ball_that_does_not_come_back_has_no_cycle() {
+        for (motion, side) in [
+            (Motion::new(1.5, 0.35, 0.5, 0.5).unwrap(), Side::Bottom),
+            (Motion::new(0.12201, 0.4, 0.5, 0.5).unwrap(), Side::Bottom),
+            (Motion::new(0.0, 1e-3, 1.0, 1.0).unwrap(), Side::Top),
+        ] {
+            assert_eq!(periods(&motion, side), None, "{motion:?}");
+        }
+    }
+}
