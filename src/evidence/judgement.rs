@@ -297,10 +297,14 @@ impl Witness<'_> {
     /// Whether the claim fails at a point in 40 digits: steadily so while the point is refined.
     fn differs<N: Numbers>(&self, point: &Point<N::Of<f64>>) -> Option<bool> {
         let wide = self.system.widened::<N>(point)?;
+        if !self.system.allows_closely::<N>(&wide) {
+            return None;
+        }
         let gap = self.worst_gap::<N, Wide<40>>(&wide.values, &wide.running)?;
         if gap.is_inequality {
             // sides that are too close to tell are equal only where nothing parts them
-            let is_open = gap.fails && gap.relative <= EQUAL_WIDE && (gap.apart > 0.0 || self.system.rounds());
+            let may_round = gap.apart > 0.0 || self.system.rounds() || self.statements.claims.iter().any(is_extreme);
+            let is_open = gap.fails && gap.relative <= EQUAL_WIDE && may_round;
             return (!is_open).then_some(gap.fails);
         }
         if gap.relative <= self.apart() {
@@ -414,9 +418,8 @@ impl Witness<'_> {
         } else {
             MANY / 2
         };
-        let mut telling = found
-            .iter()
-            .filter(|(point, _)| !self.system.drowns::<N>(&point.values));
+        let is_telling = |point| !self.system.drowns::<N>(point) && !self.system.is_at_an_end::<N>(point);
+        let mut telling = found.iter().filter(|(point, _)| is_telling(point));
         let few: Vec<_> = telling.by_ref().take(3).collect();
         if few.len() + telling.count() < enough || self.hides_from_points() {
             evidence.notes.push(special());
@@ -435,7 +438,7 @@ impl Witness<'_> {
             return;
         };
         let worst = wide.into_iter().fold(0.0, f64::max);
-        if worst < EQUAL_WIDE {
+        if worst <= self.apart().min(EQUAL_WIDE) {
             let text = format!("refuted, but the sides agree at each of {count} points, at three of them to 25 digits");
             evidence.against = Some(text);
         } else {
@@ -457,7 +460,8 @@ impl Witness<'_> {
             .any(|claim| claim.relation != Relation::Equal || is_extreme(claim))
             || system.shaped
             || system.kinds.iter().any(|kind| kind.integer)
-            || (system.questions.iter().any(|question| question.pair.is_some()) && !system.conditions.is_empty())
+            || (system.questions.iter().any(|question| question.pair.is_some())
+                && (!system.conditions.is_empty() || system.has_domain()))
             || system.has_jumps()
             || system.flows_may_end()
             || !system.is_a_graph()
@@ -545,15 +549,25 @@ impl System {
         })
     }
 
+    /// Whether claim or premises are not defined everywhere.
+    fn has_domain(&self) -> bool {
+        self.ops().any(|op| {
+            matches!(
+                op,
+                Op::Divide(..) | Op::Power(_, i32::MIN..0) | Op::Root(..) | Op::RealPower(..) | Op::Apply(..)
+            )
+        })
+    }
+
     /// Whether an exponential of claim or premises is so large or so small at a point that 40 digits may lose what
     /// stands beside it.
-    fn drowns<N: Numbers>(&self, values: &[N::Of<f64>]) -> bool {
+    fn drowns<N: Numbers>(&self, point: &Point<N::Of<f64>>) -> bool {
         let arguments = self.ops().filter_map(|op| match op {
             Op::Apply(Function::Exp | Function::Sinh | Function::Cosh, argument) => Some(argument),
             _ => None,
         });
         let program = self.formulas.program(&arguments.collect::<Vec<_>>());
-        let found = program.outputs(&program.run(&self.inputs(values, None)));
+        let found = program.outputs(&program.run(&self.inputs(&point.values, None)));
         found.iter().any(|argument| argument.parts()[0].abs() > DROWNING)
     }
 

@@ -1,11 +1,14 @@
 //! Points at which all premises and assumptions of a claim hold.
 
+use super::formula::Op;
 use super::newton::{basis, lift};
 use super::space::Slot;
 use super::system::System;
-use super::tolerance::{PREMISE, PREMISE_WIDE, VANISHING};
+use super::tolerance::{PREMISE, PREMISE_REFINED, PREMISE_WIDE, VANISHING};
 use super::value::{Numbers, Value};
 use crate::number::{Sequence, Wide};
+use crate::tex::Relation;
+use num_traits::Zero;
 
 /// Sets the sequences of neighbouring seeds far apart.
 const SPREAD: u64 = 0xd134_2543_de82_ef95;
@@ -145,6 +148,35 @@ impl System {
         Err(Miss::Premises)
     }
 
+    /// Whether the conditions hold in 40 digits too: what f64 has rounded away does not allow a point.
+    pub fn allows_closely<N: Numbers>(&self, point: &Point<N::Of<Wide<40>>>) -> bool {
+        let program = &self.conditions_program;
+        let values = program.run(&self.inputs(&point.values, Some(&point.running)));
+        let mut found = program.outputs(&values).into_iter().zip(&self.conditions);
+        found.all(|(value, condition)| {
+            let re = &value.parts()[0];
+            let (is_above, is_below) = (*re > Wide::zero(), *re < Wide::zero());
+            match condition.relation {
+                Relation::LessOrEqual => !is_above,
+                Relation::GreaterOrEqual => !is_below,
+                _ => true,
+            }
+        })
+    }
+
+    /// Whether a condition that is more than the sign of a symbol holds with nothing to spare: such points are a thin part of
+    /// what it allows, or all of it.
+    pub fn is_at_an_end<N: Numbers>(&self, point: &Point<N::Of<f64>>) -> bool {
+        let program = &self.conditions_program;
+        let values = program.run(&self.inputs(&point.values, Some(&point.running)));
+        let mut found = program.outputs(&values).into_iter().zip(&self.conditions);
+        found.any(|(value, condition)| {
+            let is_compound = !matches!(self.formulas.op(condition.formula), Op::Slot(_));
+            let is_open = matches!(condition.relation, Relation::LessOrEqual | Relation::GreaterOrEqual);
+            is_compound && is_open && value.size() < VANISHING
+        })
+    }
+
     /// Whether the conditions hold.
     fn allows<N: Numbers>(&self, point: &Point<N::Of<f64>>) -> bool {
         let program = &self.conditions_program;
@@ -153,7 +185,7 @@ impl System {
         found.all(|(value, condition)| {
             let [re, im] = value.parts();
             match condition.relation {
-                crate::tex::Relation::NotEqual => condition.holds(value.size()),
+                Relation::NotEqual => condition.holds(value.size()),
                 _ => im == 0.0 && condition.holds(re),
             }
         })
@@ -201,15 +233,18 @@ impl System {
             values,
             running: lift::<N, Wide<40>>(&point.running),
         };
-        self.refined::<N>(wide)
+        self.met::<N>(wide, PREMISE_WIDE)
     }
 
-    /// The point after further steps.
-    pub fn refined<N: Numbers>(&self, mut wide: Point<N::Of<Wide<40>>>) -> Option<Point<N::Of<Wide<40>>>> {
+    /// The point after further steps: beside a double root it moves on and on.
+    pub fn refined<N: Numbers>(&self, wide: Point<N::Of<Wide<40>>>) -> Option<Point<N::Of<Wide<40>>>> {
+        self.met::<N>(wide, PREMISE_REFINED)
+    }
+
+    fn met<N: Numbers>(&self, mut wide: Point<N::Of<Wide<40>>>, residual: f64) -> Option<Point<N::Of<Wide<40>>>> {
         let unknowns = self.unknowns(self.row_slots.iter().copied());
-        let met = self.solve::<N, Wide<40>>(&self.rows_program, &mut wide.values, &unknowns, PREMISE_WIDE);
-        let derived =
-            met <= PREMISE_WIDE && self.derive::<N, Wide<40>>(&mut wide.values, PREMISE_WIDE)? <= PREMISE_WIDE;
+        let met = self.solve::<N, Wide<40>>(&self.rows_program, &mut wide.values, &unknowns, residual);
+        let derived = met <= residual && self.derive::<N, Wide<40>>(&mut wide.values, PREMISE_WIDE)? <= PREMISE_WIDE;
         derived.then_some(wide)
     }
 

@@ -150,6 +150,9 @@ impl System {
         premises.extend(beside(statements, vocabulary).into_iter().map(|premise| (premise, 0)));
         for (premise, by) in &premises {
             self.index_shift = *by;
+            // an inequality at every integer binds more than it does at those few that are looked at
+            let is_inequality = premise.equation.relation != Relation::Equal;
+            self.shaped |= is_inequality && speaks_of_index(&premise.equation, vocabulary);
             let flight = if statements.claim_runs {
                 first
             } else {
@@ -665,6 +668,10 @@ fn said(statements: &Statements, vocabulary: &Vocabulary) -> Vec<(Premise, i32)>
                 let shifts = (low - first..=high - last).take(MOST_INSTANCES);
                 instances.extend(shifts.map(|by| (premise.shifted(by, vocabulary), by)));
             }
+            // of an index that stands by itself a premise says something at every integer
+            _ if speaks_of_index(&premise.equation, vocabulary) => {
+                instances.extend((-3..=3).map(|by| (premise.shifted(by, vocabulary), by)));
+            }
             _ => instances.push((premise, 0)),
         }
     }
@@ -709,6 +716,13 @@ fn beside(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Premise> {
 
 /// Values of a running index at which a premise is taken.
 const MOST_INSTANCES: usize = 8;
+
+fn speaks_of_index(equation: &Equation, vocabulary: &Vocabulary) -> bool {
+    any(
+        equation,
+        &|tree| matches!(tree, Tree::Symbol(name, _) if vocabulary.indices.contains(name)),
+    )
+}
 
 /// Whether a name stands for two values, as `\lambda_{1,2}` does.
 fn is_pair(name: &Name) -> bool {

@@ -6,6 +6,10 @@ pub const PREMISE: f64 = 1e-13;
 /// The same over 40 digits: the steps of the polishing shrink the residual by ten digits each.
 pub const PREMISE_WIDE: f64 = 1e-32;
 
+/// The same of a point that is refined: so far below that a point beside a double root must move, by a hundred times, and so
+/// far above the roundings of 40 digits that every other one is there.
+pub const PREMISE_REFINED: f64 = 1e-36;
+
 /// A row whose part that is new against the rows before it is smaller than this, relative to the row itself, says
 /// nothing new: rows are right to about 1e-14, and points are drawn without special properties.
 pub const DEPENDENT: f64 = 1e-9;

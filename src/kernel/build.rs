@@ -340,24 +340,20 @@ impl<'a> Builder<'a> {
     }
 
     fn runs_over_indices(&mut self, term: Term) -> bool {
-        if !self
-            .vocabulary
-            .indices
-            .iter()
-            .any(|letter| letter.to_string() == self.vocabulary.index)
-        {
-            return false;
-        }
+        let indices = &self.vocabulary.indices;
+        let members_run = indices.iter().any(|letter| letter.to_string() == self.vocabulary.index);
         let written = self.statement.written_out(term);
         self.statement
             .terms
             .inside(written)
             .into_iter()
             .any(|inner| match self.statement.terms.node(inner) {
-                Node::Symbol(symbol) => matches!(
-                    self.statement.quantity(*symbol),
-                    Some(Quantity::State { .. } | Quantity::Time { .. })
-                ),
+                Node::Symbol(symbol) => match self.statement.quantity(*symbol) {
+                    Some(Quantity::State { .. } | Quantity::Time { .. }) => members_run,
+                    // the index itself
+                    Some(Quantity::Parameter(name)) => indices.contains(name),
+                    _ => false,
+                },
                 _ => false,
             })
     }

@@ -15,6 +15,7 @@ const PRIME: u128 = (1 << 61) - 1;
 /// point; where something else is left, nothing tells which of these is the map, and none determines it.
 pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)> {
     let mut candidates: Vec<(String, Term)> = Vec::new();
+    let mut slopes: Vec<(String, Term)> = Vec::new();
     for number in 0..statement.givens.len() {
         let given = statement.givens[number].clone();
         // what is assumed of the claim is said of the point, and a law that holds at times only of these
@@ -30,12 +31,36 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
                 let ends = times.into_iter().filter(|(_, time)| step.of.contains(time));
                 for (index, time) in ends.collect::<Vec<_>>() {
                     let time = statement.terms.symbol(time);
-                    if let Some(instance) = statement.instance(number, Some(time), index - 1 - flight, None) {
+                    let shift = index - 1 - flight;
+                    if let Some(instance) = statement.instance(number, Some(time), shift, None) {
                         candidates.push((label.clone(), instance.term));
+                    }
+                    // of a law that holds at all times its derivative holds as well
+                    let running = statement.fresh("t");
+                    let now = statement.terms.symbol(running);
+                    let of = Some((running, index - 1));
+                    if let Some(instance) = statement.instance(number, Some(now), shift, of) {
+                        let slope = statement.derivative(instance.term, running);
+                        slopes.push((label.clone(), statement.moved(slope, Some((running, time)), 0)));
                     }
                 }
             }
             Some(_) => {}
+        }
+    }
+    // a slope may be what another premise says, as (3) is that of (4)
+    for (label, slope) in slopes {
+        let is_said = candidates.clone().into_iter().any(|(_, term)| {
+            let terms = &mut statement.terms;
+            let apart = [terms.difference(term, slope), terms.sum(vec![term, slope])];
+            apart.into_iter().any(|apart| {
+                let written = statement.written_out(apart);
+                let form = Expansion::new(BTreeSet::new(), 100_000).of(&statement.terms, written);
+                form.is_ok_and(|form| form.numerator.is_zero())
+            })
+        });
+        if !is_said {
+            candidates.push((label, slope));
         }
     }
     let moving = |symbol: &Symbol, statement: &Statement| {
