@@ -5,6 +5,7 @@
 )]
 
 pub mod number;
+pub mod stop;
 
 // The dynamics, always there but where the kernel is built alone.
 #[cfg(any(feature = "audit", not(feature = "kernel")))]

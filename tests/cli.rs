@@ -246,3 +246,142 @@ fn an_endless_input_is_refused() {
     assert_refused(&["audit", "/dev/zero"], &["/dev/zero", "64 MB"]);
     assert_refused(&["orbits", "/dev/zero"], &["/dev/zero", "64 MB"]);
 }
+
+/// What a command that would run for ever comes to under a signal that is sent after its first output, or after a time.
+#[cfg(unix)]
+fn signalled(arguments: &[&str], signal: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
+        .args(arguments)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(700));
+    let id = child.id().to_string();
+    // the pipe is full by now: nobody may wait for what is read after the signal alone
+    let mut stdout = child.stdout.take().unwrap();
+    let read = std::thread::spawn(move || {
+        let mut bytes = Vec::new();
+        std::io::Read::read_to_end(&mut stdout, &mut bytes).unwrap();
+        bytes
+    });
+    assert!(
+        Command::new("kill")
+            .args(["-s", signal, &id])
+            .status()
+            .unwrap()
+            .success()
+    );
+    let mut output = child.wait_with_output().unwrap();
+    output.stdout = read.join().unwrap();
+    output
+}
+
+#[cfg(unix)]
+#[test]
+fn a_signal_ends_with_whole_rows_and_leaves_no_file() {
+    let endless = ["simulate", "fig03", "--impacts", "100000000000"];
+    let stopped = signalled(&[&endless[..], &["--format", "json"]].concat(), "INT");
+    assert_eq!(stopped.status.code(), Some(130));
+    let rows: serde_json::Value = serde_json::from_slice(&stopped.stdout).unwrap();
+    assert!(rows.as_array().unwrap().len() > 1000);
+    assert!(
+        String::from_utf8(stopped.stderr)
+            .unwrap()
+            .contains("stopped by a signal after")
+    );
+    let scratch = Scratch::new("signals");
+    let out = scratch.0.join("rows.csv");
+    fs::write(&out, "before").unwrap();
+    let out = out.to_str().unwrap();
+    let sweep = ["sweep", "fig04", "--set", "sweep.impacts=1000000000"];
+    for (command, signal) in [(&endless[..], "TERM"), (&sweep[..], "HUP"), (&sweep[..], "INT")] {
+        let stopped = signalled(&[command, &["--out", out]].concat(), signal);
+        assert_eq!(stopped.status.code(), Some(130), "{signal}");
+        assert_eq!(fs::read_dir(&scratch.0).unwrap().count(), 1, "{signal}");
+        assert_eq!(fs::read_to_string(out).unwrap(), "before", "{signal}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_replaced_file_keeps_its_permissions_and_a_link_to_nothing_is_said() {
+    use std::os::unix::fs::PermissionsExt;
+    let scratch = Scratch::new("permissions");
+    let out = scratch.0.join("rows.csv");
+    fs::write(&out, "").unwrap();
+    fs::set_permissions(&out, fs::Permissions::from_mode(0o600)).unwrap();
+    assert_eq!(run(&["scenes", "--out", out.to_str().unwrap()]).status.code(), Some(0));
+    assert!(fs::metadata(&out).unwrap().len() > 0);
+    assert_eq!(fs::metadata(&out).unwrap().permissions().mode() & 0o777, 0o600);
+    let link = scratch.0.join("link");
+    std::os::unix::fs::symlink(scratch.0.join("nowhere"), &link).unwrap();
+    let refused = run(&["scenes", "--out", link.to_str().unwrap()]);
+    let message = String::from_utf8(refused.stderr).unwrap();
+    assert!(
+        refused.status.code() == Some(2) && message.contains("is a link to"),
+        "{message}"
+    );
+    assert!(fs::read_link(&link).is_ok() && !scratch.0.join("nowhere").exists());
+}
+
+#[test]
+fn nothing_of_an_input_reaches_a_terminal_as_a_control_character() {
+    let scratch = Scratch::new("control");
+    let file = |name: &str, text: &str| {
+        let path = scratch.0.join(name);
+        fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    let scene = file("scene.toml", "\"\\u001b[31mkey\" = 1\n");
+    let sheet = |label: &str, tex: &str| {
+        format!("[symbols]\nparameters = ['x']\n[[equation]]\nlabel = \"{label}\"\nrole = \"claim\"\ntex = \"{tex}\"\n")
+    };
+    let label = file("label.toml", &sheet("a\\u0000b", "x=x"));
+    let tex = file("tex.toml", &sheet("a", "x=y\\u001b[31m"));
+    for arguments in [
+        &["orbits", "fig02", "--set", "motion.d=\u{1b}[31mred"][..],
+        &["orbits", &scene],
+        &["audit", &label],
+        &["audit", &tex],
+        &["audit", &tex, "--format", "csv"],
+        &["\u{1b}[31mred"],
+    ] {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        let said = [output.stdout, output.stderr].concat();
+        assert!(!said.contains(&0x1b) && !said.contains(&0), "{arguments:?}");
+    }
+    let formula = file("formula.toml", &sheet("=cmd()", "x=x"));
+    let output = run(&["audit", &formula, "--format", "csv"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.lines().nth(1).unwrap().starts_with("'=cmd(),"), "{text}");
+}
+
+#[test]
+fn a_very_long_word_of_a_message_is_cut() {
+    let long = format!("motion.{}=1", "d".repeat(100_000));
+    let message = String::from_utf8(run(&["orbits", "fig02", "--set", &long]).stderr).unwrap();
+    assert!(
+        message.len() < 5000 && message.contains('\u{2026}'),
+        "{}",
+        message.len()
+    );
+}
+
+#[test]
+fn rows_come_before_the_motion_is_over() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
+        .args(["simulate", "fig03", "--impacts", "100000000000", "--format", "jsonl"])
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let lines = std::io::BufRead::lines(std::io::BufReader::new(child.stdout.take().unwrap()));
+    let rows: Vec<serde_json::Value> = lines
+        .take(5)
+        .map(|line| serde_json::from_str(&line.unwrap()).unwrap())
+        .collect();
+    assert_eq!(rows[4]["event"], 5);
+    // a reader that stops reading ends it
+    assert!(child.wait().unwrap().success());
+}

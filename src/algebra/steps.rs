@@ -1,5 +1,10 @@
 //! The budget of a computation.
 
+use crate::stop;
+
+/// The steps after which a computation asks whether to go on.
+const BETWEEN_STOPS: u64 = 1 << 14;
+
 /// The budget ran out: nothing is known of the result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the budget of steps is exhausted")]
@@ -28,11 +33,11 @@ impl Steps {
     /// Uses some of the budget.
     pub fn take(&mut self, steps: u64) -> Result<()> {
         match self.left.checked_sub(steps) {
-            Some(left) => {
+            Some(left) if left / BETWEEN_STOPS == self.left / BETWEEN_STOPS || stop::goes_on() => {
                 self.left = left;
                 Ok(())
             }
-            None => {
+            _ => {
                 self.left = 0;
                 Err(Exhausted)
             }

@@ -259,6 +259,8 @@ fn positions<'a>(lines: &Lines, entries: &'a [RawEntry]) -> Result<BTreeMap<&'a 
         let label = entry.label.get_ref();
         let problem = if label.trim().is_empty() {
             "a label must not be empty"
+        } else if label.chars().any(char::is_control) {
+            "a label must not have control characters"
         } else if positions.insert(label.as_str(), position).is_some() {
             "this label is given twice"
         } else {

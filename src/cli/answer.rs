@@ -2,6 +2,7 @@
 
 use super::{Exit, Failure, Options};
 use crate::report::{Cell, Column, Format, Output, Stream, Table};
+use crate::stop::Token;
 use std::fmt;
 use std::io;
 
@@ -79,6 +80,7 @@ impl Rows {
     fn write(self, output: &Output, format: Format, figures: usize) -> Result<usize, Failure> {
         let Self { columns, rows } = self;
         let (mut count, mut failure) = (0, None);
+        let token = Token::current();
         let written = output.write(|to| {
             let mut stream = Stream::new(columns, format, figures, to);
             for row in rows {
@@ -91,8 +93,16 @@ impl Rows {
                     }
                 }
                 count += 1;
+                if token.is_stopped() {
+                    break;
+                }
             }
-            stream.end()
+            stream.end()?;
+            match (token.is_stopped(), output) {
+                // what is printed ends with a whole row; of a file nothing remains
+                (true, Output::File(_)) => Err(io::Error::other("stopped")),
+                _ => Ok(()),
+            }
         });
         match failure {
             Some(failure) => Err(failure),

@@ -5,6 +5,7 @@ use crate::claim::{self, Fault, Sheet, Verdict};
 use crate::evidence::{Evidence, witness};
 use crate::prove::{self, Decision, mention_refuted};
 use crate::report::{Cell, OutputError, OutputProblem, Table};
+use crate::stop::Token;
 use rayon::prelude::*;
 use std::fs::OpenOptions;
 use std::io::Write;
@@ -163,8 +164,9 @@ fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options) -> Result<A
 /// Decides each claim and looks for witnesses, on all cores; in the order of the sheet.
 fn decide_all(sheet: &Sheet, options: &prove::Options) -> Result<Vec<Row>, Fault> {
     let rows = sheet.rows();
+    let token = Token::current();
     rows.par_iter()
-        .map(|&position| decide(sheet, position, options))
+        .map(|&position| token.during(|| decide(sheet, position, options)))
         .collect()
 }
 

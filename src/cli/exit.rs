@@ -11,6 +11,8 @@ pub enum Exit {
     NotAsExpected,
     /// The input cannot be used: 2.
     Unusable,
+    /// A signal has stopped it: 130.
+    Stopped,
 }
 
 impl Exit {
@@ -29,6 +31,7 @@ impl Exit {
             Self::AsExpected => 0,
             Self::NotAsExpected => 1,
             Self::Unusable => 2,
+            Self::Stopped => super::signals::STATUS,
         }
     }
 }
@@ -46,8 +49,8 @@ mod tests {
     #[test]
     fn scripts_may_rely_on_the_numbers() {
         assert_eq!(
-            [Exit::AsExpected, Exit::NotAsExpected, Exit::Unusable].map(Exit::code),
-            [0, 1, 2]
+            [Exit::AsExpected, Exit::NotAsExpected, Exit::Unusable, Exit::Stopped].map(Exit::code),
+            [0, 1, 2, 130]
         );
         assert_eq!(
             [true, false].map(Exit::from_verdict),

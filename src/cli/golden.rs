@@ -76,7 +76,13 @@ pub fn answer(directory: &Directory, request: &Request, options: &Options) -> Re
         }
         command => return Err(no_answer(command)),
     };
-    Ok(as_text(&table))
+    let mut computed = as_text(&table);
+    if ["branch", "sweep", "summary", "voltage"].contains(&request.command.as_str())
+        && let Ok(sweep) = scene(directory, request).and_then(|scene| Ok(scene.sweep()?))
+    {
+        computed.swept = sweep.step().map(|step| (sweep.over.name().to_owned(), step));
+    }
+    Ok(computed)
 }
 
 fn no_answer(command: &str) -> Failure {
@@ -206,5 +212,6 @@ fn as_text(table: &Table) -> Computed {
         columns,
         rows: table.rows().iter().map(row).collect(),
         note: String::new(),
+        swept: None,
     }
 }

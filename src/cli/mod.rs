@@ -19,6 +19,7 @@ mod run;
 mod scene;
 mod scenes;
 mod score;
+mod signals;
 mod simulate;
 mod source;
 mod stress;
@@ -35,12 +36,13 @@ pub use scene::SceneArguments;
 pub use source::{Source, SourceError, SourceProblem};
 
 use crate::report::{Format, Output};
+use crate::stop::Token;
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::Write;
 
 const STATUS_HELP: &str = "Exit status: 0 all as expected; 1 a verdict or value is not as expected; 2 the input \
-                           cannot be used.";
+                           cannot be used; 130 a signal has stopped it.";
 
 /// Reads formulas as a paper prints them and decides for each whether it follows from its premises.
 #[derive(Debug, Parser)]
@@ -107,26 +109,57 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
     let line = match Line::try_parse_from(arguments) {
         Ok(line) => line,
         Err(error) => {
+            if error.use_stderr() {
+                let text = error.to_string();
+                say("error", text.strip_prefix("error: ").unwrap_or(&text).trim_end());
+                return Exit::Unusable;
+            }
             // `--help | head` may close the pipe early: that is the reader's choice, not an error.
             let _ = error.print();
-            return if error.use_stderr() {
-                Exit::Unusable
-            } else {
-                Exit::AsExpected
-            };
+            return Exit::AsExpected;
         }
     };
-    run_line(&line).unwrap_or_else(|failure| {
-        // Where stderr is closed the status alone has to say it.
-        let _ = writeln!(std::io::stderr(), "error: {failure}");
+    let token = signals::token();
+    let answered = token.during(|| run_line(&line));
+    if token.is_stopped() {
+        note(&format!(
+            "stopped by a signal after {} steps: rows that were printed are whole, no file was written",
+            token.steps()
+        ));
+        return Exit::Stopped;
+    }
+    answered.unwrap_or_else(|failure| {
+        say("error", &failure.to_string());
         Exit::Unusable
     })
 }
 
 /// A message beside the answer, on stderr.
 fn note(text: &str) {
-    // Where stderr is closed nobody asked to be told.
-    let _ = writeln!(std::io::stderr(), "note: {text}");
+    say("note", text);
+}
+
+/// The characters of a word that a message repeats, at most; of a longer one its beginning.
+const LONGEST_WORD: usize = 400;
+
+/// Writes a message: what it repeats of an input does nothing to a terminal.
+fn say(kind: &str, text: &str) {
+    let mut shown = String::with_capacity(text.len());
+    let mut length = 0;
+    for c in text.chars() {
+        length = if c.is_whitespace() { 0 } else { length + 1 };
+        match c {
+            _ if length == LONGEST_WORD => shown.push('\u{2026}'),
+            _ if length > LONGEST_WORD => {}
+            '\n' => shown.push(c),
+            // bidirectional marks turn the rest of a line round
+            '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => shown.extend(c.escape_unicode()),
+            _ if c.is_control() => shown.extend(c.escape_debug()),
+            _ => shown.push(c),
+        }
+    }
+    // Where stderr is closed the status alone has to say it.
+    let _ = writeln!(std::io::stderr(), "{kind}: {shown}");
 }
 
 fn run_line(line: &Line) -> Result<Exit, Failure> {
@@ -137,6 +170,10 @@ fn run_line(line: &Line) -> Result<Exit, Failure> {
     let output = line.command.output(&line.options);
     output.check()?;
     let answer = line.command.run(&line.options)?;
+    if Token::current().is_stopped() && !matches!(answer.content, Content::Rows(_)) {
+        // half a table is none
+        return Ok(Exit::Stopped);
+    }
     answer.write(&output, &line.options)
 }
 

@@ -8,6 +8,7 @@ use crate::model::{MotionError, Parameters, Side};
 use crate::number::{
     Analytic, Decimal, Decimals, Digits, DoubleDouble, Endpoint, FIGURES_OF_F64, Interval, Rung, Telling, at_digits,
 };
+use crate::stop;
 use std::collections::VecDeque;
 
 /// How much of a motion is asked for.
@@ -260,6 +261,9 @@ impl<P: Parameters, O: Origin, N> Rows<P, O, N> {
     /// The next row of the present number or of a wider one; what every number loses is followed on.
     fn told(&mut self) -> Result<Option<Row<N>>, MotionError> {
         loop {
+            if !stop::goes_on() {
+                return Ok(None);
+            }
             let Some(told) = (self.source)() else {
                 self.known.has_ended = true;
                 return Ok(None);
@@ -323,6 +327,9 @@ impl<P: Parameters, O: Origin, N> Rows<P, O, N> {
 
     /// The next row of what no number holds.
     fn followed(&mut self) -> Option<Row<N>> {
+        if !stop::goes_on() {
+            return None;
+        }
         let (widening, grown) = self.further.as_mut()?;
         let Some(event) = widening.next() else {
             self.known.has_ended = true;

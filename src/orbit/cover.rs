@@ -9,6 +9,7 @@ use super::family::Family;
 use super::root::image;
 use crate::model::MotionError;
 use crate::number::{Dual, Interval, seeded};
+use crate::stop;
 
 /// Cells of a cover are at most this part of the range of each unknown, for one period of the forcing.
 const PARTS: f64 = 32.0;
@@ -102,7 +103,7 @@ fn divide(
         };
         let excess = |i: usize| width(cell[i]) / widest[i];
         let direction = (0..3).max_by(|&i, &j| excess(i).total_cmp(&excess(j))).unwrap_or(0);
-        if excess(direction) <= 1.0 || cells.len() + left.len() > MOST_CELLS {
+        if excess(direction) <= 1.0 || cells.len() + left.len() > MOST_CELLS || !stop::goes_on() {
             cells.push(grown(family, cell, widest));
             continue;
         }

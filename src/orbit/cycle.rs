@@ -8,6 +8,7 @@ use super::unsettled::Unsettled;
 use super::word::Word;
 use crate::model::{Motion, MotionError};
 use crate::number::{Analytic, Endpoint, Interval};
+use crate::stop;
 
 /// Starts for each impact and forcing period.
 const STARTS: usize = 256;
@@ -65,6 +66,9 @@ pub fn search_from<E: Endpoint>(
     }
     let mut found: Vec<Cycle> = Vec::new();
     for start in starts(&middle, count) {
+        if !stop::goes_on() {
+            break;
+        }
         let Some(phases) = settle(&middle, start).filter(|phases| moves(&middle, phases)) else {
             continue;
         };

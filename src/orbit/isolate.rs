@@ -8,6 +8,7 @@ use super::cell::{Cell, halves, holds, intersection, is_inside, is_subset, width
 use super::root::{Root, image, narrow, prove};
 use super::system::{Decision, System};
 use crate::number::{Endpoint, Interval};
+use crate::stop;
 
 /// What a search found.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,7 +67,7 @@ pub fn isolate<E: Endpoint, const D: usize, S: System<E, D>>(
     let mut left: Vec<Cell<E, D>> = cells;
     left.reverse();
     while let Some(cell) = left.pop() {
-        if search.found.decided.len() + left.len() > limits.most_cells {
+        if search.found.decided.len() + left.len() > limits.most_cells || !stop::goes_on() {
             search.decide(cell, Decision::Undecided);
             continue;
         }

@@ -1,5 +1,6 @@
 //! The same work on each of several values: on every core with the feature `parallel`, else one after the other.
 
+use crate::stop::Token;
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
@@ -11,7 +12,8 @@ pub(super) fn each<V: Sync, R: Send>(values: &[V], work: impl Fn(&V) -> R + Sync
     let values = values.par_iter();
     #[cfg(not(feature = "parallel"))]
     let values = values.iter();
-    values.map(work).collect()
+    let token = Token::current();
+    values.map(|value| token.during(|| work(value))).collect()
 }
 
 #[cfg(test)]

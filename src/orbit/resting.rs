@@ -3,6 +3,7 @@
 use crate::impact::{Event, Growth, Kind, Simulation};
 use crate::model::{MotionError, Parameters, Side};
 use crate::number::{Analytic, Digits, DoubleDouble, Rung, at_digits};
+use crate::stop;
 
 /// The walls from which a ball has been released.
 ///
@@ -50,11 +51,11 @@ impl RestingCycle {
             let mut left = most;
             let closed = cycle.follow(parameters, |event| {
                 left -= u64::from(event.kind == Kind::Impact);
-                left > 0
+                left > 0 && stop::goes_on()
             })?;
             match closed {
                 Some(periods) => return Ok(Some(Self { periods, ..cycle })),
-                None if left == 0 => return Ok(None),
+                None if left == 0 || !stop::goes_on() => return Ok(None),
                 None => {}
             }
         }

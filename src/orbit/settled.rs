@@ -3,6 +3,7 @@
 use super::Attractor;
 use super::resting::Releases;
 use crate::impact::{Event, Kind};
+use crate::stop;
 
 /// The impacts among which a cycle is looked for, at least: three times the longest word, and two cycles of which each
 /// has a long chatter.
@@ -10,6 +11,9 @@ const WINDOW: usize = 512;
 
 /// A release forgets what was before: after so many rests and releases without an impact there is none any more.
 const IDLE: u32 = 4;
+
+/// The impacts after which a motion asks whether to go on.
+pub(super) const BETWEEN_STOPS: u64 = 1024;
 
 /// The last impacts of a motion, and what it has come to.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,6 +87,9 @@ impl Window {
             }
             idle = 0;
             window.impacts += 1;
+            if window.impacts.is_multiple_of(BETWEEN_STOPS) && !stop::goes_on() {
+                break;
+            }
             if window.impacts == next_cut {
                 window.cut(most);
                 if window.impacts == last {

@@ -1,8 +1,10 @@
 //! Means along a motion that does not repeat, each with its standard error.
 
 use super::resting::Releases;
+use super::settled::BETWEEN_STOPS;
 use crate::impact::{Event, Kind, Widening};
 use crate::model::{Motion, Side};
+use crate::stop;
 
 /// The batches that a standard error is taken from: enough for Student's factor to be near 2, few enough for each to
 /// be long.
@@ -141,6 +143,9 @@ impl Measure<'_> {
                 Kind::Impact => {}
             }
             impacts += 1;
+            if impacts % BETWEEN_STOPS == 0 && !stop::goes_on() {
+                break;
+            }
             let grown = events.growth().stretch_since_release();
             batch = batch.plus(&Batch {
                 impacts: 1.0,

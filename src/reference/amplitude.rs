@@ -160,6 +160,7 @@ fn told(allowed: &[Allowed], scene: &Rational) -> Computed {
         columns: vec![COLUMN.to_owned(), "error_bound".to_owned()],
         rows: vec![vec![middle, bound]],
         note,
+        swept: None,
     }
 }
 
@@ -191,6 +192,7 @@ mod tests {
                 columns,
                 rows: vec![fields],
                 note: String::new(),
+                swept: None,
             })
         };
         let mut asked = Asked::new(&mut answer);

@@ -134,6 +134,22 @@ fn words(printed: &str, computed: &str) -> Comparison {
     Comparison::new(Verdict::Wrong, None, reason)
 }
 
+/// Whether at least one figure agrees: of a single one, that the computed value rounds or truncates to it; of 0.00, that it
+/// rounds to it; of 0 alone, that nothing parts them.
+fn agrees(printed: &Figures, number: &Rational, least: &Rational) -> bool {
+    let places = printed.places;
+    if printed.value.is_zero() && places <= 0 {
+        return *least <= Rational::zero();
+    }
+    let shown = |value: &Rational| rounded(&(value.clone() * power_of_ten(places)), 0);
+    let size_of = |value: &Rational| size(value.clone());
+    let truncated = size_of(number) - printed.unit() / Rational::from_integer(2);
+    printed.count > 1 && !printed.value.is_zero()
+        || shown(number) == shown(&printed.value)
+        || shown(&truncated) == shown(&size_of(&printed.value))
+            && (*number < Rational::zero()) == (printed.value < Rational::zero())
+}
+
 fn numbers(printed: &Figures, number: &Rational, computed: &Value) -> Comparison {
     let difference = size(number.clone() - printed.value.clone());
     let digits = if difference.is_zero() {
@@ -159,11 +175,11 @@ fn numbers(printed: &Figures, number: &Rational, computed: &Value) -> Comparison
     let before = unit.clone() * Rational::from_integer(10);
     let (least, most) = (difference.clone() - bound.clone(), difference.clone() + bound.clone());
     let has_figure_before = printed.count > 1;
-    let verdict = if most <= unit {
+    let verdict = if most <= unit && agrees(printed, number, &least) {
         Verdict::Reproduced
     } else if least > unit && has_figure_before && most <= before {
         Verdict::Rounded
-    } else if least > before || (least > unit && !has_figure_before) {
+    } else if least > before || !has_figure_before && (least > unit || most <= unit) {
         Verdict::Wrong
     } else {
         Verdict::Undecided
@@ -242,6 +258,22 @@ mod tests {
             ("3", "2", Wrong),
             ("1", "0.8868720826", Reproduced),
             ("-0.8", "-0.9038271786", Wrong),
+            // of one figure that figure agrees, rounded or truncated; a 0 is nothing else
+            ("5", "5.7", Reproduced),
+            ("5", "4.6", Reproduced),
+            ("5", "4.2", Wrong),
+            ("-5", "-5.7", Reproduced),
+            ("0", "0.0", Reproduced),
+            ("0", "0.4", Wrong),
+            ("0", "1e-9", Wrong),
+            ("0.000", "1e-9", Reproduced),
+            ("0.000", "-0.0004", Reproduced),
+            ("0.000", "0.0006", Reproduced),
+            ("0.000", "0.002", Wrong),
+            ("1e300", "9.6e299", Reproduced),
+            ("1e300", "1.0e299", Wrong),
+            ("1e300", "2.5", Wrong),
+            ("1e400", "2.5", Wrong),
         ] {
             assert_eq!(
                 verdict(printed, computed, "1e-12"),

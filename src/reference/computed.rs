@@ -1,7 +1,7 @@
 //! A command's table as golden values see it: every field as CSV prints it, and the row that is meant.
 
 use super::across::across;
-use super::figures::{Figures, power_of_ten, size};
+use super::figures::{Figures, power_of_ten, rounded, size};
 use super::quantity::{FieldName, Quantity};
 use super::setting::{Selector, Setting, Wanted};
 use crate::number::{Field, Rational};
@@ -16,6 +16,8 @@ pub struct Computed {
     pub rows: Vec<Vec<String>>,
     /// What the command has to say of its rows besides, for the reason of a row.
     pub note: String,
+    /// The column whose values are those of a sweep, and the step between two of them.
+    pub swept: Option<(String, Rational)>,
 }
 
 /// A computed value.
@@ -42,6 +44,9 @@ const TELLING: [&str; 9] = [
 
 /// More digits than any row has.
 const MOST_DIGITS: f64 = 1e4;
+
+/// The places after the point in which distances are told.
+const PLACES: i32 = 9;
 
 /// The most rows that an error lists.
 const MOST_LISTED: usize = 8;
@@ -108,8 +113,38 @@ impl Computed {
             }
         }
         let least = found.iter().map(|(_, distance)| distance.clone()).min();
+        if let (Wanted::Nearest(wanted), Some(least)) = (&selector.wanted, &least) {
+            self.is_near(wanted, selector, &found, least)?;
+        }
         found.retain(|(_, distance)| Some(distance) == least.as_ref());
         Ok(found.into_iter().map(|(row, _)| row).collect())
+    }
+
+    /// Whether what is nearest is near enough: a value of a sweep is meant within half a step, an event wherever it is.
+    fn is_near(
+        &self,
+        wanted: &Figures,
+        selector: &Selector,
+        found: &[(&Vec<String>, Rational)],
+        least: &Rational,
+    ) -> Result<(), String> {
+        let Some((column, step)) = self
+            .swept
+            .as_ref()
+            .filter(|(column, _)| *column == selector.field.column)
+        else {
+            return Ok(());
+        };
+        let kind = |row: &Vec<String>| self.column("kind").and_then(|index| row.get(index).cloned());
+        let is_value = |row: &Vec<String>| kind(row).is_none_or(|kind| kind == "point");
+        let nearest = found.iter().find(|(_, distance)| distance == least);
+        if least.clone() + least.clone() <= *step || !nearest.is_some_and(|(row, _)| is_value(row)) {
+            return Ok(());
+        }
+        let [wanted, apart, step] = [&wanted.value, least, step].map(|value| rounded(value, PLACES));
+        Err(format!(
+            "no value of the sweep is near {column} = {wanted}: the nearest is {apart} away, and the step is {step}"
+        ))
     }
 
     /// The field of a row as text; where `shorter` rows are allowed, an index beyond the list gives none.
@@ -227,6 +262,7 @@ mod tests {
                 row(&["BTT", "1", "0.2513", "0.7;-0.5;-0.1", "true", "false", ""]),
             ],
             note: String::new(),
+            swept: None,
         }
     }
 
@@ -252,6 +288,32 @@ mod tests {
         assert_eq!(text("orbits.word", "row.d=near 0.1"), "BTT");
         assert_eq!(text("orbits.velocities[0].min", ""), "0.2");
         assert_eq!(text("orbits.velocities[1].max", "row.word=BT"), "-0.05");
+    }
+
+    #[test]
+    fn near_a_value_of_a_sweep_is_within_half_a_step_and_an_event_is_near_wherever_it_is() {
+        let kinds = ["point", "point", "point", "fold"];
+        let rows = kinds.iter().zip(["0.1", "0.2", "0.3", "0.37"]);
+        let table = Computed {
+            columns: ["kind", "d"].map(str::to_owned).to_vec(),
+            rows: rows.map(|(kind, d)| vec![(*kind).to_owned(), d.to_owned()]).collect(),
+            note: String::new(),
+            swept: Figures::read("0.1").map(|step| ("d".to_owned(), step.value)),
+        };
+        let d = |set: &str| {
+            let records = records::read("x.csv", &format!("id,set\na,{set}\n"), &["id", "set"]).unwrap();
+            let setting = Setting::read(&records[0]).unwrap();
+            table
+                .value(&"branch.d".parse().unwrap(), &setting)
+                .map(|value| value.text)
+        };
+        assert_eq!(d("row.kind=point;row.d=near 0.24").as_deref(), Ok("0.2"));
+        assert_eq!(d("row.kind=fold;row.d=near 0.9").as_deref(), Ok("0.37"));
+        let far = d("row.kind=point;row.d=near 0.36").unwrap_err();
+        assert!(
+            far.contains("the nearest is 0.06") && far.contains("the step is 0.1"),
+            "{far}"
+        );
     }
 
     #[test]

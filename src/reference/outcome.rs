@@ -133,6 +133,7 @@ mod tests {
             columns: text(&["word", "velocities", "kind", "error_bound"]),
             rows: vec![text(&["BTT", "0.7017134314;-0.555471663", "focus", "1e-12"])],
             note: String::new(),
+            swept: None,
         })
     }
 

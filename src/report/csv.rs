@@ -25,11 +25,43 @@ impl Printer for Records {
         let mut writer = csv::Writer::from_writer(to);
         for row in rows {
             writer
-                .write_record(row.iter().map(|cell| field(cell).into_owned().into_bytes()))
+                .write_record(row.iter().map(|cell| harmless(cell).into_owned().into_bytes()))
                 .map_err(to_io)?;
         }
         writer.flush()
     }
+}
+
+/// The cell as text that does nothing to a terminal and that a spreadsheet takes for text.
+///
+/// A spreadsheet executes what begins with `=`, `@`, a tab or a line break, and after a sign what calls a function or another program; TeX
+/// after a sign does not.
+fn harmless(cell: &Cell) -> Cow<'_, str> {
+    let Cell::Text(text) = cell else {
+        return field(cell);
+    };
+    let is_executed = match text.chars().next() {
+        Some('=' | '@' | '\t' | '\r' | '\n') => true,
+        Some('+' | '-') => text.contains(['|', '!']) || calls(text),
+        _ => false,
+    };
+    let has_control = text.chars().any(|c| c.is_control() && c != '\n');
+    if !is_executed && !has_control {
+        return Cow::Borrowed(text);
+    }
+    let shown = text
+        .chars()
+        .map(|c| if c.is_control() && c != '\n' { '\u{fffd}' } else { c });
+    Cow::Owned(is_executed.then_some('\'').into_iter().chain(shown).collect())
+}
+
+/// Whether a name of three letters or more, which is no command of TeX, is followed by a bracket.
+fn calls(text: &str) -> bool {
+    text.match_indices('(').any(|(at, _)| {
+        let before = text.get(..at).unwrap_or_default();
+        let name = before.trim_end_matches(|c: char| c.is_ascii_alphanumeric() || c == '.' || c == '_');
+        before.len() - name.len() >= 3 && !name.ends_with('\\')
+    })
 }
 
 /// The cell without any quoting.
@@ -76,5 +108,23 @@ mod tests {
             String::from_utf8(bytes).unwrap(),
             "text,numbers,none\n\"a,\"\"b\"\"\nc\",0.1;-2.0,\n"
         );
+    }
+
+    #[test]
+    fn text_that_a_spreadsheet_would_execute_begins_with_an_apostrophe_and_numbers_and_tex_do_not() {
+        let cells = [
+            ("=1+2", "'=1+2"),
+            ("@SUM(A1)", "'@SUM(A1)"),
+            ("+cmd|' /C calc'!A0", "'+cmd|' /C calc'!A0"),
+            ("-HYPERLINK(A1)", "'-HYPERLINK(A1)"),
+            ("-x_k + f(t)", "-x_k + f(t)"),
+            (r"-\sqrt{x} \sin(t)", r"-\sqrt{x} \sin(t)"),
+            ("x = -1", "x = -1"),
+            ("\u{1b}[31m", "\u{fffd}[31m"),
+        ];
+        for (text, shown) in cells {
+            assert_eq!(harmless(&Cell::from(text)), shown);
+        }
+        assert_eq!(harmless(&Cell::from(-1.5)), "-1.5");
     }
 }

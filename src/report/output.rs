@@ -35,6 +35,9 @@ pub enum OutputProblem {
     /// The directory that the file would be in does not exist.
     #[error("there is no directory {0}; create it first")]
     NoDirectory(String),
+    /// A link to nothing: writing would replace the link, or make a file elsewhere.
+    #[error("it is a link to {0}, which is not there; name a file, or remove the link")]
+    Dangling(String),
     /// The file is one that the command reads.
     #[error("it is read as an input, which would be lost; choose another file")]
     Input,
@@ -150,7 +153,10 @@ fn target(path: &Path) -> Result<Target, OutputProblem> {
             Ok(path) => Ok(Target::Replace(path)),
             Err(error) => Err(OutputProblem::system("following links")(error)),
         },
-        Err(error) if error.kind() == io::ErrorKind::NotFound => new_file(path),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => match fs::read_link(path) {
+            Ok(to) => Err(OutputProblem::Dangling(to.display().to_string())),
+            Err(_) => new_file(path),
+        },
         Err(source) => Err(OutputProblem::System {
             doing: "opening",
             source,
@@ -178,8 +184,9 @@ fn directory_of(path: &Path) -> &Path {
 }
 
 fn replace(path: &Path, print: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), OutputProblem> {
+    let before = fs::metadata(path).ok().map(|before| before.permissions());
     let (temporary, file) =
-        create_beside(path).map_err(OutputProblem::system("creating a temporary file beside it"))?;
+        create_beside(path, before.is_some()).map_err(OutputProblem::system("creating a temporary file beside it"))?;
     // Removes the temporary on every way out but success, a panic in `print` included.
     let mut guard = Temporary {
         path: temporary,
@@ -191,18 +198,22 @@ fn replace(path: &Path, print: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
     written
         .and_then(|()| file.sync_all())
         .map_err(OutputProblem::system("writing"))?;
-    if let Ok(before) = fs::metadata(path) {
-        file.set_permissions(before.permissions())
+    if let Some(before) = before {
+        file.set_permissions(before)
             .map_err(OutputProblem::system("keeping its permissions"))?;
     }
     drop(file);
+    // an end by a signal waits here, or comes before and has removed it
+    let _temporaries = TEMPORARIES.lock();
     fs::rename(&guard.path, path).map_err(OutputProblem::system("renaming the temporary file"))?;
     guard.keep = true;
     Ok(())
 }
 
 /// A new file beside `path`, hidden, under a name that nothing has yet.
-fn create_beside(path: &Path) -> io::Result<(PathBuf, File)> {
+///
+/// Where it will replace a file nobody else may read it: that one's permissions may be as narrow.
+fn create_beside(path: &Path, replaces: bool) -> io::Result<(PathBuf, File)> {
     const ATTEMPTS: u32 = 100;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     // A long name with something added might pass the limit of the file system.
@@ -210,13 +221,40 @@ fn create_beside(path: &Path) -> io::Result<(PathBuf, File)> {
     let mut last = io::Error::from(io::ErrorKind::AlreadyExists);
     for attempt in 0..ATTEMPTS {
         let beside = directory_of(path).join(format!(".{name}.{}-{attempt}.tmp", std::process::id()));
-        match OpenOptions::new().write(true).create_new(true).open(&beside) {
-            Ok(file) => return Ok((beside, file)),
+        let mut options = OpenOptions::new();
+        options.write(true).create_new(true);
+        #[cfg(unix)]
+        if replaces {
+            std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+        }
+        #[cfg(not(unix))]
+        let _ = replaces;
+        // a signal that comes now waits until the file is in the list
+        let mut temporaries = TEMPORARIES.lock().map_err(|_| io::Error::other("stopped"))?;
+        match options.open(&beside) {
+            Ok(file) => {
+                temporaries.insert(beside.clone());
+                return Ok((beside, file));
+            }
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => last = error,
             Err(error) => return Err(error),
         }
     }
     Err(last)
+}
+
+/// The temporary files that there are now.
+static TEMPORARIES: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+/// Removes what is half written, for a program that is about to end: from now on no file is finished.
+pub fn remove_temporaries() {
+    if let Ok(temporaries) = TEMPORARIES.lock() {
+        for path in temporaries.iter() {
+            let _ = fs::remove_file(path);
+        }
+        // nobody may finish one any more
+        std::mem::forget(temporaries);
+    }
 }
 
 struct Temporary {
@@ -226,6 +264,9 @@ struct Temporary {
 
 impl Drop for Temporary {
     fn drop(&mut self) {
+        if let Ok(mut temporaries) = TEMPORARIES.lock() {
+            temporaries.remove(&self.path);
+        }
         if !self.keep {
             // Nothing to be done where even this fails; the error that led here is reported.
             let _ = fs::remove_file(&self.path);

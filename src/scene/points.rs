@@ -7,6 +7,7 @@ use crate::impact::{Event, Kind, Origin, Start, Widening};
 use crate::model::{Membrane, Motion, MotionError, Parameters};
 use crate::number::FIGURES_OF_F64;
 use crate::orbit::{Attractor, Estimate, Further, Length, Measure, OfImpact, RestingCycle, Settled, lyapunov};
+use crate::stop::Token;
 use rayon::prelude::*;
 use std::vec::IntoIter;
 
@@ -284,9 +285,10 @@ impl Points {
                 let held = HELD / self.diagram.keep as usize;
                 let size = held.clamp(rayon::current_num_threads().min(BLOCK), BLOCK) as u32;
                 let end = self.next + size.min(left);
+                let token = Token::current();
                 (self.next..end)
                     .into_par_iter()
-                    .map(|index| self.point(index, None))
+                    .map(|index| token.during(|| self.point(index, None)))
                     .collect()
             }
             Begin::Follow if left > 0 => {
@@ -385,6 +387,7 @@ impl Iterator for Points {
         if self.block.len() == 0 {
             self.fill();
         }
-        self.block.next()
+        // what was stopped on its way is no point
+        self.block.next().filter(|_| !Token::current().is_stopped())
     }
 }

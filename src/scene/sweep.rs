@@ -1,6 +1,8 @@
 //! What is swept, over which values.
 
 use super::Quantity;
+use crate::number::Rational;
+use num_traits::Zero;
 use std::fmt;
 
 /// The parameter that is swept.
@@ -69,6 +71,14 @@ impl Sweep {
         self.from.towards(&self.to, index, self.points.saturating_sub(1))
     }
 
+    /// The distance between two values next to each other; none where there is one value, or where it is no rational.
+    pub fn step(&self) -> Option<Rational> {
+        let [first, second] = [0, 1].map(|index| self.value(index).rational().cloned());
+        let step = second? - first?;
+        let size = if step < Rational::zero() { -step } else { step };
+        (self.points > 1).then_some(size)
+    }
+
     /// Every value, in order.
     pub fn values(&self) -> impl ExactSizeIterator<Item = Quantity> {
         (0..self.points as usize).map(|index| self.value(index as u32))
@@ -116,7 +126,6 @@ pub struct Diagram {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Rational;
     use proptest::prelude::*;
 
     fn sweep(from: &str, to: &str, points: u32) -> Sweep {

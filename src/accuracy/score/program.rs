@@ -1,8 +1,10 @@
 //! Somebody's own program, run over the problems.
 
+use crate::stop;
 use std::io::{Read, Write};
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::mpsc::{self, Receiver};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -92,7 +94,8 @@ impl Program {
             command: command.clone(),
             error,
         };
-        let mut child = spawn(&command, tolerance).map_err(error)?;
+        let mark = mark();
+        let mut child = spawn(&command, tolerance, &mark).map_err(error)?;
         let id = child.id();
         feed(&mut child, stdin);
         let stdout = child.stdout.take().map(|stdout| gather(stdout, MOST + 1));
@@ -103,13 +106,12 @@ impl Program {
         let left = || limit.saturating_sub(start.elapsed());
         let wait = |from: &Option<Receiver<Vec<u8>>>| {
             let none = || Ok(Vec::new());
-            from.as_ref().map_or_else(none, |from| from.recv_timeout(left()))
+            from.as_ref().map_or_else(none, |from| received(from, left()))
         };
-        let whole = ended
-            .recv_timeout(limit)
-            .and_then(|end| Ok((end, wait(&stdout)?, wait(&stderr)?)));
+        let whole = received(&ended, limit).and_then(|end| Ok((end, wait(&stdout)?, wait(&stderr)?)));
+        // whatever it has started ends with it
+        kill(id, &mark);
         let Ok(((status, end), stdout, stderr_text)) = whole else {
-            kill(id);
             let said = stderr.and_then(|from| from.recv_timeout(Duration::from_secs(1)).ok());
             let (limit, stderr) = (self.limit, last_lines(&said.unwrap_or_default()));
             return Err(ProgramError::Limit { command, limit, stderr });
@@ -138,15 +140,34 @@ impl Program {
     }
 }
 
-/// Runs `$1`, in a group of its own so that all it starts can be ended with it. An interrupt from the keyboard does not
-/// reach that group: something in it looks whether `$2`, this process, is still there, and ends it where not.
-const SHELL: &str =
-    "(while kill -0 $2; do sleep 1; done; kill -s KILL -- -$$) </dev/null >/dev/null 2>&1 & exec sh -c \"$1\"";
+/// The environment variable by which a program, and all that it has started, is known.
+const MARK: &str = "VIBRO_AUDIT_RUN";
 
-fn spawn(command: &str, tolerance: &str) -> std::io::Result<Child> {
+/// Ends every process with the mark `$2`, those in groups of their own as well, and the group of `$1`; twice, for one that
+/// was just being started.
+const END: &str = "end() { for n in 1 2; do for p in $(grep -lzxs \"$2\" /proc/[0-9]*/environ); do \
+                   p=${p#/proc/}; kill -s KILL ${p%/environ}; done; done; kill -s KILL -- -$1; }";
+
+/// Runs `$1`, in a group of its own so that all it starts can be ended with it. An interrupt from the keyboard does not
+/// reach that group: something in it looks whether `$2`, this process, is still there, and ends all with the mark `$3`
+/// where not.
+const SHELL: &str = "(trap '' HUP; while kill -0 $2; do sleep 1; done; end $$ $3) </dev/null >/dev/null 2>&1 & \
+                     export \"$3\"; exec sh -c \"$1\"";
+
+/// A mark that no other run has.
+fn mark() -> String {
+    static RUNS: AtomicU64 = AtomicU64::new(0);
+    let run = RUNS.fetch_add(1, Ordering::Relaxed);
+    format!("{MARK}={}-{run}", std::process::id())
+}
+
+fn spawn(command: &str, tolerance: &str, mark: &str) -> std::io::Result<Child> {
     let mut shell = Command::new("sh");
     let own = std::process::id().to_string();
-    shell.args(["-c", SHELL, "sh", command, &own]).env(VARIABLE, tolerance);
+    let script = format!("{END}\n{SHELL}");
+    shell
+        .args(["-c", &script, "sh", command, &own, mark])
+        .env(VARIABLE, tolerance);
     shell
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
@@ -156,13 +177,28 @@ fn spawn(command: &str, tolerance: &str) -> std::io::Result<Child> {
     shell.spawn()
 }
 
-/// Ends the group that a shell of this id leads.
-fn kill(id: u32) {
+/// Ends the group that a shell of this id leads, and whatever has its mark.
+fn kill(id: u32, mark: &str) {
     let mut kill = Command::new("sh");
-    kill.args(["-c", &format!("kill -s KILL -- -{id}")]);
+    kill.args(["-c", &format!("{END}\nend {id} '{mark}'")]);
     // where the group has ended in this moment there is nothing to end
     let _ = kill.stdout(Stdio::null()).stderr(Stdio::null()).status();
 }
+
+/// What comes within a time, unless the computation is stopped.
+fn received<T>(from: &Receiver<T>, limit: Duration) -> Result<T, RecvTimeoutError> {
+    let end = Instant::now().checked_add(limit);
+    loop {
+        let left = end.map_or(PAUSE, |end| end.saturating_duration_since(Instant::now()));
+        match from.recv_timeout(left.min(PAUSE)) {
+            Err(RecvTimeoutError::Timeout) if left > PAUSE && stop::goes_on() => {}
+            other => return other,
+        }
+    }
+}
+
+/// Between two looks whether to go on.
+const PAUSE: Duration = Duration::from_millis(50);
 
 /// What `work` comes to, done beside.
 fn aside<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> Receiver<T> {
@@ -264,5 +300,41 @@ mod tests {
         assert_eq!(ran.stdout, "");
         let error = run("printf 'ab\\377'", 20.0).unwrap_err().to_string();
         assert!(error.contains("not UTF-8 from byte 2"), "{error}");
+    }
+
+    /// Whether a process with these arguments is there.
+    fn is_running(arguments: &str) -> bool {
+        let found = Command::new("pgrep").args(["-xf", arguments]).output().unwrap();
+        found.status.success()
+    }
+
+    #[test]
+    fn what_has_a_group_of_its_own_ends_with_it_too() {
+        for (command, limit) in [
+            ("setsid sleep 98761 & exit 0", 60.0),
+            ("setsid sleep 98762 & sleep 98763", 0.5),
+        ] {
+            let _ = run(command, limit);
+            std::thread::sleep(Duration::from_millis(200));
+        }
+        assert!(
+            !["sleep 98761", "sleep 98762", "sleep 98763"]
+                .into_iter()
+                .any(is_running)
+        );
+    }
+
+    #[test]
+    fn a_program_is_ended_where_the_computation_is_stopped() {
+        let token = stop::Token::new();
+        let other = token.clone();
+        std::thread::spawn(move || {
+            std::thread::sleep(Duration::from_millis(300));
+            other.stop();
+        });
+        let start = Instant::now();
+        let ended = token.during(|| run("sleep 98764", 60.0));
+        assert!(ended.is_err() && start.elapsed() < Duration::from_secs(10));
+        assert!(!is_running("sleep 98764"));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::model::{Forcing, Impact, Side, next_impact};
-use crate::number::{DoubleDouble, Field, Wide};
+use crate::number::{DoubleDouble, Field, Sequence, Wide};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
@@ -107,11 +107,21 @@ proptest! {
             prop_assert!((z - there).to_f64().abs() < 1e-30);
         }
     }
+}
 
-    #[test]
-    fn a_wider_number_gives_the_same_motion_to_the_digits_claimed(motion in motions(), phase in 0.0..TAU, velocity in 0.0..3.0) {
-        let start = start(phase, velocity);
-        let wide = motion.convert(|value| DoubleDouble::from_f64(*value)).expect("a motion");
+/// How the estimated errors compare with the true ones along these motions: velocities compared, those whose error is
+/// larger than its estimate, the largest such ratio, and the median over-estimate.
+fn estimates(seeds: std::ops::Range<u64>) -> (usize, usize, f64, f64) {
+    let mut over: Vec<f64> = Vec::new();
+    for seed in seeds {
+        let mut sequence = Sequence::new(seed);
+        let [g, d, r_b, r_t] = [(-0.9, 0.9), (-3.0, 1.0), (0.05, 1.0), (0.05, 1.0)]
+            .map(|(low, high): (f64, f64)| sequence.between(low, high));
+        let motion = motion(g, 10_f64.powf(d), r_b, r_t);
+        let start = start(sequence.between(0.0, TAU), sequence.between(0.0, 3.0));
+        let wide = motion
+            .convert(|value| DoubleDouble::from_f64(*value))
+            .expect("a motion");
         let mut narrow = Simulation::new(&motion, &start).with_growth();
         let exact = Simulation::new(&wide, &start.convert(|value| DoubleDouble::from_f64(*value)));
         for exact in exact.take(60) {
@@ -120,15 +130,37 @@ proptest! {
             if !growth.holds() || growth.phase_error() > 1e-6 {
                 break;
             }
-            prop_assert_eq!((event.kind, event.side), (exact.kind, exact.side));
-            let phase = (exact.phase - DoubleDouble::from_f64(event.phase)).to_f64();
-            let phase = (phase + PI).rem_euclid(TAU) - PI;
-            let velocity = (exact.velocity - DoubleDouble::from_f64(event.velocity)).to_f64();
-            // rem_euclid rounds as well
-            prop_assert!(phase.abs() <= growth.phase_error() + 1e-15, "{} {}", phase, growth.phase_error());
-            prop_assert!(velocity.abs() <= growth.velocity_error(), "{} {}", velocity, growth.velocity_error());
+            assert_eq!((event.kind, event.side), (exact.kind, exact.side), "{seed}");
+            let error = (exact.velocity - DoubleDouble::from_f64(event.velocity)).to_f64().abs();
+            if error > 0.0 {
+                over.push(growth.velocity_error() / error);
+            }
         }
     }
+    over.sort_by(f64::total_cmp);
+    let below = over.iter().filter(|over| **over < 1.0).count();
+    (over.len(), below, 1.0 / over[0], over[over.len() / 2])
+}
+
+#[test]
+fn the_error_of_a_velocity_is_estimated_within_a_digit_and_hardly_ever_too_low() {
+    let (compared, below, worst, median) = estimates(0..2000);
+    assert!(
+        compared > 40_000 && below * 20_000 <= compared,
+        "{below} of {compared}, {worst} times"
+    );
+    // a digit that is claimed may be lost, not two
+    assert!(worst < 10.0, "{worst}");
+    // roundings add up here, and take each other back in truth
+    assert!((1.0..200.0).contains(&median), "{median}");
+}
+
+#[test]
+#[ignore = "a minute: part of .ci/long"]
+fn the_error_of_a_velocity_is_estimated_on_120000_motions() {
+    let (compared, below, worst, median) = estimates(1_000_000..1_120_000);
+    println!("{below} of {compared} too low, at most {worst} times; over-estimated {median} times in the median");
+    assert!(below * 20_000 <= compared && worst < 10.0 && median < 200.0);
 }
 
 #[test]
@@ -154,6 +186,30 @@ fn a_grazing_contact_is_found_however_slightly_it_enters() {
             "{depth}"
         );
         assert!(missing.time(&phase) > x / PI + 0.1, "{depth}");
+    }
+}
+
+#[test]
+fn of_what_follows_a_dip_that_rounding_may_close_nothing_is_claimed() {
+    // as above: the flight from the bottom turns back before the top, so near that its error at the dip decides
+    let (g, phase) = (0.12_f64, 5.6_f64);
+    let (sin, cos) = phase.sin_cos();
+    let launch = 0.5 * 0.9 * PI;
+    let mut x: f64 = 1.2;
+    for _ in 0..60 {
+        let w = launch + sin - g * x - (phase + x).sin();
+        x += w / ((phase + x).cos() + g);
+    }
+    let height = (launch + sin) * x - 0.5 * g * x * x - cos + (phase + x).cos();
+    for (depth, holds) in [(1e-10, true), (1e-12, true), (2e-15, false), (1e-15, false)] {
+        let mut simulation = Simulation::new(&motion(g, height / (PI * PI) + depth, 0.5, 0.5), &start(phase, 0.9));
+        simulation = simulation.with_growth();
+        let next = simulation.nth(1).expect("an impact");
+        assert_eq!(
+            (next.kind, simulation.tracked().holds()),
+            (Kind::Impact, holds),
+            "{depth}"
+        );
     }
 }
 
