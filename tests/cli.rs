@@ -284,7 +284,7 @@ fn a_signal_ends_with_whole_rows_and_leaves_no_file() {
     let stopped = signalled(&[&endless[..], &["--format", "json"]].concat(), "INT");
     assert_eq!(stopped.status.code(), Some(130));
     let rows: serde_json::Value = serde_json::from_slice(&stopped.stdout).unwrap();
-    assert!(rows.as_array().unwrap().len() > 1000);
+    assert!(rows.as_array().unwrap().len() >= 1000);
     assert!(
         String::from_utf8(stopped.stderr)
             .unwrap()
