@@ -48,7 +48,9 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
             Some(_) => {}
         }
     }
-    // a slope may be what another premise says, as (3) is that of (4)
+    // a slope may be what another premise says, as (3) is that of (4); else it holds at every impact, and is no condition
+    // on the point
+    let mut universal: BTreeSet<Term> = BTreeSet::new();
     for (label, slope) in slopes {
         let is_said = candidates.clone().into_iter().any(|(_, term)| {
             let terms = &mut statement.terms;
@@ -61,6 +63,7 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
         });
         if !is_said {
             candidates.push((label, slope));
+            universal.insert(slope);
         }
     }
     let moving = |symbol: &Symbol, statement: &Statement| {
@@ -101,7 +104,7 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
             let state = met
                 .iter()
                 .any(|symbol| matches!(statement.quantity(*symbol), Some(Quantity::State { .. })));
-            if met.iter().any(|symbol| step.by.contains(symbol)) {
+            if universal.contains(&term) || met.iter().any(|symbol| step.by.contains(symbol)) {
                 leading.insert((!state, term));
             }
             fitting.push((!state, label, term));
