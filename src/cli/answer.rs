@@ -83,7 +83,8 @@ impl Rows {
         let token = Token::current();
         let written = output.write(|to| {
             let mut stream = Stream::new(columns, format, figures, to);
-            for row in rows {
+            // a row that was stopped on its way is none
+            for row in rows.take_while(|_| !token.is_stopped()) {
                 match row {
                     Ok(row) => stream.push(row)?,
                     Err(failed) => {
@@ -93,16 +94,8 @@ impl Rows {
                     }
                 }
                 count += 1;
-                if token.is_stopped() {
-                    break;
-                }
             }
-            stream.end()?;
-            match (token.is_stopped(), output) {
-                // what is printed ends with a whole row; of a file nothing remains
-                (true, Output::File(_)) => Err(io::Error::other("stopped")),
-                _ => Ok(()),
-            }
+            stream.end()
         });
         match failure {
             Some(failure) => Err(failure),

@@ -36,7 +36,6 @@ pub use scene::SceneArguments;
 pub use source::{Source, SourceError, SourceProblem};
 
 use crate::report::{Format, Output};
-use crate::stop::Token;
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::Write;
@@ -123,7 +122,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
     let answered = token.during(|| run_line(&line));
     if token.is_stopped() {
         note(&format!(
-            "stopped by a signal after {} steps: rows that were printed are whole, no file was written",
+            "stopped by a signal after {} steps: rows and files are whole, or not there",
             token.steps()
         ));
         return Exit::Stopped;
@@ -170,10 +169,6 @@ fn run_line(line: &Line) -> Result<Exit, Failure> {
     let output = line.command.output(&line.options);
     output.check()?;
     let answer = line.command.run(&line.options)?;
-    if Token::current().is_stopped() && !matches!(answer.content, Content::Rows(_)) {
-        // half a table is none
-        return Ok(Exit::Stopped);
-    }
     answer.write(&output, &line.options)
 }
 

@@ -549,7 +549,7 @@ impl System {
         })
     }
 
-    /// Whether claim or premises are not defined everywhere.
+    /// Whether claim or premises have operations that may be undefined somewhere.
     fn has_domain(&self) -> bool {
         self.ops().any(|op| {
             matches!(

@@ -36,8 +36,9 @@ const LATEST: usize = 20_000;
 pub struct Attractor {
     /// The impacts of one cycle by wall, written as a [`Word`](super::Word) is: from a bottom impact that follows a top
     /// one; of several such, the fastest first; on one wall, from the fastest. Without a rest it has at most
-    /// [`LONGEST_WORD`] letters; of more than [`LONGEST_WRITTEN`] it only says how many there are. A chatter that comes to rest is infinitely many impacts and one letter with a star: `BT*` is a bottom
-    /// impact, then a chatter that ends at rest on the top, and a release from there.
+    /// [`LONGEST_WORD`] letters; of more than [`LONGEST_WRITTEN`] it only says how many there are. A chatter that comes to
+    /// rest is infinitely many impacts and one letter with a star: `BT*` is a bottom impact, then a chatter that ends at
+    /// rest on the top, and a release from there.
     pub word: String,
     /// The forcing periods of one cycle; none where the ball rests for ever (`B*`, `T*`).
     pub periods: Option<i64>,

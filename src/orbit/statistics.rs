@@ -21,7 +21,7 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// A value that is measured at nothing.
+    /// A value that nothing had to be measured for.
     pub const fn exact(value: f64) -> Self {
         let error = Some(0.0);
         Self { value, error }
@@ -55,7 +55,7 @@ pub struct Statistics {
     /// The largest Lyapunov exponent: the mean growth of the logarithm of a small distance per unit of time, of which
     /// the forcing period is 2. None where growth is not followed, or the motion grazes exactly.
     pub lyapunov: Option<Estimate>,
-    /// Whether [`Length::error`] was met; none where it was not asked for.
+    /// Whether [`Length::error`] was met; none where it was not asked for, or there is no voltage.
     pub is_met: Option<bool>,
 }
 
@@ -192,7 +192,7 @@ impl Measure<'_> {
     }
 
     fn is_met(&self, batches: &[Batch]) -> Option<bool> {
-        let part = self.length.error?;
+        let part = self.length.error.filter(|_| self.voltage.is_some())?;
         let statistics = Self {
             length: Length {
                 error: None,

@@ -34,8 +34,8 @@ impl Printer for Records {
 
 /// The cell as text that does nothing to a terminal and that a spreadsheet takes for text.
 ///
-/// A spreadsheet executes what begins with `=`, `@`, a tab or a line break, and after a sign what calls a function or another program; TeX
-/// after a sign does not.
+/// A spreadsheet executes what begins with `=`, `@`, a tab or a line break, and after a sign what calls a function or
+/// another program; TeX after a sign does not.
 fn harmless(cell: &Cell) -> Cow<'_, str> {
     let Cell::Text(text) = cell else {
         return field(cell);

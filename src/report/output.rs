@@ -1,5 +1,6 @@
 //! Where a command writes: stdout, or a file that is there whole or not at all.
 
+use crate::stop::Token;
 use std::collections::BTreeSet;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
@@ -41,6 +42,9 @@ pub enum OutputProblem {
     /// The file is one that the command reads.
     #[error("it is read as an input, which would be lost; choose another file")]
     Input,
+    /// What is to be written was stopped on its way, and may lack a part.
+    #[error("the computation was stopped")]
+    Stopped,
     /// The file exists and is protected.
     #[error("it is read-only; choose another file or change its permissions")]
     ReadOnly,
@@ -95,7 +99,11 @@ impl Output {
 
     /// Calls `print` with a buffered writer and brings what it wrote to the place. A file is written beside its
     /// path and renamed; on any error nothing of it remains, and what stood there before stands unharmed.
+    ///
+    /// Of a computation that was stopped before nothing is written; of one that is stopped meanwhile no file is made, and
+    /// what is on stdout is as whole as `print` leaves it.
     pub fn write(&self, print: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), OutputError> {
+        unless_stopped().map_err(|problem| self.error(problem))?;
         match self {
             Self::Stdout => write_stdout(print),
             Self::File(path) => match target(path) {
@@ -113,6 +121,13 @@ impl Output {
             Self::File(path) => path.display().to_string(),
         };
         OutputError { place, problem }
+    }
+}
+
+fn unless_stopped() -> Result<(), OutputProblem> {
+    match Token::current().is_stopped() {
+        true => Err(OutputProblem::Stopped),
+        false => Ok(()),
     }
 }
 
@@ -198,6 +213,7 @@ fn replace(path: &Path, print: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
     written
         .and_then(|()| file.sync_all())
         .map_err(OutputProblem::system("writing"))?;
+    unless_stopped()?;
     if let Some(before) = before {
         file.set_permissions(before)
             .map_err(OutputProblem::system("keeping its permissions"))?;

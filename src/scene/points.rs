@@ -327,7 +327,7 @@ fn of_cycle(measure: &Measure, parameters: &impl Parameters, cycle: &Attractor) 
         voltage,
         rate,
         lyapunov,
-        is_met: measure.length.error.map(|_| true),
+        is_met: measure.length.error.filter(|_| has_voltage).map(|_| true),
     })
 }
 

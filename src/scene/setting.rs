@@ -183,6 +183,7 @@ impl Family for Setting {
         r_b == r_t && (self.is_weightless() || r_b.compared_with_one() == Ordering::Equal)
     }
 }
+
 /// A setting at one value of what is swept, as typed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct At<'a> {

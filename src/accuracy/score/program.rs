@@ -304,8 +304,10 @@ mod tests {
 
     /// Whether a process with these arguments is there.
     fn is_running(arguments: &str) -> bool {
-        let found = Command::new("pgrep").args(["-xf", arguments]).output().unwrap();
-        found.status.success()
+        let wanted = arguments.split(' ').flat_map(|word| [word, "\0"]).collect::<String>();
+        let mut processes = std::fs::read_dir("/proc").unwrap().flatten();
+        processes
+            .any(|process| std::fs::read(process.path().join("cmdline")).is_ok_and(|line| line == wanted.as_bytes()))
     }
 
     #[test]
