@@ -129,6 +129,7 @@ fn runs_have_the_digits_asked_at_close_to_the_least_cost() {
             impacts: 12,
             until: f64::INFINITY,
             digits,
+            proved: false,
         };
         let first = cheapest(Purpose::Impact, digits).expect("a choice");
         let run = |first: Rung| -> (Vec<[Exact; 2]>, Vec<u32>, Rung) {

@@ -336,6 +336,7 @@ fn claims_of(seed: u64, motions: usize, figures: Option<usize>) -> Claims {
             impacts: 40,
             until: f64::INFINITY,
             digits: [6, 10, 13][index % 3],
+            proved: false,
         };
         let from = (&motion, &start);
         match figures {

@@ -130,6 +130,7 @@ fn told(motion: &Motion<f64>, start: &Start<f64>, impacts: u64, digits: u32) -> 
         impacts,
         until: f64::INFINITY,
         digits,
+        proved: false,
     };
     history(motion, start, &extent, usize::MAX, Rung::Double).expect("a motion")
 }
@@ -169,6 +170,7 @@ fn the_digits_claimed_hold_against_a_hundred_more() {
             impacts: 80,
             until: f64::INFINITY,
             digits: 100,
+            proved: false,
         };
         let exact = history_in_decimals(&motion, &start, &extent, usize::MAX, Rung::DoubleDouble).expect("a motion");
         let rows = told(&motion, &start, 80, 3).rows;
@@ -207,6 +209,7 @@ fn wide_numbers_find_the_contacts_that_f64_finds() {
             impacts: 80,
             until: f64::INFINITY,
             digits: 20,
+            proved: false,
         };
         let wide = history_in_decimals(&motion, &start, &extent, usize::MAX, Rung::DoubleDouble).expect("a motion");
         let narrow = told(&motion, &start, 80, 6);

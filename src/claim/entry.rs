@@ -132,6 +132,12 @@ impl Entry {
         let mine = |name: &Name| is_defined(name, &self.own) || is_defined(name, shared);
         let borrows = self.role != Role::Claim;
         for (tree, source) in self.trees(vocabulary) {
+            if let Some((name, at)) = called_with_itself(tree) {
+                let problem = format!(
+                    "`{name}(...{name}...)` can be read as a value of `{name}` or as a product: write `{name} \\cdot (...)`"
+                );
+                return Err(source.fault(at, problem).of(&self.label));
+            }
             let extra = |name: &Name| mine(name) || (borrows && elsewhere.contains(name));
             for found in vocabulary.undeclared(tree, &extra) {
                 if messages.insert(found.message.clone()) {
@@ -225,6 +231,23 @@ impl Entry {
         });
         stated.chain(local).chain(with).chain(assume).collect()
     }
+}
+
+/// A name in whose argument it stands itself, as in q(1-q), and where.
+fn called_with_itself(tree: &Tree) -> Option<(Name, usize)> {
+    let mut found = None;
+    any(tree, &mut |node| {
+        if let Tree::Call(name, argument, at) = node
+            && any(
+                argument,
+                &mut |inner| matches!(inner, Tree::Symbol(same, _) if same == name),
+            )
+        {
+            found = Some((name.clone(), at.0));
+        }
+        found.is_some()
+    });
+    found
 }
 
 impl Vocabulary {

@@ -206,7 +206,8 @@ impl Statements {
                 .find(|local| Some(&local.name) == alone(&equation.left));
             let first = new.and_then(|local| below.iter().find(|other| is_defined(&local.name, &other.own)));
             if first.is_some_and(|first| first.label != entry.label) {
-                self.push(entry, equation, &entry.tex, locals.clone());
+                // the name is what the other one says
+                self.push(entry, equation, &entry.tex, joined(shared.to_vec(), &locals));
             }
         }
         for (equation, source) in &entry.given {
@@ -332,9 +333,11 @@ impl Statements {
         let everything: Vec<&Tree> = of_claim.into_iter().chain(of_premises).collect();
         let any_node = |test: fn(&Tree) -> bool| everything.iter().any(|tree| any(tree, &mut |node| test(node)));
         let has_partials = any_node(|node| matches!(node, Tree::Partial { .. }));
-        let speaks_of_maps = has_partials || any_node(|node| matches!(node, Tree::Invariant { .. }));
+        let has_invariants = any_node(|node| matches!(node, Tree::Invariant { .. }));
         (self.first, self.last) = (impacts.first().copied(), impacts.last().copied());
         self.maps = self.named_maps(vocabulary);
+        // an assumption may name a map too
+        let speaks_of_maps = has_partials || has_invariants || !self.maps.is_empty();
         if has_partials {
             // what is written out is along the maps that the premises give
             let given = vocabulary

@@ -204,13 +204,12 @@ impl Vocabulary {
             Tree::Symbol(name, _) => self.times.contains(&name.bare()) && find(name).is_some(),
             _ => false,
         });
-        let replaces_times = pairs.iter().any(|(from, _)| self.times.contains(&from.bare()));
-        let equation = if replaces_times {
-            self.expanded(equation)
-        } else {
-            equation.clone()
-        };
-        rewrite_equation(&equation, &|name| {
+        // what an abbreviation stands for is replaced too, unless it is itself
+        let written_out = rewrite_equation(equation, &|name| match find(name) {
+            Some(_) => None,
+            None => self.abbreviated(name).cloned(),
+        });
+        rewrite_equation(&written_out, &|name| {
             let plain = Name {
                 mark: String::new(),
                 ..name.clone()

@@ -5,7 +5,7 @@ use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
 use crate::accuracy::{Purpose, cheapest};
 use crate::impact::{self, Extent, Kind, Known, Row, rows, rows_in_decimals};
 use crate::model::{MotionError, Parameters};
-use crate::number::FIGURES_OF_F64;
+use crate::number::{FIGURES_OF_F64, Told};
 use crate::report::{Cell, Column, Table};
 use crate::scene::{Scene, Want};
 
@@ -23,10 +23,16 @@ pub struct Arguments {
     /// Only the last so many events
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     last: Option<u32>,
+    /// Only events that are proved, each with bounds of its errors, for as long as intervals tell
+    #[arg(long)]
+    proved: bool,
 }
 
 /// The columns that scripts rely on.
 const COLUMNS: [&str; 8] = ["event", "time", "phase", "side", "velocity", "kind", "digits", "number"];
+
+/// Those that `--proved` adds: upper bounds of how far the printed numbers are from the exact ones.
+const BOUNDS: [&str; 3] = ["time_error_bound", "phase_error_bound", "velocity_error_bound"];
 
 /// The impacts that are told where nothing limits them.
 const IMPACTS: u64 = 100;
@@ -42,41 +48,52 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
         (None, Some(_)) => u64::MAX,
         (None, None) => IMPACTS,
     };
-    let until = arguments.until.unwrap_or(f64::INFINITY);
+    let asked = Extent {
+        impacts,
+        until: arguments.until.unwrap_or(f64::INFINITY),
+        digits: options.asked_of(&scene)?.unwrap_or(DIGITS),
+        proved: arguments.proved,
+    };
     Ok(Answer {
-        content: Content::Rows(told(&scene, options, impacts, until, arguments.last)?),
+        content: Content::Rows(told(&scene, &asked, arguments.last)?),
         exit: Exit::AsExpected,
     })
 }
 
 /// The table of a scene, as many impacts as where nothing limits them.
 pub fn table(scene: &Scene, options: &Options) -> Result<Table, Failure> {
-    told(scene, options, IMPACTS, f64::INFINITY, None)?.table()
+    let asked = Extent {
+        impacts: IMPACTS,
+        until: f64::INFINITY,
+        digits: options.asked_of(scene)?.unwrap_or(DIGITS),
+        proved: false,
+    };
+    told(scene, &asked, None)?.table()
 }
 
-fn told(scene: &Scene, options: &Options, impacts: u64, until: f64, last: Option<u32>) -> Result<Rows, Failure> {
-    let digits = options.asked_of(scene)?.unwrap_or(DIGITS);
-    let extent = Extent { impacts, until, digits };
+fn told(scene: &Scene, asked: &Extent, last: Option<u32>) -> Result<Rows, Failure> {
     let (setting, start) = (scene.setting()?, scene.start()?);
-    let first = cheapest(Purpose::Impact, digits)?;
-    if digits <= FIGURES_OF_F64 {
-        listed(rows(setting, start, &extent, first)?, last)
+    let first = cheapest(Purpose::Impact, asked.digits)?;
+    if asked.digits <= FIGURES_OF_F64 {
+        listed(rows(setting, start, asked, first)?, asked, last)
     } else {
-        listed(rows_in_decimals(setting, start, &extent, first)?, last)
+        listed(rows_in_decimals(setting, start, asked, first)?, asked, last)
     }
 }
 
-fn listed<P, O, N>(mut told: impact::Rows<P, O, N>, last: Option<u32>) -> Result<Rows, Failure>
+fn listed<P, O, N>(mut told: impact::Rows<P, O, N>, asked: &Extent, last: Option<u32>) -> Result<Rows, Failure>
 where
     P: Parameters + 'static,
     O: impact::Origin + 'static,
-    N: 'static,
+    N: Told + 'static,
     Cell: From<N>,
 {
-    let columns = COLUMNS.map(Column::from).to_vec();
+    let proved = asked.proved;
+    let added = if proved { &BOUNDS[..] } else { &[] };
+    let columns = COLUMNS.iter().chain(added).map(|name| Column::from(*name)).collect();
     if let Some(last) = last {
         let history = told.last(last as usize)?;
-        say(&history.known, history.rows.back().map(|row| row.kind));
+        say(&history.known, history.rows.back().map(|row| row.kind), proved);
         let rows = Box::new(history.rows.into_iter().map(|row| Ok(cells(row))));
         return Ok(Rows { columns, rows });
     }
@@ -86,7 +103,7 @@ where
         match &row {
             Some(Ok(row)) => latest = Some(row.kind),
             // a closed iterator may be asked again
-            None if !std::mem::replace(&mut is_over, true) => say(told.known(), latest),
+            None if !std::mem::replace(&mut is_over, true) => say(told.known(), latest, proved),
             _ => {}
         }
         row
@@ -99,7 +116,7 @@ fn cells<N>(row: Row<N>) -> Vec<Cell>
 where
     Cell: From<N>,
 {
-    vec![
+    let mut cells = vec![
         Cell::Integer(i64::try_from(row.event).unwrap_or(i64::MAX)),
         Cell::from(row.time),
         Cell::from(row.phase),
@@ -108,11 +125,20 @@ where
         Cell::Text(row.kind.to_string()),
         Cell::Integer(i64::from(row.digits)),
         Cell::Text(row.number.to_string()),
-    ]
+    ];
+    cells.extend(row.bounds.into_iter().flatten().map(Cell::from));
+    cells
 }
 
 /// What is to be said after the last row.
-fn say(known: &Known, latest: Option<Kind>) {
+fn say(known: &Known, latest: Option<Kind>, proved: bool) {
+    if proved && latest == Some(Kind::Undecided) {
+        return note(&format!(
+            "what follows is not proved: up to the time of the last row nothing else happens, beyond it enclosures in {} \
+             tell no event",
+            known.number
+        ));
+    }
     if latest == Some(Kind::Undecided) {
         note(&format!(
             "rounding hides whether the ball touches at the last event, computed in {}",

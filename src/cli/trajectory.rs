@@ -205,7 +205,12 @@ fn events(
     let asked = options.asked_of(scene)?;
     let digits = asked.map_or(DIGITS, |digits| digits.min(FIGURES_OF_F64));
     let first = cheapest(Purpose::Impact, digits)?;
-    let extent = Extent { impacts, until, digits };
+    let extent = Extent {
+        impacts,
+        until,
+        digits,
+        proved: false,
+    };
     Ok(rows(scene.setting()?, scene.start()?, &extent, first)?)
 }
 

@@ -129,8 +129,10 @@ impl System {
                 }
             }
         }
-        // The law of the lowest derivative says most.
-        given.sort_by_key(|(level, ..)| *level);
+        // A law of flight is one of the state in flight, not of the functions that drive it; else the law of the lowest
+        // derivative says most.
+        let is_driven = |course: usize| self.space.courses.get(course).is_some_and(|c| c.flight.is_none());
+        given.sort_by_key(|(level, _, course, _)| (is_driven(*course), *level));
         let mut used: Vec<[Formula; 2]> = Vec::new();
         for (level, law, course, body) in given {
             let open = self

@@ -461,10 +461,26 @@ impl Witness<'_> {
             || system.shaped
             || system.kinds.iter().any(|kind| kind.integer)
             || (system.questions.iter().any(|question| question.pair.is_some())
-                && (!system.conditions.is_empty() || system.has_domain()))
+                && (!system.conditions.is_empty() || system.has_domain() || self.premises_have_domains()))
             || system.has_jumps()
             || system.flows_may_end()
             || !system.is_a_graph()
+    }
+
+    /// Whether a premise may be undefined somewhere, be it one that points need not be solved for.
+    fn premises_have_domains(&self) -> bool {
+        let is_partial = |tree: &Tree| {
+            matches!(
+                tree,
+                Tree::Quotient(..)
+                    | Tree::Root(..)
+                    | Tree::RealPower(..)
+                    | Tree::Power(_, i32::MIN..0, ..)
+                    | Tree::Call(..)
+            )
+        };
+        let mut premises = self.statements.premises.iter();
+        premises.any(|premise| any(&premise.equation, &is_partial))
     }
 
     /// Whether the claim holds, to the precision of f64, where the forcing is a cosine of period 2.

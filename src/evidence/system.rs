@@ -10,6 +10,7 @@ use super::space::{Slot, Space};
 use crate::claim::{Local, Premise, Statements, Vocabulary, flies};
 use crate::tex::{At, Condition as Assumption, Equation, Invariant, Name, Relation, Tree};
 use std::collections::{BTreeSet, HashMap};
+use std::ops::Range;
 
 /// An equation of the claim.
 #[derive(Clone, Debug)]
@@ -188,9 +189,11 @@ impl System {
                 .iter()
                 .map(|condition| (condition, premise.locals.as_slice(), premise.first))
         });
+        let given = self.rows.len();
         for (condition, locals, at) in claimed.chain(brought) {
             self.assume(condition, vocabulary, locals, at, &mut laws)?;
         }
+        let assumed = given..self.rows.len();
         for equation in &vocabulary.relations {
             for (left, right) in self.sides(equation, vocabulary, &[], None, first)? {
                 self.sort(left, right, equation.relation, &mut laws)?;
@@ -210,7 +213,7 @@ impl System {
         let written: Vec<Written> = rows.iter().map(|row| self.written(*row)).collect();
         let rows: Vec<Formula> = rows.into_iter().map(|row| self.resolve(row, vocabulary)).collect();
         self.rows = rows;
-        self.choose_step_rows(statements, &written, vocabulary);
+        self.choose_step_rows(statements, &written, &assumed, vocabulary);
         self.maps.opaque = self.step_rows.iter().all(Vec::is_empty) && !statements.has_partials;
         for premise in of_matrices {
             for (left, right) in self.sides(&premise.equation, vocabulary, &premise.locals, premise.first, first)? {
@@ -399,7 +402,13 @@ impl System {
     }
 
     /// The rows each map follows from: what has a state first, then the rest, last what speaks of times alone.
-    fn choose_step_rows(&mut self, statements: &Statements, written: &[Written], vocabulary: &Vocabulary) {
+    fn choose_step_rows(
+        &mut self,
+        statements: &Statements,
+        written: &[Written],
+        assumed: &Range<usize>,
+        vocabulary: &Vocabulary,
+    ) {
         let bound = self.bound(written);
         let rows = self.rows.clone();
         let steps = self.maps.steps.clone();
@@ -434,7 +443,10 @@ impl System {
             let fits = |(_, row): &(&Formula, &Written)| {
                 row.slots.iter().any(speaks) && self.impacts(row, &bound).is_subset(&impacts)
             };
-            let mut chosen: Vec<(&Formula, &Written)> = rows.iter().zip(written).filter(fits).collect();
+            let rows = rows.iter().zip(written).enumerate();
+            // a condition on the point is no equation of the map
+            let given = rows.filter(|(number, _)| !assumed.contains(number)).map(|(_, row)| row);
+            let mut chosen: Vec<(&Formula, &Written)> = given.filter(fits).collect();
             let has_state = |row: &Written| row.slots.iter().any(|&slot| self.space.is_state(slot));
             chosen.sort_by_key(|(_, row)| (!has_state(row), self.is_pure(row)));
             self.step_rows.push(chosen.into_iter().map(|(row, _)| *row).collect());

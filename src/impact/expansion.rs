@@ -53,7 +53,13 @@ impl<T: Analytic> Expansion<T> {
     /// however short it is.
     #[inline]
     pub fn after(&self, step: &T, epsilon: f64) -> Self {
-        let Swing { sin, fall, lag, rest } = Swing::of(step, epsilon);
+        self.swung(step, Swing::of(step, epsilon))
+    }
+
+    /// The same with the swing of that step.
+    #[inline]
+    pub fn swung(&self, step: &T, swing: Swing<T>) -> Self {
+        let Swing { sin, fall, lag, rest } = swing;
         let (s, c) = (&self.sin, &self.cos);
         let turned = c.clone() * fall.clone() + s.clone() * sin.clone();
         let pressed = self.push.clone() * step.clone();

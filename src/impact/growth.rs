@@ -77,7 +77,7 @@ impl Growth {
     /// The digits that hold of the latest event, at a velocity: relative of the velocity, absolute of the phase; none where
     /// nothing is claimed.
     pub fn digits(&self, velocity: f64) -> u32 {
-        digits(self.phase_error().max(part(self.velocity_error(), velocity)))
+        digits_of(self.phase_error().max(part(self.velocity_error(), velocity)))
     }
 
     /// The same of an event after a release, taken from that: a release forgets what was before, so that digits come back
@@ -87,14 +87,14 @@ impl Growth {
             return 0;
         }
         let [phase, speed] = self.error;
-        digits(phase.max(part(speed * FRAC_1_PI, velocity)))
+        digits_of(phase.max(part(speed * FRAC_1_PI, velocity)))
     }
 
     /// The same of the time since the start as well.
     pub(super) fn digits_at(&self, time: f64, velocity: f64) -> u32 {
         // the start has an error of its own, which is not above that of the phase now where digits are claimed at all
         let time_error = self.phase_error() * FRAC_1_PI;
-        self.digits(velocity).min(digits(part(time_error, time)))
+        self.digits(velocity).min(digits_of(part(time_error, time)))
     }
 
     /// The logarithm of the factor by which a small error has grown since the start, along the direction that grows
@@ -202,7 +202,7 @@ fn part(error: f64, value: f64) -> f64 {
 }
 
 /// The whole digits before an error. A float saturates as an integer: an error above 1 leaves none.
-fn digits(error: f64) -> u32 {
+pub(super) fn digits_of(error: f64) -> u32 {
     if error.is_nan() {
         0
     } else {

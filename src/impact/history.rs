@@ -1,12 +1,15 @@
 //! The events of a motion in numbers wide enough for the digits asked.
 
+use super::enclosure::Enclosure;
 use super::event::{Event, Kind};
+use super::growth::digits_of;
 use super::simulation::Simulation;
 use super::start::Origin;
 use super::widening::Widening;
 use crate::model::{MotionError, Parameters, Side};
 use crate::number::{
-    Analytic, Decimal, Decimals, Digits, DoubleDouble, Endpoint, FIGURES_OF_F64, Interval, Rung, Telling, at_digits,
+    Analytic, Decimal, Decimals, Digits, DoubleDouble, Doubles, Endpoint, FIGURES_OF_F64, Field, Interval, Rung,
+    Telling, Told as Number, at_digits,
 };
 use crate::stop;
 use std::collections::VecDeque;
@@ -20,6 +23,8 @@ pub struct Extent {
     pub until: f64,
     /// The digits that each event is to have.
     pub digits: u32,
+    /// Whether every event is to be proved: the rows end where that can no longer be.
+    pub proved: bool,
 }
 
 /// An event with what is known of it.
@@ -41,6 +46,8 @@ pub struct Row<N> {
     pub digits: u32,
     /// The number that found it.
     pub number: Rung,
+    /// Upper bounds of how far time, phase and velocity are from the exact ones, where the event is proved.
+    pub bounds: Option<[N; 3]>,
 }
 
 /// What is known of a motion at its latest row.
@@ -127,10 +134,10 @@ pub fn rows<P: Parameters, O: Origin>(
         origin,
         extent,
         |parameters, origin, extent, rung| match rung {
-            Rung::Single | Rung::Double => opened(parameters, origin, extent, FIGURES, f64::clone),
-            Rung::DoubleDouble => opened(parameters, origin, extent, FIGURES, <DoubleDouble as Analytic>::to_f64),
+            Rung::Single | Rung::Double => opened::<f64, _>(parameters, origin, extent, FIGURES, Doubles),
+            Rung::DoubleDouble => opened::<DoubleDouble, _>(parameters, origin, extent, FIGURES, Doubles),
             Rung::Wide(digits) => wide(digits, || {
-                opened(parameters, origin, extent, FIGURES, <Digits as Analytic>::to_f64)
+                opened::<Digits, _>(parameters, origin, extent, FIGURES, Doubles)
             }),
         },
         |value| value,
@@ -149,12 +156,6 @@ pub fn rows_in_decimals<P: Parameters, O: Origin>(
     extent: &Extent,
     first: Rung,
 ) -> Result<Rows<P, O, Decimal>, MotionError> {
-    fn tell<E: Endpoint>(decimals: Decimals) -> impl Fn(&E) -> Decimal
-    where
-        Decimals: Telling<E, Number = Decimal>,
-    {
-        move |value| decimals.tell(&Interval::point(value.clone()))
-    }
     Rows::new(
         parameters,
         origin,
@@ -163,14 +164,14 @@ pub fn rows_in_decimals<P: Parameters, O: Origin>(
             let more = Decimals(extent.digits as usize + 2);
             match rung {
                 Rung::Wide(digits) => wide(digits, || {
-                    opened(parameters, origin, extent, extent.digits, tell::<Digits>(more))
+                    opened::<Digits, _>(parameters, origin, extent, extent.digits, more)
                 }),
-                _ => opened(parameters, origin, extent, extent.digits, tell::<DoubleDouble>(more)),
+                _ => opened::<DoubleDouble, _>(parameters, origin, extent, extent.digits, more),
             }
         },
         |value| {
             let few = Decimals(FIGURES_OF_F64 as usize);
-            at_digits(50, || tell::<Digits>(few)(&Analytic::from_f64(value)))
+            at_digits(50, || few.tell(&Interval::<Digits>::from_f64(value)))
         },
         first.max(Rung::DoubleDouble),
     )
@@ -204,7 +205,7 @@ pub fn history_in_decimals(
     rows_in_decimals(parameters, origin, extent, first)?.last(last)
 }
 
-impl<P: Parameters, O: Origin, N> Rows<P, O, N> {
+impl<P: Parameters, O: Origin, N: Number> Rows<P, O, N> {
     fn new(
         parameters: P,
         origin: O,
@@ -355,11 +356,12 @@ impl<P: Parameters, O: Origin, N> Rows<P, O, N> {
             kind: event.kind,
             digits: 0,
             number: Rung::Double,
+            bounds: self.extent.proved.then(|| std::array::from_fn(|_| N::infinite())),
         }
     }
 }
 
-impl<P: Parameters, O: Origin, N> Iterator for Rows<P, O, N> {
+impl<P: Parameters, O: Origin, N: Number> Iterator for Rows<P, O, N> {
     type Item = Result<Row<N>, MotionError>;
 
     fn next(&mut self) -> Option<Self::Item> {
@@ -381,18 +383,22 @@ impl<P: Parameters, O: Origin, N> Iterator for Rows<P, O, N> {
 }
 
 /// The events over `T`; at most `figures` digits are told.
-fn opened<T: Endpoint, N: 'static>(
+fn opened<T: Endpoint, N: Telling<T> + 'static>(
     parameters: &impl Parameters,
     origin: &impl Origin,
     extent: &Extent,
     figures: u32,
-    tell: impl Fn(&T) -> N + 'static,
-) -> Result<Source<N>, MotionError> {
+    telling: N,
+) -> Result<Source<N::Number>, MotionError> {
     let start = origin.start::<T>();
     // digits of a rest are relative to the time it comes at, which a slow start makes short
     let pace = start.velocity.to_f64().abs().clamp(f64::MIN_POSITIVE, 1.0);
     let pace = if start.velocity.is_zero() { 1.0 } else { pace };
     let completing = pace * 10_f64.powi(-(figures.max(extent.digits) as i32) - 2);
+    if extent.proved {
+        return proved(parameters, origin, figures, completing, telling);
+    }
+    let tell = move |value: &T| telling.tell(&Interval::point(value.clone()));
     let simulation = Simulation::new(&parameters.motion::<T>()?, &start).with_growth();
     let mut simulation = simulation.completing_to(completing);
     let mut events = 0;
@@ -412,12 +418,64 @@ fn opened<T: Endpoint, N: 'static>(
                 kind: event.kind,
                 digits: growth.digits_at(elapsed, event.velocity.to_f64()).min(figures),
                 number: T::rung(),
+                bounds: None,
             },
             event: event.convert(T::to_f64),
             elapsed,
             holds: growth.holds(),
             stretch: growth.stretch(),
             is_idle: simulation.is_idle(),
+        })
+    }))
+}
+
+/// The same, enclosed. Growth of errors is not followed beside.
+fn proved<T: Endpoint, N: Telling<T> + 'static>(
+    parameters: &impl Parameters,
+    origin: &impl Origin,
+    figures: u32,
+    completing: f64,
+    telling: N,
+) -> Result<Source<N::Number>, MotionError> {
+    let start = origin.start::<Interval<T>>();
+    let mut enclosure = Enclosure::new(&parameters.motion()?, &start).completing_to(completing);
+    let mut events = 0;
+    Ok(Box::new(move || {
+        let event = enclosure.next()?;
+        events += 1;
+        // that of the start, which is given, is 0
+        let time = if events == 1 {
+            Interval::from_integer(0)
+        } else {
+            event.time(&start.phase)
+        };
+        let values = [&time, &event.phase, &event.velocity];
+        let told = values.map(|value| telling.tell(value));
+        let bound = |index: usize| telling.bound(telling.error(&told[index], values[index]));
+        let bounds = [0, 1, 2].map(bound);
+        let part = |value: &Interval<T>| match value.mignitude().to_f64() {
+            _ if value.width().is_zero() => 0.0,
+            least => value.width().to_f64() / least,
+        };
+        let error = event.phase.width().to_f64().max(part(&time)).max(part(&event.velocity));
+        let [told_time, phase, velocity] = told;
+        Some(Told {
+            row: Row {
+                event: events,
+                time: told_time,
+                phase,
+                side: event.side,
+                velocity,
+                kind: event.kind,
+                digits: digits_of(error).min(figures),
+                number: T::rung(),
+                bounds: Some(bounds),
+            },
+            event: event.convert(Analytic::to_f64),
+            elapsed: time.to_f64(),
+            holds: event.kind != Kind::Undecided,
+            stretch: f64::NAN,
+            is_idle: enclosure.is_idle(),
         })
     }))
 }

@@ -5,6 +5,7 @@
 pub mod batch;
 mod chatter;
 mod course;
+mod enclosure;
 mod event;
 mod expansion;
 mod flight;
@@ -19,6 +20,7 @@ mod trajectory;
 mod widening;
 
 pub use batch::{Batch, Instructions};
+pub use enclosure::Enclosure;
 pub use event::{Event, Kind};
 pub use growth::Growth;
 pub use history::{Extent, History, Known, Row, Rows, history, history_in_decimals, rows, rows_in_decimals};

@@ -1,6 +1,6 @@
 //! Sine and cosine of a small angle, less the first terms of their series.
 
-use crate::number::Analytic;
+use crate::number::{Analytic, Endpoint, Field, Interval};
 
 /// The largest angle, in size, for which [`Swing`] is meant.
 pub(super) const REACH: f64 = 0.5;
@@ -19,8 +19,14 @@ impl<T: Analytic> Swing<T> {
     #[inline]
     pub fn of(x: &T, epsilon: f64) -> Self {
         let square = x.clone() * x.clone();
-        let lag = x.clone() * square.clone() * T::from_ratio(1, 6) * tail(&square, 4, epsilon);
-        let rest = square.clone() * square.clone() * T::from_ratio(1, 24) * tail(&square, 5, epsilon);
+        let tails = [4, 5].map(|n| tail(&square, n, epsilon));
+        Self::from_tails(x, square, tails)
+    }
+
+    #[inline]
+    fn from_tails(x: &T, square: T, [odd, even]: [T; 2]) -> Self {
+        let lag = x.clone() * square.clone() * T::from_ratio(1, 6) * odd;
+        let rest = square.clone() * square.clone() * T::from_ratio(1, 24) * even;
         Self {
             sin: x.clone() - lag.clone(),
             fall: square * T::from_ratio(1, 2) - rest.clone(),
@@ -28,6 +34,33 @@ impl<T: Analytic> Swing<T> {
             rest,
         }
     }
+}
+
+impl<E: Endpoint> Swing<Interval<E>> {
+    /// Enclosed, with what the series leaves out; `x` at most [`REACH`] in size.
+    pub fn enclosing(x: &Interval<E>) -> Self {
+        let square = x.square();
+        let tails = [4, 5].map(|n| enclosed_tail(&square, n));
+        Self::from_tails(x, square, tails)
+    }
+}
+
+/// [`tail`], enclosed: its terms alternate and fall for z below 1, so that the sum lies between any two partial sums that
+/// follow each other.
+fn enclosed_tail<E: Endpoint>(z: &Interval<E>, n: i64) -> Interval<E> {
+    let smallest = <E as Analytic>::epsilon().to_f64() / 8.0;
+    let (mut sum, mut term) = (Interval::<E>::from_integer(1), Interval::<E>::from_integer(1));
+    for pair in 0_i64.. {
+        let first = n + 2 * pair;
+        term = -(term * z.clone()) / Interval::from_integer(first * (first + 1));
+        let next = sum.clone() + term.clone();
+        // not a number ends it as well
+        if !(term.magnitude().to_f64() > smallest) {
+            return sum.hull(&next);
+        }
+        sum = next;
+    }
+    sum
 }
 
 /// `1 - z/(n(n+1)) (1 - z/((n+2)(n+3)) (1 - ...))`, to the precision of the number.

@@ -1,6 +1,7 @@
 //! What is said of an enclosure: a number of a table, and how far it may be wrong.
 
 use super::{Analytic, DoubleDouble, Endpoint, Field, Interval, Wide};
+use num_traits::Zero;
 use std::fmt;
 
 /// The decimal figures that every f64 has.
@@ -87,7 +88,7 @@ impl<E: Endpoint> Telling<E> for Doubles {
 
     fn bound(&self, error: E) -> f64 {
         // the magnitude is rounded to f64, either way
-        error.to_f64().next_up()
+        if error.is_zero() { 0.0 } else { error.to_f64().next_up() }
     }
 
     fn holds(&self, _value: &Interval<E>) -> bool {
@@ -131,8 +132,13 @@ impl<const DIGITS: usize> Telling<Wide<DIGITS>> for Decimals {
 
     fn error(&self, told: &Decimal, value: &Interval<Wide<DIGITS>>) -> Wide<DIGITS> {
         let read = Wide::parse(&told.0).unwrap_or(Wide::INVALID);
-        // read is the nearest number to the decimal, not the decimal itself
-        (Interval::new(read.below(), read.above()) - value.clone()).magnitude()
+        // read is the nearest number to the decimal, not the decimal itself; 0 is
+        let read = if read.is_zero() {
+            Interval::point(read)
+        } else {
+            Interval::new(read.below(), read.above())
+        };
+        (read - value.clone()).magnitude()
     }
 
     fn bound(&self, error: Wide<DIGITS>) -> Decimal {

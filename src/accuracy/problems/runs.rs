@@ -65,7 +65,12 @@ fn extent(problem: &Problem, given: &Given, begin: &Begin, digits: u32) -> Resul
         None => (plain(problem, given, begin)?.1, usize::MAX),
     };
     let until = f64::INFINITY;
-    let extent = Extent { impacts, until, digits };
+    let extent = Extent {
+        impacts,
+        until,
+        digits,
+        proved: false,
+    };
     Ok((extent, last))
 }
 
