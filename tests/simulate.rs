@@ -117,6 +117,26 @@ fn motion(g: f64, d: f64, r_b: f64, r_t: f64) -> Motion<f64> {
     Motion::new(g, d, r_b, r_t).expect("a motion")
 }
 
+#[test]
+fn proved_events_come_with_bounds_that_hold_and_end_where_they_can_no_longer() {
+    let rows = printed(&[&RESTING[..], &["--impacts", "40", "--proved"]].concat());
+    let bounds = "time_error_bound,phase_error_bound,velocity_error_bound";
+    assert_eq!(
+        rows[0].join(","),
+        format!("event,time,phase,side,velocity,kind,digits,number,{bounds}")
+    );
+    let plain = printed(&[&RESTING[..], &["--impacts", "40", "--digits", "50"]].concat());
+    assert_eq!(rows.len(), plain.len());
+    for (row, exact) in rows.iter().zip(&plain).skip(1) {
+        assert_eq!((&row[3], &row[5]), (&exact[3], &exact[5]));
+        for (value, bound) in [(1, 8), (2, 9), (4, 10)] {
+            let apart = Wide::<60>::from_f64(number(&row[value])) - Wide::parse(&exact[value]).expect("a number");
+            assert!(apart.to_f64().abs() <= number(&row[bound]), "{row:?} {exact:?}");
+            assert!(number(&row[bound]) < 1e-11, "{row:?}");
+        }
+    }
+}
+
 fn start(phase: f64, velocity: f64) -> Start<f64> {
     Start {
         side: Side::Bottom,
@@ -154,6 +174,29 @@ fn chaos_is_held_by_wider_numbers_without_being_asked_and_told_as_statistics_bey
     assert!(lost.rows.iter().all(|row| row.event > from - 20 || row.digits > 0));
     assert_eq!(lost.rows.iter().filter(|row| row.kind == Kind::Impact).count(), 1000);
     assert!(lost.known.lyapunov > 0.2, "{}", lost.known.lyapunov);
+}
+
+#[test]
+fn where_chaos_can_no_longer_be_proved_the_rows_end() {
+    let (motion, start) = chaotic();
+    let extent = Extent {
+        impacts: 100_000,
+        until: f64::INFINITY,
+        digits: 6,
+        proved: true,
+    };
+    let held = history(&motion, &start, &extent, usize::MAX, Rung::Double).expect("a motion");
+    let last = held.rows.back().expect("a row");
+    assert_eq!(
+        (last.kind, last.digits, last.bounds),
+        (Kind::Undecided, 0, Some([f64::INFINITY; 3]))
+    );
+    assert!(held.rows.len() > 250, "{}", held.rows.len());
+    assert!(
+        held.rows
+            .iter()
+            .all(|row| row.digits > 0 || row.event > last.event - 20)
+    );
 }
 
 #[test]

@@ -1,10 +1,12 @@
 //! Periodic motions of general words, against the model they never call: its flights, its maps, its many digits.
 
 use nalgebra::Matrix2;
+use std::f64::consts::PI;
 use std::sync::LazyLock;
+use vibro_audit::impact::{Simulation, Start};
 use vibro_audit::model::{Forcing, Impact, Leg, Map, Motion, Order, Passage, Side, next_impact};
 use vibro_audit::number::{Analytic, DoubleDouble, Field, Interval, Rung, Sequence, Wide};
-use vibro_audit::orbit::{Orbit, Question, Rounded, Unsettled, Word, search};
+use vibro_audit::orbit::{Orbit, Question, Rounded, Unsettled, Word, find, search};
 
 type Digits = Wide<40>;
 type Line = Interval<f64>;
@@ -414,4 +416,41 @@ fn what_f64_cannot_tell_a_wider_number_can() {
     assert_eq!(undecided, Err(Unsettled::Undecided { what }));
     let orbit = cycles[0].orbit(&near).expect("decided");
     assert!((orbit.trace.to_f64() + 1.0 + orbit.determinant.to_f64()).abs() < 1e-12);
+}
+
+#[test]
+fn figures_of_a_motion_without_a_proof_hold_however_short_its_flights_are() {
+    for r_t in [1e-5, 1e-6, 1e-7, 1e-8, 1e-9] {
+        let motion = Motion::new(0.1, 0.26, 0.6, r_t).expect("a motion");
+        let found = find(&motion, &"BTT".parse().expect("a word"), 1).expect("a search");
+        let [row] = &found.orbits[..] else {
+            panic!("{r_t}: {:?}", found.orbits)
+        };
+        // the hop at the top, to first order in its speed
+        let close = |one: f64, other: f64| (one / other - 1.0).abs() < 1e-4;
+        let launch = r_t * row.velocities[1].abs();
+        let push = (row.phases[1].cos() + motion.g()).abs();
+        assert!(close(row.velocities[2], -launch), "{row:?}");
+        assert!(close(row.times[1], 2.0 * launch / push), "{row:?}");
+        assert!(
+            close(row.phases[2] - row.phases[1], PI * row.times[1]) || r_t < 1e-8,
+            "{row:?}"
+        );
+        // and the flight before, by the laws (3) and (4)
+        let wide = motion.convert(|value| Digits::from_f64(*value)).expect("a motion");
+        let start = Start {
+            side: Side::Bottom,
+            phase: row.phases[0],
+            velocity: row.velocities[0],
+        };
+        let start = start.convert(|value| Digits::from_f64(*value));
+        let top = Simulation::new(&wide, &start)
+            .nth(1)
+            .expect("an impact")
+            .convert(Analytic::to_f64);
+        assert!(
+            close(top.velocity, row.velocities[1]) && close(top.phase, row.phases[1]),
+            "{top:?} {row:?}"
+        );
+    }
 }

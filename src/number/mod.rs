@@ -113,5 +113,5 @@ pub use interval::Interval;
 pub use rational::Rational;
 pub use rung::{AtRung, Rung};
 pub use sequence::{Sequence, mix};
-pub use telling::{Decimal, Decimals, Doubles, FIGURES_OF_F64, Telling, Told};
+pub use telling::{Decimal, Decimals, Doubles, FIGURES_OF_F64, Supported, Telling, Told};
 pub use wide::{Digits, Wide, at_digits};

@@ -96,6 +96,37 @@ impl<E: Endpoint> Telling<E> for Doubles {
     }
 }
 
+/// As f64, rounded to the figures that the enclosure supports: what is not proved says no more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Supported;
+
+impl<E: Endpoint> Telling<E> for Supported {
+    type Number = f64;
+
+    fn tell(&self, value: &Interval<E>) -> f64 {
+        let (middle, size) = (value.to_f64(), value.mignitude().to_f64());
+        let part = value.radius().to_f64() / size;
+        // the figures before an error of this part, half a unit each
+        let figures = (-part.log10()).floor().clamp(0.0, f64::from(FIGURES_OF_F64));
+        match figures as usize {
+            0 => 0.0,
+            figures => format!("{middle:.*e}", figures - 1).parse().unwrap_or(middle),
+        }
+    }
+
+    fn error(&self, told: &f64, value: &Interval<E>) -> E {
+        Doubles.error(told, value)
+    }
+
+    fn bound(&self, error: E) -> f64 {
+        Doubles.bound(error)
+    }
+
+    fn holds(&self, _value: &Interval<E>) -> bool {
+        false
+    }
+}
+
 /// As decimals of so many significant figures, at least 1, over [`Wide`] of more digits than that; of fewer where the
 /// enclosure does not support as many. Each is within one unit of its last figure of every point of the enclosure, but
 /// for one around 0 or without a figure.

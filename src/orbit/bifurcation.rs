@@ -26,7 +26,7 @@ const PHASE: usize = 1;
 
 /// Where two branches cross, the equations of a fold hold doubly: this near, in T_1, psi and the parameter, they are
 /// not asked.
-pub const CROSSING: f64 = 1e-3;
+pub const CROSSING: f64 = 1e-4;
 
 /// A proved event: the equations that it solves, and their solution within rounding.
 #[derive(Clone, Debug, PartialEq)]
@@ -159,7 +159,7 @@ pub fn bifurcations(family: &impl Family, cover: &Cover) -> Bifurcations {
         conditioned(family, cover, condition, apart, &mut found);
     }
     for touch in Touch::ALL {
-        touching(family, cover, touch, &mut found);
+        touching(family, cover, touch, elastic, &mut found);
     }
     // A proof reaches a little beyond the cells.
     found
@@ -198,16 +198,22 @@ fn conditioned(
     found.undecided.extend(cells.map(|cell| (condition.event(), cell)));
 }
 
-fn touching(family: &impl Family, cover: &Cover, touch: Touch, found: &mut Bifurcations) {
+fn touching(family: &impl Family, cover: &Cover, touch: Touch, elastic: bool, found: &mut Bifurcations) {
     let periods = cover.periods;
     let system = Touching { family, periods, touch };
     let after = Interval::new(0.0, 2.0 * f64::from(periods));
     let with_time = |&[t_1, middle, parameter]: &Cell<f64, 3>| [t_1, middle, parameter, after];
     let isolation = isolated(&system, cover.cells.iter().map(with_time).collect());
     for root in distinct_phases(isolation.roots, PHASE) {
-        // A reversible motion touches a wall in both of its flights at once: one event.
+        // A reversible motion touches a wall in both of its flights at once: one event. So does one without loss that
+        // reaches a wall with velocity 0: it is alone with its reflection in time, and touches there at both phases; and
+        // a ball that stands still without gravity while the capsule moves.
+        let meets = |cell: &[Interval<f64>]| (0..3).all(|i| cell[i].intersection(&root.enclosure[i]).is_some());
         let twin = |located: &Located| match located {
-            Located::Touch(_, other) => (0..3).all(|i| other.enclosure[i].intersection(&root.enclosure[i]).is_some()),
+            Located::Touch(_, other) => meets(&other.enclosure),
+            Located::Condition(Condition::SlowImpact(_), other) => {
+                meets(&other.enclosure) && (elastic || stands(family, periods, &other.enclosure))
+            }
             _ => false,
         };
         if system.is_wanted(&root.enclosure) && !found.located.iter().any(twin) {
@@ -217,6 +223,16 @@ fn touching(family: &impl Family, cover: &Cover, touch: Touch, found: &mut Bifur
     let cells = isolation.undecided.into_iter();
     let without_time = |[t_1, middle, parameter, _]: Cell<f64, 4>| (Event::Grazing, [t_1, middle, parameter]);
     found.undecided.extend(cells.map(without_time));
+}
+
+/// Whether the motion may be that of a ball without gravity that has velocity 0 at both walls.
+fn stands(family: &impl Family, periods: u32, [t_1, middle, parameter]: &Cell<f64, 3>) -> bool {
+    let Ok(motion) = family.motion_at(parameter) else {
+        return false;
+    };
+    let balance = Balance::new(&motion, periods);
+    let velocities = balance.velocities(t_1, middle);
+    balance.g().contains_zero() && velocities.iter().all(Interval::contains_zero)
 }
 
 /// The branch of symmetric motions, T_1 = T_2 = n.

@@ -30,20 +30,19 @@ const SHRINK: f64 = 0.125;
 /// Newton steps with a fixed derivative: each gains as many digits as f64 has, less the condition.
 const MOST_STEPS: usize = 60;
 
-/// The proof around `phases`, with the largest radius tried that has one.
-pub(super) fn prove(system: &System<Interval<f64>>, phases: &[f64]) -> Option<Proof> {
-    let middle: System<f64> = system.convert(Interval::midpoint).ok()?;
-    let (_, rows) = middle.linearised(phases)?;
-    let inverse = inverse(&rows)?;
-    let at_centre: Vec<_> = phases.iter().map(|phase| Interval::point(*phase)).collect();
+/// The proof around `phases`, with the largest radius tried that has one: over a wider number, of motions whose flights
+/// are so short that f64 cannot tell them from none.
+pub(super) fn prove<E: Endpoint>(system: &System<Interval<E>>, phases: &[f64]) -> Option<Proof> {
+    let at_centre: Vec<_> = phases.iter().map(|phase| Interval::from_f64(*phase)).collect();
+    let inverse = inverse_at(system, &at_centre)?;
     let step = largest(&times(&inverse, &system.residuals(&at_centre)));
     let mut radius = LARGEST_RADIUS;
     for _ in 0..RADII {
-        let around = |phase: &f64| Interval::point(*phase) + Interval::new(-radius, radius);
-        let whole: Vec<_> = phases.iter().map(around).collect();
+        let reach = Interval::new(-E::from_f64(radius), E::from_f64(radius));
+        let whole: Vec<_> = at_centre.iter().map(|phase| phase.clone() + reach.clone()).collect();
         let contraction = contraction(&inverse, &system.jacobian(&whole));
         if contraction < 1.0 {
-            let error = error(step, contraction);
+            let error = error(step.clone(), contraction).to_f64().next_up();
             if error < radius {
                 return Some(Proof {
                     centre: phases.to_vec(),
@@ -59,16 +58,51 @@ pub(super) fn prove(system: &System<Interval<f64>>, phases: &[f64]) -> Option<Pr
     None
 }
 
+/// The inverse of the derivatives at a point, about.
+fn inverse_at<E: Endpoint>(system: &System<Interval<E>>, point: &[Interval<E>]) -> Option<DMatrix<f64>> {
+    let rows = system.jacobian(point);
+    let rows: Vec<Vec<f64>> = rows
+        .iter()
+        .map(|row| row.iter().map(Analytic::to_f64).collect())
+        .collect();
+    inverse(&rows)
+}
+
+/// Where Newton's method leads from `phases` in a wider number, to about its last step: proposed, not proved.
+pub(super) fn approached<E: Endpoint>(system: &System<Interval<E>>, phases: &[f64]) -> Vec<Interval<E>> {
+    let mut point: Vec<Interval<E>> = phases.iter().map(|phase| Interval::from_f64(*phase)).collect();
+    let mut least: Option<E> = None;
+    for _ in 0..MOST_STEPS {
+        let Some(inverse) = inverse_at(system, &point) else {
+            break;
+        };
+        let step = times(&inverse, &system.residuals(&point));
+        let size = largest(&step);
+        if !size.is_finite() || least.as_ref().is_some_and(|least| size >= *least) {
+            break;
+        }
+        let moved = point.into_iter().zip(step);
+        point = moved
+            .map(|(phase, step)| Interval::point((phase - step).midpoint()))
+            .collect();
+        least = Some(size);
+    }
+    let far = least.unwrap_or_else(|| E::from_f64(LARGEST_RADIUS));
+    let off = Interval::new(-far.clone(), far);
+    point.into_iter().map(|phase| phase + off.clone()).collect()
+}
+
 /// A bound of |I - Y H'|.
-fn contraction(inverse: &DMatrix<f64>, rows: &[Vec<Interval<f64>>]) -> f64 {
+fn contraction<E: Endpoint>(inverse: &DMatrix<f64>, rows: &[Vec<Interval<E>>]) -> f64 {
     let count = rows.len();
     let row_sum = |row: usize| {
         let entries = (0..count).map(|column| {
             let identity = Interval::from_integer(i64::from(row == column));
-            let terms = (0..count).map(|k| Interval::point(inverse[(row, k)]) * rows[k][column]);
+            let terms = (0..count).map(|k| Interval::from_f64(inverse[(row, k)]) * rows[k][column].clone());
             terms.fold(identity, |sum, term| sum - term).size()
         });
-        entries.fold(Interval::from_integer(0), |sum, entry| sum + entry).high()
+        let sum = entries.fold(Interval::from_integer(0), |sum, entry| sum + entry);
+        sum.high().to_f64().next_up()
     };
     // NaN is not below 1
     (0..count)

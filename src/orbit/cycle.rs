@@ -1,13 +1,13 @@
 //! The search for periodic motions of any word: from many starts, each proved by itself.
 
-use super::certify::{Proof, prove};
+use super::certify::{Proof, approached, prove};
 use super::leap::System;
 use super::newton::{brought_near, listed_from, settle, starts};
 use super::orbit::Orbit;
 use super::unsettled::Unsettled;
 use super::word::Word;
 use crate::model::{Motion, MotionError};
-use crate::number::{Analytic, Endpoint, Interval};
+use crate::number::{Analytic, Endpoint, Interval, Wide};
 use crate::stop;
 
 /// Starts for each impact and forcing period.
@@ -119,11 +119,35 @@ fn lacks_gravity(system: &System<Interval<f64>>) -> bool {
 impl Cycle {
     /// The motion at phases that Newton's method settled at, proved if it can be.
     pub(super) fn near(system: &System<Interval<f64>>, phases: Vec<f64>) -> Self {
+        let (proof, phases) = match prove(system, &phases) {
+            Some(proof) => (Some(proof), phases),
+            None => Self::in_more_digits(system, phases),
+        };
         Self {
             word: system.word.clone(),
             periods: system.periods,
-            proof: prove(system, &phases),
+            proof,
             phases,
+        }
+    }
+
+    /// The same in more digits, where rounding in f64 may be all that is in the way.
+    fn in_more_digits(system: &System<Interval<f64>>, phases: Vec<f64>) -> (Option<Proof>, Vec<f64>) {
+        type Digits = Wide<50>;
+        let ends = |value: &Interval<f64>| {
+            let [low, high] = [value.low(), value.high()].map(Digits::from_f64);
+            Interval::new(low, high)
+        };
+        let Ok(system) = system.convert(ends) else {
+            return (None, phases);
+        };
+        let near = approached(&system, &phases)
+            .iter()
+            .map(Analytic::to_f64)
+            .collect::<Vec<_>>();
+        match prove(&system, &near) {
+            Some(proof) => (Some(proof), near),
+            None => (None, phases),
         }
     }
 
@@ -160,7 +184,7 @@ impl Cycle {
         };
         let phases = match &self.proof {
             Some(proof) => proof.refined(&system),
-            None => self.phases.iter().map(|phase| Interval::from_f64(*phase)).collect(),
+            None => approached(&system, &self.phases),
         };
         let orbit = Orbit::settle(&self.word, self.periods, motion, &system.fixes(&phases))?;
         Ok(if self.is_certified() {

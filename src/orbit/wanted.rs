@@ -9,8 +9,8 @@ use super::unsettled::{Question, Unsettled};
 use crate::model::{Exact, Parameters};
 use crate::model::{Motion, MotionError, Side};
 use crate::number::{
-    Decimal, Decimals, Digits, DoubleDouble, Doubles, Endpoint, FIGURES_OF_F64, Interval, Rung, Telling, Told,
-    at_digits,
+    Decimal, Decimals, Digits, DoubleDouble, Doubles, Endpoint, FIGURES_OF_F64, Interval, Rung, Supported, Telling,
+    Told, at_digits,
 };
 
 /// What becomes of what was proved: rows of numbers, each computed over the narrowest number that will do.
@@ -102,9 +102,6 @@ impl Goal<Decimals> {
 /// Digits that a number has beyond the most figures told of it: a motion may lose as many.
 const BEYOND: u32 = 5;
 
-/// The figures of a motion without a proof.
-const GUESSED: usize = 15;
-
 /// The most figures that decimals may have: more than the widest number has are not computed.
 pub fn most_figures() -> usize {
     let widest = Rung::ALL.into_iter().map(Rung::digits).max();
@@ -129,26 +126,20 @@ impl<T> Goal<T> {
     }
 }
 
-/// A motion over `E` as `telling` has it, and whether that will do; one without a proof as `guess` has it, of which no
-/// wider number knows more.
+/// A motion over `E` as `telling` has it, one without a proof as `guess` has it, and whether that will do.
 fn orbit_over<E: Endpoint, T: Telling<E>>(
     (parameters, proved): (&impl Parameters, &Proved),
-    [telling, guess]: [&T; 2],
+    (telling, guess): (&T, &impl Telling<E, Number = T::Number>),
     holds: impl Fn(&Interval<E>) -> bool,
 ) -> Result<(Rounded<T::Number>, bool), Unsettled> {
     let orbit = proved.orbit::<E>(parameters)?;
-    if orbit.certified {
-        let enough = orbit.all_are(holds);
-        Ok((orbit.told(telling), enough))
+    let enough = orbit.all_are(holds);
+    let told = if orbit.certified {
+        orbit.told(telling)
     } else {
-        // what the enclosures are around came from f64
-        let computed_in = Rung::Double;
-        let told = Rounded {
-            computed_in,
-            ..orbit.told(guess)
-        };
-        Ok((told, true))
-    }
+        orbit.told(guess)
+    };
+    Ok((told, enough))
 }
 
 /// Whether an enclosure has so many digits; what may be 0, that many behind the point.
@@ -169,7 +160,7 @@ impl Wanted for Goal<Doubles> {
     }
 
     fn orbit(&self, parameters: &impl Parameters, proved: &Proved) -> Result<Rounded, Unsettled> {
-        let (what, digits, telling) = ((parameters, proved), self.digits, [&Doubles; 2]);
+        let (what, digits, telling) = ((parameters, proved), self.digits, (&Doubles, &Supported));
         self.climb(|rung| match rung {
             Rung::Single | Rung::Double => orbit_over::<f64, _>(what, telling, |value| has_digits(value, digits)),
             Rung::DoubleDouble => orbit_over::<DoubleDouble, _>(what, telling, |value| has_digits(value, digits)),
@@ -210,8 +201,7 @@ impl Wanted for Goal<Decimals> {
     type Number = Decimal;
 
     fn orbit(&self, parameters: &impl Parameters, proved: &Proved) -> Result<Rounded<Decimal>, Unsettled> {
-        let guess = Decimals(self.telling.0.min(GUESSED));
-        let (what, telling) = ((parameters, proved), [&self.telling, &guess]);
+        let (what, telling) = ((parameters, proved), (&self.telling, &self.telling));
         self.climb(|rung| match rung {
             Rung::Wide(digits) => at_digits(digits, || {
                 orbit_over::<Digits, _>(what, telling, |value| self.telling.holds(value))
