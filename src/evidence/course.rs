@@ -330,8 +330,10 @@ impl System {
             let (Some(flight), Some((order, _))) = (course.flight, course.law) else {
                 continue;
             };
+            // a claim at the running time is about the end of the flight only where it speaks of that
+            let to_its_end = !statements.claim_runs || statements.last.is_some_and(|last| last > flight);
             let ends = [(flight, true, order), (flight + 1, false, 0)];
-            for (index, after, lowest) in ends.into_iter().take(if statements.claim_runs { 1 } else { 2 }) {
+            for (index, after, lowest) in ends.into_iter().take(1 + usize::from(to_its_end)) {
                 for (level, name) in course.names.iter().enumerate().skip(lowest) {
                     if !vocabulary.states.contains(name) {
                         continue;

@@ -7,6 +7,7 @@ use super::domain::{self, Condition, Kind};
 use super::formula::{Formula, Formulas, Op, Program, Work};
 use super::maps::{Maps, Step, read_maps};
 use super::space::{Slot, Space};
+use super::value::Function;
 use crate::claim::{Local, Premise, Statements, Vocabulary, flies};
 use crate::tex::{At, Condition as Assumption, Equation, Invariant, Name, Relation, Tree};
 use std::collections::{BTreeSet, HashMap};
@@ -570,10 +571,16 @@ impl System {
             }
             // a real symbol that is said to be what may be complex restricts that
             let is_free = |slot: &usize| !self.is_complex || self.kinds.get(*slot).is_some_and(|kind| kind.complex);
+            // and of a generic one it matters what it is, though nothing else be said of it
+            let is_generic = |slot: &usize| self.kinds.get(*slot).is_some_and(|kind| kind.generic);
             let defines = |slot: &usize| {
-                counts.get(slot) == Some(&1) && !needed.contains(slot) && !self.fixed.contains(slot) && is_free(slot)
+                let is_open = !needed.contains(slot) && !self.fixed.contains(slot) && !is_generic(slot);
+                counts.get(slot) == Some(&1) && is_open && is_free(slot)
             };
-            let idle = |row: &Formula| !steps.contains(row) && self.alone(*row).iter().any(defines);
+            // where what it is said to be does not exist, there is no point
+            let is_partial = |op: Op| matches!(op, Op::Root(..) | Op::RealPower(..) | Op::Apply(Function::Ln, _));
+            let restricts = |row: &Formula| steps.contains(row) || self.formulas.any(*row, is_partial);
+            let idle = |row: &Formula| !restricts(row) && self.alone(*row).iter().any(defines);
             let Some(position) = self.rows.iter().position(idle) else {
                 return;
             };

@@ -54,8 +54,8 @@ fn enclosed_tail<E: Endpoint>(z: &Interval<E>, n: i64) -> Interval<E> {
         let first = n + 2 * pair;
         term = -(term * z.clone()) / Interval::from_integer(first * (first + 1));
         let next = sum.clone() + term.clone();
-        // not a number ends it as well
-        if !(term.magnitude().to_f64() > smallest) {
+        let goes_on = term.magnitude().to_f64() > smallest;
+        if !goes_on {
             return sum.hull(&next);
         }
         sum = next;

@@ -913,6 +913,13 @@ impl<'a> Builder<'a> {
     }
 
     fn real_power(&mut self, base: &Tree, exponent: &Tree, at: usize) -> Result<Term, Unreadable> {
+        // what is written with symbols is no number, whatever it adds up to
+        let is_number = !crate::claim::any(exponent, &mut |tree| {
+            !matches!(
+                tree,
+                Tree::Number(_) | Tree::Sum(_) | Tree::Product(_) | Tree::Negate(_) | Tree::Quotient(..)
+            )
+        });
         let exponent = self.tree(exponent)?;
         if let Tree::Symbol(name, _) = base
             && is_letter(name, "e")
@@ -923,7 +930,7 @@ impl<'a> Builder<'a> {
         let base = self.tree(base)?;
         let mut expansion = super::expand::Expansion::new(BTreeSet::new(), 1000);
         let constant = expansion.of(&self.statement.terms, exponent).ok();
-        let constant = constant.filter(|quotient| quotient.divisors.is_empty());
+        let constant = constant.filter(|quotient| is_number && quotient.divisors.is_empty());
         if let Some(Rational(value)) = constant.and_then(|quotient| quotient.numerator.as_constant()) {
             let index = u32::try_from(value.denominator()).ok().filter(|index| *index <= 1000);
             let power = i32::try_from(value.numerator())
@@ -1106,8 +1113,12 @@ impl<'a> Builder<'a> {
             && let Some(index) = index_of(&time.subscript, &self.vocabulary.index)
             && self.vocabulary.states.contains(&name.bare())
         {
-            let departs =
-                name.mark == "+" || (name.mark.is_empty() && self.scope.in_flight && self.scope.flight == index);
+            let at_departure = name.mark.is_empty() && self.scope.in_flight && self.scope.flight == index;
+            if at_departure && !self.vocabulary.continuous.contains(&name.bare()) {
+                let what = format!("`{name}({time})` in a law of flight is the value before the impact or after it");
+                return Err(unreadable(at, format!("{what}: write the index, or a mark `+` or `-`")));
+            }
+            let departs = name.mark == "+" || at_departure;
             let letter = self.vocabulary.index.clone();
             let symbol = self.statement.state(&name.bare(), index, departs, &letter);
             return Ok(self.statement.terms.symbol(symbol));

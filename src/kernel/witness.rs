@@ -664,6 +664,11 @@ impl<'a> At<'a> {
                 let exponent = i32::try_from(exponent.0.clone().into_parts().0)
                     .ok()
                     .filter(|_| *exponent.0.denominator() == dashu_int::UBig::ONE)?;
+                // 0^0 is 1 only where the exponent is written as an integer
+                let is_nonzero = |base: Term| matches!(terms.node(base), Node::Number(value) if !value.0.is_zero());
+                if exponent == 0 && !is_nonzero(*base) {
+                    return None;
+                }
                 let power = terms.add(Node::Power(*base, exponent.checked_abs()?));
                 if exponent >= 0 {
                     return Some(power);

@@ -252,7 +252,7 @@ fn generic_symbols_are_free_and_nothing_else_is_generic() {
 #[test]
 fn a_law_is_taken_where_it_holds() {
     // at the running time of its own flight
-    let claim = r"\dot{x}(t) = \dot{x}(t_{k+1}) + g (t - t_{k+1})";
+    let claim = r"\dot{x}(t) = \dot{x}^+(t_{k+1}) + g (t - t_{k+1})";
     let own = statement(FLIGHT, &[r"\dot{x}(t) = g t"], claim);
     assert_eq!(own.flight(), Some(1));
     for (shift, accepted) in [(1, true), (0, false), (2, false)] {

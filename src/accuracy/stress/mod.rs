@@ -25,6 +25,7 @@ mod eigenvalue;
 mod fall;
 mod frozen;
 mod jacobian;
+mod lanes;
 mod long;
 mod motion;
 mod paper;
@@ -134,6 +135,8 @@ pub fn stress(only: Option<&str>, frozen: &str) -> Result<Vec<StressRow>, Stress
     rows.extend(scenes?);
     rows.extend(chatters?);
     rows.extend(long?);
+    let extremes: Vec<&str> = lanes::cases().filter(|case| is_wanted(case)).collect();
+    rows.extend(gathered(extremes.into_par_iter().map(lanes::rows))?);
     rows.extend(unusual::rows().into_iter().filter(|row| is_wanted(&row.case)));
     match only {
         Some(only) if rows.is_empty() => Err(StressError::NoCase(only.to_owned())),

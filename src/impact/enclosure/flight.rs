@@ -155,7 +155,8 @@ impl<E: Endpoint> Flight<E> {
             }
             // down: the sum of an angle and a leap is rounded
             let next = (x.clone() + E::from_f64(clear[0].min(clear[1]) * CAUTION)).below();
-            if !(next > x) {
+            let goes_on = next > x;
+            if !goes_on {
                 return (x, None);
             }
             x = next;
@@ -209,7 +210,8 @@ impl<E: Endpoint> Flight<E> {
 
     /// Within which angle from now a wall is met for certain, and approached all the while at half the rate or more.
     fn reach(&self, approach: &Approach<E>, wall: Side) -> Option<E> {
-        if !approach.rate.is_positive() || !(approach.distance.high() > E::zero()) {
+        let is_off = approach.distance.high() > E::zero();
+        if !(approach.rate.is_positive() && is_off) {
             return None;
         }
         let [_, away] = self.pulls(wall);
@@ -271,7 +273,7 @@ impl<E: Endpoint> Flight<E> {
             if lifts {
                 return Some(angle);
             }
-            angle = angle * E::from_ratio(1, 2);
+            angle *= E::from_ratio(1, 2);
         }
         None
     }
