@@ -232,12 +232,42 @@ fn no_output_replaces_an_input() {
         assert_eq!(fs::read_to_string(&sheet).unwrap(), text);
     }
     assert_refused(&["audit", &link, "--out", &sheet], &["read as an input"]);
+    // by another name of the file itself, and where it is standard input
+    let hard = scratch.path("hard.toml");
+    fs::hard_link(&sheet, &hard).unwrap();
+    assert_refused(&["audit", &sheet, "--out", &hard], &["read as an input"]);
+    let output = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
+        .args(["audit", "-", "--out", &sheet])
+        .stdin(fs::File::open(&sheet).unwrap())
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("read as an input"));
+    assert_eq!(fs::read_to_string(&sheet).unwrap(), text);
     // beside it there is room
     assert_eq!(
         run(&["audit", &sheet, "--out", &scratch.path("rows.txt")])
             .status
             .code(),
         Some(0)
+    );
+}
+
+#[test]
+fn a_file_behind_stdout_keeps_what_is_in_it() {
+    let scratch = Scratch::new("behind");
+    let log = scratch.path("log.txt");
+    let mut file = fs::File::create(&log).unwrap();
+    std::io::Write::write_all(&mut file, b"before\n").unwrap();
+    let status = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
+        .args(["scenes", "--out", "/dev/stdout"])
+        .stdout(file)
+        .status()
+        .unwrap();
+    let text = fs::read_to_string(&log).unwrap();
+    assert!(
+        status.success() && text.starts_with("before\n") && text.contains("fig02"),
+        "{text}"
     );
 }
 

@@ -135,13 +135,14 @@ fn say(known: &Known, latest: Option<Kind>, proved: bool) {
     if proved && latest == Some(Kind::Undecided) {
         return note(&format!(
             "what follows is not proved: up to the time of the last row nothing else happens, beyond it enclosures in {} \
-             tell no event",
+             are too wide, or the flight lasts too long to be followed",
             known.number
         ));
     }
     if latest == Some(Kind::Undecided) {
         note(&format!(
-            "rounding hides whether the ball touches at the last event, computed in {}",
+            "rounding hides whether the ball touches at the last event, computed in {}, or its flight lasts too long to be \
+             followed",
             known.number
         ));
     } else if let Some(event) = known.lost_at {

@@ -1,6 +1,6 @@
 //! Where a command reads from: a file, `-` for stdin.
 
-use crate::report::note_input;
+use crate::report::{note_input, note_stdin};
 use std::fs;
 use std::io::{self, Read};
 use std::path::PathBuf;
@@ -99,7 +99,10 @@ impl Source {
 
     fn text(&self) -> Result<String, SourceProblem> {
         let bytes = match self {
-            Self::Stdin => limited(io::stdin().lock())?,
+            Self::Stdin => {
+                note_stdin();
+                limited(io::stdin().lock())?
+            }
             Self::File(path) => {
                 note_input(path);
                 limited(fs::File::open(path)?)?

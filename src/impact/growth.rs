@@ -13,7 +13,7 @@ use std::f64::consts::{FRAC_1_PI, TAU};
 const STRAIGHT: f64 = 0.1;
 
 /// What a step of so many terms is wrong by, in epsilons: roundings take each other back, and are as often below.
-const ROUNDED: f64 = 1.2;
+const ROUNDED: f64 = 1.4;
 
 /// What is said to hold, holds for errors so many times those estimated.
 const SAFELY: f64 = 8.0;
@@ -122,7 +122,7 @@ impl Growth {
     }
 
     pub(super) fn follow<T: Analytic>(&mut self, event: &Event<T>, step: Step<T>) {
-        let own = 4.0 * self.epsilon;
+        let own = 0.5 * self.epsilon;
         match step {
             Step::Start => {
                 // phase and velocity, rounded once
@@ -209,9 +209,9 @@ impl Growth {
     }
 }
 
-/// Errors that have nothing to do with each other, together.
+/// Errors that have nothing to do with each other, together; the square of an error in many digits would be 0.
 fn together(errors: [f64; 4]) -> f64 {
-    errors.iter().map(|error| error * error).sum::<f64>().sqrt()
+    errors.into_iter().fold(0.0, f64::hypot)
 }
 
 /// An error as a part of a value; one of 0 has none.

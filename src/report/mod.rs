@@ -29,7 +29,7 @@ mod table;
 mod text;
 
 pub use format::{Format, UnknownFormat};
-pub use output::{Output, OutputError, OutputProblem, note_input, remove_temporaries};
+pub use output::{Output, OutputError, OutputProblem, note_input, note_stdin, remove_temporaries};
 pub use stream::Stream;
 pub use table::{Cell, Column, RowError, Table};
 

@@ -67,17 +67,54 @@ impl OutputProblem {
 /// The files and directories that were read from, links followed.
 static INPUTS: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
+/// The files themselves, whatever they are called: of hard links, and of a file behind standard input.
+static FILES: Mutex<BTreeSet<[u64; 2]>> = Mutex::new(BTreeSet::new());
+
 /// Takes note of a file, or of a directory with all in it, that is read: no output replaces it from now on.
 pub fn note_input(path: &Path) {
     if let (Ok(path), Ok(mut inputs)) = (path.canonicalize(), INPUTS.lock()) {
         inputs.insert(path);
     }
+    note_file(fs::metadata(path));
+}
+
+/// The same of what standard input is, where that is a file.
+pub fn note_stdin() {
+    #[cfg(unix)]
+    {
+        use std::os::fd::AsFd;
+        let own = io::stdin().as_fd().try_clone_to_owned();
+        note_file(own.and_then(|own| File::from(own).metadata()));
+    }
+}
+
+fn note_file(found: io::Result<fs::Metadata>) {
+    let found = found.ok().filter(fs::Metadata::is_file);
+    if let (Some(file), Ok(mut files)) = (found.as_ref().and_then(identity), FILES.lock()) {
+        files.insert(file);
+    }
+}
+
+/// What tells a file from all others, where the system says.
+fn identity(found: &fs::Metadata) -> Option<[u64; 2]> {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        Some([found.dev(), found.ino()])
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = found;
+        None
+    }
 }
 
 fn is_input(path: &Path) -> bool {
-    INPUTS
-        .lock()
-        .is_ok_and(|inputs| path.ancestors().take(2).any(|place| inputs.contains(place)))
+    let known = INPUTS.lock();
+    let is_known = known.is_ok_and(|inputs| path.ancestors().take(2).any(|place| inputs.contains(place)));
+    let file = fs::metadata(path).ok().as_ref().and_then(identity);
+    let files = FILES.lock();
+    is_known || file.is_some_and(|file| files.is_ok_and(|files| files.contains(&file)))
 }
 
 /// How a path is to be written.
@@ -106,6 +143,8 @@ impl Output {
         unless_stopped().map_err(|problem| self.error(problem))?;
         match self {
             Self::Stdout => write_stdout(print),
+            // a file behind it has more in it than this
+            Self::File(path) if path == Path::new("/dev/stdout") => write_stdout(print),
             Self::File(path) => match target(path) {
                 Ok(Target::Replace(path)) => replace(&path, print),
                 Ok(Target::Direct(path)) => write_direct(&path, print),

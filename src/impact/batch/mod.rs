@@ -300,8 +300,9 @@ mod tests {
                         break;
                     }
                     assert_eq!((event.kind, event.side, event.turns), (one.kind, one.side, one.turns));
-                    assert!(apart(event.phase, one.phase) <= 2.0 * growth.phase_error() + 1e-15);
-                    assert!((event.velocity - one.velocity).abs() <= 2.0 * growth.velocity_error());
+                    // two motions, each as far off as is allowed for where digits are claimed: eight times what is estimated
+                    assert!(apart(event.phase, one.phase) <= 16.0 * growth.phase_error() + 1e-15);
+                    assert!((event.velocity - one.velocity).abs() <= 16.0 * growth.velocity_error());
                     compared += 1;
                     rests += usize::from(event.kind == Kind::Rest);
                 }
