@@ -113,6 +113,10 @@ impl Device {
         }
     }
 
+    fn has_loss(&self) -> bool {
+        is_above(&whole(1), &(self.r[0].clone() * self.r[1].clone()))
+    }
+
     /// The trace at a bifurcation of a kind.
     fn levels(&self) -> Vec<(Event, Digits)> {
         let product = self.r[0].clone() * self.r[1].clone();
@@ -120,7 +124,7 @@ impl Device {
         let edge = one.clone() + product.clone() * product.clone();
         let mut levels = vec![(Event::Fold, edge.clone()), (Event::PeriodDoubling, -edge)];
         // without loss these are those
-        if is_above(&one, &product) {
+        if self.has_loss() {
             let twice = product.clone() + product;
             levels.extend([(Event::NodeFocus, twice.clone()), (Event::NodeFocus, -twice)]);
         }
@@ -287,10 +291,11 @@ fn examined(seed: u64, fine: u32) -> Outcome {
             .map(|side| Digits::from_f64(*motion.restitution(side))),
         total: whole(2 * i64::from(periods)) * Digits::pi(),
     };
+    // far wider than f64 tells a gap, far closer than two events of a kind were ever seen
     let same = |one: f64, other: f64| (one / other - 1.0).abs() < 1e-9;
     // grazing is a matter of clearance; where both flights last as long, a device without loss leaves the velocity free
     let is_scanned = |instant: &&Instant| {
-        let is_free = device.levels().len() == 2 && (instant.times[0] - instant.times[1]).abs() < 1e-9;
+        let is_free = !device.has_loss() && (instant.times[0] - instant.times[1]).abs() < 1e-9;
         instant.event != Event::Grazing && !is_free
     };
     let is_complete = open.is_empty();
@@ -313,9 +318,8 @@ fn examined(seed: u64, fine: u32) -> Outcome {
         }
     }
     // about each that is listed the scan finds it, however close to others it is
-    let has_loss = device.levels().len() == 4;
     for instant in listed.iter().filter(is_scanned) {
-        if !has_loss && instant.event == Event::NodeFocus {
+        if !device.has_loss() && instant.event == Event::NodeFocus {
             continue;
         }
         let at = Digits::from_f64(instant.times[0]) * Digits::pi();

@@ -333,11 +333,9 @@ impl Statements {
         let everything: Vec<&Tree> = of_claim.into_iter().chain(of_premises).collect();
         let any_node = |test: fn(&Tree) -> bool| everything.iter().any(|tree| any(tree, &mut |node| test(node)));
         let has_partials = any_node(|node| matches!(node, Tree::Partial { .. }));
-        let has_invariants = any_node(|node| matches!(node, Tree::Invariant { .. }));
         (self.first, self.last) = (impacts.first().copied(), impacts.last().copied());
         self.maps = self.named_maps(vocabulary);
-        // an assumption may name a map too
-        let speaks_of_maps = has_partials || has_invariants || !self.maps.is_empty();
+        let speaks_of_maps = has_partials || !self.maps.is_empty();
         if has_partials {
             // what is written out is along the maps that the premises give
             let given = vocabulary

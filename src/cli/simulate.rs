@@ -152,7 +152,7 @@ fn say(known: &Known, latest: Option<Kind>, proved: bool) {
             known.number, known.lyapunov
         ));
     }
-    if known.has_ended {
+    if known.has_ended && latest != Some(Kind::Undecided) {
         note("nothing follows the last event, or no impact of 1e-6 and above");
     }
 }

@@ -12,7 +12,8 @@ use std::f64::consts::{FRAC_1_PI, TAU};
 /// A step whose error changes the velocity of arrival by more than this part of it is no longer straight.
 const STRAIGHT: f64 = 0.1;
 
-/// What a step of so many terms is wrong by, in epsilons: roundings take each other back, and are as often below.
+/// The rounding of a step, in epsilons of the sum of its terms: a third of the bound, which is 4, since roundings cancel.
+/// With it the estimate is ten times too high in the median over 120,000 motions.
 const ROUNDED: f64 = 1.4;
 
 /// What is said to hold, holds for errors so many times those estimated.
@@ -122,6 +123,7 @@ impl Growth {
     }
 
     pub(super) fn follow<T: Analytic>(&mut self, event: &Event<T>, step: Step<T>) {
+        // a value that is rounded once
         let own = 0.5 * self.epsilon;
         match step {
             Step::Start => {

@@ -262,10 +262,12 @@ impl<P: Parameters, O: Origin, N: Number> Rows<P, O, N> {
     /// The next row of the present number or of a wider one; what every number loses is followed on.
     fn told(&mut self) -> Result<Option<Row<N>>, MotionError> {
         loop {
+            let told = (self.source)();
+            // what was stopped on its way has told nothing
             if !stop::goes_on() {
                 return Ok(None);
             }
-            let Some(told) = (self.source)() else {
+            let Some(told) = told else {
                 self.known.has_ended = true;
                 return Ok(None);
             };

@@ -30,7 +30,7 @@ const DEVICES: [(&str, [f64; 6]); 4] = [
     ),
 ];
 
-/// The impacts after that of the start: a device that stretches errors leaves digits to be told after them.
+/// The impacts after that of the start: few enough that errors which grow leave digits to compare.
 const IMPACTS: usize = 8;
 
 /// As many motions as make lanes worth while.

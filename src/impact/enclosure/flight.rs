@@ -8,6 +8,7 @@ use super::super::expansion::{Expansion, seen};
 use super::super::swing::{REACH, Swing};
 use crate::model::{Motion, Side};
 use crate::number::{Analytic, Endpoint, Field, Interval};
+use crate::stop;
 
 /// Beyond so many leaps, a thousand or more flights of use, it is left open what is met.
 const MOST_LEAPS: usize = 20_000;
@@ -155,8 +156,8 @@ impl<E: Endpoint> Flight<E> {
             }
             // down: the sum of an angle and a leap is rounded
             let next = (x.clone() + E::from_f64(clear[0].min(clear[1]) * CAUTION)).below();
-            let goes_on = next > x;
-            if !goes_on {
+            let has_moved = next > x;
+            if !(has_moved && stop::goes_on()) {
                 return (x, None);
             }
             x = next;
@@ -176,7 +177,7 @@ impl<E: Endpoint> Flight<E> {
             return 0.0;
         }
         let leap = |pull: f64| {
-            // a root by the hypotenuse underflows for nothing
+            // sqrt(V² + 2 K D), without a square that underflows
             let root = recession.hypot((2.0 * pull).sqrt() * distance.sqrt());
             if recession > 0.0 {
                 (recession + root) / pull

@@ -10,6 +10,7 @@ use super::simulation::LISTED;
 use super::start::Start;
 use crate::model::{Motion, Side};
 use crate::number::{Analytic, Endpoint, Field, Interval};
+use crate::stop;
 
 /// A chatter of more impacts below [`LISTED`] than this is listed, not completed.
 const MOST_HIDDEN: usize = 1_000_000;
@@ -255,6 +256,9 @@ impl<E: Endpoint> Enclosure<E> {
     fn completion(&self, event: &Event<Interval<E>>) -> Option<(Self, Event<Interval<E>>)> {
         let mut ahead = self.clone();
         for _ in 0..MOST_HIDDEN {
+            if !stop::goes_on() {
+                return None;
+            }
             let next = ahead.advance()?;
             match next.kind {
                 Kind::Rest => return Some((ahead, next)),
