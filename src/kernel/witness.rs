@@ -102,6 +102,7 @@ impl<'a> At<'a> {
             })?;
         }
         at.flights_go_on()?;
+        at.powers_are_defined()?;
         Ok(at)
     }
 
@@ -727,6 +728,28 @@ impl<'a> At<'a> {
 
     fn times(&self, a: &Polynomial, b: &Polynomial) -> Outcome<Polynomial> {
         Expansion::new(BTreeSet::new(), self.effort).times(a, b)
+    }
+
+    /// Over the reals no power that a premise or the claim writes is one of 0 whose exponent is not positive.
+    fn powers_are_defined(&mut self) -> Outcome<()> {
+        if self.statement.complex {
+            return Ok(());
+        }
+        let givens = self.statement.givens.iter().filter(|given| given.law.is_none());
+        let written: Vec<Term> = givens.map(|given| given.term).collect();
+        let claimed: Vec<Term> = self.statement.goal.iter().map(|(_, term)| *term).collect();
+        for term in written.into_iter().chain(claimed) {
+            let term = self.statement.written_out(term);
+            for inner in self.statement.terms.inside(term) {
+                if let Node::RealPower(base, exponent) = *self.statement.terms.node(inner)
+                    && !self.property(Property::Positive, base)?
+                    && !self.property(Property::Positive, exponent)?
+                {
+                    return refused("a power of 0 whose exponent is not positive");
+                }
+            }
+        }
+        Ok(())
     }
 
     /// A number without symbols has a value.
