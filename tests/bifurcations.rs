@@ -73,7 +73,7 @@ impl Sweep {
     }
 }
 
-fn prepared(family: &Along, periods: u32, [from, to]: [f64; 2]) -> Prepared<'_, Along> {
+fn prepared(family: &Along, periods: u32, [from, to]: [f64; 2]) -> Prepared<&Along> {
     Prepared::new(family, periods, Interval::new(from, to)).expect("a cover")
 }
 

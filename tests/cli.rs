@@ -273,8 +273,57 @@ fn a_file_behind_stdout_keeps_what_is_in_it() {
 
 #[test]
 fn an_endless_input_is_refused() {
-    assert_refused(&["audit", "/dev/zero"], &["/dev/zero", "64 MB"]);
-    assert_refused(&["orbits", "/dev/zero"], &["/dev/zero", "64 MB"]);
+    assert_refused(&["audit", "/dev/zero"], &["/dev/zero", "2 MB"]);
+    assert_refused(&["orbits", "/dev/zero"], &["/dev/zero", "2 MB"]);
+    assert_refused(&["score", "/dev/zero"], &["/dev/zero", "16 MB"]);
+    #[cfg(unix)]
+    {
+        let scratch = Scratch::new("endless");
+        std::os::unix::fs::symlink("/dev/zero", scratch.path("printed.csv")).unwrap();
+        let directory = scratch.path("");
+        assert_refused(&["check", &directory], &["printed.csv", "16 MB"]);
+    }
+}
+
+#[test]
+fn a_figure_of_more_than_it_shows_is_refused_before_it_is_computed() {
+    let few = [
+        "--set",
+        "sweep.points=1000",
+        "--set",
+        "sweep.keep=1000",
+        "--set",
+        "sweep.impacts=1000",
+    ];
+    assert_refused(
+        &[&["plot", "fig04"], &few[..]].concat(),
+        &["1000000 impacts", "sweep.keep"],
+    );
+    let many = ["plot", "fig02", "--set", "sweep.points=1000000"];
+    assert_refused(&many, &["values of motions", "sweep.points"]);
+}
+
+#[test]
+fn a_branch_of_more_values_than_are_computed_together_is_in_order_with_each_event_at_its_place() {
+    for ends in [["0.24", "0.42"], ["0.42", "0.24"]] {
+        let [from, to] = ends.map(String::from);
+        let (from, to) = (format!("sweep.from={from}"), format!("sweep.to={to}"));
+        let sets = ["--set", &from, "--set", &to, "--set", "sweep.points=2500"];
+        let output = run(&[&["branch", "fig02", "--format", "csv"], &sets[..]].concat());
+        let text = String::from_utf8(output.stdout).unwrap();
+        let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
+        let gaps: Vec<f64> = rows.iter().map(|row| row[3].parse().unwrap()).collect();
+        let rises = ends[0] < ends[1];
+        assert!(
+            gaps.windows(2)
+                .all(|two| if rises { two[0] <= two[1] } else { two[0] >= two[1] })
+        );
+        let kinds: Vec<&str> = rows.iter().map(|row| row[0]).filter(|kind| *kind != "point").collect();
+        assert!(
+            rows.len() > 2500 + kinds.len() && kinds.contains(&"period-doubling"),
+            "{kinds:?}"
+        );
+    }
 }
 
 /// What a command that would run for ever comes to under a signal that is sent after its first output, or after a time.

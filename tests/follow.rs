@@ -15,11 +15,11 @@ fn word(text: &str) -> Word {
     text.parse().expect("a word")
 }
 
-fn followed<'a>(family: &'a Motion<f64>, text: &str, periods: u32) -> Followed<'a, Motion<f64>> {
+fn followed<'a>(family: &'a Motion<f64>, text: &str, periods: u32) -> Followed<&'a Motion<f64>> {
     Followed::new(family, &word(text), periods, Interval::new(0.1, 0.5)).expect("a sweep")
 }
 
-fn at(followed: &Followed<Motion<f64>>, d: f64) -> Vec<Rounded> {
+fn at(followed: &Followed<&Motion<f64>>, d: f64) -> Vec<Rounded> {
     followed.orbits(&d).expect("a value").orbits
 }
 

@@ -31,7 +31,9 @@ pub struct Rows {
     /// The columns.
     pub columns: Vec<Column>,
     /// The rows in order; the first failure ends them.
-    pub rows: Box<dyn Iterator<Item = Result<Vec<Cell>, Failure>>>,
+    rows: Box<dyn Iterator<Item = Result<Vec<Cell>, Failure>>>,
+    /// The column whose cells are all to be true, lest [`Exit::NotAsExpected`].
+    required: Option<usize>,
 }
 
 impl fmt::Debug for Rows {
@@ -45,29 +47,51 @@ impl fmt::Debug for Rows {
 impl Answer {
     /// Prints the answer to `output`, text with a line break at its end, and says how the command exits.
     pub fn write(self, output: &Output, options: &Options) -> Result<Exit, Failure> {
-        self.content.write(output, options.format, options.figures())?;
-        Ok(self.exit)
+        let (_, is_met) = self.content.write(output, options.format, options.figures())?;
+        Ok(if is_met { self.exit } else { Exit::NotAsExpected })
     }
 }
 
 impl Content {
-    /// Prints it and tells the number of rows.
-    pub(super) fn write(self, output: &Output, format: Format, figures: usize) -> Result<usize, Failure> {
+    /// Prints it, and tells the number of rows and whether they are as is required.
+    pub(super) fn write(self, output: &Output, format: Format, figures: usize) -> Result<(usize, bool), Failure> {
         match self {
             Self::Table(table) => {
                 output.write(|to| table.write(to, format, figures))?;
-                Ok(table.rows().len())
+                Ok((table.rows().len(), true))
             }
             Self::Rows(rows) => rows.write(output, format, figures),
             Self::Text(text) => {
                 output.write(|to| writeln!(to, "{}", text.trim_end_matches('\n')))?;
-                Ok(0)
+                Ok((0, true))
             }
         }
     }
 }
 
+impl From<Table> for Rows {
+    fn from(table: Table) -> Self {
+        let (columns, rows) = table.into_parts();
+        Self::new(columns, rows.into_iter().map(Ok))
+    }
+}
+
 impl Rows {
+    /// Rows that are made as they are asked for.
+    pub fn new(columns: Vec<Column>, rows: impl Iterator<Item = Result<Vec<Cell>, Failure>> + 'static) -> Self {
+        Self {
+            columns,
+            rows: Box::new(rows),
+            required: None,
+        }
+    }
+
+    /// The same rows, of which all cells of a column are to be true.
+    pub fn requiring(self, column: &str) -> Self {
+        let required = self.columns.iter().position(|own| own.name == column);
+        Self { required, ..self }
+    }
+
     /// All rows at once.
     pub(super) fn table(self) -> Result<Table, Failure> {
         let mut table = Table::new(self.columns);
@@ -77,16 +101,23 @@ impl Rows {
         Ok(table)
     }
 
-    fn write(self, output: &Output, format: Format, figures: usize) -> Result<usize, Failure> {
-        let Self { columns, rows } = self;
-        let (mut count, mut failure) = (0, None);
+    fn write(self, output: &Output, format: Format, figures: usize) -> Result<(usize, bool), Failure> {
+        let Self {
+            columns,
+            rows,
+            required,
+        } = self;
+        let (mut count, mut is_met, mut failure) = (0, true, None);
         let token = Token::current();
         let written = output.write(|to| {
             let mut stream = Stream::new(columns, format, figures, to);
             // a row that was stopped on its way is none
             for row in rows.take_while(|_| !token.is_stopped()) {
                 match row {
-                    Ok(row) => stream.push(row)?,
+                    Ok(row) => {
+                        is_met &= required.is_none_or(|column| row.get(column) == Some(&Cell::Flag(true)));
+                        stream.push(row)?;
+                    }
                     Err(failed) => {
                         failure = Some(failed);
                         // so that nothing of the file remains
@@ -101,7 +132,7 @@ impl Rows {
             Some(failure) => Err(failure),
             None => {
                 written?;
-                Ok(count)
+                Ok((count, is_met))
             }
         }
     }
@@ -120,10 +151,7 @@ mod tests {
                 Err(Failure::NoTests)
             }
         };
-        Rows {
-            columns: vec![Column::from("number")],
-            rows: Box::new((0..5000).map(row)),
-        }
+        Rows::new(vec![Column::from("number")], (0..5000).map(row))
     }
 
     #[test]
@@ -134,7 +162,7 @@ mod tests {
         let failure = rows(4000).write(&output, Format::Csv, 12).unwrap_err();
         assert!(matches!(failure, Failure::NoTests), "{failure}");
         assert_eq!(fs::read_dir(&path).unwrap().count(), 0);
-        assert_eq!(rows(5000).write(&output, Format::Csv, 12).unwrap(), 5000);
+        assert_eq!(rows(5000).write(&output, Format::Csv, 12).unwrap(), (5000, true));
         assert_eq!(fs::read_to_string(path.join("rows.csv")).unwrap().lines().count(), 5001);
         fs::remove_dir_all(&path).unwrap();
     }

@@ -1,5 +1,6 @@
 //! `vibro-audit audit [SHEET] [--explain LABEL] [--effort N] [--template]`.
 
+use super::source::TOML_AT_MOST;
 use super::{Answer, Content, Exit, Failure, Options, Source};
 use crate::claim::{self, Fault, Sheet, Verdict};
 use crate::evidence::{Evidence, witness};
@@ -89,7 +90,7 @@ pub fn run(arguments: &Arguments, _options: &Options) -> Result<Answer, Failure>
     };
     let vocabulary = claim::vocabulary().map_err(in_sheet)?;
     let text = match &arguments.sheet {
-        Some(source) => source.read()?,
+        Some(source) => source.read(TOML_AT_MOST)?,
         None => claim::EQUATIONS.to_string(),
     };
     let sheet = Sheet::read(&text, &vocabulary).map_err(in_sheet)?;

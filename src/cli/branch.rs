@@ -1,13 +1,15 @@
 //! `vibro-audit branch SCENE`.
 
+use super::answer::Rows;
 use super::complete::{Complete, incomplete};
 use super::{Answer, Asked, Failure, Options, SceneArguments, note};
 use crate::number::{Decimals, Interval, Rung, Told};
 use crate::orbit::{
     Family, Followed, Found, Goal, Instant, Moment, Open, OpenEvent, Prepared, Rounded, Wanted, Word, confirmed_at,
 };
-use crate::report::{Cell, Table};
+use crate::report::{Cell, Column, Table};
 use crate::scene::{Over, Quantity, Scene, Setting, Sweep, Want};
+use std::collections::VecDeque;
 
 /// The motions of the wanted words over a sweep, and every bifurcation on the way
 #[derive(Debug, clap::Args)]
@@ -40,102 +42,177 @@ const COLUMNS: [&str; 15] = [
 /// Where d stands.
 const GAP: usize = 3;
 
+/// The values that are computed together.
+const BLOCK: u32 = 1024;
+
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let scene = arguments.scene.load_for(&[Want::Branch])?;
-    Ok(arguments.complete.answer(table(&scene, options)?))
+    Ok(arguments.complete.answer(rows(&scene, options)?))
 }
 
-/// The table of a scene: word by word, periods by periods, in the direction of the sweep.
-pub fn table(scene: &Scene, options: &Options) -> Result<Table, Failure> {
+/// The rows of a scene: word by word, periods by periods, in the direction of the sweep.
+pub fn rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
     match options.goal_for(scene)? {
-        Asked::Doubles(goal) => table_as(scene, &goal),
-        Asked::Decimals(goal) => table_as(scene, &goal),
+        Asked::Doubles(goal) => rows_as(scene, goal),
+        Asked::Decimals(goal) => rows_as(scene, goal),
     }
 }
 
-fn table_as<W: Wanted>(scene: &Scene, wanted: &W) -> Result<Table, Failure>
+fn rows_as<W: Wanted + Clone + 'static>(scene: &Scene, wanted: W) -> Result<Rows, Failure>
 where
     Cell: From<W::Number> + From<Vec<W::Number>>,
 {
-    let sweep = scene.sweep()?;
-    let setting = scene.swept_setting()?;
-    let mut table = Table::new(columns(&sweep));
+    let (sweep, setting) = (scene.sweep()?, scene.swept_setting()?);
+    let mut kinds = Vec::new();
     for word in scene.words()? {
         for periods in 1..=scene.max_periods()? {
-            for row in rows(wanted, &setting, &sweep, &word, periods)? {
-                table.push(row)?;
-            }
+            kinds.push((word.clone(), periods));
         }
     }
-    Ok(table)
+    let columns = columns(&sweep).into_iter().map(Column::from).collect();
+    let rows = kinds.into_iter().flat_map(move |(word, periods)| -> Made {
+        match Along::new(&wanted, &setting, &sweep, word, periods) {
+            Ok(along) => Box::new(along),
+            Err(failure) => Box::new(std::iter::once(Err(failure))),
+        }
+    });
+    Ok(Rows::new(columns, rows))
 }
 
-/// The rows of the motions of a word over so many periods.
-fn rows<W: Wanted>(
-    wanted: &W,
-    setting: &Setting,
-    sweep: &Sweep,
-    word: &Word,
+/// Rows as they are made.
+type Made = Box<dyn Iterator<Item = Result<Vec<Cell>, Failure>>>;
+
+/// The rows of the motions of a word over so many periods, a block of values at a time.
+struct Along<W> {
+    wanted: W,
+    setting: Setting,
+    sweep: Sweep,
+    word: Word,
     periods: u32,
-) -> Result<Vec<Vec<Cell>>, Failure>
+    motions: Motions,
+    /// Rows of events, each with its value, in the direction of the sweep.
+    events: VecDeque<(f64, Vec<Cell>)>,
+    next: u32,
+    ready: VecDeque<Vec<Cell>>,
+    is_empty: bool,
+}
+
+/// Where motions at a value are looked for.
+enum Motions {
+    /// The 1-1 motions: all of them.
+    Pairs(Prepared<Setting>),
+    /// Those of any other word: the branches that a search leads to.
+    Others(Followed<Setting>),
+}
+
+impl<W: Wanted + Clone> Along<W>
 where
     Cell: From<W::Number> + From<Vec<W::Number>>,
 {
-    let values: Vec<Quantity> = sweep.values().collect();
-    let [from, to] = [&sweep.from, &sweep.to].map(|end| end.value::<Interval<f64>>());
-    let range = from.hull(&to);
-    // the ends as f64: rounded outward they reach beyond a restitution of 1
-    let [one, other] = [&sweep.from, &sweep.to].map(|end| end.value::<f64>());
-    let nearest = Interval::new(one.min(other), one.max(other));
-    let (points, events) = if *word == Word::pair() {
-        pairs(wanted, setting, sweep.over, periods, range, &values)?
-    } else {
-        followed(wanted, setting, sweep.over, word, periods, nearest, &values)?
-    };
-    let mut rows: Vec<(f64, Vec<Cell>)> = Vec::new();
-    for (value, found) in values.iter().zip(points) {
-        tell(value, &found);
-        let [_, d, _, _] = wanted.parameters(&setting.fixed(value))?;
-        let told = wanted.value(value);
-        let at = told.to_f64();
-        let complete = found.is_complete(word, periods);
-        let row = |orbit: &Rounded<_>| (at, point(sweep.over, told.clone(), d.clone(), orbit.clone(), complete));
-        rows.extend(found.orbits.iter().map(row));
-        let place = |open: &Open| [open.place(), vec![Interval::point(at)]].concat();
-        let open = found
-            .open
-            .iter()
-            .map(|open| (at, undecided(sweep.over, word, periods, &place(open))));
-        rows.extend(open);
+    fn new(wanted: &W, setting: &Setting, sweep: &Sweep, word: Word, periods: u32) -> Result<Self, Failure> {
+        let [from, to] = [&sweep.from, &sweep.to].map(|end| end.value::<Interval<f64>>());
+        let (motions, mut events) = if word == Word::pair() {
+            let prepared = Prepared::new(setting.clone(), periods, from.hull(&to))?;
+            let events = events_of_pairs(&prepared, wanted, sweep.over, periods);
+            (Motions::Pairs(prepared), events)
+        } else {
+            // the ends as f64: rounded outward they reach beyond a restitution of 1
+            let followed = Followed::new(setting.clone(), &word, periods, nearest(sweep))?;
+            let events = events_of_others(&followed, wanted, sweep.over, &word, periods);
+            (Motions::Others(followed), events)
+        };
+        let sign = direction(sweep);
+        events.sort_by(|(one, _), (other, _)| (sign * one).total_cmp(&(sign * other)));
+        Ok(Self {
+            wanted: wanted.clone(),
+            setting: setting.clone(),
+            sweep: sweep.clone(),
+            word,
+            periods,
+            motions,
+            events: events.into(),
+            next: 0,
+            ready: VecDeque::new(),
+            is_empty: true,
+        })
     }
-    rows.extend(events);
-    if rows.is_empty() && *word != Word::pair() {
-        // nothing was found, which proves nothing
-        rows.push((nearest.low(), undecided(sweep.over, word, periods, &[])));
+
+    /// The rows of the next block of values, and of the events on the way there.
+    fn advance(&mut self) -> Result<(), Failure> {
+        let end = self.sweep.points.min(self.next + BLOCK);
+        let values: Vec<Quantity> = (self.next..end).map(|index| self.sweep.value(index)).collect();
+        self.next = end;
+        let (wanted, over) = (&self.wanted, self.sweep.over);
+        let found = match &self.motions {
+            Motions::Pairs(prepared) => prepared.points_as(wanted, &values)?,
+            Motions::Others(followed) => followed.points_as(wanted, &values)?,
+        };
+        let sign = direction(&self.sweep);
+        for (value, found) in values.iter().zip(found) {
+            tell(value, &found);
+            let [_, d, _, _] = wanted.parameters(&self.setting.fixed(value))?;
+            let told = wanted.value(value);
+            let at = told.to_f64();
+            while let Some((_, row)) = self.events.pop_front_if(|(event, _)| sign * *event < sign * at) {
+                self.ready.push_back(row);
+            }
+            let complete = found.is_complete(&self.word, self.periods);
+            let row = |orbit: &Rounded<_>| point(over, told.clone(), d.clone(), orbit.clone(), complete);
+            self.ready.extend(found.orbits.iter().map(row));
+            let place = |open: &Open| [open.place(), vec![Interval::point(at)]].concat();
+            let open = |open| undecided(over, &self.word, self.periods, &place(open));
+            self.ready.extend(found.open.iter().map(open));
+        }
+        if self.next == self.sweep.points {
+            self.ready.extend(self.events.drain(..).map(|(_, row)| row));
+            if self.is_empty && self.ready.is_empty() && self.word != Word::pair() {
+                // nothing was found, which proves nothing
+                self.ready.push_back(undecided(over, &self.word, self.periods, &[]));
+            }
+        }
+        Ok(())
     }
-    let sign = if from.midpoint() > to.midpoint() { -1.0 } else { 1.0 };
-    rows.sort_by(|(one, _), (other, _)| (sign * one).total_cmp(&(sign * other)));
-    Ok(rows.into_iter().map(|(_, row)| row).collect())
 }
 
-/// Motions at each value, and rows of events with the value of each.
-type Swept<N> = (Vec<Found<N>>, Vec<(f64, Vec<Cell>)>);
-
-/// The 1-1 motions: all of them, and every event.
-fn pairs<W: Wanted>(
-    wanted: &W,
-    setting: &Setting,
-    over: Over,
-    periods: u32,
-    range: Interval<f64>,
-    values: &[Quantity],
-) -> Result<Swept<W::Number>, Failure>
+impl<W: Wanted + Clone> Iterator for Along<W>
 where
     Cell: From<W::Number> + From<Vec<W::Number>>,
 {
-    let prepared = Prepared::new(setting, periods, range)?;
-    let points = prepared.points_as(wanted, values)?;
+    type Item = Result<Vec<Cell>, Failure>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        while self.ready.is_empty() && self.next < self.sweep.points {
+            if let Err(failure) = self.advance() {
+                self.next = self.sweep.points;
+                return Some(Err(failure));
+            }
+        }
+        self.is_empty = false;
+        self.ready.pop_front().map(Ok)
+    }
+}
+
+/// The range of a sweep, its ends as f64.
+fn nearest(sweep: &Sweep) -> Interval<f64> {
+    let [from, to] = [&sweep.from, &sweep.to].map(|end| end.value::<f64>());
+    Interval::new(from.min(to), from.max(to))
+}
+
+/// 1 where the values of a sweep rise, else -1.
+fn direction(sweep: &Sweep) -> f64 {
+    let [from, to] = [&sweep.from, &sweep.to].map(|end| end.value::<f64>());
+    if from > to { -1.0 } else { 1.0 }
+}
+
+/// Rows of events, each with its value.
+type Events = Vec<(f64, Vec<Cell>)>;
+
+/// Every event of the 1-1 motions.
+fn events_of_pairs<W: Wanted>(prepared: &Prepared<Setting>, wanted: &W, over: Over, periods: u32) -> Events
+where
+    Cell: From<W::Number> + From<Vec<W::Number>>,
+{
     let (events, open) = prepared.bifurcations_as(wanted);
     let is_complete = OpenEvent::are_all_there(&open);
     let mut rows = Vec::new();
@@ -154,21 +231,17 @@ where
         }
         rows.push((at, instant(over, event, is_complete)));
     }
-    Ok((points, rows))
+    rows
 }
 
-/// Those of any other word: the branches that a search leads to.
-fn followed<W: Wanted>(
+/// The events seen on the branches of any other word.
+fn events_of_others<W: Wanted>(
+    followed: &Followed<Setting>,
     wanted: &W,
-    setting: &Setting,
     over: Over,
     word: &Word,
     periods: u32,
-    range: Interval<f64>,
-    values: &[Quantity],
-) -> Result<Swept<W::Number>, Failure> {
-    let followed = Followed::new(setting, word, periods, range)?;
-    let points = followed.points_as(wanted, values)?;
+) -> Events {
     let events = followed.moments();
     let (branches, lost) = followed.branches();
     note(&format!(
@@ -188,8 +261,10 @@ fn followed<W: Wanted>(
             "{word}: a {kind} near {over} = {at} is likely, but not proved"
         ));
     }
-    let events = events.iter().map(|event| (event.parameter, moment(over, event)));
-    Ok((points, events.collect()))
+    events
+        .iter()
+        .map(|event| (event.parameter, moment(over, event)))
+        .collect()
 }
 
 /// The bifurcations of 1-1 motions by two means, in decimals: the proved enclosures, and the return map; one that the

@@ -1,8 +1,9 @@
 //! Whether the rows are all there are: the columns `complete`, `low`, `high`, and `--require-complete`.
 
+use super::answer::Rows;
 use super::{Answer, Content, Exit};
 use crate::number::Interval;
-use crate::report::{Cell, Table};
+use crate::report::Cell;
 
 /// What is asked of the rows of a search.
 #[derive(Debug, clap::Args)]
@@ -13,14 +14,16 @@ pub struct Complete {
 }
 
 impl Complete {
-    /// The table, and whether it is as is asked.
-    pub fn answer(&self, table: Table) -> Answer {
-        let column = table.position("complete");
-        let is_open = |row: &Vec<Cell>| column.and_then(|at| row.get(at)) != Some(&Cell::Flag(true));
-        let is_complete = !table.rows().iter().any(is_open);
-        let exit = Exit::from_verdict(is_complete || !self.require_complete);
-        let content = Content::Table(table);
-        Answer { content, exit }
+    /// The rows, and whether they are as is asked.
+    pub fn answer(&self, rows: impl Into<Rows>) -> Answer {
+        let rows = rows.into();
+        Answer {
+            content: Content::Rows(match self.require_complete {
+                true => rows.requiring("complete"),
+                false => rows,
+            }),
+            exit: Exit::AsExpected,
+        }
     }
 }
 

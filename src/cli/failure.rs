@@ -81,6 +81,14 @@ pub enum Failure {
     /// There is nothing to draw.
     #[error("nothing of what {0} wants can be drawn; want branch, sweep, voltage or trajectory")]
     NothingDrawn(String),
+    /// More than a drawing shows, and memory should hold.
+    #[error("{count} {what} are more than a figure shows: {most} at most; lower sweep.points or {other}")]
+    TooMuchDrawn {
+        count: u64,
+        what: &'static str,
+        most: u64,
+        other: &'static str,
+    },
     /// A figure cannot be laid out.
     #[error(transparent)]
     Plot(#[from] crate::report::plot::PlotError),

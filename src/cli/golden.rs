@@ -65,7 +65,7 @@ pub fn answer(directory: &Directory, request: &Request, options: &Options) -> Re
         "audit" => verdicts(directory, request)?,
         "motion" => motion(&scene(directory, request)?)?,
         "orbits" => orbits::table(&scene(directory, request)?, options)?,
-        "branch" => branch::table(&scene(directory, request)?, options)?,
+        "branch" => branch::rows(&scene(directory, request)?, options)?.table()?,
         "sweep" => sweep::table(&scene(directory, request)?, options)?,
         "summary" => sweep::summary(&scene(directory, request)?, options)?,
         "simulate" => simulate::table(&scene(directory, request)?, options)?,

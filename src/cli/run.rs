@@ -38,7 +38,7 @@ const SERVED: &[Served] = &[
     Served {
         command: "branch",
         file: "branch",
-        serve: |scene, options| branch::table(scene, options).map(Content::Table),
+        serve: |scene, options| branch::rows(scene, options).map(Content::Rows),
     },
     Served {
         command: "simulate",
@@ -113,7 +113,7 @@ fn run_with(served: &[Served], scene: &Scene, wants: &[Want], options: &Options)
                 Format::Markdown => (Format::Markdown, "md"),
             };
             let path = directory.join(format!("{file}.{extension}"));
-            let rows = content.write(&Output::File(path.clone()), format, options.figures())?;
+            let (rows, _) = content.write(&Output::File(path.clone()), format, options.figures())?;
             answer.push([
                 Cell::from(want.command()),
                 Cell::from(same.as_str()),

@@ -1,6 +1,6 @@
 //! The scene of a command: SCENE, `--set`, `--strict`.
 
-use super::source::SourceProblem;
+use super::source::{SourceProblem, TOML_AT_MOST};
 use super::{Failure, Source};
 use crate::scene::{self, BUILT_IN, Scene, Want};
 
@@ -63,7 +63,7 @@ impl SceneArguments {
         if let (Source::File(_), Some(text)) = (&self.scene, scene::find(&name)) {
             return Ok(Scene::read(text, &name)?);
         }
-        let text = self.scene.read().map_err(|error| match error.problem {
+        let text = self.scene.read(TOML_AT_MOST).map_err(|error| match error.problem {
             SourceProblem::Missing if is_name(&name) => unknown(&name),
             _ => error.into(),
         })?;

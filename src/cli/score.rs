@@ -1,6 +1,7 @@
 //! `vibro-audit score FILE` and `vibro-audit score --exec CMD`.
 
 use super::problems::{Selection, csv, table};
+use super::source::ANSWERS_AT_MOST;
 use super::{Answer, Content, Exit, Failure, Options, Source, note};
 use crate::accuracy::problems::{self, Certified};
 use crate::accuracy::score::{Answers, Precision, Program, Rating, parts, rate, worst};
@@ -89,7 +90,7 @@ fn asked(arguments: &Arguments) -> Result<Vec<Certified>, Failure> {
 
 fn by_file(arguments: &Arguments) -> Result<Answer, Failure> {
     let source = arguments.file.clone().unwrap_or(Source::Stdin);
-    let (name, text) = (source.name(), source.read()?);
+    let (name, text) = (source.name(), source.read(ANSWERS_AT_MOST)?);
     let asked = asked(arguments)?;
     let ratings = rate(&asked, &Answers::read(&name, &text, &asked)?);
     let content = if arguments.summary {

@@ -94,8 +94,7 @@ where
     if let Some(last) = last {
         let history = told.last(last as usize)?;
         say(&history.known, history.rows.back().map(|row| row.kind), proved);
-        let rows = Box::new(history.rows.into_iter().map(|row| Ok(cells(row))));
-        return Ok(Rows { columns, rows });
+        return Ok(Rows::new(columns, history.rows.into_iter().map(|row| Ok(cells(row)))));
     }
     let (mut latest, mut is_over) = (None, false);
     let row = move || -> Option<Result<Row<N>, MotionError>> {
@@ -108,8 +107,7 @@ where
         }
         row
     };
-    let rows = Box::new(std::iter::from_fn(row).map(|row| Ok(cells(row?))));
-    Ok(Rows { columns, rows })
+    Ok(Rows::new(columns, std::iter::from_fn(row).map(|row| Ok(cells(row?)))))
 }
 
 fn cells<N>(row: Row<N>) -> Vec<Cell>

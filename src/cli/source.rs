@@ -6,8 +6,11 @@ use std::io::{self, Read};
 use std::path::PathBuf;
 use std::str::FromStr;
 
-/// The longest input that is read: 64 MB.
-const MOST_BYTES: u64 = 64 << 20;
+/// The longest sheet or scene that is read, in MB: TOML takes up to eighty times its length in memory.
+pub const TOML_AT_MOST: u64 = 2;
+
+/// The longest table of answers that is read, in MB.
+pub const ANSWERS_AT_MOST: u64 = 16;
 
 /// A file, or stdin.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,9 +40,9 @@ pub enum SourceProblem {
     /// The path is a directory.
     #[error("it is a directory; name a file in it")]
     Directory,
-    /// It has more than 64 MB.
-    #[error("it has more than 64 MB; no sheet, scene or table of answers is that long")]
-    TooLarge,
+    /// It has more than so many MB.
+    #[error("it has more than {0} MB; no sheet, scene or table of answers is that long")]
+    TooLarge(u64),
     /// The bytes are no text.
     #[error("it is not UTF-8 from byte {0} on; save it as UTF-8")]
     NotText(usize),
@@ -70,12 +73,12 @@ impl FromStr for Source {
     }
 }
 
-/// All bytes, or the refusal of more than [`MOST_BYTES`], which may have no end.
-fn limited(from: impl Read) -> Result<Vec<u8>, SourceProblem> {
-    let mut bytes = Vec::new();
-    from.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
-    match bytes.len() as u64 > MOST_BYTES {
-        true => Err(SourceProblem::TooLarge),
+/// All bytes, or the refusal of more than so many MB, which may have no end.
+fn limited(from: impl Read, most: u64) -> Result<Vec<u8>, SourceProblem> {
+    let (mut bytes, limit) = (Vec::new(), most << 20);
+    from.take(limit + 1).read_to_end(&mut bytes)?;
+    match bytes.len() as u64 > limit {
+        true => Err(SourceProblem::TooLarge(most)),
         false => Ok(bytes),
     }
 }
@@ -89,23 +92,23 @@ impl Source {
         }
     }
 
-    /// The whole text.
-    pub fn read(&self) -> Result<String, SourceError> {
-        self.text().map_err(|problem| SourceError {
+    /// The whole text, of at most so many MB.
+    pub fn read(&self, most: u64) -> Result<String, SourceError> {
+        self.text(most).map_err(|problem| SourceError {
             place: self.name(),
             problem,
         })
     }
 
-    fn text(&self) -> Result<String, SourceProblem> {
+    fn text(&self, most: u64) -> Result<String, SourceProblem> {
         let bytes = match self {
             Self::Stdin => {
                 note_stdin();
-                limited(io::stdin().lock())?
+                limited(io::stdin().lock(), most)?
             }
             Self::File(path) => {
                 note_input(path);
-                limited(fs::File::open(path)?)?
+                limited(fs::File::open(path)?, most)?
             }
         };
         String::from_utf8(bytes).map_err(|error| SourceProblem::NotText(error.utf8_error().valid_up_to()))
@@ -124,13 +127,13 @@ mod tests {
 
     #[test]
     fn what_cannot_be_read_is_named_with_what_to_do() {
-        let missing = Source::File(PathBuf::from("no/such/sheet.toml")).read().unwrap_err();
+        let missing = Source::File(PathBuf::from("no/such/sheet.toml")).read(1).unwrap_err();
         assert!(matches!(missing.problem, SourceProblem::Missing), "{missing}");
         assert!(
             missing.to_string().starts_with("cannot read no/such/sheet.toml: "),
             "{missing}"
         );
-        let directory = Source::File(std::env::temp_dir()).read().unwrap_err();
+        let directory = Source::File(std::env::temp_dir()).read(1).unwrap_err();
         assert!(matches!(directory.problem, SourceProblem::Directory), "{directory}");
     }
 }

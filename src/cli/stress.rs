@@ -1,5 +1,6 @@
 //! `vibro-audit stress [CASE] [--search SECONDS [--bless]] [--frozen FILE]`.
 
+use super::source::ANSWERS_AT_MOST;
 use super::{Answer, Content, Exit, Failure, Options, Source, SourceError, note};
 use crate::accuracy::stress::{BAR, StressRow, WORST, WORST_PATH, frozen_text, search, stress};
 use crate::report::{Cell, Format, Output, Table};
@@ -43,7 +44,10 @@ const SHOWN: usize = 7;
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let Some(seconds) = arguments.search else {
-        let frozen = arguments.frozen.as_ref().map_or(Ok(WORST.to_owned()), Source::read)?;
+        let frozen = arguments
+            .frozen
+            .as_ref()
+            .map_or(Ok(WORST.to_owned()), |source| source.read(ANSWERS_AT_MOST))?;
         return judged(stress(arguments.case.as_deref(), &frozen)?, options);
     };
     if arguments.bless {

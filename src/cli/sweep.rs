@@ -101,14 +101,8 @@ fn rows(
             Err(error) => Box::new(std::iter::once(Err(error.into()))),
         }
     });
-    Ok(Rows {
-        columns: swept
-            .into_iter()
-            .chain(columns.iter().copied())
-            .map(Column::from)
-            .collect(),
-        rows: Box::new(rows),
-    })
+    let columns = swept.into_iter().chain(columns.iter().copied());
+    Ok(Rows::new(columns.map(Column::from).collect(), rows))
 }
 
 fn of_impact(point: &Point, index: usize) -> Vec<Cell> {

@@ -154,10 +154,7 @@ fn sampled(scene: &Scene, options: &Options, end: End, samples: u32) -> Result<R
         cells.push(Cell::from(latest.borrow().digits_before(time)));
         Some(Ok(cells))
     });
-    Ok(Rows {
-        columns: COLUMNS.map(Column::from).to_vec(),
-        rows: Box::new(rows),
-    })
+    Ok(Rows::new(COLUMNS.map(Column::from).to_vec(), rows))
 }
 
 /// The latest events that a trajectory has asked for: it looks one ahead of its time.

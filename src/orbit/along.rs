@@ -14,8 +14,8 @@ const SETTLED: f64 = 1e-10;
 
 /// The equations of a word as those of a curve: as many as impacts, in the phases and one unknown more, the place of
 /// the parameter in its range, from 0 to 1.
-pub(super) struct Along<'a, F> {
-    pub family: &'a F,
+pub(super) struct Along<F> {
+    pub family: F,
     pub word: Word,
     pub periods: u32,
     /// Of the parameter.
@@ -27,7 +27,7 @@ fn width(range: &Interval<f64>) -> f64 {
     (range.high() - range.low()).next_down()
 }
 
-impl<F: Family> Along<'_, F> {
+impl<F: Family> Along<F> {
     pub fn impacts(&self) -> usize {
         self.word.impacts()
     }

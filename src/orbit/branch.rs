@@ -32,8 +32,8 @@ const MOST_BOXES: usize = 1500;
 
 /// The 1-1 motions of so many periods, prepared over a range of a parameter: their curve is covered once, and motions
 /// at a value are looked for in the cover alone.
-pub struct Prepared<'a, F> {
-    family: &'a F,
+pub struct Prepared<F> {
+    family: F,
     periods: u32,
     /// Piece by piece.
     covers: Vec<Cover>,
@@ -95,13 +95,13 @@ impl std::fmt::Display for OpenEvent {
     }
 }
 
-impl<'a, F: Family + Sync> Prepared<'a, F> {
+impl<F: Family + Sync> Prepared<F> {
     /// Covers the curve for parameters in `range`.
     ///
     /// # Errors
     /// A range in which a parameter of the motion cannot be.
-    pub fn new(family: &'a F, periods: u32, range: Interval<f64>) -> Result<Self, CoverError> {
-        let covers = each(&pieces(range), |piece| Cover::new(family, periods, *piece));
+    pub fn new(family: F, periods: u32, range: Interval<f64>) -> Result<Self, CoverError> {
+        let covers = each(&pieces(range), |piece| Cover::new(&family, periods, *piece));
         let covers = covers.into_iter().collect::<Result<_, _>>()?;
         Ok(Self {
             family,
@@ -192,7 +192,7 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
             .collect();
         let mut instants = Vec::new();
         for located in found.located {
-            match wanted.instant(self.family, periods, &located) {
+            match wanted.instant(&self.family, periods, &located) {
                 Ok(instant) => instants.push(instant),
                 Err(why) => open.push(OpenEvent::Located {
                     event: located.event(),
@@ -207,7 +207,7 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
 
     /// The events over one cover; the boxes in which some stay undecided are covered again, finer, by themselves.
     fn settled(&self, cover: &Cover) -> Bifurcations {
-        let mut found = bifurcations(self.family, cover);
+        let mut found = bifurcations(&self.family, cover);
         let mut cover = cover.clone();
         for round in 0..MOST_COVERS {
             let mut boxes: Vec<Cell<f64, 3>> = found.undecided.iter().map(|(_, cell)| *cell).collect();
@@ -217,11 +217,11 @@ impl<'a, F: Family + Sync> Prepared<'a, F> {
             if boxes.is_empty() {
                 break;
             }
-            let Ok(finer) = cover.within(self.family, &boxes) else {
+            let Ok(finer) = cover.within(&self.family, &boxes) else {
                 break;
             };
             found.undecided.clear();
-            found.add(bifurcations(self.family, &finer));
+            found.add(bifurcations(&self.family, &finer));
             cover = finer;
         }
         found.join();

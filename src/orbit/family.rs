@@ -24,6 +24,16 @@ pub trait Family {
     }
 }
 
+impl<F: Family> Family for &F {
+    fn motion_at<T: Analytic>(&self, parameter: &T) -> Result<Motion<T>, MotionError> {
+        (**self).motion_at(parameter)
+    }
+
+    fn is_symmetric(&self) -> bool {
+        (**self).is_symmetric()
+    }
+}
+
 /// A motion of a family, at an exact value of the parameter.
 pub struct Fixed<'a, F, V> {
     family: &'a F,

@@ -33,17 +33,17 @@ const STARTS: usize = 128;
 ///
 /// **Completeness is not claimed**: a branch between two of the values searched may attract no start, and an even
 /// number of like events between two steps is not seen.
-pub struct Followed<'a, F> {
-    along: Along<'a, F>,
+pub struct Followed<F> {
+    along: Along<F>,
     strands: Vec<Strand>,
 }
 
-impl<'a, F: Family + Sync> Followed<'a, F> {
+impl<F: Family + Sync> Followed<F> {
     /// Follows the motions of `word` over `periods` forcing periods for parameters in `range`.
     ///
     /// # Errors
     /// A parameter out of its range.
-    pub fn new(family: &'a F, word: &Word, periods: u32, range: Interval<f64>) -> Result<Self, MotionError> {
+    pub fn new(family: F, word: &Word, periods: u32, range: Interval<f64>) -> Result<Self, MotionError> {
         let along = Along {
             family,
             word: word.spelled(),
@@ -54,7 +54,7 @@ impl<'a, F: Family + Sync> Followed<'a, F> {
         let places = (0..SEARCHES).map(|index| f64::from(index) / f64::from(SEARCHES - 1));
         let places: Vec<f64> = places.collect();
         let found = each(&places, |place| {
-            let motion = family.motion_at(&Interval::point(along.parameter(place)))?;
+            let motion = along.family.motion_at(&Interval::point(along.parameter(place)))?;
             search_from(count, word, periods, &motion)
         });
         let mut strands: Vec<Strand> = Vec::new();

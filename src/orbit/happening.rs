@@ -167,7 +167,7 @@ fn of_shorter<F: Family>(along: &Along<F>, node: &Node) -> Option<Moment> {
         (periods, mark, listing) = (along.periods / 2, Mark::MultiplierMinusOne, Listing::Twice);
     }
     let shorter = Along {
-        family: along.family,
+        family: &along.family,
         word,
         periods,
         range: along.range,

@@ -88,7 +88,7 @@ pub(super) fn touch<T: Analytic>(motion: &Motion<T>, side: Side, fix: &Fix<T>, w
 
 /// The equations of a word and those of a mark, in the phases, the parameter and, for a touch, its time.
 pub(super) struct Marked<'a, F> {
-    pub along: &'a Along<'a, F>,
+    pub along: &'a Along<F>,
     pub mark: Mark,
 }
 

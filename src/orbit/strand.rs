@@ -178,7 +178,7 @@ pub(super) fn distance(one: &[f64], other: &[f64]) -> f64 {
 
 /// The way in one direction.
 struct Walk<'a, F> {
-    along: &'a Along<'a, F>,
+    along: &'a Along<F>,
     nodes: Vec<Node>,
     arcs: Vec<Option<Arc>>,
 }
@@ -191,7 +191,7 @@ enum Step {
 }
 
 impl<'a, F: Family> Walk<'a, F> {
-    fn new(along: &'a Along<'a, F>, start: Node) -> Self {
+    fn new(along: &'a Along<F>, start: Node) -> Self {
         let nodes = vec![start];
         let arcs = Vec::new();
         Self { along, nodes, arcs }

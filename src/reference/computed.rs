@@ -51,6 +51,8 @@ const PLACES: i32 = 9;
 /// The most rows that an error lists.
 const MOST_LISTED: usize = 8;
 
+type Narrowed<'a> = (Vec<&'a Vec<String>>, Option<Rational>);
+
 impl Computed {
     /// The value of `quantity` in the row that `setting` names: of several, the stable admissible one; or what is asked
     /// of all rows that its selectors name.
@@ -60,7 +62,7 @@ impl Computed {
     pub fn value(&self, quantity: &Quantity, setting: &Setting) -> Result<Value, String> {
         let mut rows: Vec<&Vec<String>> = self.rows.iter().collect();
         for selector in &setting.selectors {
-            rows = self.narrow(rows, selector)?;
+            (rows, _) = self.narrow(rows, selector)?;
         }
         if let Some(asked) = quantity.across {
             let of = |row: &Vec<String>| self.of_row(row, &quantity.field);
@@ -87,11 +89,33 @@ impl Computed {
         }
     }
 
+    /// How far the rows that `setting` names are from the numbers that it calls near; empty where they are there.
+    ///
+    /// # Errors
+    /// As [`Computed::value`].
+    pub fn distances(&self, setting: &Setting) -> Result<String, String> {
+        let (mut rows, mut told) = (self.rows.iter().collect(), Vec::new());
+        for selector in &setting.selectors {
+            let least;
+            (rows, least) = self.narrow(rows, selector)?;
+            if let (Wanted::Nearest(wanted), Some(least)) = (&selector.wanted, least.filter(|least| !least.is_zero())) {
+                let wanted = rounded(&wanted.value, wanted.places);
+                told.push(format!(
+                    "{} is {:.1e} from {wanted}",
+                    selector.field,
+                    least.0.to_f64().value()
+                ));
+            }
+        }
+        Ok(told.join(", "))
+    }
+
     fn column(&self, name: &str) -> Option<usize> {
         self.columns.iter().position(|column| column == name)
     }
 
-    fn narrow<'a>(&'a self, rows: Vec<&'a Vec<String>>, selector: &Selector) -> Result<Vec<&'a Vec<String>>, String> {
+    /// The rows that a selector leaves, and how far the nearest of them is from its number.
+    fn narrow<'a>(&'a self, rows: Vec<&'a Vec<String>>, selector: &Selector) -> Result<Narrowed<'a>, String> {
         let mut found = Vec::new();
         for row in rows {
             // A word with fewer impacts has no such velocity: it is not the one that is meant.
@@ -117,7 +141,7 @@ impl Computed {
             self.is_near(wanted, selector, &found, least)?;
         }
         found.retain(|(_, distance)| Some(distance) == least.as_ref());
-        Ok(found.into_iter().map(|(row, _)| row).collect())
+        Ok((found.into_iter().map(|(row, _)| row).collect(), least))
     }
 
     /// Whether what is nearest is near enough: a value of a sweep is meant within half a step, an event wherever it is.
@@ -309,6 +333,9 @@ mod tests {
         };
         assert_eq!(d("row.kind=point;row.d=near 0.24").as_deref(), Ok("0.2"));
         assert_eq!(d("row.kind=fold;row.d=near 0.9").as_deref(), Ok("0.37"));
+        let records = records::read("x.csv", "id,set\na,row.kind=fold;row.d=near 0.9\n", &["id", "set"]).unwrap();
+        let far = table.distances(&Setting::read(&records[0]).unwrap());
+        assert_eq!(far.as_deref(), Ok("d is 5.3e-1 from 0.9"));
         let far = d("row.kind=point;row.d=near 0.36").unwrap_err();
         assert!(
             far.contains("the nearest is 0.06") && far.contains("the step is 0.1"),

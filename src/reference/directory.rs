@@ -2,7 +2,7 @@
 
 use super::{Certified, Fault, Printed};
 use std::fs;
-use std::io;
+use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
 /// The file that every directory of golden values has.
@@ -10,6 +10,9 @@ pub const PRINTED: &str = "printed.csv";
 
 /// The folder of certified values, which a directory may have.
 const REFERENCE: &str = "reference";
+
+/// The longest file that is read: 16 MB.
+const MOST_BYTES: u64 = 16 << 20;
 
 /// The paper's own files, by their paths in `golden/paper/`.
 const BUILT_IN: &[(&str, &str)] = &[
@@ -28,6 +31,13 @@ const BUILT_IN: &[(&str, &str)] = &[
     ),
     ("equations.toml", include_str!("../../golden/paper/equations.toml")),
 ];
+
+/// All bytes of a file, or one more than [`MOST_BYTES`]: it may have no end.
+fn limited(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    fs::File::open(path)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
 
 /// A directory of golden values.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -68,7 +78,12 @@ impl Directory {
                 text.ok_or_else(|| fault("there is no such built-in file".to_owned()))
             }
             Self::At(directory) => {
-                let bytes = fs::read(directory.join(relative)).map_err(|error| fault(self.why(relative, &error)))?;
+                let bytes = limited(&directory.join(relative)).map_err(|error| fault(self.why(relative, &error)))?;
+                if bytes.len() as u64 > MOST_BYTES {
+                    return Err(fault(
+                        "it has more than 16 MB; no file of golden values is that long".to_owned(),
+                    ));
+                }
                 String::from_utf8(bytes).map_err(|error| {
                     let at = error.utf8_error().valid_up_to();
                     fault(format!("it is not UTF-8 from byte {at} on; save it as UTF-8"))

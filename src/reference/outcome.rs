@@ -73,7 +73,10 @@ fn of_printed(row: &Printed, rows: &[Printed], asked: &mut Asked<'_>) -> Result<
                 .value(quantity, &row.setting)
                 .map_err(|message| row.record.fault("quantity", message))?;
             let comparison = compare(row.printed(), &value).map_err(|message| row.record.fault("printed", message))?;
-            (value.text, table.note.clone(), comparison)
+            let distances = table
+                .distances(&row.setting)
+                .map_err(|message| row.record.fault("set", message))?;
+            (value.text, joined([distances, table.note.clone()]), comparison)
         }
     };
     let mut outcome = Outcome {

@@ -155,6 +155,11 @@ impl Table {
         &self.columns
     }
 
+    /// The columns, and the rows in order.
+    pub fn into_parts(self) -> (Vec<Column>, Vec<Vec<Cell>>) {
+        (self.columns, self.rows)
+    }
+
     /// The rows, in order.
     pub fn rows(&self) -> &[Vec<Cell>] {
         &self.rows

@@ -9,6 +9,12 @@ use crate::report::figure::{Bifurcation, Course, Diagram, Energy, Impact, Parame
 use crate::report::plot::{Panel, Point};
 use crate::scene::{Quantity as Value, Scene, Want};
 
+/// Impacts that are drawn, at most: with them a figure is made in less than 200 MB.
+const MOST_IMPACTS: u64 = 500_000;
+
+/// Values at which motions of a word over so many periods are drawn, over all of these, at most: for the same reason.
+const MOST_STEPS: u64 = 50_000;
+
 /// The diagrams of a scene over its sweep.
 #[derive(Clone, Debug)]
 pub(super) struct Swept {
@@ -32,11 +38,21 @@ impl Swept {
             steps: None,
             bifurcations: Vec::new(),
         };
+        let is_simulated = wants.contains(&Want::Sweep) || wants.contains(&Want::Voltage);
+        let points = u64::from(sweep.points);
+        if wants.contains(&Want::Branch) {
+            let kinds = scene.words()?.len() as u64 * u64::from(scene.max_periods()?);
+            allowed(points * kinds, "values of motions", MOST_STEPS, "max_periods")?;
+        }
+        if is_simulated {
+            let keep = u64::from(scene.diagram()?.keep);
+            allowed(points * keep, "impacts", MOST_IMPACTS, "sweep.keep")?;
+        }
         if wants.contains(&Want::Branch) {
             follow(scene, &mut diagram)?;
         }
         let mut energy = None;
-        if wants.contains(&Want::Sweep) || wants.contains(&Want::Voltage) {
+        if is_simulated {
             energy = simulate(scene, &mut diagram)?;
         }
         Ok(Self { diagram, energy })
@@ -61,6 +77,19 @@ impl Swept {
             None => self.diagram.panel(Quantity::Phase, &claims.along(scene, Column::Phase)),
         };
         Ok([self.diagram.panel(Quantity::Velocity, &velocity), second])
+    }
+}
+
+/// Refuses what is too much before anything is computed.
+fn allowed(count: u64, what: &'static str, most: u64, other: &'static str) -> Result<(), Failure> {
+    match count <= most {
+        true => Ok(()),
+        false => Err(Failure::TooMuchDrawn {
+            count,
+            what,
+            most,
+            other,
+        }),
     }
 }
 
