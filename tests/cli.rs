@@ -272,6 +272,21 @@ fn a_file_behind_stdout_keeps_what_is_in_it() {
 }
 
 #[test]
+fn what_cannot_be_parsed_is_told_by_line_and_column() {
+    assert_refused(&["orbits", "fig02", "--set", "words = [3 x] "], &["column 10"]);
+    let scratch = Scratch::new("answers");
+    let answers = scratch.path("answers.csv");
+    for (row, place) in [
+        ("foo,phase_1,1", "line 2, column problem"),
+        ("orbit-focus,phase_9,1", "line 2, column quantity"),
+        ("orbit-focus,phase_1,one", "line 2, column answer"),
+    ] {
+        fs::write(&answers, format!("problem,quantity,answer\n{row}\n")).unwrap();
+        assert_refused(&["score", &answers], &[place]);
+    }
+}
+
+#[test]
 fn an_endless_input_is_refused() {
     assert_refused(&["audit", "/dev/zero"], &["/dev/zero", "2 MB"]);
     assert_refused(&["orbits", "/dev/zero"], &["/dev/zero", "2 MB"]);

@@ -191,7 +191,13 @@ impl Document {
                 shown: shortened(typed),
                 origin: reading.origin(0),
             },
-            Err(error) => return refuse(self, SceneProblem::Override(format!(": {}", error.message()))),
+            Err(error) => {
+                let at = error.span().map_or(0, |span| span.start.min(typed.len()));
+                let place = argument.trim_end().len() - typed.len() + at;
+                let column = argument.get(..place).unwrap_or(argument).chars().count() + 1;
+                let problem = SceneProblem::Override(format!(": column {column}: {}", error.message()));
+                return refuse(self, problem);
+            }
         };
         if !key.section.is_empty() && !self.has_section(key.section) {
             self.sections.push((key.section, entry.origin.clone()));

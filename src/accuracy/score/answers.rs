@@ -6,12 +6,15 @@ use std::collections::HashMap;
 
 /// A file of answers that cannot be scored.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{file}{}: {message}", line.map(|line| format!(", line {line}")).unwrap_or_default())]
+#[error("{file}{}{}: {message}", line.map(|line| format!(", line {line}")).unwrap_or_default(),
+    column.map(|column| format!(", column {column}")).unwrap_or_default())]
 pub struct AnswerError {
     /// The file as the user named it.
     pub file: String,
     /// The line, from 1.
     pub line: Option<u64>,
+    /// The column by its name in the header.
+    pub column: Option<&'static str>,
     /// What is wrong, and what would be right.
     pub message: String,
 }
@@ -114,8 +117,12 @@ struct Reading<'a> {
 
 impl Reading<'_> {
     fn error(&self, line: Option<u64>, message: String) -> AnswerError {
-        let file = self.file.to_owned();
-        AnswerError { file, line, message }
+        AnswerError {
+            file: self.file.to_owned(),
+            line,
+            column: None,
+            message,
+        }
     }
 
     fn header(&self, row: &csv::StringRecord) -> Result<Header, AnswerError> {
@@ -142,6 +149,10 @@ impl Reading<'_> {
 
     fn row(&self, header: &Header, row: &csv::StringRecord, line: u64) -> Result<Option<Row>, AnswerError> {
         let fault = |message: String| self.error(Some(line), message);
+        let within = |column: &'static str, message: String| AnswerError {
+            column: Some(column),
+            ..fault(message)
+        };
         if row.len() != header.columns {
             let (found, wanted) = (row.len(), header.columns);
             return Err(fault(format!("{found} fields where the header has {wanted}")));
@@ -150,21 +161,25 @@ impl Reading<'_> {
         let (problem, quantity) = (field(header.problem), field(header.quantity));
         let Some(known) = self.asked.iter().find(|known| known.problem.name == problem) else {
             let is_other = list().iter().any(|known| known.name == problem);
-            let none = || fault(format!("there is no problem `{problem}`; `problems` lists them"));
+            let none = || {
+                within(
+                    PROBLEM,
+                    format!("there is no problem `{problem}`; `problems` lists them"),
+                )
+            };
             return if is_other { Ok(None) } else { Err(none()) };
         };
         if !known.answers.iter().any(|answer| answer.quantity == quantity) {
             let asked: Vec<&str> = known.answers.iter().map(|answer| answer.quantity.as_str()).collect();
             let asked = asked.join(", ");
-            return Err(fault(format!(
-                "{problem} has no quantity `{quantity}`; it asks for {asked}"
-            )));
+            let message = format!("{problem} has no quantity `{quantity}`; it asks for {asked}");
+            return Err(within(QUANTITY, message));
         }
-        let value = value(field(header.answer)).map_err(fault)?;
+        let value = value(field(header.answer)).map_err(|message| within(ANSWER, message))?;
         let seconds = header
             .seconds
             .map_or(Ok(None), |index| seconds(field(index)))
-            .map_err(fault)?;
+            .map_err(|message| within(SECONDS, message))?;
         Ok(Some((
             (problem.to_owned(), quantity.to_owned()),
             Given { value, seconds },
