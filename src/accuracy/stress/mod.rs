@@ -19,6 +19,7 @@
 //! | (8) in absolute time | many impacts | [`Simulation`](crate::impact::Simulation): the phase of the forcing instead of the time |
 //! | (8) impact by impact | chatter | [`Simulation`](crate::impact::Simulation): its end in closed form |
 
+mod branches;
 mod chatter;
 mod closed;
 mod eigenvalue;
@@ -33,6 +34,7 @@ mod phase;
 mod quantity;
 mod row;
 mod search;
+mod sweeps;
 mod unusual;
 mod velocity;
 mod voltage;
@@ -135,8 +137,13 @@ pub fn stress(only: Option<&str>, frozen: &str) -> Result<Vec<StressRow>, Stress
     rows.extend(scenes?);
     rows.extend(chatters?);
     rows.extend(long?);
-    let extremes: Vec<&str> = lanes::cases().filter(|case| is_wanted(case)).collect();
-    rows.extend(gathered(extremes.into_par_iter().map(lanes::rows))?);
+    let wanted = |case: &&str| is_wanted(case);
+    let in_lanes: Vec<&str> = lanes::cases().filter(wanted).collect();
+    rows.extend(gathered(in_lanes.into_par_iter().map(lanes::rows))?);
+    let swept: Vec<&str> = sweeps::cases().filter(wanted).collect();
+    rows.extend(gathered(swept.into_par_iter().map(sweeps::rows))?);
+    let branches: Vec<&str> = branches::cases().filter(wanted).collect();
+    rows.extend(gathered(branches.into_par_iter().map(branches::rows))?);
     rows.extend(unusual::rows().into_iter().filter(|row| is_wanted(&row.case)));
     match only {
         Some(only) if rows.is_empty() => Err(StressError::NoCase(only.to_owned())),

@@ -25,6 +25,16 @@ fn membrane<T: Number>(given: &[T]) -> Option<(Membrane<T>, &T)> {
     Some((membrane, speed))
 }
 
+/// The paper's membrane over a number.
+pub(super) fn of_paper<T: Number>() -> Option<Membrane<T>> {
+    let given: Vec<T> = [&[0.0], &MEMBRANE[..]]
+        .concat()
+        .into_iter()
+        .map(<T as Analytic>::from_f64)
+        .collect();
+    membrane(&given).map(|(membrane, _)| membrane)
+}
+
 impl Quantity for Voltage {
     fn case(&self) -> &'static str {
         "tiny and huge impacts"

@@ -1,0 +1,125 @@
+//! What a sweep shows of a motion that attracts, where a device is at an extreme: its impacts, and their mean voltage.
+
+use super::StressError;
+use super::motion::{Known, errors, known};
+use super::quantity::{Exact, largest, widen};
+use super::row::{Form, StressRow, allowed, place};
+use super::voltage::of_paper;
+use crate::accuracy::trade::digits_of;
+use crate::impact::{Event, Simulation, Start};
+use crate::model::{Motion, Side};
+use crate::number::Analytic;
+use crate::orbit::{Fix, Rounded, Settled, Word, find, multipliers};
+
+const INPUTS: [&str; 5] = ["g", "d", "r_B", "r_T", "impacts"];
+
+/// The extremes, each with g, d, r_B and r_T of a device that has a stable 1-1 motion, and the impacts after which what is
+/// left of a start beside it is less than f64 tells.
+const DEVICES: [(&str, [f64; 4], u32); 3] = [
+    ("sweeps, r near 1", [0.1, 0.5, 0.9999, 0.9999], 1_000_000),
+    ("sweeps, |g| near 1", [0.999999, 2.0, 0.9, 0.9], 2000),
+    ("sweeps, d large", [0.1, 4.0, 0.999, 0.999], 100_000),
+];
+
+/// How far from the motion the start is, relatively.
+const OFF: f64 = 1e-3;
+
+/// The names of the cases.
+pub(super) fn cases() -> impl Iterator<Item = &'static str> {
+    DEVICES.into_iter().map(|(case, ..)| case)
+}
+
+/// The rows of a case: phases and velocities of the cycle that [`Settled`] finds, and the mean (7) of their voltages,
+/// against those of the motion itself.
+///
+/// # Errors
+/// `Point` where there is no stable motion, it is not confirmed, or the sweep comes to another one.
+pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
+    let found = DEVICES.into_iter().find(|(name, ..)| *name == case);
+    let Some((_, device, impacts)) = found else {
+        return Err(StressError::NoCase(case.to_owned()));
+    };
+    let [g, d, r_b, r_t] = device;
+    let at = place(&INPUTS, &[g, d, r_b, r_t, f64::from(impacts)]);
+    let fault = || StressError::Point { case, at: at.clone() };
+    let motion = Motion::new(g, d, r_b, r_t).map_err(|_| fault())?;
+    let found = find(&motion, &Word::pair(), 1).map_err(|_| fault())?;
+    let orbit = found.orbits.iter().find(|orbit| orbit.stable).ok_or_else(fault)?;
+    let known = known(device, orbit).ok_or_else(fault)?;
+    let condition = known.condition * gathered(orbit);
+    let start = start(orbit).ok_or_else(fault)?;
+    let settled = Settled::after(Simulation::new(&motion, &start), impacts, 2);
+    let attractor = settled.attractor.ok_or_else(fault)?;
+    if attractor.impacts.len() != known.fixes.len() {
+        return Err(fault());
+    }
+    let row = |formula: &str, error: f64| StressRow {
+        case: case.to_owned(),
+        formula: formula.to_owned(),
+        number: "f64".to_owned(),
+        form: Form::Stable,
+        digits: digits_of(error, f64::EPSILON),
+        condition,
+        at: at.clone(),
+        allowed: allowed(f64::EPSILON, condition),
+        frozen: None,
+        answer: String::new(),
+    };
+    let mean = of_mean(&attractor.impacts, &known).ok_or_else(fault)?;
+    Ok(vec![
+        row("(8) until it repeats", of_impacts(&attractor.impacts, &known)),
+        row("(7)", mean),
+    ])
+}
+
+/// What roundings of one size at every cycle come to: 1 / (1 - the size of the larger multiplier), the sum of what is left
+/// of each.
+fn gathered(orbit: &Rounded) -> f64 {
+    let [larger, _] = multipliers(&orbit.trace, &orbit.determinant.sqrt(), orbit.kind);
+    1.0 / (1.0 - larger.re.hypot(larger.im))
+}
+
+fn start(orbit: &Rounded) -> Option<Start<f64>> {
+    let (phase, velocity) = orbit.phases.first().zip(orbit.velocities.first())?;
+    Some(Start {
+        side: Side::Bottom,
+        phase: *phase + OFF,
+        velocity: velocity * (1.0 + OFF),
+    })
+}
+
+/// Of phases and velocities; times are not told.
+fn of_impacts(impacts: &[Event<f64>], known: &Known) -> f64 {
+    let fixes = impacts.iter().zip(&known.fixes).map(|(event, fix)| Fix {
+        phase: widen(&event.phase),
+        velocity: widen(&event.velocity),
+        time: fix.time.clone(),
+    });
+    largest(errors(&fixes.collect::<Vec<_>>(), &known.fixes))
+}
+
+/// Of the mean voltage, relative to it.
+fn of_mean(impacts: &[Event<f64>], known: &Known) -> Option<f64> {
+    let (narrow, wide) = (of_paper::<f64>()?, of_paper::<Exact>()?);
+    let voltages = impacts.iter().map(|event| narrow.voltage(&event.velocity));
+    let found = voltages.sum::<f64>() / impacts.len() as f64;
+    let mut exact = <Exact as Analytic>::from_f64(0.0);
+    for fix in &known.fixes {
+        exact += wide.voltage(&fix.velocity);
+    }
+    exact /= <Exact as Analytic>::from_f64(known.fixes.len() as f64);
+    Some(((widen(&found) - exact.clone()) / exact).to_f64().abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sweep_keeps_at_an_extreme_what_conditioning_allows() {
+        for case in cases() {
+            let rows = rows(case).unwrap();
+            assert!(rows.iter().all(|row| !row.is_below_bar()), "{rows:#?}");
+        }
+    }
+}
