@@ -41,6 +41,7 @@ impl Vocabulary {
         }
         let lists = [
             ("generic", &self.generic),
+            ("at_most_one", &self.at_most_one),
             ("positive", &self.positive),
             ("nonnegative", &self.nonnegative),
             ("nonzero", &self.nonzero),

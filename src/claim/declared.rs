@@ -162,6 +162,11 @@ impl Vocabulary {
         }
     }
 
+    /// Whether a complex symbol or the imaginary unit stands in a formula, absolute values left out.
+    pub fn may_be_complex(&self, tree: &Tree) -> bool {
+        self.complex_in(tree, &|_| false).is_some()
+    }
+
     /// What to say of a name that nothing declares.
     pub(super) fn unknown(&self, name: &Name, at: usize) -> Undeclared {
         let found = name.to_string();

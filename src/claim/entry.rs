@@ -4,9 +4,10 @@ use super::declared::is_defined;
 use super::definition::{Local, circular};
 use super::fault::{Fault, Source};
 use super::nearest::nearest;
-use super::substitute::any;
+use super::substitute::{any, number_of};
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
+use crate::number::{Field, Rational};
 use crate::tex::{Condition, Equation, Lines, Name, Relation, Tree, read, read_conditions};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashSet};
@@ -169,6 +170,13 @@ impl Entry {
                 let problem = format!("`{name}` can be replaced by `{name}+1` and the like only");
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
             }
+            if let Tree::Symbol(name, _) = &equation.left
+                && let Some(value) = number_of(&equation.right)
+                && let Some(list) = vocabulary.excludes(name, &value)
+            {
+                let problem = format!("`{name}` stands in `{list}`: it cannot be {}", equation.right);
+                return Err(source.fault(equation.at.0, problem).of(&self.label));
+            }
         }
         self.borrowed = borrowed;
         Ok(())
@@ -251,6 +259,26 @@ fn called_with_itself(tree: &Tree) -> Option<(Name, usize)> {
 }
 
 impl Vocabulary {
+    /// The list of `[symbols]` by which a symbol cannot have this value.
+    fn excludes(&self, name: &Name, value: &Rational) -> Option<&'static str> {
+        let (zero, one) = (Rational::from_integer(0), Rational::from_integer(1));
+        let lists = [
+            ("at_most_one", &self.at_most_one, *value <= one),
+            ("positive", &self.positive, *value > zero),
+            ("nonnegative", &self.nonnegative, *value >= zero),
+            ("nonzero", &self.nonzero, *value != zero),
+            (
+                "integers",
+                &self.integers,
+                *value.0.denominator() == dashu_int::UBig::ONE,
+            ),
+        ];
+        let mut lists = lists.into_iter();
+        lists
+            .find(|(_, names, is_allowed)| !is_allowed && names.contains(name))
+            .map(|(list, ..)| list)
+    }
+
     /// Whether this is the letter that numbers impacts, which `with` may shift.
     pub(super) fn is_index_letter(&self, name: &Name) -> bool {
         name.to_string() == self.index

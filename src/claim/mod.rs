@@ -22,6 +22,6 @@ pub use nearest::nearest;
 pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Premise, Statements};
 pub use sheet::{Sheet, read_symbols};
-pub use substitute::{any, any_side, flies, rewrite, rewrite_equation};
+pub use substitute::{any, any_side, flies, number_of, rewrite, rewrite_equation};
 pub use verdict::Verdict;
 pub use vocabulary::{Map, Vocabulary, index_of, subscript_of};

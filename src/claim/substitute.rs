@@ -2,8 +2,8 @@
 
 use super::vocabulary::{Vocabulary, index_of, subscript_of};
 use crate::number::Rational;
-use crate::tex::{At, Condition, Equation, Name, Relation, Tree};
-use std::collections::BTreeSet;
+use crate::tex::{At, Condition, Equation, Name, Relation, Tree, evaluate};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The tree with each symbol for which `new` has a tree replaced by it.
 pub fn rewrite(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
@@ -62,6 +62,11 @@ pub(super) fn below<'t, T>(tree: &'t Tree, test: &mut dyn FnMut(&'t Tree) -> Opt
         Tree::Sum(parts) | Tree::Product(parts) => parts.iter().find_map(test),
         Tree::Quotient(above, below, _) | Tree::RealPower(above, below, _) => test(above).or_else(|| test(below)),
     }
+}
+
+/// The value of a tree that is written with numbers alone.
+pub fn number_of(tree: &Tree) -> Option<Rational> {
+    evaluate(tree, &mut BTreeMap::<Name, Rational>::new()).ok()
 }
 
 /// Whether any node of either side passes the test.

@@ -4,7 +4,8 @@ use super::formula::{Formula, Formulas, Op};
 use super::maps::Maps;
 use super::space::{Slot, Space};
 use super::value::Function;
-use crate::claim::{Local, Vocabulary, index_of};
+use crate::claim::{Local, Vocabulary, index_of, number_of};
+use crate::number::Rational;
 use crate::tex::{Invariant, Name, Tree};
 use std::collections::HashMap;
 
@@ -112,7 +113,18 @@ impl<'a> Compiler<'a> {
     fn power(&mut self, base: &Tree, exponent: &Tree) -> Result<Formula, Unwitnessed> {
         let whole = self.has_integer_values(exponent);
         let is_e = matches!(base, Tree::Symbol(name, _) if self.is_constant(name, "e"));
+        let written = number_of(exponent).filter(|_| !is_e).and_then(|value| fraction(&value));
         let (base, exponent) = (self.tree(base)?, self.tree(exponent)?);
+        match written {
+            Some((power, 1)) => return Ok(self.formulas.make(Op::Power(base, power))),
+            // a power of an even root: its base must not be negative, and 0 has a positive one among complex numbers too
+            Some((power, index)) => {
+                let by = if index % 2 == 0 { 1 } else { 2 };
+                let root = self.formulas.make(Op::Root(base, by * index));
+                return Ok(self.formulas.make(Op::Power(root, by as i32 * power)));
+            }
+            None => {}
+        }
         Ok(match (is_e, whole) {
             (true, _) => self.formulas.apply(Function::Exp, exponent),
             (false, true) => self.formulas.make(Op::IntegerPower(base, exponent)),
@@ -391,6 +403,15 @@ pub fn chains(vocabulary: &Vocabulary) -> Vec<Vec<Name>> {
         chains.push(chain);
     }
     chains
+}
+
+/// Numerator and denominator of a number whose powers and roots can be evaluated.
+fn fraction(value: &Rational) -> Option<(i32, u32)> {
+    let power = i32::try_from(value.0.numerator())
+        .ok()
+        .filter(|power| power.abs() <= 10_000);
+    let index = u32::try_from(value.0.denominator()).ok().filter(|index| *index <= 1000);
+    power.zip(index)
 }
 
 /// The name without subscript, mark and primes.

@@ -182,7 +182,8 @@ impl Witness<'_> {
             Verdict::Refuted if agrees(&search) => self.against_refutation::<N>(&search.found, &mut evidence),
             Verdict::Refuted => {
                 if self.holds_for_cosine::<N>() {
-                    let note = "true for this forcing: it holds where f is a cosine alone, cos(pi t + phi)";
+                    let note =
+                        "true for this forcing: it holds where the unknown function is a cosine alone, cos(pi t + phi)";
                     evidence.notes.push(note.to_string());
                 }
             }
@@ -451,7 +452,7 @@ impl Witness<'_> {
     /// Whether a claim can fail where no random point sees it: where inequalities become equalities, by numbers and
     /// powers so large or small that one side drowns the other, on a jump or a branch cut, on a part of the premises'
     /// solutions that is thinner than the rest, for functions of another shape, or because a condition takes one of the
-    /// values of a pair away.
+    /// values of a pair away, or another premise ties them to something else.
     fn hides_from_points(&self) -> bool {
         let system = &self.system;
         self.statements
@@ -460,8 +461,18 @@ impl Witness<'_> {
             .any(|claim| claim.relation != Relation::Equal || is_extreme(claim))
             || system.shaped
             || system.kinds.iter().any(|kind| kind.integer)
-            || (system.questions.iter().any(|question| question.pair.is_some())
-                && (!system.conditions.is_empty() || system.has_domain() || self.premises_have_domains()))
+            || system
+                .questions
+                .iter()
+                .filter_map(|question| question.pair)
+                .any(|slot| {
+                    let rows = system.rows.iter().chain(&system.written);
+                    let rows = rows.filter(|row| system.formulas.slots(&[**row]).contains(&slot));
+                    rows.count() > 1
+                        || !system.conditions.is_empty()
+                        || system.has_domain()
+                        || self.premises_have_domains()
+                })
             || system.has_jumps()
             || system.flows_may_end()
             || !system.is_a_graph()
@@ -587,13 +598,15 @@ impl System {
         found.iter().any(|argument| argument.parts()[0].abs() > DROWNING)
     }
 
-    /// Whether claim or premises have jumps or branch cuts.
+    /// Whether claim or premises have jumps or branch cuts on which a point may lie; a number lies on none of which its
+    /// digits do not tell.
     fn has_jumps(&self) -> bool {
+        let varies = |formula: Formula| !self.formulas.slots(&[formula]).is_empty() || self.formulas.runs(formula);
         self.ops().any(|op| match op {
-            Op::Apply(Function::Sgn, _) => true,
-            Op::Root(..) | Op::RealPower(..) => self.is_complex,
+            Op::Apply(Function::Sgn, argument) => varies(argument),
+            Op::Root(of, _) | Op::RealPower(of, _) => self.is_complex && varies(of),
             Op::Apply(Function::Sin | Function::Cos | Function::Exp | Function::Sinh | Function::Cosh, _) => false,
-            Op::Apply(..) => self.is_complex,
+            Op::Apply(_, argument) => self.is_complex && varies(argument),
             _ => false,
         })
     }

@@ -68,7 +68,7 @@ pub struct System {
     pub factors_program: Program,
     pub conditions_program: Program,
     /// What is written and decides nothing, but has a value: definitions that no side takes up.
-    written: Vec<Formula>,
+    pub written: Vec<Formula>,
     pub written_program: Program,
     pub work: Work,
     pub forcing: Forcing,
@@ -134,6 +134,8 @@ impl System {
     }
 
     fn read(&mut self, statements: &Statements, vocabulary: &Vocabulary) -> Result<(), Unwitnessed> {
+        let is_complex = |local: &Local| vocabulary.may_be_complex(&local.tree);
+        self.is_complex = statements.locals.iter().any(is_complex);
         let first = statements.first.unwrap_or(0);
         let mut maps = read_maps(vocabulary, &mut self.compiler(vocabulary, &[]))?;
         maps.tell_led(statements, &mut self.compiler(vocabulary, &[]));
@@ -518,7 +520,7 @@ impl System {
                 self.fixed.insert(number);
             }
         }
-        self.is_complex = self.speaks_of_complex();
+        self.is_complex |= self.speaks_of_complex();
         self.drop_definitions();
         self.rows_program = self.formulas.program(&self.rows);
         self.written_program = self.formulas.program(&self.written);
@@ -536,10 +538,12 @@ impl System {
 }
 
 impl System {
-    /// Whether a complex symbol or the imaginary unit stands in claim or premises.
+    /// Whether a complex symbol or the imaginary unit stands in what is evaluated.
     fn speaks_of_complex(&self) -> bool {
         let sides = self.questions.iter().flat_map(|question| question.sides.as_flattened());
-        let all: Vec<Formula> = sides.chain(&self.rows).chain(&self.late).copied().collect();
+        let conditions = self.conditions.iter().map(|condition| &condition.formula);
+        let rows = self.rows.iter().chain(&self.late).chain(conditions);
+        let all: Vec<Formula> = sides.chain(rows).copied().collect();
         let is_complex = |part: Formula| match self.formulas.op(part) {
             Op::Imaginary => true,
             Op::Slot(slot) => self.kinds.get(slot).is_some_and(|kind| kind.complex),

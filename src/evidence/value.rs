@@ -112,7 +112,7 @@ impl<T: Real> Value for T {
     fn apply(&self, function: Function) -> T {
         let x = self.to_f64();
         let within = match function {
-            Function::Ln => x > 0.0,
+            Function::Ln => x > noise::<T>(),
             Function::Arcsin | Function::Arccos => x.abs() <= 1.0,
             Function::Arcosh => x >= 1.0,
             Function::Artanh => x.abs() < 1.0,
@@ -305,12 +305,6 @@ impl<T: Real> Value for Complex<T> {
         Self::new(size.clone() * cos, size * sin)
     }
     fn power(&self, exponent: &Self) -> Self {
-        if self.re.is_zero() && self.im.is_zero() {
-            return match exponent.re.to_f64() {
-                re if re > 0.0 => Self::integer(0),
-                _ => Self::real(undefined()),
-            };
-        }
         (exponent.clone() * self.apply(Function::Ln)).apply(Function::Exp)
     }
 }

@@ -188,7 +188,7 @@ fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
     }
     without_points(statement, effort).unwrap_or_else(|| {
         let reason = match follows {
-            true => "it follows, but no point is found at which the premises hold",
+            true => "it follows, but no point is found at which all that is written is defined and holds",
             false => "neither a proof nor a counterexample is found",
         };
         Outcome::Undecided(reason.into())
