@@ -154,9 +154,8 @@ where
             let [_, d, _, _] = wanted.parameters(&self.setting.fixed(value))?;
             let told = wanted.value(value);
             let at = told.to_f64();
-            while let Some((_, row)) = self.events.pop_front_if(|(event, _)| sign * *event < sign * at) {
-                self.ready.push_back(row);
-            }
+            let passed = self.events.partition_point(|(event, _)| sign * *event < sign * at);
+            self.ready.extend(self.events.drain(..passed).map(|(_, row)| row));
             let complete = found.is_complete(&self.word, self.periods);
             let row = |orbit: &Rounded<_>| point(over, told.clone(), d.clone(), orbit.clone(), complete);
             self.ready.extend(found.orbits.iter().map(row));
