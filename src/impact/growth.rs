@@ -286,3 +286,54 @@ impl Flown {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::course::Course;
+    use super::super::event::Kind;
+    use super::super::start::Start;
+    use super::*;
+    use crate::model::Motion;
+
+    fn motion() -> Motion<f64> {
+        Motion::new(0.12, 0.3, 0.5, 0.6).unwrap()
+    }
+
+    /// The last impact of a chatter before its rest.
+    fn last() -> Event<f64> {
+        let start = Start {
+            side: Side::Bottom,
+            phase: 1.0,
+            velocity: 1e-3,
+        };
+        let mut course = Course::new(&motion(), &start);
+        let mut events = std::iter::from_fn(|| course.advance(|_, _| ()));
+        let events: Vec<Event<f64>> = events.by_ref().take_while(|event| event.kind == Kind::Impact).collect();
+        events.last().unwrap().clone()
+    }
+
+    /// The phase at which it rests if its last impact is so much faster, and what the error is told to be for an error of
+    /// that velocity alone.
+    fn rest(faster: f64, error: f64) -> (f64, f64) {
+        let mut event = last();
+        event.velocity += faster;
+        let mut course = Course::new(&motion(), &Start::from(&event));
+        let mut growth = Growth::new(course.scaled());
+        course.advance(|event, step| growth.follow(event, step)).unwrap();
+        growth.restart([0.0, error * std::f64::consts::PI]);
+        let event = course.advance(|event, step| growth.follow(event, step)).unwrap();
+        assert_eq!(event.kind, Kind::Rest);
+        (event.phase, growth.phase_error())
+    }
+
+    #[test]
+    fn the_phase_of_a_rest_moves_with_the_velocity_of_the_last_impact_by_what_its_error_says() {
+        let error = 1e-3 * last().velocity;
+        let told = rest(0.0, error).1 - rest(0.0, 0.0).1;
+        let moved = (rest(error, 0.0).0 - rest(0.0, 0.0).0).abs();
+        assert!(
+            moved > 0.5 * error && (told / moved - 1.0).abs() < 0.01,
+            "{told:e} {moved:e}"
+        );
+    }
+}
