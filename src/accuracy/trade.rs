@@ -16,7 +16,9 @@ pub use machine::machine;
 pub(super) use orbit::motions;
 
 use crate::number::Rung;
+use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::Arc;
 
 /// One means in one number at one task.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,15 +34,18 @@ pub struct TradeRow {
     pub operations: u64,
     /// Median wall time of one evaluation.
     pub seconds: f64,
-    /// Digits that 19 of 20 points keep: the 5% quantile of -log10 of the relative error. 0 where there is no
-    /// answer, never more than the number type holds.
+    /// Digits at half of the problems that are solved: -log10 of the relative error, never more than the number type
+    /// holds. 0 where none is.
     pub digits: f64,
-    /// Whether no other means of the task is both cheaper and at least as accurate.
+    /// Whether no other means of the task costs less, keeps at least as many digits at 19 of 20 of what it solves, and
+    /// solves at least as much.
     pub on_front: bool,
-    /// Digits at the worst point.
-    pub worst_digits: f64,
-    /// Digits at half of the points.
-    pub median_digits: f64,
+    /// Digits that 19 of 20 of the solved problems keep.
+    pub worst: f64,
+    /// How many problems came to the right answer: to 6 digits, or to half of those that the number holds.
+    pub solved: usize,
+    /// What became of each problem, in their order.
+    pub problems: Vec<Outcome>,
     /// Divisions among the operations.
     pub divisions: u64,
     /// Pairs of sine and cosine among the operations.
@@ -52,8 +57,8 @@ pub struct TradeRow {
 }
 
 impl TradeRow {
-    /// The names of the columns, in the order of the fields.
-    pub const COLUMNS: [&str; 13] = [
+    /// The names of the columns.
+    pub const COLUMNS: [&str; 15] = [
         "task",
         "number",
         "method",
@@ -61,13 +66,71 @@ impl TradeRow {
         "seconds",
         "digits",
         "on_front",
-        "worst_digits",
-        "median_digits",
+        "worst",
+        "solved",
+        "problems",
+        "failures",
         "divisions",
         "sincos",
         "spread",
         "latencies",
     ];
+
+    /// Why problems are not solved, as `another orbit 3; no convergence 2`, the most frequent first.
+    pub fn failures(&self) -> String {
+        let mut counts: BTreeMap<Miss, usize> = BTreeMap::new();
+        for miss in self.problems.iter().filter_map(|outcome| outcome.miss) {
+            *counts.entry(miss).or_default() += 1;
+        }
+        let mut counts: Vec<(Miss, usize)> = counts.into_iter().collect();
+        counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        let told = counts
+            .into_iter()
+            .map(|(miss, count)| format!("{} {count}", miss.name()));
+        told.collect::<Vec<_>>().join("; ")
+    }
+}
+
+/// What became of a problem.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// The problem, `key=value;...`, as every means is given it.
+    pub at: Arc<str>,
+    /// The digits that hold of the answer; none where there is no answer.
+    pub digits: Option<f64>,
+    /// Why it is not solved, where it is not.
+    pub miss: Option<Miss>,
+}
+
+/// Why a means does not come to the right answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Miss {
+    /// It comes to an orbit, but not the one beside its guess.
+    AnotherOrbit,
+    /// It comes to what solves its equations, and is no orbit.
+    NoOrbit,
+    /// Its steps do not become small.
+    NoConvergence,
+    /// There is no change of sign where it begins.
+    NoBracket,
+    /// It comes to where a formula has no value.
+    LeftDomain,
+    /// It comes to the right answer, to fewer digits than count as solved.
+    FewDigits,
+}
+
+impl Miss {
+    /// As tables have it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::AnotherOrbit => "another orbit",
+            Self::NoOrbit => "no orbit",
+            Self::NoConvergence => "no convergence",
+            Self::NoBracket => "no change of sign",
+            Self::LeftDomain => "left the domain",
+            Self::FewDigits => "few digits",
+        }
+    }
 }
 
 /// What the means are compared on.
@@ -209,12 +272,12 @@ pub fn trade(task: Task, options: &TradeOptions) -> Result<Vec<TradeRow>, TradeE
 /// as much. Operations decide there.
 const SAME_TIME: f64 = 0.1;
 
-/// Marks the rows that no other row of the same task beats: one that is cheaper and at least as accurate, or more
-/// accurate and no dearer. A means that leaves no digit is on no front.
+/// Marks the rows that no other row of the same task beats: one that is no dearer, keeps as many digits and solves as
+/// many problems, and is better in one of these. A means that solves nothing is on no front.
 fn mark_front(rows: &mut [TradeRow]) {
     let marks: Vec<bool> = rows
         .iter()
-        .map(|row| row.digits > 0.0 && !rows.iter().any(|other| other.task == row.task && beats(other, row)))
+        .map(|row| row.solved > 0 && !rows.iter().any(|other| other.task == row.task && beats(other, row)))
         .collect();
     for (row, mark) in rows.iter_mut().zip(marks) {
         row.on_front = mark;
@@ -223,7 +286,9 @@ fn mark_front(rows: &mut [TradeRow]) {
 
 fn beats(a: &TradeRow, b: &TradeRow) -> bool {
     let (cheaper, dearer) = (costs_less(a, b), costs_less(b, a));
-    (cheaper && a.digits >= b.digits) || (!dearer && a.digits > b.digits)
+    let is_as_good = a.worst >= b.worst && a.solved >= b.solved;
+    let is_better = a.worst > b.worst || a.solved > b.solved;
+    is_as_good && !dearer && (cheaper || is_better)
 }
 
 fn costs_less(a: &TradeRow, b: &TradeRow) -> bool {
@@ -265,8 +330,9 @@ mod tests {
             seconds,
             digits,
             on_front: false,
-            worst_digits: 0.0,
-            median_digits: 0.0,
+            worst: digits,
+            solved: usize::from(digits > 0.0),
+            problems: Vec::new(),
             divisions: 0,
             sincos: 0,
             spread: 0.0,
@@ -303,6 +369,45 @@ mod tests {
             front(vec![row("nothing", 0.1, 1, 0.0), row("slow", 9.0, 9, 1.0)]),
             ["slow"]
         );
+    }
+
+    #[test]
+    fn what_solves_more_is_on_the_front_though_it_costs_more_and_keeps_fewer_digits() {
+        let rows = vec![
+            TradeRow {
+                solved: 3,
+                ..row("sharp", 1.0, 10, 15.0)
+            },
+            TradeRow {
+                solved: 9,
+                ..row("sure", 5.0, 50, 12.0)
+            },
+            TradeRow {
+                solved: 8,
+                ..row("beaten", 6.0, 60, 12.0)
+            },
+        ];
+        assert_eq!(front(rows), ["sharp", "sure"]);
+    }
+
+    #[test]
+    fn failures_are_counted_by_kind_the_most_frequent_first() {
+        let miss = |miss| Outcome {
+            at: "".into(),
+            digits: None,
+            miss: Some(miss),
+        };
+        let kinds = [
+            Miss::LeftDomain,
+            Miss::AnotherOrbit,
+            Miss::NoConvergence,
+            Miss::AnotherOrbit,
+        ];
+        let row = TradeRow {
+            problems: kinds.map(miss).to_vec(),
+            ..row("m", 1.0, 1, 1.0)
+        };
+        assert_eq!(row.failures(), "another orbit 2; no convergence 1; left the domain 1");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! `vibro-audit trade [TASK] [--plot FILE]`.
 
 use super::{Answer, Content, Exit, Failure, Options, note};
-use crate::accuracy::{Task, TradeError, TradeOptions, TradeRow, machine, trade};
+use crate::accuracy::{Miss, Task, TradeError, TradeOptions, TradeRow, machine, trade};
 use crate::number::Rung;
 use crate::report::figure::trades;
 use crate::report::{Cell, Format, Table};
@@ -20,6 +20,9 @@ pub struct Arguments {
     /// Only this number
     #[arg(long, value_name = "NAME", value_parser = rung_parser())]
     number: Option<Rung>,
+    /// List every problem of the task, and what each means did on it, without a clock
+    #[arg(long)]
+    problems: bool,
     /// Draw time against digits as an SVG, the front as a line
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
@@ -36,8 +39,8 @@ fn rung_parser() -> impl TypedValueParser<Value = Rung> {
     PossibleValuesParser::new(names).try_map(|name| Rung::named(&name).ok_or("no number"))
 }
 
-/// The columns that text has: the named ones.
-const SHOWN: usize = 7;
+/// The columns that text has, as many as a terminal is wide.
+const SHOWN: [usize; 8] = [0, 1, 2, 4, 5, 7, 8, 6];
 
 /// The number with so many significant figures as a measurement bears.
 fn measured(value: f64) -> f64 {
@@ -48,12 +51,20 @@ fn measured(value: f64) -> f64 {
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let drawing = options.drawing(arguments.plot.as_ref())?;
     let tasks: Vec<Task> = arguments.task.map_or_else(|| Task::ALL.to_vec(), |task| vec![task]);
+    let ordinary = TradeOptions::default();
     let asked = TradeOptions {
+        seconds_per_row: if arguments.problems {
+            0.0
+        } else {
+            ordinary.seconds_per_row
+        },
         method: arguments.method.clone(),
         number: arguments.number,
-        ..TradeOptions::default()
+        ..ordinary
     };
-    note(&format!("times are of {}", machine()));
+    if !arguments.problems {
+        note(&format!("times are of {}", machine()));
+    }
     let mut rows = Vec::new();
     let mut none = None;
     for task in tasks {
@@ -72,21 +83,46 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
         output.write(|out| out.write_all(svg.as_bytes()))?;
     }
     Ok(Answer {
-        content: Content::Table(table(&rows, options)?),
+        content: Content::Table(match arguments.problems {
+            true => problems(&rows)?,
+            false => table(&rows, options)?,
+        }),
         exit: Exit::AsExpected,
     })
 }
 
 /// A person reads one table of the width of a terminal; scripts get every column.
 fn table(rows: &[TradeRow], options: &Options) -> Result<Table, Failure> {
-    let columns = if options.format == Format::Text {
-        SHOWN
-    } else {
-        TradeRow::COLUMNS.len()
+    let shown: Vec<usize> = match options.format {
+        Format::Text => SHOWN.to_vec(),
+        _ => (0..TradeRow::COLUMNS.len()).collect(),
     };
-    let mut table = Table::new(TradeRow::COLUMNS.into_iter().take(columns));
+    let mut table = Table::new(shown.iter().map(|&column| TradeRow::COLUMNS[column]));
     for row in rows {
-        table.push(cells(row).into_iter().take(columns).collect::<Vec<_>>())?;
+        let cells = cells(row);
+        table.push(shown.iter().map(|&column| cells[column].clone()).collect::<Vec<_>>())?;
+    }
+    Ok(table)
+}
+
+/// The columns of [`problems`].
+const PROBLEMS: [&str; 7] = ["task", "number", "method", "problem", "digits", "outcome", "at"];
+
+/// What each means did on each problem.
+fn problems(rows: &[TradeRow]) -> Result<Table, Failure> {
+    let mut table = Table::new(PROBLEMS);
+    for row in rows {
+        for (number, outcome) in row.problems.iter().enumerate() {
+            table.push(vec![
+                Cell::from(row.task.clone()),
+                Cell::from(row.number.to_string()),
+                Cell::from(row.method),
+                Cell::from(number as i64 + 1),
+                Cell::from(outcome.digits.map(measured)),
+                Cell::from(outcome.miss.map_or("solved", Miss::name)),
+                Cell::from(outcome.at.to_string()),
+            ])?;
+        }
     }
     Ok(table)
 }
@@ -101,8 +137,10 @@ fn cells(row: &TradeRow) -> Vec<Cell> {
         Cell::from(measured(row.seconds)),
         Cell::from(measured(row.digits)),
         Cell::from(row.on_front),
-        Cell::from(measured(row.worst_digits)),
-        Cell::from(measured(row.median_digits)),
+        Cell::from(measured(row.worst)),
+        count(row.solved as u64),
+        count(row.problems.len() as u64),
+        Cell::from(row.failures()),
         count(row.divisions),
         count(row.sincos),
         Cell::from(measured(row.spread)),

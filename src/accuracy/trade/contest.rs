@@ -1,7 +1,7 @@
 //! Several means to the same end, on the same problems, in every number that makes sense.
 
 use super::clock::{Timing, timing};
-use super::{TradeError, TradeOptions, TradeRow, digits_of, quantile};
+use super::{Miss, Outcome, TradeError, TradeOptions, TradeRow, digits_of, quantile};
 use crate::number::{Analytic, Any, AtRung, Counted, Counts, Machine, Rung, Wide, of_type};
 
 /// The number that judges: some forty digits beyond the widest that is judged.
@@ -20,6 +20,10 @@ pub(super) struct Task<'a, P> {
     pub exact: fn(&P) -> Option<[Vec<Exact>; 2]>,
     /// How far an answer is from the exact one.
     pub error: fn(&[Exact], &[Exact]) -> f64,
+    /// What an answer is that is not the right one.
+    pub miss: fn(&P, &[Exact]) -> Miss,
+    /// The problem in words, `key=value;...`.
+    pub place: fn(&P) -> String,
 }
 
 /// A way to the answers.
@@ -28,8 +32,11 @@ pub(super) trait Means<P> {
     fn name(&self) -> &'static str;
     /// The numbers it makes sense in.
     fn rungs(&self) -> &'static [Rung];
-    /// The answer over `T`, from the problem on; `None` where it finds none.
-    fn answer<T: Machine>(&self, point: &P) -> Option<Vec<T>>;
+    /// The answer over `T`, from the problem on.
+    ///
+    /// # Errors
+    /// Why it finds none.
+    fn answer<T: Machine>(&self, point: &P) -> Result<Vec<T>, Miss>;
 }
 
 /// Bits of a drawn number: of a range that is a power of 2, f32 holds them with bits to spare.
@@ -60,6 +67,12 @@ pub(super) const EVERY: &[Rung] = &[Rung::Single, Rung::Double, Rung::DoubleDoub
 
 /// The rungs of means that come from a crate for the numbers of the machine, or that gain nothing from more digits.
 pub(super) const OF_THE_MACHINE: &[Rung] = &[Rung::Single, Rung::Double];
+
+/// Digits that an answer has that counts as right.
+const RIGHT: f64 = 6.0;
+
+/// Digits of an answer that is the right one, but for its errors.
+const BESIDE: f64 = 2.0;
 
 /// The largest difference over the largest exact value, 0 for 0/0.
 pub(super) fn relative_error(found: &[Exact], exact: &[Exact]) -> f64 {
@@ -176,16 +189,24 @@ impl<P, M: Means<P>> AtRung for Contest<'_, P, M> {
     fn run<N: Machine>(self) -> TradeRow {
         let points = self.task.points;
         let epsilon = <N as Analytic>::epsilon().to_f64();
-        let digits: Vec<f64> = points
-            .iter()
-            .zip(self.exact)
-            .map(|(point, exact)| {
-                let found = self.means.answer::<N>(point);
-                let found = found.map(|found| found.iter().map(Machine::to_wide).collect::<Vec<Exact>>());
-                let error = found.map_or(f64::NAN, |found| (self.task.error)(&found, exact));
-                digits_of(error, epsilon)
-            })
-            .collect();
+        let right = RIGHT.min(0.5 * digits_of(0.0, epsilon));
+        let outcome = |(point, exact): (&P, &Vec<Exact>)| {
+            let found = self.means.answer::<N>(point);
+            let found = found.map(|found| found.iter().map(Machine::to_wide).collect::<Vec<Exact>>());
+            let digits = found.as_ref().ok();
+            let digits = digits.map(|found| digits_of((self.task.error)(found, exact), epsilon));
+            let miss = match (&found, digits) {
+                (Err(miss), _) => Some(*miss),
+                (Ok(_), Some(digits)) if (BESIDE..right).contains(&digits) => Some(Miss::FewDigits),
+                (Ok(found), Some(digits)) if digits < right => Some((self.task.miss)(point, found)),
+                _ => None,
+            };
+            let at = (self.task.place)(point).into();
+            Outcome { at, digits, miss }
+        };
+        let problems: Vec<Outcome> = points.iter().zip(self.exact).map(outcome).collect();
+        let solved = problems.iter().filter(|outcome| outcome.miss.is_none());
+        let digits: Vec<f64> = solved.filter_map(|outcome| outcome.digits).collect();
         let (_, counts) = Counts::of(|| {
             of_type(self.rung, || {
                 for point in points {
@@ -208,10 +229,11 @@ impl<P, M: Means<P>> AtRung for Contest<'_, P, M> {
             method: self.means.name(),
             operations: mean(counts.total()),
             seconds: median / points.len() as f64,
-            digits: quantile(&digits, 0.05),
+            digits: quantile(&digits, 0.5),
             on_front: false,
-            worst_digits: quantile(&digits, 0.0),
-            median_digits: quantile(&digits, 0.5),
+            worst: quantile(&digits, 0.05),
+            solved: digits.len(),
+            problems,
             divisions: mean(counts.divisions),
             sincos: mean(counts.sincos),
             spread,

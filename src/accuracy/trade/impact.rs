@@ -1,7 +1,7 @@
 //! The task `impact`: the impact that follows one, by fixed step, by bracketing and by our own means.
 
 use super::contest::{self, BITS, EVERY, Exact, Means, OF_THE_MACHINE, Task, worst_relative_error};
-use super::{TradeError, TradeOptions, TradeRow};
+use super::{Miss, TradeError, TradeOptions, TradeRow};
 use crate::impact::{Kind, Simulation, Start};
 use crate::model::{Flight, Forcing, Impact, Motion, Side, next_impact};
 use crate::number::{Analytic, Digits, Machine, Rung, Sequence, at_digits};
@@ -38,6 +38,18 @@ impl Point {
         let start = self.start();
         let event = Simulation::new(&self.motion()?, &start).nth(1)?;
         (event.kind == Kind::Impact).then(|| [event.time(&start.phase), event.velocity])
+    }
+
+    /// As tables have it.
+    fn place(&self) -> String {
+        let Self {
+            g,
+            d,
+            r: [r_b, r_t],
+            phase,
+            velocity,
+        } = self;
+        format!("g={g};d={d};r_B={r_b};r_T={r_t};phase={phase};velocity={velocity}")
     }
 
     fn start<T: Analytic>(&self) -> Start<T> {
@@ -94,7 +106,7 @@ fn points(speeds: [f64; 2], options: &TradeOptions) -> Vec<Point> {
 fn exact(point: &Point) -> Option<[Vec<Exact>; 2]> {
     at_digits(100, || {
         let own = point.by_simulation::<Digits>()?;
-        let bracketed = Way::Bracketing.answer::<Digits>(point)?;
+        let bracketed = Way::Bracketing.answer::<Digits>(point).ok()?;
         Some([own.to_vec(), bracketed].map(|answer| answer.iter().map(Machine::to_wide).collect()))
     })
 }
@@ -127,19 +139,21 @@ impl Means<Point> for Way {
         }
     }
 
-    fn answer<T: Machine>(&self, point: &Point) -> Option<Vec<T>> {
+    fn answer<T: Machine>(&self, point: &Point) -> Result<Vec<T>, Miss> {
         if let Self::Own = self {
-            return point.by_simulation().map(|answer| answer.to_vec());
+            let found = point.by_simulation();
+            return found.map(|answer| answer.to_vec()).ok_or(Miss::NoConvergence);
         }
-        let (motion, forcing, impact) = (point.motion::<T>()?, Forcing::harmonic(&T::zero()), point.impact());
+        let motion = point.motion::<T>().ok_or(Miss::LeftDomain)?;
+        let (forcing, impact) = (Forcing::harmonic(&T::zero()), point.impact());
         match self {
             Self::FixedStep(exponent, _) => {
-                let flight = Flight::after(&motion, &forcing, &impact).ok()?;
-                by_steps(&flight, 2_f64.powi(*exponent))
+                let flight = Flight::after(&motion, &forcing, &impact).map_err(|_| Miss::LeftDomain)?;
+                by_steps(&flight, 2_f64.powi(*exponent)).ok_or(Miss::NoConvergence)
             }
             _ => {
-                let leg = next_impact(&motion, &forcing, &impact).ok()?;
-                Some(vec![leg.duration, leg.to.velocity])
+                let leg = next_impact(&motion, &forcing, &impact).map_err(|_| Miss::NoConvergence)?;
+                Ok(vec![leg.duration, leg.to.velocity])
             }
         }
     }
@@ -188,6 +202,8 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
             points: &points(speeds, options),
             exact,
             error: worst_relative_error,
+            miss: |_, _| Miss::FewDigits,
+            place: Point::place,
         };
         rows.extend(contest::rows(&task, &means, options)?);
     }
@@ -208,7 +224,7 @@ mod tests {
         let rows = rows(&options).expect("a trade");
         let median = |method: &str, number: Rung| {
             let named = |row: &&TradeRow| row.task == "impact/random" && row.method == method && row.number == number;
-            rows.iter().find(named).expect("a row").median_digits
+            rows.iter().find(named).expect("a row").digits
         };
         let gained = median("fixed-step-2^-13", Rung::Double) - median("fixed-step-2^-10", Rung::Double);
         assert!((gained - 6.0 * 2_f64.log10()).abs() < 0.3, "{gained}");

@@ -2,7 +2,7 @@
 //! cancellation.
 
 use super::contest::{self, BITS, EVERY, Form, Means, Task, worst_relative_error};
-use super::{TradeError, TradeOptions, TradeRow};
+use super::{Miss, TradeError, TradeOptions, TradeRow};
 use crate::number::{Analytic, Machine, Rung, Sequence};
 use crate::orbit::{Kind, multipliers};
 
@@ -65,7 +65,7 @@ impl Means<Point> for Way {
         EVERY
     }
 
-    fn answer<T: Machine>(&self, point: &Point) -> Option<Vec<T>> {
+    fn answer<T: Machine>(&self, point: &Point) -> Result<Vec<T>, Miss> {
         let [trace, loss] = [point.trace, point.loss].map(<T as Analytic>::from_f64);
         let [larger, smaller] = match self.0 {
             Form::Stable => multipliers(&trace, &loss, Kind::Saddle).map(|multiplier| multiplier.re),
@@ -81,7 +81,7 @@ impl Means<Point> for Way {
                 }
             }
         };
-        Some(vec![larger, smaller])
+        Ok(vec![larger, smaller])
     }
 }
 
@@ -92,8 +92,15 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
         let task = Task {
             name: region.name().to_owned(),
             points: &region.points(options),
-            exact: |point| Some([Way(Form::Stable).answer(point)?, Way(Form::Printed).answer(point)?]),
+            exact: |point| {
+                Some([
+                    Way(Form::Stable).answer(point).ok()?,
+                    Way(Form::Printed).answer(point).ok()?,
+                ])
+            },
             error: worst_relative_error,
+            miss: |_, _| Miss::FewDigits,
+            place: |Point { trace, loss }| format!("trace={trace};r_B r_T={loss}"),
         };
         rows.extend(contest::rows(&task, &Form::ALL.map(Way), options)?);
     }
@@ -117,7 +124,7 @@ mod tests {
             let row = rows
                 .iter()
                 .find(|row| row.task == task && row.method == method && row.number == number);
-            row.expect("a row").worst_digits
+            row.expect("a row").worst
         };
         for (number, digits) in [(Rung::Double, 15.0), (Rung::DoubleDouble, 30.0), (Rung::Wide(50), 58.0)] {
             assert!(worst("multipliers/saddle", "stable", number) > digits);

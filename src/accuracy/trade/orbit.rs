@@ -2,8 +2,8 @@
 //! our own means.
 
 use super::contest::{self, BITS, EVERY, Exact, Means, OF_THE_MACHINE, Task};
-use super::{TradeError, TradeOptions, TradeRow};
-use crate::model::{Bracket, Motion, Sample, root};
+use super::{Miss, TradeError, TradeOptions, TradeRow};
+use crate::model::{Bracket, Motion, Sample, Side, root};
 use crate::number::{Analytic, Digits, Dual, Interval, Machine, Rung, Sequence, at_digits, seeded};
 use crate::orbit::{Balance, Equations, Proved, Sixteen, Triple, TripleSlopes, nearest, one_to_one, sharpen};
 use roots::{
@@ -30,6 +30,14 @@ struct Point {
 }
 
 impl Point {
+    /// As tables have it.
+    fn place(&self) -> String {
+        let [g, d] = [self.motion.g(), self.motion.d()];
+        let [r_b, r_t] = [Side::Bottom, Side::Top].map(|side| self.motion.restitution(side));
+        let [t_1, psi, ..] = self.guess;
+        format!("g={g};d={d};r_B={r_b};r_T={r_t};T_1={t_1};psi={psi}")
+    }
+
     fn motion<T: Analytic>(&self) -> Option<Motion<T>> {
         self.motion.convert(|value| T::from_f64(*value)).ok()
     }
@@ -48,6 +56,24 @@ pub fn motions(options: &TradeOptions, count: usize) -> Vec<Motion<f64>> {
         )
     };
     std::iter::repeat_with(|| draw().ok()).flatten().take(count).collect()
+}
+
+/// How far an answer may be from an orbit that it is taken for.
+const BESIDE: f64 = 1e-3;
+
+/// What an answer is that is not the orbit beside the guess.
+fn miss(point: &Point, found: &[Exact]) -> Miss {
+    let (Some(motion), Some(t_1)) = (point.motion::<Exact>(), found.last()) else {
+        return Miss::LeftDomain;
+    };
+    let balance = Balance::new(&motion, 1);
+    let Some([psi, excess]) = balance.middle(t_1) else {
+        return Miss::NoOrbit;
+    };
+    let [bottom, top] = balance.velocities(t_1, &psi);
+    let [phase, _] = balance.phases(t_1, &psi);
+    let is_orbit = excess.to_f64().abs() < BESIDE && error(found, &[phase, bottom, top, t_1.clone()]) < BESIDE;
+    if is_orbit { Miss::AnotherOrbit } else { Miss::NoOrbit }
 }
 
 /// The orbits of random motions.
@@ -177,24 +203,25 @@ impl Means<Point> for Way {
         }
     }
 
-    fn answer<T: Machine>(&self, point: &Point) -> Option<Vec<T>> {
+    fn answer<T: Machine>(&self, point: &Point) -> Result<Vec<T>, Miss> {
         let number = <T as Analytic>::from_f64;
         let [t_1, psi, time, velocity] = point.guess;
         if let Self::Triple(sixteen, slopes) = self {
-            return by_triple(point, *sixteen, *slopes, [time, t_1, velocity].map(number));
+            let guess = [time, t_1, velocity].map(number);
+            return by_triple(point, *sixteen, *slopes, guess).ok_or(Miss::NoConvergence);
         }
-        let motion = point.motion::<T>()?;
+        let motion = point.motion::<T>().ok_or(Miss::LeftDomain)?;
         let balance = Balance::new(&motion, 1);
         let [t_1, psi] = match self {
-            Self::Triple(..) => return None,
+            Self::Triple(..) => return Err(Miss::LeftDomain),
             Self::Curve(finder) => on_curve(&balance, finder.root(&balance, t_1)?)?,
             Self::OwnOnCurve => on_curve(&balance, bracketed(&motion, &balance, t_1)?)?,
-            Self::Newton => newton(&balance, [number(t_1), number(psi)])?,
-            Self::Certified => certified(point, [t_1, psi])?,
+            Self::Newton => newton(&balance, [number(t_1), number(psi)]).ok_or(Miss::NoConvergence)?,
+            Self::Certified => certified(point, [t_1, psi]).ok_or(Miss::NoConvergence)?,
         };
         let [bottom, top] = balance.velocities(&t_1, &psi);
         let [phase, _] = balance.phases(&t_1, &psi);
-        Some(vec![phase, bottom, top, t_1])
+        Ok(vec![phase, bottom, top, t_1])
     }
 }
 
@@ -208,14 +235,14 @@ fn by_triple<T: Machine>(point: &Point, sixteen: Sixteen, slopes: TripleSlopes, 
 }
 
 /// (T_1, psi) on the curve.
-fn on_curve<T: Analytic>(balance: &Balance<T>, t_1: T) -> Option<[T; 2]> {
-    let [psi, _] = balance.middle(&t_1)?;
-    Some([t_1, psi])
+fn on_curve<T: Analytic>(balance: &Balance<T>, t_1: T) -> Result<[T; 2], Miss> {
+    let [psi, _] = balance.middle(&t_1).ok_or(Miss::LeftDomain)?;
+    Ok([t_1, psi])
 }
 
 impl Finder {
     /// The root near `guess`. The crate works in f64; the equation is evaluated in `T`.
-    fn root<T: Machine>(self, balance: &Balance<T>, guess: f64) -> Option<T> {
+    fn root<T: Machine>(self, balance: &Balance<T>, guess: f64) -> Result<T, Miss> {
         let excess = |t_1: f64| {
             let value = balance.middle(&<T as Analytic>::from_f64(t_1));
             value.map_or(f64::NAN, |[_, excess]| excess.to_f64())
@@ -233,19 +260,27 @@ impl Finder {
             Self::RegulaFalsi => find_root_regula_falsi(low, high, excess, &mut convergency),
             Self::Secant => find_root_secant(low, high, excess, &mut convergency),
         };
-        found.ok().map(<T as Analytic>::from_f64)
+        match found {
+            Ok(root) => Ok(<T as Analytic>::from_f64(root)),
+            Err(SearchError::NoBracketing) => Err(Miss::NoBracket),
+            Err(_) => Err(Miss::NoConvergence),
+        }
     }
 }
 
 /// The root near `guess` by [`root`].
-fn bracketed<T: Machine>(motion: &Motion<T>, balance: &Balance<T>, guess: f64) -> Option<T> {
+fn bracketed<T: Machine>(motion: &Motion<T>, balance: &Balance<T>, guess: f64) -> Result<T, Miss> {
     let [low, high] = AROUND.map(|part| <T as Analytic>::from_f64(part * guess));
     let excess = |t_1: &T| Some(balance.middle(t_1)?[1].to_f64());
-    let values = [excess(&low)?, excess(&high)?];
-    if values[0] * values[1] > 0.0 {
-        return None;
+    let [Some(at_low), Some(at_high)] = [excess(&low), excess(&high)] else {
+        return Err(Miss::LeftDomain);
+    };
+    let values = [at_low, at_high];
+    if at_low * at_high > 0.0 {
+        return Err(Miss::NoBracket);
     }
-    let lifted = Balance::new(&motion.convert(|value| Dual::from_re(value.clone())).ok()?, 1);
+    let lifted = motion.convert(|value| Dual::from_re(value.clone()));
+    let lifted = Balance::new(&lifted.map_err(|_| Miss::LeftDomain)?, 1);
     let sample = |t_1: &T| {
         let excess = lifted.middle(&seeded(t_1.clone())).map(|[_, excess]| excess);
         let excess = excess.unwrap_or_else(|| Dual::from_re(<T as Analytic>::from_f64(f64::NAN)));
@@ -257,7 +292,7 @@ fn bracketed<T: Machine>(motion: &Motion<T>, balance: &Balance<T>, guess: f64) -
         }
     };
     let (low, high) = (&low, &high);
-    Some(root(&Bracket { low, high, values }, sample))
+    Ok(root(&Bracket { low, high, values }, sample))
 }
 
 /// Newton's method in `T` until the steps no longer shrink.
@@ -302,6 +337,8 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
         points: &points(options),
         exact,
         error,
+        miss,
+        place: Point::place,
     };
     contest::rows(&task, &ALL, options)
 }
@@ -320,7 +357,7 @@ mod tests {
         let rows = rows(&options).expect("a trade");
         let median = |method: &str, number: Rung| {
             let named = |row: &&TradeRow| row.method == method && row.number == number;
-            rows.iter().find(named).expect("a row").median_digits
+            rows.iter().find(named).expect("a row").digits
         };
         for method in ["mended-dual", "newton", "certified"] {
             assert!(median(method, Rung::Double) > 13.0, "{method}");

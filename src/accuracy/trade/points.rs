@@ -33,6 +33,21 @@ pub(super) struct Point {
     pub durations: [f64; 2],
 }
 
+impl Point {
+    /// As tables have it.
+    pub fn place(&self) -> String {
+        let Self {
+            g,
+            r_b,
+            r_t,
+            time,
+            velocity,
+            durations: [first, _],
+        } = self;
+        format!("g={g};r_B={r_b};r_T={r_t};t_k={time};velocity={velocity};T_1={first}")
+    }
+}
+
 /// Beyond this many rejected draws for one point the region is taken to be empty.
 const MOST_DRAWS: usize = 10_000;
 

@@ -1,7 +1,7 @@
 //! The task `voltage`: the output of an impact, (5) and (6), as printed and without cancellation.
 
 use super::contest::{self, BITS, EVERY, Form, Means, Task, relative_error};
-use super::{TradeError, TradeOptions, TradeRow};
+use super::{Miss, TradeError, TradeOptions, TradeRow};
 use crate::model::Membrane;
 use crate::number::{Analytic, Machine, Rung, Sequence};
 
@@ -24,12 +24,12 @@ impl Means<f64> for Way {
         EVERY
     }
 
-    fn answer<T: Machine>(&self, speed: &f64) -> Option<Vec<T>> {
+    fn answer<T: Machine>(&self, speed: &f64) -> Result<Vec<T>, Miss> {
         let [mass, stiffness, exponent, ball, rim, input] =
             MEMBRANE.map(|value| <T as Analytic>::from_f64(f64::from(value)));
-        let membrane = Membrane::new(mass, stiffness, exponent, ball, rim, input).ok()?;
+        let membrane = Membrane::new(mass, stiffness, exponent, ball, rim, input).map_err(|_| Miss::LeftDomain)?;
         let speed = <T as Analytic>::from_f64(*speed);
-        Some(vec![match self.0 {
+        Ok(vec![match self.0 {
             Form::Printed => membrane.voltage_as_printed(&speed),
             Form::Stable => membrane.voltage(&speed),
         }])
@@ -46,8 +46,15 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
         let task = Task {
             name: name.to_owned(),
             points: &speeds,
-            exact: |speed| Some([Way(Form::Stable).answer(speed)?, Way(Form::Printed).answer(speed)?]),
+            exact: |speed| {
+                Some([
+                    Way(Form::Stable).answer(speed).ok()?,
+                    Way(Form::Printed).answer(speed).ok()?,
+                ])
+            },
             error: relative_error,
+            miss: |_, _| Miss::FewDigits,
+            place: |speed| format!("speed={speed}"),
         };
         rows.extend(contest::rows(&task, &Form::ALL.map(Way), options)?);
     }
@@ -70,7 +77,7 @@ mod tests {
             let row = rows
                 .iter()
                 .find(|row| row.task == task && row.method == method && row.number == Rung::Double);
-            row.expect("a row").worst_digits
+            row.expect("a row").worst
         };
         assert!(worst("voltage/slight", "stable") > 14.0 && worst("voltage/ordinary", "stable") > 14.0);
         assert!(worst("voltage/slight", "printed") < 11.0);
