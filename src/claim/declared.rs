@@ -155,7 +155,9 @@ impl Vocabulary {
             Tree::Symbol(name, _) => {
                 let single = pair_of(name);
                 let listed = self.complex.contains(single.as_ref().unwrap_or(name));
-                (listed || is_unit(name) || extra(name)).then_some(name)
+                let mut abbreviated = self.abbreviations.iter().filter(|(known, _)| known == name);
+                let is_complex = abbreviated.any(|(_, meaning)| self.complex_in(meaning, extra).is_some());
+                (listed || is_complex || is_unit(name) || extra(name)).then_some(name)
             }
             Tree::Call(name, ..) if name.base == r"\abs" => None,
             _ => below(tree, &mut |part| self.complex_in(part, extra)),

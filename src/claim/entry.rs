@@ -170,16 +170,38 @@ impl Entry {
                 let problem = format!("`{name}` can be replaced by `{name}+1` and the like only");
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
             }
-            if let Tree::Symbol(name, _) = &equation.left
-                && let Some(value) = number_of(&equation.right)
-                && let Some(list) = vocabulary.excludes(name, &value)
-            {
-                let problem = format!("`{name}` stands in `{list}`: it cannot be {}", equation.right);
-                return Err(source.fault(equation.at.0, problem).of(&self.label));
-            }
         }
+        let declared = self.declared_of_with(vocabulary)?;
+        self.assume.extend(declared);
         self.borrowed = borrowed;
         Ok(())
+    }
+
+    /// What `[symbols]` says of the symbols that `with` replaces, said of what is put in; a number is held against it here.
+    fn declared_of_with(&self, vocabulary: &Vocabulary) -> Result<Vec<(Condition, Source)>, Fault> {
+        let mut declared = Vec::new();
+        for (equation, source) in &self.with {
+            let Tree::Symbol(name, _) = &equation.left else {
+                continue;
+            };
+            let fault = |problem: String| Err(source.fault(equation.at.0, problem).of(&self.label));
+            let is_said = vocabulary.declares(name) && !vocabulary.is_index_letter(name);
+            if is_said && !vocabulary.complex.contains(name) && vocabulary.is_complex_in(&equation.right) {
+                return fault(format!("`{name}` is real: it cannot be {}", equation.right));
+            }
+            let number = number_of(&equation.right);
+            for list in vocabulary.lists_of(name) {
+                match &number {
+                    Some(number) if !list.allows(number) => {
+                        let problem = format!("`{name}` stands in `{}`: it cannot be {}", list.name, equation.right);
+                        return fault(problem);
+                    }
+                    Some(_) => {}
+                    None => declared.push((list.said_of(equation), source.clone())),
+                }
+            }
+        }
+        Ok(declared)
     }
 
     /// Refuses an inequality between values that may be complex.
@@ -258,25 +280,62 @@ fn called_with_itself(tree: &Tree) -> Option<(Name, usize)> {
     found
 }
 
+/// A list of `[symbols]` that says which values a symbol has: how they stand to a number, or that they are integers.
+struct List {
+    name: &'static str,
+    bound: Option<(Relation, i64)>,
+}
+
+impl List {
+    fn allows(&self, value: &Rational) -> bool {
+        let Some((relation, bound)) = self.bound else {
+            return *value.0.denominator() == dashu_int::UBig::ONE;
+        };
+        let bound = Rational::from_integer(bound);
+        match relation {
+            Relation::LessOrEqual => *value <= bound,
+            Relation::Greater => *value > bound,
+            Relation::GreaterOrEqual => *value >= bound,
+            _ => *value != bound,
+        }
+    }
+
+    /// The same of the right side of an equation.
+    fn said_of(&self, equation: &Equation) -> Condition {
+        let Some((relation, bound)) = self.bound else {
+            return Condition::Integer(equation.right.clone());
+        };
+        Condition::Relation(Equation {
+            left: equation.right.clone(),
+            relation,
+            right: Tree::Number(Rational::from_integer(bound)),
+            ..equation.clone()
+        })
+    }
+}
+
 impl Vocabulary {
-    /// The list of `[symbols]` by which a symbol cannot have this value.
-    fn excludes(&self, name: &Name, value: &Rational) -> Option<&'static str> {
-        let (zero, one) = (Rational::from_integer(0), Rational::from_integer(1));
+    /// The lists of `[symbols]` that say which values a symbol has.
+    fn lists_of(&self, name: &Name) -> Vec<List> {
         let lists = [
-            ("at_most_one", &self.at_most_one, *value <= one),
-            ("positive", &self.positive, *value > zero),
-            ("nonnegative", &self.nonnegative, *value >= zero),
-            ("nonzero", &self.nonzero, *value != zero),
-            (
-                "integers",
-                &self.integers,
-                *value.0.denominator() == dashu_int::UBig::ONE,
-            ),
+            ("at_most_one", &self.at_most_one, Some((Relation::LessOrEqual, 1))),
+            ("positive", &self.positive, Some((Relation::Greater, 0))),
+            ("nonnegative", &self.nonnegative, Some((Relation::GreaterOrEqual, 0))),
+            ("nonzero", &self.nonzero, Some((Relation::NotEqual, 0))),
+            ("integers", &self.integers, None),
         ];
-        let mut lists = lists.into_iter();
-        lists
-            .find(|(_, names, is_allowed)| !is_allowed && names.contains(name))
-            .map(|(list, ..)| list)
+        let own = lists.into_iter().filter(|(_, names, _)| names.contains(name));
+        own.map(|(name, _, bound)| List { name, bound }).collect()
+    }
+
+    /// Whether a complex symbol, the imaginary unit or the square root of a negative number stands in a formula.
+    fn is_complex_in(&self, tree: &Tree) -> bool {
+        let zero = Rational::from_integer(0);
+        let is_imaginary = |node: &Tree| match node {
+            Tree::Root(of, index, _) => index % 2 == 0 && number_of(of).is_some_and(|number| number < zero),
+            _ => false,
+        };
+        self.may_be_complex(tree) || any(tree, &mut |node| is_imaginary(node))
     }
 
     /// Whether this is the letter that numbers impacts, which `with` may shift.

@@ -8,7 +8,9 @@ use super::motion::Flown;
 use super::point::{Miss, Point, Style};
 use super::space::Slot;
 use super::system::{System, any};
-use super::tolerance::{APART_EXACT, APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE, STEADY};
+use super::tolerance::{
+    APART_EXACT, APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE, ROUNDED_AWAY, STEADY,
+};
 use super::value::{Complexes, Function, Numbers, Real, Reals, Value};
 use crate::claim::{Fault, Sheet, Statements, Verdict};
 use crate::number::Wide;
@@ -302,6 +304,9 @@ impl Witness<'_> {
             return None;
         }
         let gap = self.worst_gap::<N, Wide<40>>(&wide.values, &wide.running)?;
+        if gap.fails && gap.apart > 0.0 && gap.apart <= ROUNDED_AWAY {
+            return None;
+        }
         if gap.is_inequality {
             // sides that are too close to tell are equal only where nothing parts them
             let may_round = gap.apart > 0.0 || self.system.rounds() || self.statements.claims.iter().any(is_extreme);
@@ -459,6 +464,11 @@ impl Witness<'_> {
             .claims
             .iter()
             .any(|claim| claim.relation != Relation::Equal || is_extreme(claim))
+            || self
+                .statements
+                .premises
+                .iter()
+                .any(|premise| is_extreme(&premise.equation))
             || system.shaped
             || system.kinds.iter().any(|kind| kind.integer)
             || system

@@ -46,3 +46,7 @@ pub const MOST_DIGITS: f64 = 16.0;
 
 /// A factor is 0 at a point where it is less than this part of its terms: many times the residual of a premise.
 pub const VANISHING: f64 = 1e-9;
+
+/// In 40 digits a difference between sides that is not greater may be what rounding leaves of 0, or its root: points and
+/// their values are not small in themselves.
+pub const ROUNDED_AWAY: f64 = 1e-18;

@@ -171,6 +171,8 @@ struct Builder<'a> {
     written: Vec<Term>,
     /// Conditions that the reading itself brings along: the base of a real power is not negative.
     brought: Vec<(Property, Term)>,
+    /// The same of what an abbreviation stands for, and whether that is read over the reals alone.
+    meant: HashMap<Term, (Vec<(Property, Term)>, bool)>,
     open: Vec<Name>,
     symbols: HashMap<(Name, usize), Term>,
     real_only: bool,
@@ -213,6 +215,7 @@ impl<'a> Builder<'a> {
             running: None,
             written: Vec::new(),
             brought: Vec::new(),
+            meant: HashMap::new(),
             open: Vec::new(),
             symbols: HashMap::new(),
             real_only: false,
@@ -1034,15 +1037,21 @@ impl<'a> Builder<'a> {
     /// The symbol of an abbreviation, defined by its tree.
     fn abbreviation(&mut self, name: &Name, tree: &'a Tree, scope: usize, at: usize) -> Result<Term, Unreadable> {
         if let Some(&known) = self.symbols.get(&(name.clone(), scope)) {
+            let (conditions, real_only) = self.meant.get(&known).cloned().unwrap_or_default();
+            self.brought.extend(conditions);
+            self.real_only |= real_only;
             return Ok(known);
         }
         if self.open.contains(name) {
             return Err(unreadable(at, format!("`{name}` is defined by itself")));
         }
         self.open.push(name.clone());
+        let (before, real_only) = (self.brought.len(), std::mem::take(&mut self.real_only));
         let meaning = self.tree(tree);
         self.open.pop();
         let meaning = meaning?;
+        let needs = (self.brought.get(before..).unwrap_or_default().to_vec(), self.real_only);
+        self.real_only |= real_only;
         let quantity = Quantity::Local {
             name: name.clone(),
             scope,
@@ -1051,6 +1060,7 @@ impl<'a> Builder<'a> {
         self.statement.definitions.insert(symbol, meaning);
         let term = self.statement.terms.symbol(symbol);
         self.symbols.insert((name.clone(), scope), term);
+        self.meant.insert(term, needs);
         Ok(term)
     }
 
@@ -1448,6 +1458,8 @@ impl<'a> Builder<'a> {
                 .map(|(.., symbol)| *symbol)
                 .collect()
         };
+        // what its equations need bears on a claim that names the map alone
+        let (brought, real_only) = (std::mem::take(&mut self.brought), std::mem::take(&mut self.real_only));
         let mut rows = Vec::new();
         for equation in equations {
             let (_, term) = self.relation(equation)?;
@@ -1458,10 +1470,12 @@ impl<'a> Builder<'a> {
             of: side(last),
             by: side(first),
             equations: rows,
-            images: Vec::new(),
+            ..Step::default()
         };
         let images: Option<Vec<Term>> = step.of.iter().map(|&of| self.image(of, equations, &step)).collect();
         step.images = images.unwrap_or_default();
+        step.conditions = std::mem::replace(&mut self.brought, brought);
+        step.real_only = std::mem::replace(&mut self.real_only, real_only);
         Ok(step)
     }
 
@@ -1562,13 +1576,14 @@ impl<'a> Builder<'a> {
             let mut others = others.map(|(_, other)| other);
             let rival = others.find(|(_, other)| other.of.iter().any(|of| step.of.contains(of)));
             let mut step = step.clone();
+            self.real_only |= step.real_only;
             match rival {
                 _ if step.equations.is_empty() => {
                     step.equations = super::implicit::determining(&mut self.statement, &step);
                 }
                 None => {
                     for (label, term) in step.equations.clone() {
-                        self.give(&label, Property::Zero, term, Vec::new());
+                        self.give(&label, Property::Zero, term, step.conditions.clone());
                     }
                 }
                 Some((rival, _)) if step.images.is_empty() => {
