@@ -104,7 +104,9 @@ impl System {
 
     fn derived<N: Numbers>(&self, mut point: Point<N::Of<f64>>) -> Result<Point<N::Of<f64>>, Miss> {
         match self.derive::<N, f64>(&mut point.values, PREMISE) {
-            Some(rest) if rest <= PREMISE => Ok(point),
+            // what is solved with the derivatives must be allowed as well
+            Some(rest) if rest <= PREMISE && self.allows::<N>(&point) => Ok(point),
+            Some(rest) if rest <= PREMISE => Err(Miss::Conditions),
             _ => Err(Miss::Derivatives),
         }
     }
