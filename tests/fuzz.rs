@@ -1,12 +1,7 @@
 //! Inputs that nobody wrote: what each parser and each command makes of files with random changes.
 
-mod common {
-    pub mod attacks;
-}
-
-use common::attacks;
 use std::panic::catch_unwind;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use vibro_audit::accuracy::problems::{Certified as Problem, all};
@@ -144,6 +139,16 @@ fn file(path: &str) -> String {
     std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap()
 }
 
+/// The attack sheets of every folder.
+fn sheets() -> Vec<PathBuf> {
+    let folders = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/attacks")).unwrap();
+    let folders = folders.map(|entry| entry.unwrap().path()).filter(|path| path.is_dir());
+    let files = folders.flat_map(|folder| std::fs::read_dir(folder).unwrap());
+    let mut found: Vec<PathBuf> = files.map(|entry| entry.unwrap().path()).collect();
+    found.sort();
+    found
+}
+
 /// The header of a table with each of its first rows.
 fn short(table: &str) -> Vec<String> {
     let (header, rows) = table.split_once('\n').unwrap();
@@ -152,9 +157,7 @@ fn short(table: &str) -> Vec<String> {
 
 impl Texts {
     fn new() -> Self {
-        let small = attacks::sheets()
-            .into_iter()
-            .map(|path| std::fs::read_to_string(path).unwrap());
+        let small = sheets().into_iter().map(|path| std::fs::read_to_string(path).unwrap());
         let sheets: Vec<String> = small.filter(|text| text.len() < 1500).collect();
         let formulas = EQUATIONS.lines().chain(sheets.iter().flat_map(|sheet| sheet.lines()));
         let formulas = formulas.filter_map(|line| line.strip_prefix("tex = '''")?.strip_suffix("'''"));
