@@ -190,6 +190,7 @@ impl Entry {
                 return fault(format!("`{name}` is real: it cannot be {}", equation.right));
             }
             let number = number_of(&equation.right);
+            let is_said_already = |list: &List| matches!(&equation.right, Tree::Symbol(other, _) if vocabulary.lists_of(other).contains(list));
             for list in vocabulary.lists_of(name) {
                 match &number {
                     Some(number) if !list.allows(number) => {
@@ -197,6 +198,7 @@ impl Entry {
                         return fault(problem);
                     }
                     Some(_) => {}
+                    None if is_said_already(&list) => {}
                     None => declared.push((list.said_of(equation), source.clone())),
                 }
             }
@@ -281,6 +283,7 @@ fn called_with_itself(tree: &Tree) -> Option<(Name, usize)> {
 }
 
 /// A list of `[symbols]` that says which values a symbol has: how they stand to a number, or that they are integers.
+#[derive(PartialEq)]
 struct List {
     name: &'static str,
     bound: Option<(Relation, i64)>,
