@@ -270,7 +270,7 @@ mod tests {
             ),
             (
                 "problem,quantity,answer\ntwo,time,1\n",
-                "a.csv, line 2: there is no problem `two`",
+                "a.csv, line 2, column problem: there is no problem `two`",
             ),
             (
                 "problem,quantity,answer\none,mass,1\n",
@@ -282,7 +282,7 @@ mod tests {
             ),
             (
                 "problem,quantity,answer\none,time,1d-3\n",
-                "line 2: the answer `1d-3` is no number",
+                "line 2, column answer: the answer `1d-3` is no number",
             ),
             (
                 "problem,quantity,answer\none,time,fast\n",
