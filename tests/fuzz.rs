@@ -312,7 +312,7 @@ fn parsers_answer_each_of_ten_million_inputs() {
 }
 
 #[test]
-#[ignore = "an hour: part of .ci/long"]
+#[ignore = "two hours: part of .ci/long"]
 fn commands_answer_each_of_50000_inputs() {
     commands(50_000);
 }

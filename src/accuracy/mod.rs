@@ -9,4 +9,4 @@ mod trade;
 
 pub use choice::{COSTS, ChoiceError, Cost, Purpose, cheapest, costs};
 pub use costs::{WEIGHTS, measured_costs};
-pub use trade::{Miss, Outcome, Task, Timing, TradeError, TradeOptions, TradeRow, latency, machine, trade};
+pub use trade::{Attempt, Task, Timing, TradeError, TradeOptions, TradeRow, Unsolved, latency, machine, trade};

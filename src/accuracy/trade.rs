@@ -45,7 +45,7 @@ pub struct TradeRow {
     /// How many problems came to the right answer: to 6 digits, or to half of those that the number holds.
     pub solved: usize,
     /// What became of each problem, in their order.
-    pub problems: Vec<Outcome>,
+    pub problems: Vec<Attempt>,
     /// Divisions among the operations.
     pub divisions: u64,
     /// Pairs of sine and cosine among the operations.
@@ -78,11 +78,11 @@ impl TradeRow {
 
     /// Why problems are not solved, as `another orbit 3; no convergence 2`, the most frequent first.
     pub fn failures(&self) -> String {
-        let mut counts: BTreeMap<Miss, usize> = BTreeMap::new();
+        let mut counts: BTreeMap<Unsolved, usize> = BTreeMap::new();
         for miss in self.problems.iter().filter_map(|outcome| outcome.miss) {
             *counts.entry(miss).or_default() += 1;
         }
-        let mut counts: Vec<(Miss, usize)> = counts.into_iter().collect();
+        let mut counts: Vec<(Unsolved, usize)> = counts.into_iter().collect();
         counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
         let told = counts
             .into_iter()
@@ -93,18 +93,18 @@ impl TradeRow {
 
 /// What became of a problem.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Outcome {
+pub struct Attempt {
     /// The problem, `key=value;...`, as every means is given it.
     pub at: Arc<str>,
     /// The digits that hold of the answer; none where there is no answer.
     pub digits: Option<f64>,
     /// Why it is not solved, where it is not.
-    pub miss: Option<Miss>,
+    pub miss: Option<Unsolved>,
 }
 
 /// Why a means does not come to the right answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Miss {
+pub enum Unsolved {
     /// It comes to an orbit, but not the one beside its guess.
     AnotherOrbit,
     /// It comes to what solves its equations, and is no orbit.
@@ -119,7 +119,7 @@ pub enum Miss {
     FewDigits,
 }
 
-impl Miss {
+impl Unsolved {
     /// As tables have it.
     pub const fn name(self) -> &'static str {
         match self {
@@ -392,16 +392,16 @@ mod tests {
 
     #[test]
     fn failures_are_counted_by_kind_the_most_frequent_first() {
-        let miss = |miss| Outcome {
+        let miss = |miss| Attempt {
             at: "".into(),
             digits: None,
             miss: Some(miss),
         };
         let kinds = [
-            Miss::LeftDomain,
-            Miss::AnotherOrbit,
-            Miss::NoConvergence,
-            Miss::AnotherOrbit,
+            Unsolved::LeftDomain,
+            Unsolved::AnotherOrbit,
+            Unsolved::NoConvergence,
+            Unsolved::AnotherOrbit,
         ];
         let row = TradeRow {
             problems: kinds.map(miss).to_vec(),

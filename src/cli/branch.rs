@@ -72,8 +72,8 @@ where
     }
     let columns = columns(&sweep).into_iter().map(Column::from).collect();
     let rows = kinds.into_iter().flat_map(move |(word, periods)| -> Made {
-        match Along::new(&wanted, &setting, &sweep, word, periods) {
-            Ok(along) => Box::new(along),
+        match BranchRows::new(&wanted, &setting, &sweep, word, periods) {
+            Ok(rows) => Box::new(rows),
             Err(failure) => Box::new(std::iter::once(Err(failure))),
         }
     });
@@ -84,7 +84,7 @@ where
 type Made = Box<dyn Iterator<Item = Result<Vec<Cell>, Failure>>>;
 
 /// The rows of the motions of a word over so many periods, a block of values at a time.
-struct Along<W> {
+struct BranchRows<W> {
     wanted: W,
     setting: Setting,
     sweep: Sweep,
@@ -95,6 +95,7 @@ struct Along<W> {
     events: VecDeque<(f64, Vec<Cell>)>,
     next: u32,
     ready: VecDeque<Vec<Cell>>,
+    /// Whether no row has come yet.
     is_empty: bool,
 }
 
@@ -106,7 +107,7 @@ enum Motions {
     Others(Followed<Setting>),
 }
 
-impl<W: Wanted + Clone> Along<W>
+impl<W: Wanted + Clone> BranchRows<W>
 where
     Cell: From<W::Number> + From<Vec<W::Number>>,
 {
@@ -174,7 +175,7 @@ where
     }
 }
 
-impl<W: Wanted + Clone> Iterator for Along<W>
+impl<W: Wanted + Clone> Iterator for BranchRows<W>
 where
     Cell: From<W::Number> + From<Vec<W::Number>>,
 {

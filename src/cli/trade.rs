@@ -1,7 +1,7 @@
 //! `vibro-audit trade [TASK] [--plot FILE]`.
 
 use super::{Answer, Content, Exit, Failure, Options, note};
-use crate::accuracy::{Miss, Task, TradeError, TradeOptions, TradeRow, machine, trade};
+use crate::accuracy::{Task, TradeError, TradeOptions, TradeRow, Unsolved, machine, trade};
 use crate::number::Rung;
 use crate::report::figure::trades;
 use crate::report::{Cell, Format, Table};
@@ -119,7 +119,7 @@ fn problems(rows: &[TradeRow]) -> Result<Table, Failure> {
                 Cell::from(row.method),
                 Cell::from(number as i64 + 1),
                 Cell::from(outcome.digits.map(measured)),
-                Cell::from(outcome.miss.map_or("solved", Miss::name)),
+                Cell::from(outcome.miss.map_or("solved", Unsolved::name)),
                 Cell::from(outcome.at.to_string()),
             ])?;
         }

@@ -2,8 +2,7 @@
 
 use super::StressError;
 use super::quantity::Exact;
-use super::row::{Form, StressRow, allowed, place};
-use crate::accuracy::trade::digits_of;
+use super::row::{StressRow, place};
 use crate::model::Motion;
 use crate::number::{Analytic, Decimal, Decimals, Interval, Rung};
 use crate::orbit::{Goal, Instant, Prepared, confirmed_at};
@@ -61,18 +60,14 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
             });
         }
         let condition = condition(device, range, instant, &exact).ok_or_else(|| fault(gap))?;
-        rows.push(StressRow {
-            case: case.to_owned(),
-            formula: instant.event.to_string(),
-            number: "f64".to_owned(),
-            form: Form::Stable,
-            digits: digits_of(relative(&Exact::from(gap), &exact), f64::EPSILON),
+        let error = relative(&Exact::from(gap), &exact);
+        rows.push(StressRow::stable(
+            case,
+            &instant.event.to_string(),
+            error,
             condition,
-            at: at(gap),
-            allowed: allowed(f64::EPSILON, condition),
-            frozen: None,
-            answer: String::new(),
-        });
+            at(gap),
+        ));
     }
     match rows.is_empty() {
         true => Err(fault(f64::NAN)),

@@ -2,8 +2,7 @@
 
 use super::StressError;
 use super::quantity::{Exact, largest, widen};
-use super::row::{Form, StressRow, allowed, place};
-use crate::accuracy::trade::digits_of;
+use super::row::{StressRow, place};
 use crate::impact::{Batch, Kind, Simulation, Start};
 use crate::model::{Motion, Side};
 use crate::number::{Analytic, Dual, seeded};
@@ -60,17 +59,9 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
         ("(8) in lanes", in_lanes(&inputs).ok_or_else(fault)?),
         ("(8)", last(&inputs).ok_or_else(fault)?),
     ];
-    let row = |(formula, found): (&str, [f64; 2])| StressRow {
-        case: case.to_owned(),
-        formula: formula.to_owned(),
-        number: "f64".to_owned(),
-        form: Form::Stable,
-        digits: digits_of(apart(&found.map(|value| widen(&value)), &exact), f64::EPSILON),
-        condition,
-        at: at.clone(),
-        allowed: allowed(f64::EPSILON, condition),
-        frozen: None,
-        answer: String::new(),
+    let row = |(formula, found): (&str, [f64; 2])| {
+        let error = apart(&found.map(|value| widen(&value)), &exact);
+        StressRow::stable(case, formula, error, condition, at.clone())
     };
     Ok(made.map(row).to_vec())
 }

@@ -1,5 +1,7 @@
 //! A row of the table: how many digits one form of one formula keeps at one extreme point.
 
+use crate::accuracy::trade::digits_of;
+
 /// Which form of a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Form {
@@ -76,6 +78,22 @@ impl StressRow {
         "frozen",
         "answer",
     ];
+
+    /// The row of a default form in f64, by its relative error.
+    pub(super) fn stable(case: &str, formula: &str, error: f64, condition: f64, at: String) -> Self {
+        Self {
+            case: case.to_owned(),
+            formula: formula.to_owned(),
+            number: "f64".to_owned(),
+            form: Form::Stable,
+            digits: digits_of(error, f64::EPSILON),
+            condition,
+            at,
+            allowed: allowed(f64::EPSILON, condition),
+            frozen: None,
+            answer: String::new(),
+        }
+    }
 
     /// Whether this is a default form that keeps fewer of f64's digits than [`BAR`] less log10 of the condition.
     pub fn is_below_bar(&self) -> bool {

@@ -3,9 +3,8 @@
 use super::StressError;
 use super::motion::{Known, errors, known};
 use super::quantity::{Exact, largest, widen};
-use super::row::{Form, StressRow, allowed, place};
+use super::row::{StressRow, place};
 use super::voltage::of_paper;
-use crate::accuracy::trade::digits_of;
 use crate::impact::{Event, Simulation, Start};
 use crate::model::{Motion, Side};
 use crate::number::Analytic;
@@ -53,18 +52,7 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
     if attractor.impacts.len() != known.fixes.len() {
         return Err(fault());
     }
-    let row = |formula: &str, error: f64| StressRow {
-        case: case.to_owned(),
-        formula: formula.to_owned(),
-        number: "f64".to_owned(),
-        form: Form::Stable,
-        digits: digits_of(error, f64::EPSILON),
-        condition,
-        at: at.clone(),
-        allowed: allowed(f64::EPSILON, condition),
-        frozen: None,
-        answer: String::new(),
-    };
+    let row = |formula: &str, error: f64| StressRow::stable(case, formula, error, condition, at.clone());
     let mean = of_mean(&attractor.impacts, &known).ok_or_else(fault)?;
     Ok(vec![
         row("(8) until it repeats", of_impacts(&attractor.impacts, &known)),

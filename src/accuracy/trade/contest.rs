@@ -1,7 +1,7 @@
 //! Several means to the same end, on the same problems, in every number that makes sense.
 
 use super::clock::{Timing, timing};
-use super::{Miss, Outcome, TradeError, TradeOptions, TradeRow, digits_of, quantile};
+use super::{Attempt, TradeError, TradeOptions, TradeRow, Unsolved, digits_of, quantile};
 use crate::number::{Analytic, Any, AtRung, Counted, Counts, Machine, Rung, Wide, of_type};
 
 /// The number that judges: some forty digits beyond the widest that is judged.
@@ -21,7 +21,7 @@ pub(super) struct Task<'a, P> {
     /// How far an answer is from the exact one.
     pub error: fn(&[Exact], &[Exact]) -> f64,
     /// What an answer is that is not the right one.
-    pub miss: fn(&P, &[Exact]) -> Miss,
+    pub miss: fn(&P, &[Exact]) -> Unsolved,
     /// The problem in words, `key=value;...`.
     pub place: fn(&P) -> String,
 }
@@ -36,7 +36,7 @@ pub(super) trait Means<P> {
     ///
     /// # Errors
     /// Why it finds none.
-    fn answer<T: Machine>(&self, point: &P) -> Result<Vec<T>, Miss>;
+    fn answer<T: Machine>(&self, point: &P) -> Result<Vec<T>, Unsolved>;
 }
 
 /// Bits of a drawn number: of a range that is a power of 2, f32 holds them with bits to spare.
@@ -197,14 +197,14 @@ impl<P, M: Means<P>> AtRung for Contest<'_, P, M> {
             let digits = digits.map(|found| digits_of((self.task.error)(found, exact), epsilon));
             let miss = match (&found, digits) {
                 (Err(miss), _) => Some(*miss),
-                (Ok(_), Some(digits)) if (BESIDE..right).contains(&digits) => Some(Miss::FewDigits),
+                (Ok(_), Some(digits)) if (BESIDE..right).contains(&digits) => Some(Unsolved::FewDigits),
                 (Ok(found), Some(digits)) if digits < right => Some((self.task.miss)(point, found)),
                 _ => None,
             };
             let at = (self.task.place)(point).into();
-            Outcome { at, digits, miss }
+            Attempt { at, digits, miss }
         };
-        let problems: Vec<Outcome> = points.iter().zip(self.exact).map(outcome).collect();
+        let problems: Vec<Attempt> = points.iter().zip(self.exact).map(outcome).collect();
         let solved = problems.iter().filter(|outcome| outcome.miss.is_none());
         let digits: Vec<f64> = solved.filter_map(|outcome| outcome.digits).collect();
         let (_, counts) = Counts::of(|| {

@@ -2,7 +2,7 @@
 
 use super::contest::{self, EVERY, Exact, Means, Task, relative_error};
 use super::points::{Point, Region, points};
-use super::{Miss, TradeError, TradeOptions, TradeRow};
+use super::{TradeError, TradeOptions, TradeRow, Unsolved};
 use crate::model::{Forcing, JacobianError, Motion, Order, Pair, Passage};
 use crate::number::{Analytic, Machine, Rung};
 use nalgebra::Matrix2;
@@ -157,10 +157,10 @@ impl Means<Point> for Way {
         }
     }
 
-    fn answer<T: Machine>(&self, point: &Point) -> Result<Vec<T>, Miss> {
-        let input = Input::new(point).ok_or(Miss::LeftDomain)?;
+    fn answer<T: Machine>(&self, point: &Point) -> Result<Vec<T>, Unsolved> {
+        let input = Input::new(point).ok_or(Unsolved::LeftDomain)?;
         let answer = input.evaluate(self.quantity, self.method);
-        answer.map(|answer| answer.to_vec()).map_err(|_| Miss::LeftDomain)
+        answer.map(|answer| answer.to_vec()).map_err(|_| Unsolved::LeftDomain)
     }
 }
 
@@ -180,7 +180,7 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
                 points: &points,
                 exact: quantity.exact(),
                 error: relative_error,
-                miss: |_, _| Miss::FewDigits,
+                miss: |_, _| Unsolved::FewDigits,
                 place: Point::place,
             };
             let means: Vec<Way> = Method::all_for(quantity)

@@ -1,7 +1,7 @@
 //! The task `impact`: the impact that follows one, by fixed step, by bracketing and by our own means.
 
 use super::contest::{self, BITS, EVERY, Exact, Means, OF_THE_MACHINE, Task, worst_relative_error};
-use super::{Miss, TradeError, TradeOptions, TradeRow};
+use super::{TradeError, TradeOptions, TradeRow, Unsolved};
 use crate::impact::{Kind, Simulation, Start};
 use crate::model::{Flight, Forcing, Impact, Motion, Side, next_impact};
 use crate::number::{Analytic, Digits, Machine, Rung, Sequence, at_digits};
@@ -139,20 +139,20 @@ impl Means<Point> for Way {
         }
     }
 
-    fn answer<T: Machine>(&self, point: &Point) -> Result<Vec<T>, Miss> {
+    fn answer<T: Machine>(&self, point: &Point) -> Result<Vec<T>, Unsolved> {
         if let Self::Own = self {
             let found = point.by_simulation();
-            return found.map(|answer| answer.to_vec()).ok_or(Miss::NoConvergence);
+            return found.map(|answer| answer.to_vec()).ok_or(Unsolved::NoConvergence);
         }
-        let motion = point.motion::<T>().ok_or(Miss::LeftDomain)?;
+        let motion = point.motion::<T>().ok_or(Unsolved::LeftDomain)?;
         let (forcing, impact) = (Forcing::harmonic(&T::zero()), point.impact());
         match self {
             Self::FixedStep(exponent, _) => {
-                let flight = Flight::after(&motion, &forcing, &impact).map_err(|_| Miss::LeftDomain)?;
-                by_steps(&flight, 2_f64.powi(*exponent)).ok_or(Miss::NoConvergence)
+                let flight = Flight::after(&motion, &forcing, &impact).map_err(|_| Unsolved::LeftDomain)?;
+                by_steps(&flight, 2_f64.powi(*exponent)).ok_or(Unsolved::NoConvergence)
             }
             _ => {
-                let leg = next_impact(&motion, &forcing, &impact).map_err(|_| Miss::NoConvergence)?;
+                let leg = next_impact(&motion, &forcing, &impact).map_err(|_| Unsolved::NoConvergence)?;
                 Ok(vec![leg.duration, leg.to.velocity])
             }
         }
@@ -202,7 +202,7 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
             points: &points(speeds, options),
             exact,
             error: worst_relative_error,
-            miss: |_, _| Miss::FewDigits,
+            miss: |_, _| Unsolved::FewDigits,
             place: Point::place,
         };
         rows.extend(contest::rows(&task, &means, options)?);

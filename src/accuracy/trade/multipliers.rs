@@ -2,7 +2,7 @@
 //! cancellation.
 
 use super::contest::{self, BITS, EVERY, Form, Means, Task, worst_relative_error};
-use super::{Miss, TradeError, TradeOptions, TradeRow};
+use super::{TradeError, TradeOptions, TradeRow, Unsolved};
 use crate::number::{Analytic, Machine, Rung, Sequence};
 use crate::orbit::{Kind, multipliers};
 
@@ -65,7 +65,7 @@ impl Means<Point> for Way {
         EVERY
     }
 
-    fn answer<T: Machine>(&self, point: &Point) -> Result<Vec<T>, Miss> {
+    fn answer<T: Machine>(&self, point: &Point) -> Result<Vec<T>, Unsolved> {
         let [trace, loss] = [point.trace, point.loss].map(<T as Analytic>::from_f64);
         let [larger, smaller] = match self.0 {
             Form::Stable => multipliers(&trace, &loss, Kind::Saddle).map(|multiplier| multiplier.re),
@@ -99,7 +99,7 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
                 ])
             },
             error: worst_relative_error,
-            miss: |_, _| Miss::FewDigits,
+            miss: |_, _| Unsolved::FewDigits,
             place: |Point { trace, loss }| format!("trace={trace};r_B r_T={loss}"),
         };
         rows.extend(contest::rows(&task, &Form::ALL.map(Way), options)?);

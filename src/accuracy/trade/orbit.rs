@@ -2,7 +2,7 @@
 //! our own means.
 
 use super::contest::{self, BITS, EVERY, Exact, Means, OF_THE_MACHINE, Task};
-use super::{Miss, TradeError, TradeOptions, TradeRow};
+use super::{TradeError, TradeOptions, TradeRow, Unsolved};
 use crate::model::{Bracket, Motion, Sample, Side, root};
 use crate::number::{Analytic, Digits, Dual, Interval, Machine, Rung, Sequence, at_digits, seeded};
 use crate::orbit::{Balance, Equations, Proved, Sixteen, Triple, TripleSlopes, nearest, one_to_one, sharpen};
@@ -62,18 +62,22 @@ pub fn motions(options: &TradeOptions, count: usize) -> Vec<Motion<f64>> {
 const BESIDE: f64 = 1e-3;
 
 /// What an answer is that is not the orbit beside the guess.
-fn miss(point: &Point, found: &[Exact]) -> Miss {
+fn miss(point: &Point, found: &[Exact]) -> Unsolved {
     let (Some(motion), Some(t_1)) = (point.motion::<Exact>(), found.last()) else {
-        return Miss::LeftDomain;
+        return Unsolved::LeftDomain;
     };
     let balance = Balance::new(&motion, 1);
     let Some([psi, excess]) = balance.middle(t_1) else {
-        return Miss::NoOrbit;
+        return Unsolved::NoOrbit;
     };
     let [bottom, top] = balance.velocities(t_1, &psi);
     let [phase, _] = balance.phases(t_1, &psi);
     let is_orbit = excess.to_f64().abs() < BESIDE && error(found, &[phase, bottom, top, t_1.clone()]) < BESIDE;
-    if is_orbit { Miss::AnotherOrbit } else { Miss::NoOrbit }
+    if is_orbit {
+        Unsolved::AnotherOrbit
+    } else {
+        Unsolved::NoOrbit
+    }
 }
 
 /// The orbits of random motions.
@@ -203,21 +207,21 @@ impl Means<Point> for Way {
         }
     }
 
-    fn answer<T: Machine>(&self, point: &Point) -> Result<Vec<T>, Miss> {
+    fn answer<T: Machine>(&self, point: &Point) -> Result<Vec<T>, Unsolved> {
         let number = <T as Analytic>::from_f64;
         let [t_1, psi, time, velocity] = point.guess;
         if let Self::Triple(sixteen, slopes) = self {
             let guess = [time, t_1, velocity].map(number);
-            return by_triple(point, *sixteen, *slopes, guess).ok_or(Miss::NoConvergence);
+            return by_triple(point, *sixteen, *slopes, guess).ok_or(Unsolved::NoConvergence);
         }
-        let motion = point.motion::<T>().ok_or(Miss::LeftDomain)?;
+        let motion = point.motion::<T>().ok_or(Unsolved::LeftDomain)?;
         let balance = Balance::new(&motion, 1);
         let [t_1, psi] = match self {
-            Self::Triple(..) => return Err(Miss::LeftDomain),
+            Self::Triple(..) => return Err(Unsolved::LeftDomain),
             Self::Curve(finder) => on_curve(&balance, finder.root(&balance, t_1)?)?,
             Self::OwnOnCurve => on_curve(&balance, bracketed(&motion, &balance, t_1)?)?,
-            Self::Newton => newton(&balance, [number(t_1), number(psi)]).ok_or(Miss::NoConvergence)?,
-            Self::Certified => certified(point, [t_1, psi]).ok_or(Miss::NoConvergence)?,
+            Self::Newton => newton(&balance, [number(t_1), number(psi)]).ok_or(Unsolved::NoConvergence)?,
+            Self::Certified => certified(point, [t_1, psi]).ok_or(Unsolved::NoConvergence)?,
         };
         let [bottom, top] = balance.velocities(&t_1, &psi);
         let [phase, _] = balance.phases(&t_1, &psi);
@@ -235,14 +239,14 @@ fn by_triple<T: Machine>(point: &Point, sixteen: Sixteen, slopes: TripleSlopes, 
 }
 
 /// (T_1, psi) on the curve.
-fn on_curve<T: Analytic>(balance: &Balance<T>, t_1: T) -> Result<[T; 2], Miss> {
-    let [psi, _] = balance.middle(&t_1).ok_or(Miss::LeftDomain)?;
+fn on_curve<T: Analytic>(balance: &Balance<T>, t_1: T) -> Result<[T; 2], Unsolved> {
+    let [psi, _] = balance.middle(&t_1).ok_or(Unsolved::LeftDomain)?;
     Ok([t_1, psi])
 }
 
 impl Finder {
     /// The root near `guess`. The crate works in f64; the equation is evaluated in `T`.
-    fn root<T: Machine>(self, balance: &Balance<T>, guess: f64) -> Result<T, Miss> {
+    fn root<T: Machine>(self, balance: &Balance<T>, guess: f64) -> Result<T, Unsolved> {
         let excess = |t_1: f64| {
             let value = balance.middle(&<T as Analytic>::from_f64(t_1));
             value.map_or(f64::NAN, |[_, excess]| excess.to_f64())
@@ -262,25 +266,25 @@ impl Finder {
         };
         match found {
             Ok(root) => Ok(<T as Analytic>::from_f64(root)),
-            Err(SearchError::NoBracketing) => Err(Miss::NoBracket),
-            Err(_) => Err(Miss::NoConvergence),
+            Err(SearchError::NoBracketing) => Err(Unsolved::NoBracket),
+            Err(_) => Err(Unsolved::NoConvergence),
         }
     }
 }
 
 /// The root near `guess` by [`root`].
-fn bracketed<T: Machine>(motion: &Motion<T>, balance: &Balance<T>, guess: f64) -> Result<T, Miss> {
+fn bracketed<T: Machine>(motion: &Motion<T>, balance: &Balance<T>, guess: f64) -> Result<T, Unsolved> {
     let [low, high] = AROUND.map(|part| <T as Analytic>::from_f64(part * guess));
     let excess = |t_1: &T| Some(balance.middle(t_1)?[1].to_f64());
     let [Some(at_low), Some(at_high)] = [excess(&low), excess(&high)] else {
-        return Err(Miss::LeftDomain);
+        return Err(Unsolved::LeftDomain);
     };
     let values = [at_low, at_high];
     if at_low * at_high > 0.0 {
-        return Err(Miss::NoBracket);
+        return Err(Unsolved::NoBracket);
     }
     let lifted = motion.convert(|value| Dual::from_re(value.clone()));
-    let lifted = Balance::new(&lifted.map_err(|_| Miss::LeftDomain)?, 1);
+    let lifted = Balance::new(&lifted.map_err(|_| Unsolved::LeftDomain)?, 1);
     let sample = |t_1: &T| {
         let excess = lifted.middle(&seeded(t_1.clone())).map(|[_, excess]| excess);
         let excess = excess.unwrap_or_else(|| Dual::from_re(<T as Analytic>::from_f64(f64::NAN)));

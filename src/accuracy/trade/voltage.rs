@@ -1,7 +1,7 @@
 //! The task `voltage`: the output of an impact, (5) and (6), as printed and without cancellation.
 
 use super::contest::{self, BITS, EVERY, Form, Means, Task, relative_error};
-use super::{Miss, TradeError, TradeOptions, TradeRow};
+use super::{TradeError, TradeOptions, TradeRow, Unsolved};
 use crate::model::Membrane;
 use crate::number::{Analytic, Machine, Rung, Sequence};
 
@@ -24,10 +24,10 @@ impl Means<f64> for Way {
         EVERY
     }
 
-    fn answer<T: Machine>(&self, speed: &f64) -> Result<Vec<T>, Miss> {
+    fn answer<T: Machine>(&self, speed: &f64) -> Result<Vec<T>, Unsolved> {
         let [mass, stiffness, exponent, ball, rim, input] =
             MEMBRANE.map(|value| <T as Analytic>::from_f64(f64::from(value)));
-        let membrane = Membrane::new(mass, stiffness, exponent, ball, rim, input).map_err(|_| Miss::LeftDomain)?;
+        let membrane = Membrane::new(mass, stiffness, exponent, ball, rim, input).map_err(|_| Unsolved::LeftDomain)?;
         let speed = <T as Analytic>::from_f64(*speed);
         Ok(vec![match self.0 {
             Form::Printed => membrane.voltage_as_printed(&speed),
@@ -53,7 +53,7 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
                 ])
             },
             error: relative_error,
-            miss: |_, _| Miss::FewDigits,
+            miss: |_, _| Unsolved::FewDigits,
             place: |speed| format!("speed={speed}"),
         };
         rows.extend(contest::rows(&task, &Form::ALL.map(Way), options)?);
