@@ -116,6 +116,7 @@ fn pair_questions(
     for sign in [0, 1] {
         let (mut builder, at) = Builder::given(statements, vocabulary, complex)?;
         let values = values(&mut builder, at)?;
+        builder.statement.beside.extend(values);
         builder.written.extend(values);
         builder.write_claims(statements, equation)?;
         let goals = builder.solution(pair, values[sign], equation.at.0)?;
@@ -1318,7 +1319,15 @@ impl<'a> Builder<'a> {
             return self.statement.terms.symbol(partial);
         };
         self.written.push(image);
+        self.follows(step);
         self.statement.along(image, step, by)
+    }
+
+    /// Lists an explicit map among those that derivatives are taken along.
+    fn follows(&mut self, step: &Step) {
+        if self.statement.outright.iter().all(|known| known.name != step.name) {
+            self.statement.outright.push(step.clone());
+        }
     }
 
     fn invariant(&mut self, kind: Invariant, of: &Name, at: usize) -> Result<Term, Unreadable> {
@@ -1596,7 +1605,7 @@ impl<'a> Builder<'a> {
             }
             match step.images.is_empty() {
                 true => self.statement.steps.push(step),
-                false => self.statement.outright.push(step),
+                false => self.follows(&step),
             }
         }
         Ok(())

@@ -738,7 +738,8 @@ impl<'a> At<'a> {
         let givens = self.statement.givens.iter().filter(|given| given.law.is_none());
         let written: Vec<Term> = givens.map(|given| given.term).collect();
         let claimed: Vec<Term> = self.statement.goal.iter().map(|(_, term)| *term).collect();
-        for term in written.into_iter().chain(claimed) {
+        let beside = self.statement.beside.clone();
+        for term in written.into_iter().chain(claimed).chain(beside) {
             let term = self.statement.written_out(term);
             for inner in self.statement.terms.inside(term) {
                 if let Node::RealPower(base, exponent) = *self.statement.terms.node(inner)

@@ -1398,10 +1398,16 @@ class Point:
                 require(fine, "a power is not defined at the point")
         if self.is_zero(self.expansion.of(term)[0]):
             return mpmath.mpf(0)
-        value = self.s.evaluate(term)
-        size = 1 + sum(abs(self.s.evaluate(inner)) for inner in self.s.inside(term))
-        require(mpmath.isfinite(value) and abs(value) > SMALL * size, "a value is too close to 0 to tell")
-        return value
+        # an exponential is as good as its argument, however small it is
+        top = self.expansion.of(term)[0]
+        is_exponential = len(top) == 1 and all(self.s.nodes[n][0] == "exp" for n in generators(top))
+        for digits in (DIGITS, 8 * DIGITS, 64 * DIGITS):
+            with mpmath.workdps(digits):
+                value = self.s.evaluate(term)
+                size = 0 if is_exponential else 1 + sum(abs(self.s.evaluate(inner)) for inner in self.s.inside(term))
+                if mpmath.isfinite(value) and abs(value) > mpmath.mpf(10) ** (-3 * digits // 4) * size:
+                    return value
+        raise Refused("a value is too close to 0 to tell")
 
     def has(self, holds, term):
         """Whether a number has a property."""
@@ -1709,6 +1715,9 @@ class Values:
         here = [found for found in self.maps.values() if found[1] and by in found[1]]
         if any(of in starts for _, starts, _ in here):
             return mpmath.mpf(of == by)
+        # where both lead there, the statement knows by a symbol of its own that the derivative is not along what is said outright
+        known = {tuple(self.s.symbols[n][0] for n in meaning[1:]) for _, meaning in self.s.symbols if meaning[0] == "partial"}
+        here.sort(key=lambda found: (of in found[2]) == ((of, by) in known))
         for ends, _, images in here:
             if of in ends:
                 return self.slope(of, by, images)
@@ -1782,6 +1791,8 @@ def check_domains(statement, readings):
         # a fractional exponent is read of a base that is not negative, among complex numbers any other of one that is not 0
         if node[0] == "realpower":
             needed.add((NONZERO if s.complex else NONNEGATIVE, node[1]))
+            if s.nodes[node[1]] == ("number", Fraction(0)) and not s.complex:
+                needed.add((POSITIVE, node[2]))
         elif node[0] == "root" and not s.complex:
             needed.add((NONNEGATIVE, node[2]))
     stated = {label for label, _, _ in readings["formulas"]}

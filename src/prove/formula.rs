@@ -102,7 +102,11 @@ impl<'a> Formulas<'a> {
                 let [plus, minus] = [true, false].map(|upper| Within { upper, ..own }.python(&claim.right));
                 push("", &own, format!("({symbol} - {plus}) * ({symbol} - {minus})"));
             }
-            Some(_) => {}
+            Some(_) => {
+                for upper in [true, false] {
+                    push("beside the claim", &own, Within { upper, ..own }.python(&claim.right));
+                }
+            }
         }
         for other in self.statements.claims.iter().filter(|other| *other != claim) {
             let is_pair = matches!(&other.left, Tree::Symbol(name, _) if pair_of(name).is_some());
