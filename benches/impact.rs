@@ -1,5 +1,7 @@
 //! Impacts and sweeps, beside one f64 sin_cos: the figures DESIGN asks for are multiples of its latency.
 
+mod work;
+
 use criterion::{Criterion, criterion_group, criterion_main};
 use rayon::prelude::*;
 use std::hint::black_box;
@@ -27,16 +29,8 @@ fn g() -> f64 {
     *scene.motion::<f64>().expect("a motion").g()
 }
 
-/// The latency of one pair: each argument waits for the last result.
 fn latency(criterion: &mut Criterion) {
-    criterion.bench_function("sin_cos, latency (L)", |b| {
-        let mut x = 1.0_f64;
-        b.iter(|| {
-            let (sin, cos) = x.sin_cos();
-            x = sin + cos + 0.5;
-            x
-        });
-    });
+    criterion.bench_function("sincos, latency (L)", |b| b.iter(work::latency()));
 }
 
 fn impacts(criterion: &mut Criterion) {

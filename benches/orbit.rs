@@ -10,7 +10,7 @@ use vibro_audit::orbit::{Condition, Conditioned, Prepared, nearest_event, prove}
 use vibro_audit::scene::{self, Scene};
 
 fn orbits(criterion: &mut Criterion) {
-    criterion.bench_function("sin_cos, latency (L)", |b| b.iter(work::latency()));
+    criterion.bench_function("sincos, latency (L)", |b| b.iter(work::latency()));
     criterion.bench_function("1-1 orbit from a 5% wrong guess, with its velocities", |b| {
         b.iter(work::orbit())
     });

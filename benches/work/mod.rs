@@ -3,6 +3,7 @@
 #![allow(dead_code)] // whoever includes this file times some of them
 
 use std::hint::black_box;
+use vibro_audit::accuracy::Latency;
 use vibro_audit::claim::{self, Sheet};
 use vibro_audit::impact::{Event, Kind, Simulation, Start};
 use vibro_audit::model::{Motion, MotionError, Side};
@@ -26,11 +27,13 @@ pub fn start() -> Start<f64> {
     }
 }
 
-/// The latency of one pair, L: each argument waits for the last result.
+/// L, the latency of one pair by Rust's `sin_cos` or the C library's `sincos`, whichever is less: each argument waits for
+/// the last result.
 pub fn latency() -> impl FnMut() -> f64 {
+    let pair = Latency::measured().pair();
     let mut x = 1.0_f64;
     move || {
-        let (sin, cos) = x.sin_cos();
+        let (sin, cos) = pair(x);
         x = sin + cos + 0.5;
         x
     }

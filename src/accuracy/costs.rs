@@ -2,16 +2,10 @@
 
 use super::choice::{Cost, Purpose};
 use super::trade::{TradeError, TradeOptions, motions, quantile, starts};
+use super::weights::Weights;
 use crate::impact::{Kind, Simulation};
 use crate::number::{Analytic, Any, Counted, Counts, Interval, Rung, of_type};
 use crate::orbit::{Orbit, Proved, one_to_one};
-use std::collections::HashMap;
-
-/// What one operation of each number costs in instructions.
-///
-/// Measured once by `valgrind --tool=callgrind`, which counts the same on every machine of one architecture: the mean
-/// over 2000 operations, the loop around them included. They order the numbers; no digit depends on them.
-pub const WEIGHTS: &str = include_str!("../../golden/accuracy/weights.csv");
 
 /// The problems of each purpose.
 const PROBLEMS: usize = 30;
@@ -31,34 +25,6 @@ const CHOSEN: [Rung; 5] = [
 /// Any of the numbers, its operations counted.
 type Number = Counted<Any>;
 
-#[derive(serde::Deserialize)]
-struct Weight {
-    number: String,
-    addition: u64,
-    multiplication: u64,
-    division: u64,
-    root: u64,
-    sincos: u64,
-    other: u64,
-}
-
-impl Weight {
-    fn cost(&self, counts: &Counts) -> u64 {
-        counts.additions * self.addition
-            + counts.multiplications * self.multiplication
-            + counts.divisions * self.division
-            + counts.roots * self.root
-            + counts.sincos * self.sincos
-            + counts.others * self.other
-    }
-}
-
-fn weights() -> HashMap<String, Weight> {
-    let mut reader = csv::Reader::from_reader(WEIGHTS.as_bytes());
-    let rows = reader.deserialize().filter_map(Result::ok);
-    rows.map(|weight: Weight| (weight.number.clone(), weight)).collect()
-}
-
 /// The digits of the bounds and the operations of both purposes in every number that is chosen from: what
 /// `golden/accuracy/costs.csv` holds. The same in every run.
 ///
@@ -68,7 +34,7 @@ fn weights() -> HashMap<String, Weight> {
 /// # Errors
 /// `Points` where no problem has an answer.
 pub fn measured_costs() -> Result<Vec<Cost>, TradeError> {
-    let weights = weights();
+    let weights = Weights::measured();
     let mut rows = Vec::new();
     for (purpose, method) in [(Purpose::Orbit, "certified"), (Purpose::Impact, "own")] {
         for rung in CHOSEN {
@@ -76,9 +42,8 @@ pub fn measured_costs() -> Result<Vec<Cost>, TradeError> {
                 Purpose::Orbit => orbits(),
                 Purpose::Impact => impacts(),
             });
-            let number = rung.to_string();
-            let weight = weights.get(&number);
-            let (Some(weight), false) = (weight, digits.is_empty()) else {
+            let cost = weights.cost(rung, &counts);
+            let (Some(cost), false) = (cost, digits.is_empty()) else {
                 return Err(TradeError::Points {
                     task: purpose.name().to_owned(),
                 });
@@ -88,14 +53,14 @@ pub fn measured_costs() -> Result<Vec<Cost>, TradeError> {
             rows.push(Cost {
                 task: purpose.name().to_owned(),
                 method: method.to_owned(),
-                number,
+                number: rung.to_string(),
                 worst_digits: rounded(quantile(&digits, 0.0)),
                 median_digits: rounded(quantile(&digits, 0.5)),
                 best_digits: rounded(quantile(&digits, 1.0)),
                 operations: mean(counts.total()),
                 sincos: mean(counts.sincos),
                 divisions: mean(counts.divisions),
-                cost: mean(weight.cost(&counts)),
+                cost: mean(cost),
             });
         }
     }

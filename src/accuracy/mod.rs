@@ -6,7 +6,12 @@ pub mod problems;
 pub mod score;
 pub mod stress;
 mod trade;
+mod weights;
 
 pub use choice::{COSTS, ChoiceError, Cost, Purpose, cheapest, costs};
-pub use costs::{WEIGHTS, measured_costs};
-pub use trade::{Attempt, Task, Timing, TradeError, TradeOptions, TradeRow, Unsolved, latency, machine, trade};
+pub use costs::measured_costs;
+pub use trade::{
+    Advice, AdviceError, Attempt, Basis, Latency, Need, Rank, Task, Timing, TradeError, TradeOptions, TradeRow,
+    Unsolved, advise, machine, trade,
+};
+pub use weights::WEIGHTS;

@@ -1,16 +1,21 @@
 //! Cost against true error of each means, and which of them are worth having.
 
+mod advice;
 mod clock;
 mod contest;
 mod dp;
 mod impact;
+#[cfg(feature = "integration")]
+mod integration;
 mod machine;
 mod multipliers;
 mod orbit;
 mod points;
+mod statistics;
 mod voltage;
 
-pub use clock::{Timing, latency};
+pub use advice::{Advice, AdviceError, Basis, Need, Rank, advise};
+pub use clock::{Latency, Timing};
 pub(super) use impact::starts;
 pub use machine::machine;
 pub(super) use orbit::motions;
@@ -52,13 +57,20 @@ pub struct TradeRow {
     pub sincos: u64,
     /// Of the time: half of the distance between its quartiles, over the median.
     pub spread: f64,
-    /// The time over that of one f64 sine and cosine that waits for its argument, measured in the same run.
+    /// The time over L, [`Latency::least`], measured in the same run.
     pub latencies: f64,
+    /// The step, tolerance, count of iterations or of impacts of the means, `key=value`; empty where it has none, or
+    /// where it is the one that the means is used with.
+    pub setting: String,
+    /// The operations in instructions, as `golden/accuracy/weights.csv` has them: one scale for all numbers.
+    pub cost: u64,
+    /// Whether an answer comes with a proof of its bound.
+    pub proved: bool,
 }
 
 impl TradeRow {
     /// The names of the columns.
-    pub const COLUMNS: [&str; 15] = [
+    pub const COLUMNS: [&str; 18] = [
         "task",
         "number",
         "method",
@@ -74,7 +86,19 @@ impl TradeRow {
         "sincos",
         "spread",
         "latencies",
+        "setting",
+        "cost",
+        "proved",
     ];
+
+    /// The digits that hold at this share of all problems, solved or not.
+    pub fn kept(&self, share: f64) -> f64 {
+        let digits = self.problems.iter().map(|problem| problem.digits.unwrap_or(0.0));
+        let count = self.problems.len() as f64;
+        // of the least that may be left out, the next one counts
+        let left_out = ((1.0 - share) * count + ROUNDING).floor();
+        quantile(&digits.collect::<Vec<_>>(), (left_out + 1.0) / count)
+    }
 
     /// Why problems are not solved, as `another orbit 3; no convergence 2`, the most frequent first.
     pub fn failures(&self) -> String {
@@ -90,6 +114,9 @@ impl TradeRow {
         told.collect::<Vec<_>>().join("; ")
     }
 }
+
+/// A share times a count is a whole number to within this.
+const ROUNDING: f64 = 1e-9;
 
 /// What became of a problem.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,6 +142,8 @@ pub enum Unsolved {
     NoBracket,
     /// It comes to where a formula has no value.
     LeftDomain,
+    /// It comes to a contact that its number cannot decide.
+    Undecided,
     /// It comes to the right answer, to fewer digits than count as solved.
     FewDigits,
 }
@@ -128,6 +157,7 @@ impl Unsolved {
             Self::NoConvergence => "no convergence",
             Self::NoBracket => "no change of sign",
             Self::LeftDomain => "left the domain",
+            Self::Undecided => "undecided contact",
             Self::FewDigits => "few digits",
         }
     }
@@ -144,13 +174,22 @@ pub enum Task {
     Voltage,
     /// The next impact.
     Impact,
-    /// A 1-1 orbit, from a guess that is 5% off.
+    /// A 1-1 orbit, from guesses that are 0.1% to 20% off.
     Orbit,
+    /// Mean voltage, voltage per period and Lyapunov exponent of a motion that is followed.
+    Statistics,
 }
 
 impl Task {
     /// All of them, the quickest first.
-    pub const ALL: [Self; 5] = [Self::Dp, Self::Multipliers, Self::Voltage, Self::Impact, Self::Orbit];
+    pub const ALL: [Self; 6] = [
+        Self::Dp,
+        Self::Multipliers,
+        Self::Voltage,
+        Self::Impact,
+        Self::Orbit,
+        Self::Statistics,
+    ];
 
     /// As the command line has it.
     pub fn name(self) -> &'static str {
@@ -160,6 +199,7 @@ impl Task {
             Self::Voltage => "voltage",
             Self::Impact => "impact",
             Self::Orbit => "orbit",
+            Self::Statistics => "statistics",
         }
     }
 }
@@ -239,18 +279,19 @@ pub enum TradeError {
 /// The trade of a task: a row for each of its parts, means and number.
 ///
 /// Every means solves the same problems, which are the same in every run and on every machine; all but the time is
-/// repeatable. The exact answers are computed in 100 digits by two ways that share no formula, and agree to 15 digits
+/// repeatable, and is given over `latency` as well. The exact answers are computed in 100 digits by two ways that share no formula, and agree to 15 digits
 /// beyond the widest number they judge.
 ///
 /// # Errors
 /// `Reference` where they do not, `Points` where there are no problems, `Means` where `options` leave nothing.
-pub fn trade(task: Task, options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> {
+pub fn trade(task: Task, options: &TradeOptions, latency: &Latency) -> Result<Vec<TradeRow>, TradeError> {
     let mut rows = match task {
         Task::Dp => dp::rows(options),
         Task::Multipliers => multipliers::rows(options),
         Task::Voltage => voltage::rows(options),
         Task::Impact => impact::rows(options),
         Task::Orbit => orbit::rows(options),
+        Task::Statistics => statistics::rows(options),
     }?;
     if rows.is_empty() {
         return Err(TradeError::Means {
@@ -260,7 +301,7 @@ pub fn trade(task: Task, options: &TradeOptions) -> Result<Vec<TradeRow>, TradeE
                 .map_or_else(|| "any number".to_owned(), |number| number.to_string()),
         });
     }
-    let one = latency().median;
+    let one = latency.least().median;
     for row in &mut rows {
         row.latencies = row.seconds / one;
     }
@@ -337,6 +378,9 @@ mod tests {
             sincos: 0,
             spread: 0.0,
             latencies: 0.0,
+            setting: String::new(),
+            cost: operations,
+            proved: false,
         }
     }
 

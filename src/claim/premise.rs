@@ -90,7 +90,7 @@ impl Premise {
     fn said_of(&self, first: Option<i32>, flights: i32, vocabulary: &Vocabulary) -> Vec<Self> {
         let flights = 0..flights.min(MOST_FLIGHTS);
         match (self.first, first) {
-            (Some(start), Some(first)) if first >= start && (self.substituted || runs(&self.equation, vocabulary)) => {
+            (Some(start), Some(first)) if runs(&self.equation, vocabulary) || (self.substituted && first >= start) => {
                 flights
                     .map(|flight| self.shifted(first - start + flight, vocabulary))
                     .collect()

@@ -45,6 +45,9 @@ pub enum Failure {
     /// A measurement failed.
     #[error(transparent)]
     Trade(#[from] crate::accuracy::TradeError),
+    /// Means were asked for that none are.
+    #[error(transparent)]
+    Advice(#[from] crate::accuracy::AdviceError),
     /// Two outputs for one file.
     #[error("{0} cannot hold both the table and the drawing: name two files by --out and --plot")]
     SameFile(String),

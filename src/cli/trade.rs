@@ -1,10 +1,13 @@
 //! `vibro-audit trade [TASK] [--plot FILE]`.
 
 use super::{Answer, Content, Exit, Failure, Options, note};
-use crate::accuracy::{Task, TradeError, TradeOptions, TradeRow, Unsolved, machine, trade};
+use crate::accuracy::{
+    Advice, AdviceError, Latency, Need, Purpose, Rank, Task, TradeError, TradeOptions, TradeRow, Unsolved, advise,
+    cheapest, machine, trade,
+};
 use crate::number::Rung;
 use crate::report::figure::trades;
-use crate::report::{Cell, Format, Table};
+use crate::report::{Cell, Format, Output, Table};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 
@@ -23,7 +26,14 @@ pub struct Arguments {
     /// List every problem of the task, and what each means did on it, without a clock
     #[arg(long)]
     problems: bool,
-    /// Draw time against digits as an SVG, the front as a line
+    /// Name the cheapest means for a need, and the runner-up: digits=8,solved=0.99,task=orbit, or error=0.01,task=voltage
+    ///
+    /// `digits` are to hold at the share `solved` of the problems (at all of them where it is not given), `error` is the
+    /// relative error of a statistic, `proved=true` asks for a proof, `task` for the tasks with this in their names. Exits
+    /// with 1 where no means of a task does it, and names the closest.
+    #[arg(long, value_name = "NEED", conflicts_with_all = ["task", "problems", "method", "number"])]
+    advise: Option<Need>,
+    /// Draw digits against time as an SVG, a panel a task: each ladder as a line, and the front
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 }
@@ -40,7 +50,10 @@ fn rung_parser() -> impl TypedValueParser<Value = Rung> {
 }
 
 /// The columns that text has, as many as a terminal is wide.
-const SHOWN: [usize; 8] = [0, 1, 2, 4, 5, 7, 8, 6];
+const SHOWN: [usize; 8] = [0, 1, METHOD, 4, 5, 7, 8, 6];
+
+/// The column of the means.
+const METHOD: usize = 2;
 
 /// The number with so many significant figures as a measurement bears.
 fn measured(value: f64) -> f64 {
@@ -62,13 +75,14 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
         number: arguments.number,
         ..ordinary
     };
-    if !arguments.problems {
-        note(&format!("times are of {}", machine()));
+    if let Some(need) = &arguments.advise {
+        return advised(need, &asked, drawing, options.format == Format::Text);
     }
+    let latency = measured_latency(arguments.problems);
     let mut rows = Vec::new();
     let mut none = None;
     for task in tasks {
-        match trade(task, &asked) {
+        match trade(task, &asked, &latency) {
             Ok(found) => rows.extend(found),
             // a means of one task is none of the others
             Err(error @ TradeError::Means { .. }) => none = Some(error),
@@ -78,10 +92,7 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     if let Some(error) = none.filter(|_| rows.is_empty()) {
         return Err(error.into());
     }
-    if let Some(output) = drawing {
-        let svg = trades(&rows, &machine()).svg()?;
-        output.write(|out| out.write_all(svg.as_bytes()))?;
-    }
+    draw(&rows, drawing)?;
     Ok(Answer {
         content: Content::Table(match arguments.problems {
             true => problems(&rows)?,
@@ -91,22 +102,181 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     })
 }
 
-/// A person reads one table of the width of a terminal; scripts get every column.
+/// L, told on stderr with the machine; not measured where nothing is timed.
+fn measured_latency(without_clock: bool) -> Latency {
+    if without_clock {
+        return Latency::none();
+    }
+    let latency = Latency::measured();
+    note(&format!("times are of {}; {latency}", machine()));
+    latency
+}
+
+fn draw(rows: &[TradeRow], drawing: Option<Output>) -> Result<(), Failure> {
+    if let Some(output) = drawing {
+        let svg = trades(rows, &machine()).svg()?;
+        output.write(|out| out.write_all(svg.as_bytes()))?;
+    }
+    Ok(())
+}
+
+/// The columns of [`advised`]; of these, text has the first, with the setting behind the means.
+const ADVICE: [&str; 12] = [
+    "task", "rank", "by", "number", "method", "kept", "seconds", "setting", "solved", "problems", "cost", "proved",
+];
+const ADVICE_SHOWN: usize = 7;
+
+/// What to take, of the tasks that a need speaks of.
+fn advised(need: &Need, asked: &TradeOptions, drawing: Option<Output>, is_text: bool) -> Result<Answer, Failure> {
+    let wanted = need.task.as_deref().unwrap_or("");
+    let is_wanted = |task: &Task| match need.of_statistics {
+        true => *task == Task::Statistics,
+        false => *task != Task::Statistics && (wanted.is_empty() || wanted.starts_with(task.name())),
+    };
+    let none = |tasks: Vec<&str>| AdviceError::Task {
+        task: wanted.to_owned(),
+        tasks: tasks.join(", "),
+    };
+    let tasks: Vec<Task> = Task::ALL.into_iter().filter(is_wanted).collect();
+    if tasks.is_empty() {
+        let others = Task::ALL.into_iter().filter(|task| *task != Task::Statistics);
+        return Err(none(others.map(Task::name).collect()).into());
+    }
+    let latency = measured_latency(false);
+    let mut all = Vec::new();
+    for task in tasks {
+        all.extend(trade(task, asked, &latency)?);
+    }
+    let rows: Vec<TradeRow> = all.iter().filter(|row| row.task.contains(wanted)).cloned().collect();
+    if rows.is_empty() {
+        let mut parts: Vec<&str> = all.iter().map(|row| row.task.as_str()).collect();
+        parts.dedup();
+        return Err(none(parts).into());
+    }
+    draw(&rows, drawing)?;
+    let advice = advise(&rows, need);
+    let shown = if is_text { ADVICE_SHOWN } else { ADVICE.len() };
+    let mut table = Table::new(ADVICE.into_iter().take(shown));
+    for Advice { rank, basis, row } in &advice {
+        if *rank == Rank::Closest {
+            let (digits, kept) = (need.digits, row.kept(need.solved));
+            let share = 100.0 * need.solved;
+            note(&format!(
+                "{}: nothing keeps {digits:.1} digits at {share}% of the problems; the closest keeps {kept:.1}",
+                row.task
+            ));
+        }
+        let cells = [
+            Cell::from(row.task.clone()),
+            Cell::from(rank.name()),
+            Cell::from(basis.name()),
+            Cell::from(row.number.to_string()),
+            if is_text {
+                with_setting(row)
+            } else {
+                Cell::from(row.method)
+            },
+            Cell::from(measured(row.kept(need.solved))),
+            Cell::from(measured(row.seconds)),
+            setting(row),
+            count(row.solved as u64),
+            count(row.problems.len() as u64),
+            count(row.cost),
+            Cell::from(row.proved),
+        ];
+        table.push(cells.into_iter().take(shown).collect::<Vec<_>>())?;
+    }
+    for line in chosen(need, &advice)? {
+        note(&line);
+    }
+    let is_met = advice.iter().all(|advice| advice.rank != Rank::Closest);
+    Ok(Answer {
+        content: Content::Table(table),
+        exit: Exit::from_verdict(is_met),
+    })
+}
+
+/// What `--digits` and `sweep.error` take for the same need, and why, where it is not what is advised.
+fn chosen(need: &Need, advice: &[Advice]) -> Result<Vec<String>, Failure> {
+    let advised = |part: &str, method: &str, number: &str| {
+        advice.iter().any(|advice| {
+            let row = advice.row;
+            row.task.starts_with(part) && row.method == method && row.number.to_string() == number
+        })
+    };
+    let speaks_of = |part: &str| advice.iter().any(|advice| advice.row.task.starts_with(part));
+    let mut lines = Vec::new();
+    if need.of_statistics {
+        lines.push(format!(
+            "`sweep.error = {}` follows motions one by one until their own standard error says so: lanes do not follow how distances grow",
+            10_f64.powf(-need.digits)
+        ));
+        return Ok(lines);
+    }
+    let digits = need.digits.ceil() as u32;
+    let takers = [
+        (
+            Task::Orbit,
+            Purpose::Orbit,
+            "orbits",
+            "certified",
+            "a command proves the orbits that it prints",
+        ),
+        (
+            Task::Impact,
+            Purpose::Impact,
+            "simulate",
+            "own",
+            "a command says how many digits hold",
+        ),
+    ];
+    for (task, purpose, command, method, why) in takers {
+        if !speaks_of(task.name()) {
+            continue;
+        }
+        let number = cheapest(purpose, digits)?.to_string();
+        let as_advised = if advised(task.name(), method, &number) {
+            "as advised".to_owned()
+        } else {
+            why.to_owned()
+        };
+        lines.push(format!(
+            "`{command} --digits {digits}` takes {method} in {number}: {as_advised}"
+        ));
+    }
+    Ok(lines)
+}
+
+fn count(n: u64) -> Cell {
+    Cell::from(i64::try_from(n).unwrap_or(i64::MAX))
+}
+
+/// A person reads one table of the width of a terminal: the means as they are used, and of their ladders what is on the
+/// front. Scripts get every row and column.
 fn table(rows: &[TradeRow], options: &Options) -> Result<Table, Failure> {
+    let is_text = options.format == Format::Text;
     let shown: Vec<usize> = match options.format {
         Format::Text => SHOWN.to_vec(),
         _ => (0..TradeRow::COLUMNS.len()).collect(),
     };
     let mut table = Table::new(shown.iter().map(|&column| TradeRow::COLUMNS[column]));
-    for row in rows {
-        let cells = cells(row);
+    for row in rows
+        .iter()
+        .filter(|row| !is_text || row.setting.is_empty() || row.on_front)
+    {
+        let mut cells = cells(row);
+        if is_text {
+            cells[METHOD] = with_setting(row);
+        }
         table.push(shown.iter().map(|&column| cells[column].clone()).collect::<Vec<_>>())?;
     }
     Ok(table)
 }
 
 /// The columns of [`problems`].
-const PROBLEMS: [&str; 7] = ["task", "number", "method", "problem", "digits", "outcome", "at"];
+const PROBLEMS: [&str; 8] = [
+    "task", "number", "method", "problem", "digits", "outcome", "at", "setting",
+];
 
 /// What each means did on each problem.
 fn problems(rows: &[TradeRow]) -> Result<Table, Failure> {
@@ -121,6 +291,7 @@ fn problems(rows: &[TradeRow]) -> Result<Table, Failure> {
                 Cell::from(outcome.digits.map(measured)),
                 Cell::from(outcome.miss.map_or("solved", Unsolved::name)),
                 Cell::from(outcome.at.to_string()),
+                setting(row),
             ])?;
         }
     }
@@ -128,7 +299,6 @@ fn problems(rows: &[TradeRow]) -> Result<Table, Failure> {
 }
 
 fn cells(row: &TradeRow) -> Vec<Cell> {
-    let count = |n: u64| Cell::from(i64::try_from(n).unwrap_or(i64::MAX));
     vec![
         Cell::from(row.task.clone()),
         Cell::from(row.number.to_string()),
@@ -145,5 +315,18 @@ fn cells(row: &TradeRow) -> Vec<Cell> {
         count(row.sincos),
         Cell::from(measured(row.spread)),
         Cell::from(measured(row.latencies)),
+        setting(row),
+        count(row.cost),
+        Cell::from(row.proved),
     ]
+}
+
+/// The means with its setting behind it, as a person reads it.
+fn with_setting(row: &TradeRow) -> Cell {
+    Cell::from(format!("{} {}", row.method, row.setting).trim_end().to_owned())
+}
+
+/// Empty where there is none.
+fn setting(row: &TradeRow) -> Cell {
+    Cell::from(Some(row.setting.as_str()).filter(|setting| !setting.is_empty()))
 }

@@ -305,7 +305,11 @@ impl Formulas {
                 self.divide(one, root)
             }
             Function::Artanh => self.divide(one, one_less),
-            Function::Abs => self.apply(Function::Sgn, u),
+            // none at 0
+            Function::Abs => {
+                let size = self.apply(Function::Abs, u);
+                self.divide(u, size)
+            }
             Function::Sgn => self.integer(0),
         }
     }

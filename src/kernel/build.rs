@@ -859,10 +859,8 @@ impl<'a> Builder<'a> {
                 self.statement.terms.product(parts)
             }
             Tree::Quotient(above, below, at) => {
-                if let Tree::Product(parts) = below.as_ref()
-                    && let [Tree::Symbol(d, _), Tree::Symbol(time, _)] = parts.as_slice()
-                    && (is_letter(d, "d") || is_letter(d, r"\mathrm{d}"))
-                    && (self.vocabulary.running.as_ref() == Some(time) || is_letter(time, "t"))
+                if let Some(by) = differentiated_by(below)
+                    && (self.vocabulary.running.as_ref() == Some(by) || is_letter(by, "t") || begins_with_d(above))
                 {
                     let message = "this can be read as a derivative and as a quotient: write the derivative by its name, or `d` beside another factor";
                     return Err(unreadable(at.0, message));
@@ -1697,6 +1695,33 @@ pub fn determinant(statement: &mut Statement, matrix: &[Vec<Term>]) -> Term {
         });
     }
     statement.terms.sum(sum)
+}
+
+/// The x of `d x` or `d x^2`, which may print a derivative.
+fn differentiated_by(below: &Tree) -> Option<&Name> {
+    let Tree::Product(parts) = below else { return None };
+    let [first, second] = parts.as_slice() else {
+        return None;
+    };
+    match second {
+        _ if !begins_with_d(first) => None,
+        Tree::Symbol(by, _) => Some(by),
+        Tree::Power(base, ..) => match base.as_ref() {
+            Tree::Symbol(by, _) => Some(by),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Whether a formula is `d`, or begins with it or a power of it.
+fn begins_with_d(tree: &Tree) -> bool {
+    match tree {
+        Tree::Symbol(name, _) => is_letter(name, "d") || is_letter(name, r"\mathrm{d}"),
+        Tree::Power(base, ..) => begins_with_d(base),
+        Tree::Product(parts) => parts.first().is_some_and(begins_with_d),
+        _ => false,
+    }
 }
 
 pub fn is_letter(name: &Name, letter: &str) -> bool {

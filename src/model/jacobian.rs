@@ -183,8 +183,16 @@ impl<T: Analytic> Passage<T> {
     /// # Errors
     /// `Neighbour` where the wall is not reached a step away, as close to grazing.
     pub fn by_differences(&self, order: Order) -> Result<Matrix2<T>, JacobianError> {
+        self.by_differences_over(order, T::epsilon().to_f64().powf(order.balance()))
+    }
+
+    /// The same with a step that is this part of the distance over which the map changes by its own size, or 64
+    /// spacings of the numbers there where that is more.
+    ///
+    /// # Errors
+    /// As [`Passage::by_differences`].
+    pub fn by_differences_over(&self, order: Order, part: f64) -> Result<Matrix2<T>, JacobianError> {
         let epsilon = T::epsilon().to_f64();
-        let part = epsilon.powf(order.balance());
         // A power of 2 not below the spacing of numbers there, so that it is added and divided by without rounding.
         let step = |scale: f64, at: &T| {
             let spacing = 64.0 * epsilon * at.to_f64().abs().max(scale.min(1.0));

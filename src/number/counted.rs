@@ -48,6 +48,18 @@ impl Counts {
         (result, counts)
     }
 
+    /// So many times as many.
+    pub fn times(&self, factor: u64) -> Self {
+        Self {
+            additions: factor * self.additions,
+            multiplications: factor * self.multiplications,
+            divisions: factor * self.divisions,
+            roots: factor * self.roots,
+            sincos: factor * self.sincos,
+            others: factor * self.others,
+        }
+    }
+
     /// Both together.
     pub fn and(&self, other: &Self) -> Self {
         Self {

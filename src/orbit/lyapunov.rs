@@ -3,8 +3,8 @@
 use super::{Attractor, Link};
 use crate::impact::Event;
 use crate::model::Motion;
+use crate::number::Analytic;
 use nalgebra::Matrix2;
-use std::f64::consts::PI;
 
 /// The largest Lyapunov exponent of a cycle, per unit of time (the forcing period is 2): that of its multipliers,
 /// ln |lambda| / (2 periods), as accurate as the cycle; minus infinity through a rest, which wipes every distance out.
@@ -13,40 +13,45 @@ pub fn lyapunov(motion: &Motion<f64>, cycle: &Attractor) -> Option<f64> {
     if cycle.rests() {
         return Some(f64::NEG_INFINITY);
     }
-    of_multipliers(motion, cycle)
+    let periods = cycle.periods?;
+    let largest = largest_multiplier(motion, &cycle.impacts, periods)?;
+    Some(largest.ln() / (2.0 * periods as f64))
 }
 
-/// From the Jacobians (20), (21) along one cycle.
-fn of_multipliers(motion: &Motion<f64>, cycle: &Attractor) -> Option<f64> {
-    let periods = cycle.periods?;
-    let impacts = &cycle.impacts;
-    let push = |event: &Event<f64>| event.phase.cos() + motion.g();
+/// The size of the largest multiplier of a cycle, from the Jacobians (20), (21) along its impacts; `None` where it
+/// grazes exactly.
+pub fn largest_multiplier<T: Analytic>(motion: &Motion<T>, impacts: &[Event<T>], periods: i64) -> Option<T> {
+    let push = |event: &Event<T>| event.phase.sincos().1 + motion.g().clone();
     let after = |index: usize| impacts.get(index + 1).or(impacts.first());
-    let mut product = Matrix2::identity();
-    let mut determinant = 1.0;
+    let mut product: Matrix2<T> = Matrix2::identity();
+    let mut losses = T::one();
     for (index, from) in impacts.iter().enumerate() {
         let to = after(index)?;
         let later = if index + 1 < impacts.len() { 0 } else { periods };
-        let restitution = *motion.restitution(from.side);
+        let restitution = motion.restitution(from.side).clone();
+        let turns = T::from_integer(2 * (to.turns + later - from.turns));
         let link = Link {
-            restitution,
-            velocity: from.velocity,
-            time: 2.0 * (to.turns + later - from.turns) as f64 + (to.phase - from.phase) / PI,
+            restitution: restitution.clone(),
+            velocity: from.velocity.clone(),
+            time: turns + (to.phase.clone() - from.phase.clone()) / T::pi(),
             push: push(from),
             pull: push(to),
-            arrival: to.velocity,
+            arrival: to.velocity.clone(),
         };
-        product = link.scaled_jacobian() * product / to.velocity;
-        determinant *= restitution * restitution;
+        product = link.scaled_jacobian() * product / to.velocity.clone();
+        losses *= restitution;
     }
-    let half = 0.5 * product.trace();
-    let apart = half * half - determinant;
-    let largest = if apart < 0.0 {
-        determinant.sqrt()
+    let trace = product.trace();
+    let size = if trace.to_f64() < 0.0 { -trace } else { trace };
+    let half = size * T::from_ratio(1, 2);
+    // the determinant is the square of the losses
+    let apart = (half.clone() - losses.clone()) * (half.clone() + losses.clone());
+    let largest = if apart.to_f64() < 0.0 {
+        losses
     } else {
-        half.abs() + apart.sqrt()
+        half + apart.sqrt()
     };
-    largest.is_finite().then(|| largest.ln() / (2.0 * periods as f64))
+    largest.to_f64().is_finite().then_some(largest)
 }
 
 #[cfg(test)]

@@ -73,7 +73,7 @@ pub use follow::Followed;
 pub use instant::{Enclosed, Instant, narrowed};
 pub use isolate::{Isolation, Limits, isolate};
 pub use leap::{Leap, Slopes, System};
-pub use lyapunov::lyapunov;
+pub use lyapunov::{largest_multiplier, lyapunov};
 pub use moment::Moment;
 pub use nearest::{nearest, nearest_event};
 pub use one_to_one::{Equations, Search, one_to_one};

@@ -33,13 +33,39 @@ impl<'a> Reader<'a> {
     /// `name` with the scripts and the argument that follow it.
     pub(super) fn symbol(&mut self, mut name: Name, at: usize) -> Result<Part, Fault> {
         let power = self.scripts(&mut name)?;
-        match self.peek_kind() {
-            Some(Kind::Open(kind)) if kind != Bracket::Bar && self.names.is_function(&name) => {
-                self.argument_bracket(kind)?;
-                let argument = self.bracketed()?;
-                self.call(Box::new(Tree::Call(name, argument, At(at))), power)
+        if self.names.is_function(&name) {
+            self.skip_empty();
+            let argument = match self.peek_kind() {
+                Some(Kind::Open(kind)) if kind != Bracket::Bar => {
+                    self.argument_bracket(kind)?;
+                    Some(self.bracketed()?)
+                }
+                Some(Kind::BraceOpen) => self.braced_argument()?,
+                _ => None,
+            };
+            if let Some(argument) = argument {
+                return self.call(Box::new(Tree::Call(name, argument, At(at))), power);
             }
-            _ => Ok(raise(Box::new(Tree::Symbol(name, At(at))), power)),
+        }
+        Ok(raise(Box::new(Tree::Symbol(name, At(at))), power))
+    }
+
+    /// The argument of `f{(x)}`, which prints as `f(x)`; `None` where the braces hold something else.
+    fn braced_argument(&mut self) -> Result<Option<Box<Tree>>, Fault> {
+        let (before, at) = (self.next, self.here());
+        self.next += 1;
+        let is_bracket = matches!(
+            self.peek_kind(),
+            Some(Kind::BraceOpen | Kind::Open(Bracket::Round | Bracket::Square))
+        );
+        let part = if is_bracket { Some(self.sum_part()?) } else { None };
+        let part = part.filter(|part| part.form == Form::Bracketed && self.peek_kind() == Some(Kind::BraceClose));
+        match part {
+            Some(part) => self.close_brace(at).map(|()| Some(part.tree)),
+            None => {
+                self.next = before;
+                Ok(None)
+            }
         }
     }
 
@@ -239,12 +265,22 @@ mod tests {
             ("f^2(t_k)", "(^ <f t_k> 2)"),
             ("f(t_k)^2", "(^ <f t_k> 2)"),
             ("f(t)(t - a)", "(* <f t> (+ t (- a)))"),
+            (r"f{\left(t + a \right)}", "<f (+ t a)>"),
+            ("f{(t)} f{}(t) {f}{(t)} {f}(t)", "(* <f t> <f t> <f t> <f t>)"),
+            (r"f^{2}{\left(t\right)} f'{(t)}", "(* (^ <f t> 2) <f' t>)"),
+            ("f{{(t)}}", "<f t>"),
+            (r"\dot Z{(t)}", r"<\dot{Z} t>"),
+            ("f{a}", "(* f a)"),
             ("f", "f"),
         ]);
         refuse(&[
             ("f^{-1}(t)", "inverse function"),
             ("f^2(t)^2", "second power"),
             (r"f\{t\}", "an argument stands in"),
+            ("(f)(t)", "a bracket after a function without argument"),
+            ("(f + a)(t)", "a bracket after a function without argument"),
+            (r"\frac{f}{a}(t)", "a bracket after a function without argument"),
+            (r"\frac{a + f}{2}[t]", "a bracket after a function without argument"),
             ("f(t", "`(` is not closed"),
         ]);
     }

@@ -1,6 +1,6 @@
 //! What a reader must be told of a formula's vocabulary.
 
-use super::Name;
+use super::{Name, Tree};
 
 /// The names that are read in a special way. All else is a symbol of one letter, and a bracket after it a factor.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -20,6 +20,17 @@ impl Names {
         self.functions.iter().any(|function| {
             function.base == name.base && function.accents == name.accents && function.subscript == name.subscript
         })
+    }
+
+    /// Whether a function stands without an argument in sums, products and quotients of `tree`.
+    pub(super) fn has_bare_function(&self, tree: &Tree) -> bool {
+        match tree {
+            Tree::Symbol(name, _) => self.is_function(name),
+            Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| self.has_bare_function(part)),
+            Tree::Quotient(above, below, _) => self.has_bare_function(above) || self.has_bare_function(below),
+            Tree::Negate(body) | Tree::Power(body, ..) | Tree::Root(body, ..) => self.has_bare_function(body),
+            _ => false,
+        }
     }
 
     /// The longest declared word that `run` starts with.

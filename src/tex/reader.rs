@@ -3,7 +3,7 @@
 
 use super::error::{Fault, Reason};
 use super::part::{Form, Part, readable, starts_factor};
-use super::token::{Kind, Token};
+use super::token::{Bracket, Kind, Token};
 use super::{At, Names, Tree};
 
 /// The deepest nesting that is read: it bounds the stack that reading and all later walks of the tree need.
@@ -180,6 +180,9 @@ impl<'a> Reader<'a> {
         let mut divided = false;
         while let Some(token) = self.peek() {
             let juxtaposed = starts_factor(token.kind);
+            if matches!(token.kind, Kind::Open(Bracket::Round | Bracket::Square)) {
+                self.no_operator(factors.last(), form, token.at)?;
+            }
             if !juxtaposed {
                 if !is_operation(token.kind) {
                     break;
@@ -210,6 +213,22 @@ impl<'a> Reader<'a> {
         let form = if divided { Form::Open } else { Form::Knot };
         let tree = product(factors);
         Ok(Part { tree, form })
+    }
+
+    /// Refuses `(f + g)(t)`, which may be the functions at t or a product.
+    fn no_operator(&self, before: Option<&Tree>, form: Form, at: usize) -> Result<(), Fault> {
+        let stands_alone = matches!(form, Form::Bracketed | Form::Fraction);
+        match before.is_some_and(|tree| stands_alone && self.names.has_bare_function(tree)) {
+            true => {
+                let instead = "write the argument behind each function, or \\cdot for a product";
+                Err(Fault::ambiguous(
+                    at,
+                    "a bracket after a function without argument",
+                    instead,
+                ))
+            }
+            false => Ok(()),
+        }
     }
 
     /// Refuses a divisor that holds a slash itself, and too many slashes in a term.

@@ -113,6 +113,10 @@ impl<'a> Reader<'a> {
                 let primes = u8::try_from(kinds.len()).unwrap_or(u8::MAX);
                 Ok(Some(Superscript::Primes(more_primes(0, primes, at)?)))
             }
+            ([Kind::Plus, Kind::Number], Some(name)) if !(name.subscript.is_empty() && name.accents.is_empty()) => {
+                let instead = "write ^2, or (v_k^+)^2 for the square of the value just after an impact";
+                Err(Fault::ambiguous(at, "a plus sign before a power", instead))
+            }
             ([Kind::Letter], Some(name)) if content.iter().all(|token| token.styled) => {
                 Err(two_superscripts(at, name, &format!("\\text{{{}}}", text()), &text()))
             }

@@ -1,5 +1,6 @@
 //! Wall time of something short.
 
+use std::fmt;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -54,19 +55,91 @@ pub(super) fn timing<R>(budget: f64, mut work: impl FnMut() -> R) -> Timing {
 /// Pairs of sine and cosine in a chain: many to one reading of the clock.
 const CHAINED: u32 = 1000;
 
-/// L, the latency of one sine and cosine of f64: each waits for the one before it.
-pub fn latency() -> Timing {
-    let chain = || {
-        (0..CHAINED).fold(black_box(1.0_f64), |x, _| {
-            let (sin, cos) = x.sin_cos();
-            sin + cos + 0.5
-        })
-    };
-    let chain = timing(0.05, chain);
-    Timing {
-        median: chain.median / f64::from(CHAINED),
-        ..chain
+/// How long one sine and cosine of f64 take, where each waits for the one before it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Latency {
+    /// By Rust's `sin_cos`, two calls of the C library.
+    pub rust: Timing,
+    /// By `sincos` of the C library, one call, where that has it.
+    pub platform: Option<Timing>,
+}
+
+impl Latency {
+    /// Measures both, in turns: what slows the machine slows both.
+    pub fn measured() -> Self {
+        let chained = |pair: fn(f64) -> (f64, f64)| {
+            let chain = timing(0.05, || {
+                (0..CHAINED).fold(black_box(1.0_f64), |x, _| {
+                    let (sin, cos) = pair(x);
+                    sin + cos + 0.5
+                })
+            });
+            Timing {
+                median: chain.median / f64::from(CHAINED),
+                ..chain
+            }
+        };
+        let rust = || chained(f64::sin_cos);
+        let platform = || PLATFORM.map(chained);
+        let (first, second) = ((rust(), platform()), (rust(), platform()));
+        let less = |a: Timing, b: Timing| if a.median <= b.median { a } else { b };
+        Self {
+            rust: less(first.0, second.0),
+            platform: first.1.zip(second.1).map(|(a, b)| less(a, b)),
+        }
     }
+
+    /// That of no run.
+    pub const fn none() -> Self {
+        let rust = Timing {
+            median: f64::NAN,
+            spread: 0.0,
+        };
+        Self { rust, platform: None }
+    }
+
+    /// The pair that takes the lesser.
+    pub fn pair(&self) -> fn(f64) -> (f64, f64) {
+        let platform = self.platform.filter(|platform| platform.median < self.rust.median);
+        platform.and(PLATFORM).unwrap_or(f64::sin_cos)
+    }
+
+    /// L, the lesser: what nobody who needs a sine and a cosine can be below.
+    pub fn least(&self) -> Timing {
+        let platform = self.platform.filter(|platform| platform.median < self.rust.median);
+        platform.unwrap_or(self.rust)
+    }
+}
+
+impl fmt::Display for Latency {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let nanoseconds = |timing: Timing| timing.median * 1e9;
+        let (least, rust) = (nanoseconds(self.least()), nanoseconds(self.rust));
+        write!(f, "L = {least:.1} ns, the lesser of Rust's sin_cos {rust:.1} ns and ")?;
+        match self.platform {
+            Some(platform) => write!(f, "the C library's sincos {:.1} ns", nanoseconds(platform)),
+            None => f.write_str("the C library's sincos, which is not here"),
+        }
+    }
+}
+
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+const PLATFORM: Option<fn(f64) -> (f64, f64)> = Some(sincos);
+#[cfg(not(all(target_os = "linux", target_env = "gnu")))]
+const PLATFORM: Option<fn(f64) -> (f64, f64)> = None;
+
+/// `sincos` of the GNU C library, which Rust does not offer.
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+fn sincos(x: f64) -> (f64, f64) {
+    mod c {
+        unsafe extern "C" {
+            pub fn sincos(x: f64, sin: *mut f64, cos: *mut f64);
+        }
+    }
+    let (mut sin, mut cos) = (0.0, 0.0);
+    // SAFETY: both pointers are to values of this function that outlive the call, which writes one f64 to each
+    unsafe { c::sincos(x, &raw mut sin, &raw mut cos) };
+    (sin, cos)
 }
 
 #[cfg(test)]
@@ -89,7 +162,21 @@ mod tests {
 
     #[test]
     fn a_sine_waits_for_the_one_before_it_some_nanoseconds() {
-        let latency = latency().median;
-        assert!(latency > 1e-9 && latency < 1e-6, "{latency}");
+        let latency = Latency::measured();
+        let least = latency.least().median;
+        assert!(least > 1e-9 && least < 1e-6, "{latency}");
+        assert!(least <= latency.rust.median && latency.platform.is_none_or(|platform| least <= platform.median));
+    }
+
+    #[test]
+    fn both_pairs_of_sine_and_cosine_are_the_same() {
+        for x in [0.0_f64, 1.0, -2.5, 1e3, 1e9] {
+            let (sin, cos) = x.sin_cos();
+            let pair = PLATFORM.map_or((sin, cos), |pair| pair(x));
+            assert!(
+                (pair.0 - sin).abs() <= f64::EPSILON && (pair.1 - cos).abs() <= f64::EPSILON,
+                "{x}"
+            );
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! Several means to the same end, on the same problems, in every number that makes sense.
 
+use super::super::weights::Weights;
 use super::clock::{Timing, timing};
 use super::{Attempt, TradeError, TradeOptions, TradeRow, Unsolved, digits_of, quantile};
 use crate::number::{Analytic, Any, AtRung, Counted, Counts, Machine, Rung, Wide, of_type};
@@ -16,20 +17,31 @@ pub(super) struct Task<'a, P> {
     pub name: String,
     /// The problems, the same on every machine.
     pub points: &'a [P],
-    /// The answer by two means that share no formula, `None` where there is none.
-    pub exact: fn(&P) -> Option<[Vec<Exact>; 2]>,
     /// How far an answer is from the exact one.
     pub error: fn(&[Exact], &[Exact]) -> f64,
     /// What an answer is that is not the right one.
     pub miss: fn(&P, &[Exact]) -> Unsolved,
     /// The problem in words, `key=value;...`.
     pub place: fn(&P) -> String,
+    /// Digits that an answer has that counts as right.
+    pub right: f64,
 }
+
+/// An answer by two means that share no formula, `None` where there is none.
+pub(super) type Twice<P> = fn(&P) -> Option<[Vec<Exact>; 2]>;
 
 /// A way to the answers.
 pub(super) trait Means<P> {
     /// As the table has it.
     fn name(&self) -> &'static str;
+    /// Its step, tolerance or count, `key=value`; empty where it has none, or the one that it is used with.
+    fn setting(&self) -> String {
+        String::new()
+    }
+    /// Whether its answers are proved to be within a bound.
+    fn is_proved(&self) -> bool {
+        false
+    }
     /// The numbers it makes sense in.
     fn rungs(&self) -> &'static [Rung];
     /// The answer over `T`, from the problem on.
@@ -37,6 +49,12 @@ pub(super) trait Means<P> {
     /// # Errors
     /// Why it finds none.
     fn answer<T: Machine>(&self, point: &P) -> Result<Vec<T>, Unsolved>;
+    /// Does the operations of an answer, to be counted, or an equal part of them; says how many such parts there are.
+    fn operate<T: Machine>(&self, point: &P) -> u64 {
+        // a problem without an answer costs what was done until that was known
+        let _ = self.answer::<T>(point);
+        1
+    }
 }
 
 /// Bits of a drawn number: of a range that is a power of 2, f32 holds them with bits to spare.
@@ -68,8 +86,8 @@ pub(super) const EVERY: &[Rung] = &[Rung::Single, Rung::Double, Rung::DoubleDoub
 /// The rungs of means that come from a crate for the numbers of the machine, or that gain nothing from more digits.
 pub(super) const OF_THE_MACHINE: &[Rung] = &[Rung::Single, Rung::Double];
 
-/// Digits that an answer has that counts as right.
-const RIGHT: f64 = 6.0;
+/// Digits that an answer of a formula or a solver has that counts as right.
+pub(super) const RIGHT: f64 = 6.0;
 
 /// Digits of an answer that is the right one, but for its errors.
 const BESIDE: f64 = 2.0;
@@ -96,47 +114,68 @@ pub(super) fn worst_relative_error(found: &[Exact], exact: &[Exact]) -> f64 {
     errors.fold(0.0, |worst, error| if error <= worst { worst } else { error })
 }
 
-/// A row for each means in each number that `options` want.
+/// The part of the time of a row that is spent on one of a ladder.
+const LADDER: f64 = 0.3;
+
+/// A row for each means in each number that `options` want, judged by what `exact` has.
 ///
 /// # Errors
 /// `Points` without problems, `Reference` where the two exact answers to one of them agree to fewer digits than it
 /// takes to judge the widest number.
 pub(super) fn rows<P, M: Means<P>>(
     task: &Task<P>,
+    exact: Twice<P>,
     means: &[M],
     options: &TradeOptions,
 ) -> Result<Vec<TradeRow>, TradeError> {
-    let wanted = |means: &M, rung: Rung| options.wants(means.name(), rung);
+    let widest = wanted(means, options).into_iter().map(|(_, rung)| rung).max();
+    let Some(widest) = widest else {
+        return Ok(Vec::new());
+    };
+    let exact = confirmed(task, exact, widest)?;
+    Ok(judged(task, &exact, means, options))
+}
+
+/// The means with the numbers in which they are wanted.
+fn wanted<'m, P, M: Means<P>>(means: &'m [M], options: &TradeOptions) -> Vec<(&'m M, Rung)> {
     let pairs = means
         .iter()
         .flat_map(|means| means.rungs().iter().map(move |rung| (means, *rung)));
-    let pairs: Vec<(&M, Rung)> = pairs.filter(|(means, rung)| wanted(means, *rung)).collect();
-    let Some(widest) = pairs.iter().map(|(_, rung)| *rung).max() else {
-        return Ok(Vec::new());
-    };
-    let exact = exact(task, widest)?;
+    pairs
+        .filter(|(means, rung)| options.wants(means.name(), *rung))
+        .collect()
+}
+
+/// The same rows, judged by these answers, one for each problem.
+pub(super) fn judged<P, M: Means<P>>(
+    task: &Task<P>,
+    exact: &[Vec<Exact>],
+    means: &[M],
+    options: &TradeOptions,
+) -> Vec<TradeRow> {
     let row = |(means, rung): (&M, Rung)| {
         let contest = Contest {
             task,
             means,
-            exact: &exact,
-            budget: options.seconds_per_row,
+            exact,
+            // those of a ladder are many, and like each other
+            budget: options.seconds_per_row * if means.setting().is_empty() { 1.0 } else { LADDER },
             rung,
         };
         rung.at(contest)
     };
-    Ok(pairs.into_iter().map(row).collect())
+    wanted(means, options).into_iter().map(row).collect()
 }
 
 /// The exact answers, each confirmed.
-fn exact<P>(task: &Task<P>, widest: Rung) -> Result<Vec<Vec<Exact>>, TradeError> {
+fn confirmed<P>(task: &Task<P>, exact: Twice<P>, widest: Rung) -> Result<Vec<Vec<Exact>>, TradeError> {
     let name = || task.name.clone();
     if task.points.is_empty() {
         return Err(TradeError::Points { task: name() });
     }
     let wanted = f64::from(widest.digits()) + BEYOND;
     let confirmed = task.points.iter().enumerate().map(|(point, at)| {
-        let both = (task.exact)(at);
+        let both = exact(at);
         let digits = both
             .as_ref()
             .map_or(0.0, |[one, other]| digits_of((task.error)(other, one), 1e-99));
@@ -159,11 +198,11 @@ const QUIET: f64 = 0.1;
 /// Times that something is timed at most for a quiet answer.
 const TIMED: usize = 4;
 
-/// The first timing with a small spread, or that with the least.
-fn quiet(measure: impl Fn() -> Timing) -> Timing {
+/// The first timing with a small spread, or that with the least. What takes longer than the budget is timed once.
+fn quiet(budget: f64, measure: impl Fn() -> Timing) -> Timing {
     let mut best = measure();
     for _ in 1..TIMED {
-        if best.spread <= QUIET {
+        if best.spread <= QUIET || best.median > budget {
             break;
         }
         let again = measure();
@@ -189,7 +228,7 @@ impl<P, M: Means<P>> AtRung for Contest<'_, P, M> {
     fn run<N: Machine>(self) -> TradeRow {
         let points = self.task.points;
         let epsilon = <N as Analytic>::epsilon().to_f64();
-        let right = RIGHT.min(0.5 * digits_of(0.0, epsilon));
+        let right = self.task.right.min(0.5 * digits_of(0.0, epsilon));
         let outcome = |(point, exact): (&P, &Vec<Exact>)| {
             let found = self.means.answer::<N>(point);
             let found = found.map(|found| found.iter().map(Machine::to_wide).collect::<Vec<Exact>>());
@@ -207,15 +246,14 @@ impl<P, M: Means<P>> AtRung for Contest<'_, P, M> {
         let problems: Vec<Attempt> = points.iter().zip(self.exact).map(outcome).collect();
         let solved = problems.iter().filter(|outcome| outcome.miss.is_none());
         let digits: Vec<f64> = solved.filter_map(|outcome| outcome.digits).collect();
-        let (_, counts) = Counts::of(|| {
-            of_type(self.rung, || {
-                for point in points {
-                    // a problem without an answer costs what was done until that was known
-                    let _ = self.means.answer::<Counted<Any>>(point);
-                }
+        let counts = of_type(self.rung, || {
+            let counted = points.iter().map(|point| {
+                let (parts, counts) = Counts::of(|| self.means.operate::<Counted<Any>>(point));
+                counts.times(parts)
             });
+            counted.fold(Counts::default(), |all, one| all.and(&one))
         });
-        let Timing { median, spread } = quiet(|| {
+        let Timing { median, spread } = quiet(self.budget, || {
             timing(self.budget, || {
                 for point in points {
                     let _ = std::hint::black_box(self.means.answer::<N>(std::hint::black_box(point)));
@@ -227,6 +265,9 @@ impl<P, M: Means<P>> AtRung for Contest<'_, P, M> {
             task: self.task.name.clone(),
             number: self.rung,
             method: self.means.name(),
+            setting: self.means.setting(),
+            cost: mean(Weights::measured().cost(self.rung, &counts).unwrap_or(0)),
+            proved: self.means.is_proved(),
             operations: mean(counts.total()),
             seconds: median / points.len() as f64,
             digits: quantile(&digits, 0.5),

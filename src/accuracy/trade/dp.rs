@@ -1,6 +1,6 @@
 //! The task `dp`: entries, trace and determinant of DP by closed form, dual numbers and differences.
 
-use super::contest::{self, EVERY, Exact, Means, Task, relative_error};
+use super::contest::{self, EVERY, Exact, Means, RIGHT, Task, Twice, relative_error};
 use super::points::{Point, Region, points};
 use super::{TradeError, TradeOptions, TradeRow, Unsolved};
 use crate::model::{Forcing, JacobianError, Motion, Order, Pair, Passage};
@@ -27,7 +27,7 @@ impl Quantity {
     }
 
     /// By the closed form and by dual numbers.
-    fn exact(self) -> fn(&Point) -> Option<[Vec<Exact>; 2]> {
+    fn exact(self) -> Twice<Point> {
         fn both(quantity: Quantity, point: &Point) -> Option<[Vec<Exact>; 2]> {
             let by = |method| Way { quantity, method }.answer(point);
             Some([by(Method::Formula).ok()?, by(Method::Dual).ok()?])
@@ -61,23 +61,29 @@ enum Method {
     /// Trace or determinant of the product of the closed entries (20), (21).
     Product,
     Dual,
-    Difference(Order),
+    /// With the step that balances rounding against truncation, or with one of 10^-n.
+    Difference(Order, Option<usize>),
 }
+
+/// The steps of differences, as powers of 1/10 of the distance over which the map changes by its own size.
+const STEPS: [usize; 9] = [1, 2, 3, 4, 6, 8, 12, 16, 24];
 
 impl Method {
     fn all_for(quantity: Quantity) -> Vec<Self> {
-        let all = [
-            Self::Formula,
-            Self::Product,
-            Self::Dual,
-            Self::Difference(Order::Two),
-            Self::Difference(Order::Four),
-            Self::Difference(Order::Six),
-        ];
+        let mut all = vec![Self::Formula];
         // of the entries the product of (20) and (21) is the closed form
-        all.into_iter()
-            .filter(|method| quantity != Quantity::Entries || *method != Self::Product)
-            .collect()
+        if quantity != Quantity::Entries {
+            all.push(Self::Product);
+        }
+        all.push(Self::Dual);
+        for order in [Order::Two, Order::Four, Order::Six] {
+            all.push(Self::Difference(order, None));
+            // trace and determinant are of the same matrix
+            if quantity == Quantity::Entries {
+                all.extend(STEPS.map(|step| Self::Difference(order, Some(step))));
+            }
+        }
+        all
     }
 
     fn name(self) -> &'static str {
@@ -85,11 +91,16 @@ impl Method {
             Self::Formula => "formula",
             Self::Product => "product",
             Self::Dual => "dual",
-            Self::Difference(Order::Two) => "difference-2",
-            Self::Difference(Order::Four) => "difference-4",
-            Self::Difference(Order::Six) => "difference-6",
+            Self::Difference(Order::Two, _) => "difference-2",
+            Self::Difference(Order::Four, _) => "difference-4",
+            Self::Difference(Order::Six, _) => "difference-6",
         }
     }
+}
+
+/// The step of so many zeros.
+fn part(step: usize) -> f64 {
+    0.1_f64.powi(step as i32)
 }
 
 /// A point in the number of a method.
@@ -132,7 +143,10 @@ impl<T: Analytic> Input<T> {
             }
             (Method::Formula | Method::Product, _) => pair.product(Passage::by_formula)?,
             (Method::Dual, _) => pair.product(Passage::by_duals)?,
-            (Method::Difference(order), _) => pair.product(|passage| passage.by_differences(order))?,
+            (Method::Difference(order, None), _) => pair.product(|passage| passage.by_differences(order))?,
+            (Method::Difference(order, Some(step)), _) => {
+                pair.product(|passage| passage.by_differences_over(order, part(step)))?
+            }
         };
         Ok(quantity.of(&product))
     }
@@ -149,10 +163,21 @@ impl Means<Point> for Way {
         self.method.name()
     }
 
+    fn setting(&self) -> String {
+        match self.method {
+            Method::Difference(_, Some(step)) => format!("step=1e-{step}"),
+            _ => String::new(),
+        }
+    }
+
     fn rungs(&self) -> &'static [Rung] {
         match self.method {
+            // a step of less than a rounding is none
+            Method::Difference(_, Some(0..=6)) => &EVERY[..3],
+            Method::Difference(_, Some(7..=15)) => &EVERY[1..3],
+            Method::Difference(_, Some(_)) => &EVERY[2..3],
             // more digits buy two thirds of them at a thousand times the cost
-            Method::Difference(_) => &EVERY[..3],
+            Method::Difference(_, None) => &EVERY[..3],
             _ => EVERY,
         }
     }
@@ -178,16 +203,16 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
             let task = Task {
                 name: format!("dp/{}/{}", region.name(), quantity.name()),
                 points: &points,
-                exact: quantity.exact(),
                 error: relative_error,
                 miss: |_, _| Unsolved::FewDigits,
                 place: Point::place,
+                right: RIGHT,
             };
             let means: Vec<Way> = Method::all_for(quantity)
                 .into_iter()
                 .map(|method| Way { quantity, method })
                 .collect();
-            rows.extend(contest::rows(&task, &means, options)?);
+            rows.extend(contest::rows(&task, quantity.exact(), &means, options)?);
         }
     }
     Ok(rows)
@@ -195,7 +220,7 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
 
 #[cfg(test)]
 mod tests {
-    use super::super::trade;
+    use super::super::{Latency, trade};
     use super::*;
 
     fn few() -> Vec<TradeRow> {
@@ -205,7 +230,7 @@ mod tests {
             seed: 7,
             ..TradeOptions::default()
         };
-        trade(super::super::Task::Dp, &options).expect("a trade")
+        trade(super::super::Task::Dp, &options, &Latency::none()).expect("a trade")
     }
 
     fn row<'a>(rows: &'a [TradeRow], task: &str, number: Rung, method: &str) -> &'a TradeRow {
@@ -218,8 +243,9 @@ mod tests {
     #[test]
     fn every_task_has_every_means_in_every_number_and_a_front() {
         let rows = few();
-        // three differences in three numbers, the others in four
-        assert_eq!(rows.len(), 2 * (3 * 9 + 4 * (2 + 3 + 3)));
+        // three differences in three numbers, the others in four; of the entries five steps in three numbers, two in two
+        // and two in one
+        assert_eq!(rows.len(), 2 * (3 * 9 + 4 * (2 + 3 + 3) + 3 * (5 * 3 + 2 * 2 + 2)));
         for task in ["dp/random/entries", "dp/grazing/trace", "dp/grazing/determinant"] {
             assert!(rows.iter().any(|row| row.task == task && row.on_front));
         }
@@ -253,6 +279,22 @@ mod tests {
     }
 
     #[test]
+    fn the_step_that_is_used_is_about_the_best_of_its_ladder() {
+        let rows = few();
+        for method in ["difference-2", "difference-4", "difference-6"] {
+            for number in [Rung::Double, Rung::DoubleDouble] {
+                let is_meant =
+                    |row: &&TradeRow| row.task == "dp/random/entries" && row.method == method && row.number == number;
+                let ladder = rows.iter().filter(is_meant).filter(|row| !row.setting.is_empty());
+                let best = ladder.map(|row| row.digits).fold(0.0, f64::max);
+                let used = row(&rows, "dp/random/entries", number, method).digits;
+                // the best is known only when all have been tried
+                assert!(used > best - 1.5, "{method} {number}: {used}, {best}");
+            }
+        }
+    }
+
+    #[test]
     fn close_to_grazing_every_means_loses_digits() {
         let rows = few();
         for method in ["formula", "dual", "difference-2", "difference-4", "difference-6"] {
@@ -277,7 +319,7 @@ mod tests {
             points: 0,
             ..TradeOptions::default()
         };
-        let none = trade(super::super::Task::Dp, &options);
+        let none = trade(super::super::Task::Dp, &options, &Latency::none());
         assert!(matches!(none, Err(TradeError::Points { .. })));
     }
 }

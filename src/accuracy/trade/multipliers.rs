@@ -1,7 +1,7 @@
 //! The task `multipliers`: the eigenvalues (19) of a trace and a determinant, the square of r_B r_T, as printed and without
 //! cancellation.
 
-use super::contest::{self, BITS, EVERY, Form, Means, Task, worst_relative_error};
+use super::contest::{self, BITS, EVERY, Form, Means, RIGHT, Task, Twice, worst_relative_error};
 use super::{TradeError, TradeOptions, TradeRow, Unsolved};
 use crate::number::{Analytic, Machine, Rung, Sequence};
 use crate::orbit::{Kind, multipliers};
@@ -92,17 +92,18 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
         let task = Task {
             name: region.name().to_owned(),
             points: &region.points(options),
-            exact: |point| {
-                Some([
-                    Way(Form::Stable).answer(point).ok()?,
-                    Way(Form::Printed).answer(point).ok()?,
-                ])
-            },
             error: worst_relative_error,
             miss: |_, _| Unsolved::FewDigits,
             place: |Point { trace, loss }| format!("trace={trace};r_B r_T={loss}"),
+            right: RIGHT,
         };
-        rows.extend(contest::rows(&task, &Form::ALL.map(Way), options)?);
+        let exact: Twice<Point> = |point| {
+            Some([
+                Way(Form::Stable).answer(point).ok()?,
+                Way(Form::Printed).answer(point).ok()?,
+            ])
+        };
+        rows.extend(contest::rows(&task, exact, &Form::ALL.map(Way), options)?);
     }
     Ok(rows)
 }

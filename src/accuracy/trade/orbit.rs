@@ -1,7 +1,7 @@
-//! The task `orbit`: a 1-1 orbit from a guess that is 5% off, by the paper's equations, along the explicit curve, and by
+//! The task `orbit`: a 1-1 orbit from guesses that are 0.1% to 20% off, by the paper's equations, along the explicit curve, and by
 //! our own means.
 
-use super::contest::{self, BITS, EVERY, Exact, Means, OF_THE_MACHINE, Task};
+use super::contest::{self, BITS, EVERY, Exact, Means, OF_THE_MACHINE, RIGHT, Task};
 use super::{TradeError, TradeOptions, TradeRow, Unsolved};
 use crate::model::{Bracket, Motion, Sample, Side, root};
 use crate::number::{Analytic, Digits, Dual, Interval, Machine, Rung, Sequence, at_digits, seeded};
@@ -14,19 +14,28 @@ use roots::{
 /// Problems: a tenth of what is asked for where one costs next to nothing.
 const FEWER: usize = 10;
 
-/// How far the guess is off.
-const OFF: f64 = 0.05;
+/// How far guesses are off, in percent. The paper's equations as printed, tolerances and counts of iterations are
+/// compared at [`USUAL`] alone.
+const OFF: [f64; 4] = [0.1, 1.0, 5.0, 20.0];
 
-/// A bracket around the guess, as parts of it: the root is inside, and in most problems no other.
-const AROUND: [f64; 2] = [0.94, 1.06];
+/// As far as a guess from a plot is off.
+const USUAL: f64 = 5.0;
+
+/// A bracket around a guess reaches so many times as far as the guess is off: the root is inside, and in most problems
+/// no other.
+const AROUND: f64 = 1.2;
 
 /// An orbit, by parameters that f32 holds exactly.
 struct Point {
     motion: Motion<f64>,
     /// Phase, velocity at the bottom and at the top, T_1; in many digits.
     exact: Vec<Exact>,
-    /// T_1, psi, t_k and the velocity at the bottom, each 5% off.
-    guess: [f64; 4],
+    /// T_1, psi, t_k and the velocity at the bottom.
+    near: [f64; 4],
+    /// Which way the guess at each is off.
+    up: [bool; 4],
+    /// By which part.
+    off: f64,
 }
 
 impl Point {
@@ -34,8 +43,19 @@ impl Point {
     fn place(&self) -> String {
         let [g, d] = [self.motion.g(), self.motion.d()];
         let [r_b, r_t] = [Side::Bottom, Side::Top].map(|side| self.motion.restitution(side));
-        let [t_1, psi, ..] = self.guess;
+        let [t_1, psi, ..] = self.guess();
         format!("g={g};d={d};r_B={r_b};r_T={r_t};T_1={t_1};psi={psi}")
+    }
+
+    /// T_1, psi, t_k and the velocity at the bottom, each off.
+    fn guess(&self) -> [f64; 4] {
+        std::array::from_fn(|n| self.near[n] * (1.0 + if self.up[n] { self.off } else { -self.off }))
+    }
+
+    /// What holds T_1 for certain, whichever way the guess is off.
+    fn bracket(&self) -> [f64; 2] {
+        let [t_1, ..] = self.guess();
+        [1.0, -1.0].map(|sign| t_1 / (1.0 + sign * AROUND * self.off))
     }
 
     fn motion<T: Analytic>(&self) -> Option<Motion<T>> {
@@ -80,7 +100,7 @@ fn miss(point: &Point, found: &[Exact]) -> Unsolved {
     }
 }
 
-/// The orbits of random motions.
+/// The orbits of random motions, with guesses that are so many percent off.
 fn points(options: &TradeOptions) -> Vec<Point> {
     let wanted = options.points / FEWER;
     let mut sequence = Sequence::new(options.seed);
@@ -107,19 +127,16 @@ fn orbits(motion: Motion<f64>, sequence: &mut Sequence) -> Option<Vec<Point>> {
             ];
             Some(values.map(|value| value.midpoint().convert()).to_vec())
         })?;
-        let mut off = |value: f64| {
-            value
-                * if sequence.on_grid(BITS, 0.0, 1.0) < 0.5 {
-                    1.0 - OFF
-                } else {
-                    1.0 + OFF
-                }
-        };
+        let up = [(); 4].map(|()| sequence.on_grid(BITS, 0.0, 1.0) >= 0.5);
         let [t_1, psi] = root.enclosure.map(|side| side.midpoint());
         let [phase, velocity] = [exact[0].to_f64(), exact[1].to_f64()];
-        let guess = [t_1, psi, phase / std::f64::consts::PI, velocity].map(&mut off);
-        let motion = motion.clone();
-        Some(Point { motion, exact, guess })
+        Some(Point {
+            motion: motion.clone(),
+            exact,
+            near: [t_1, psi, phase / std::f64::consts::PI, velocity],
+            up,
+            off: USUAL / 100.0,
+        })
     });
     Some(points.collect())
 }
@@ -148,12 +165,14 @@ fn error(found: &[Exact], exact: &[Exact]) -> f64 {
 enum Way {
     /// (14) to (16) by Newton's method.
     Triple(Sixteen, TripleSlopes),
-    /// The curve of 1-1 motions, a root of one equation in T_1 alone, by a root finder of the crate `roots`.
-    Curve(Finder),
+    /// The curve of 1-1 motions, a root of one equation in T_1 alone, by a root finder of the crate `roots`, to what the
+    /// number holds or to a tolerance of 10^-n.
+    Curve(Finder, Option<i32>),
     /// The same by Newton's method kept within its bracket, with dual numbers.
     OwnOnCurve,
-    /// Newton's method on the two equations of [`Balance`], with derivatives by hand.
-    Newton,
+    /// Newton's method on the two equations of [`Balance`], with derivatives by hand, until its steps no longer shrink or
+    /// for so many iterations.
+    Newton(Option<usize>),
     /// The same, and then Krawczyk's operator: the answer is proved to be within its bound of the only orbit near.
     Certified,
 }
@@ -167,20 +186,46 @@ enum Finder {
     Secant,
 }
 
-const ALL: [Way; 12] = [
-    Way::Triple(Sixteen::AsPrinted, TripleSlopes::Duals),
-    Way::Triple(Sixteen::AsPrinted, TripleSlopes::Differences),
-    Way::Triple(Sixteen::Mended, TripleSlopes::Duals),
-    Way::Triple(Sixteen::Mended, TripleSlopes::Differences),
-    Way::Curve(Finder::Brent),
-    Way::Curve(Finder::InverseQuadratic),
-    Way::Curve(Finder::Newton),
-    Way::Curve(Finder::RegulaFalsi),
-    Way::Curve(Finder::Secant),
-    Way::OwnOnCurve,
-    Way::Newton,
-    Way::Certified,
+const FINDERS: [Finder; 5] = [
+    Finder::Brent,
+    Finder::InverseQuadratic,
+    Finder::Newton,
+    Finder::RegulaFalsi,
+    Finder::Secant,
 ];
+
+/// Tolerances of root finders, as powers of 1/10.
+const TOLERANCES: [i32; 5] = [2, 4, 6, 9, 12];
+
+/// Counts of iterations.
+const ITERATIONS: [usize; 6] = [1, 2, 3, 4, 5, 6];
+
+impl Way {
+    /// Those that are compared from guesses that are so many percent off.
+    fn all_for(off: f64) -> Vec<Self> {
+        let is_usual = off == USUAL;
+        let mut all = Vec::new();
+        for sixteen in [Sixteen::AsPrinted, Sixteen::Mended] {
+            if is_usual || sixteen == Sixteen::Mended {
+                all.extend(
+                    [TripleSlopes::Duals, TripleSlopes::Differences].map(|slopes| Self::Triple(sixteen, slopes)),
+                );
+            }
+        }
+        for finder in FINDERS {
+            all.push(Self::Curve(finder, None));
+            if is_usual {
+                all.extend(TOLERANCES.map(|zeros| Self::Curve(finder, Some(zeros))));
+            }
+        }
+        all.extend([Self::OwnOnCurve, Self::Newton(None)]);
+        if is_usual {
+            all.extend(ITERATIONS.map(|count| Self::Newton(Some(count))));
+        }
+        all.push(Self::Certified);
+        all
+    }
+}
 
 impl Means<Point> for Way {
     fn name(&self) -> &'static str {
@@ -189,27 +234,41 @@ impl Means<Point> for Way {
             Self::Triple(Sixteen::AsPrinted, TripleSlopes::Differences) => "printed-difference",
             Self::Triple(Sixteen::Mended, TripleSlopes::Duals) => "mended-dual",
             Self::Triple(Sixteen::Mended, TripleSlopes::Differences) => "mended-difference",
-            Self::Curve(Finder::Brent) => "curve-brent",
-            Self::Curve(Finder::InverseQuadratic) => "curve-inverse-quadratic",
-            Self::Curve(Finder::Newton) => "curve-newton",
-            Self::Curve(Finder::RegulaFalsi) => "curve-regula-falsi",
-            Self::Curve(Finder::Secant) => "curve-secant",
+            Self::Curve(Finder::Brent, _) => "curve-brent",
+            Self::Curve(Finder::InverseQuadratic, _) => "curve-inverse-quadratic",
+            Self::Curve(Finder::Newton, _) => "curve-newton",
+            Self::Curve(Finder::RegulaFalsi, _) => "curve-regula-falsi",
+            Self::Curve(Finder::Secant, _) => "curve-secant",
             Self::OwnOnCurve => "curve-own",
-            Self::Newton => "newton",
+            Self::Newton(_) => "newton",
             Self::Certified => "certified",
         }
     }
 
+    fn setting(&self) -> String {
+        match self {
+            Self::Curve(_, Some(zeros)) => format!("tol=1e-{zeros}"),
+            Self::Newton(Some(count)) => format!("iterations={count}"),
+            _ => String::new(),
+        }
+    }
+
+    fn is_proved(&self) -> bool {
+        matches!(self, Self::Certified)
+    }
+
     fn rungs(&self) -> &'static [Rung] {
         match self {
-            Self::Curve(_) => OF_THE_MACHINE,
+            // coarser than a rounding of f32
+            Self::Curve(_, Some(7..)) => &OF_THE_MACHINE[1..],
+            Self::Curve(..) => OF_THE_MACHINE,
             _ => EVERY,
         }
     }
 
     fn answer<T: Machine>(&self, point: &Point) -> Result<Vec<T>, Unsolved> {
         let number = <T as Analytic>::from_f64;
-        let [t_1, psi, time, velocity] = point.guess;
+        let [t_1, psi, time, velocity] = point.guess();
         if let Self::Triple(sixteen, slopes) = self {
             let guess = [time, t_1, velocity].map(number);
             return by_triple(point, *sixteen, *slopes, guess).ok_or(Unsolved::NoConvergence);
@@ -218,9 +277,11 @@ impl Means<Point> for Way {
         let balance = Balance::new(&motion, 1);
         let [t_1, psi] = match self {
             Self::Triple(..) => return Err(Unsolved::LeftDomain),
-            Self::Curve(finder) => on_curve(&balance, finder.root(&balance, t_1)?)?,
-            Self::OwnOnCurve => on_curve(&balance, bracketed(&motion, &balance, t_1)?)?,
-            Self::Newton => newton(&balance, [number(t_1), number(psi)]).ok_or(Unsolved::NoConvergence)?,
+            Self::Curve(finder, zeros) => on_curve(&balance, finder.root(&balance, point, *zeros)?)?,
+            Self::OwnOnCurve => on_curve(&balance, bracketed(&motion, &balance, point.bracket())?)?,
+            Self::Newton(count) => {
+                newton(&balance, [number(t_1), number(psi)], *count).ok_or(Unsolved::NoConvergence)?
+            }
             Self::Certified => certified(point, [t_1, psi]).ok_or(Unsolved::NoConvergence)?,
         };
         let [bottom, top] = balance.velocities(&t_1, &psi);
@@ -245,16 +306,18 @@ fn on_curve<T: Analytic>(balance: &Balance<T>, t_1: T) -> Result<[T; 2], Unsolve
 }
 
 impl Finder {
-    /// The root near `guess`. The crate works in f64; the equation is evaluated in `T`.
-    fn root<T: Machine>(self, balance: &Balance<T>, guess: f64) -> Result<T, Unsolved> {
+    /// The root near a guess, to 10^-`zeros` or as well as `T` has it. The crate works in f64; the equation is evaluated in
+    /// `T`.
+    fn root<T: Machine>(self, balance: &Balance<T>, point: &Point, zeros: Option<i32>) -> Result<T, Unsolved> {
         let excess = |t_1: f64| {
             let value = balance.middle(&<T as Analytic>::from_f64(t_1));
             value.map_or(f64::NAN, |[_, excess]| excess.to_f64())
         };
         let slope = |t_1: f64| (excess(t_1 + 1e-6) - excess(t_1 - 1e-6)) / 2e-6;
-        let [low, high] = AROUND.map(|part| part * guess);
+        let ([guess, ..], [low, high]) = (point.guess(), point.bracket());
+        let finest = 4.0 * <T as Analytic>::epsilon().to_f64();
         let mut convergency = SimpleConvergency {
-            eps: 4.0 * <T as Analytic>::epsilon().to_f64(),
+            eps: zeros.map_or(finest, |zeros| 0.1_f64.powi(zeros)),
             max_iter: 100,
         };
         let found: Result<f64, SearchError> = match self {
@@ -272,9 +335,9 @@ impl Finder {
     }
 }
 
-/// The root near `guess` by [`root`].
-fn bracketed<T: Machine>(motion: &Motion<T>, balance: &Balance<T>, guess: f64) -> Result<T, Unsolved> {
-    let [low, high] = AROUND.map(|part| <T as Analytic>::from_f64(part * guess));
+/// The root in a bracket by [`root`].
+fn bracketed<T: Machine>(motion: &Motion<T>, balance: &Balance<T>, bracket: [f64; 2]) -> Result<T, Unsolved> {
+    let [low, high] = bracket.map(<T as Analytic>::from_f64);
     let excess = |t_1: &T| Some(balance.middle(t_1)?[1].to_f64());
     let [Some(at_low), Some(at_high)] = [excess(&low), excess(&high)] else {
         return Err(Unsolved::LeftDomain);
@@ -299,11 +362,14 @@ fn bracketed<T: Machine>(motion: &Motion<T>, balance: &Balance<T>, guess: f64) -
     Ok(root(&Bracket { low, high, values }, sample))
 }
 
-/// Newton's method in `T` until the steps no longer shrink.
-fn newton<T: Analytic>(balance: &Balance<T>, guess: [T; 2]) -> Option<[T; 2]> {
+/// The most iterations of Newton's method that is to end by itself.
+const MOST_ITERATIONS: usize = 60;
+
+/// Newton's method in `T` for so many iterations, or until the steps no longer shrink.
+fn newton<T: Analytic>(balance: &Balance<T>, guess: [T; 2], count: Option<usize>) -> Option<[T; 2]> {
     let [mut t_1, mut psi] = guess;
     let mut last = f64::INFINITY;
-    for _ in 0..60 {
+    for iteration in 1..=count.unwrap_or(MOST_ITERATIONS) {
         let ([first, second], [[a, b], [c, d]]) = balance.linearised(&t_1, &psi);
         let determinant = a.clone() * d.clone() - b.clone() * c.clone();
         let steps = [
@@ -318,7 +384,8 @@ fn newton<T: Analytic>(balance: &Balance<T>, guess: [T; 2]) -> Option<[T; 2]> {
         t_1 -= by_time;
         psi -= by_phase;
         // a step squares to the next one
-        if size * size <= T::epsilon().to_f64() || (size >= last && last < 1e-4) {
+        let is_small = size * size <= T::epsilon().to_f64() || (size >= last && last < 1e-4);
+        if count.map_or(is_small, |count| iteration == count) {
             return Some([t_1, psi]);
         }
         last = size;
@@ -334,17 +401,25 @@ fn certified<T: Machine>(point: &Point, guess: [f64; 2]) -> Option<[T; 2]> {
     Some(root.enclosure.map(|side| side.midpoint()))
 }
 
-/// The trade of task `orbit`.
+/// The trade of task `orbit`: a part for each distance of the guesses.
 pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> {
-    let task = Task {
-        name: "orbit".to_owned(),
-        points: &points(options),
-        exact,
-        error,
-        miss,
-        place: Point::place,
-    };
-    contest::rows(&task, &ALL, options)
+    let mut points = points(options);
+    let mut rows = Vec::new();
+    for off in OFF {
+        for point in &mut points {
+            point.off = off / 100.0;
+        }
+        let task = Task {
+            name: format!("orbit/guess-{off}%"),
+            points: &points,
+            error,
+            miss,
+            place: Point::place,
+            right: RIGHT,
+        };
+        rows.extend(contest::rows(&task, exact, &Way::all_for(off), options)?);
+    }
+    Ok(rows)
 }
 
 #[cfg(test)]
@@ -352,7 +427,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_mended_equations_and_ours_reach_the_orbit_and_the_printed_ones_do_not() {
+    fn the_mended_equations_and_ours_reach_the_orbit_from_a_guess_and_the_printed_ones_do_not() {
         let options = TradeOptions {
             points: 200,
             seconds_per_row: 0.0,
@@ -360,7 +435,8 @@ mod tests {
         };
         let rows = rows(&options).expect("a trade");
         let median = |method: &str, number: Rung| {
-            let named = |row: &&TradeRow| row.method == method && row.number == number;
+            let is_usual = |row: &TradeRow| row.task == "orbit/guess-5%" && row.setting.is_empty();
+            let named = |row: &&TradeRow| is_usual(row) && row.method == method && row.number == number;
             rows.iter().find(named).expect("a row").digits
         };
         for method in ["mended-dual", "newton", "certified"] {
@@ -369,5 +445,21 @@ mod tests {
         }
         assert!(median("curve-own", Rung::DoubleDouble) > 27.0 && median("curve-brent", Rung::Double) > 11.0);
         assert!(median("printed-dual", Rung::Double) < 2.0 && median("printed-difference", Rung::Double) < 2.0);
+        let after = |count: &str| {
+            let named = |row: &&TradeRow| row.setting == count && row.number == Rung::Double;
+            rows.iter().find(named).expect("a row")
+        };
+        // each iteration doubles the digits, and costs as much as the one before
+        let (two, three) = (after("iterations=2"), after("iterations=3"));
+        assert!(three.kept(0.5) > 1.7 * two.kept(0.5) && three.operations < 2 * two.operations);
+        // a better guess is solved by as many, and from 20% off by fewer
+        let solved = |task: &str| {
+            let named = |row: &&TradeRow| row.task == task && row.method == "curve-brent" && row.setting.is_empty();
+            rows.iter().find(named).expect("a row").solved
+        };
+        assert!(
+            solved("orbit/guess-0.1%") > solved("orbit/guess-5%")
+                && solved("orbit/guess-5%") > solved("orbit/guess-20%")
+        );
     }
 }

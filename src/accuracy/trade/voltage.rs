@@ -1,13 +1,20 @@
 //! The task `voltage`: the output of an impact, (5) and (6), as printed and without cancellation.
 
-use super::contest::{self, BITS, EVERY, Form, Means, Task, relative_error};
+use super::contest::{self, BITS, EVERY, Form, Means, RIGHT, Task, Twice, relative_error};
 use super::{TradeError, TradeOptions, TradeRow, Unsolved};
-use crate::model::Membrane;
+use crate::model::{Membrane, MembraneError};
 use crate::number::{Analytic, Machine, Rung, Sequence};
 
 /// The membrane of Table 1, each number rounded to f32, so that every number is asked about the same one: ball mass,
 /// stiffness, exponent, radii of ball and membrane, input voltage.
 const MEMBRANE: [f32; 6] = [0.0035, 4.0847e5, 2.6, 0.005, 0.0063, 2000.0];
+
+/// That membrane.
+pub(super) fn membrane<T: Analytic>() -> Result<Membrane<T>, MembraneError> {
+    let [mass, stiffness, exponent, ball, rim, input] =
+        MEMBRANE.map(|value| <T as Analytic>::from_f64(f64::from(value)));
+    Membrane::new(mass, stiffness, exponent, ball, rim, input)
+}
 
 /// How fast the impacts are, as powers of ten of m/s.
 const REGIONS: [(&str, [f64; 2]); 2] = [("voltage/ordinary", [-1.0, 1.3]), ("voltage/slight", [-9.0, -3.0])];
@@ -25,9 +32,7 @@ impl Means<f64> for Way {
     }
 
     fn answer<T: Machine>(&self, speed: &f64) -> Result<Vec<T>, Unsolved> {
-        let [mass, stiffness, exponent, ball, rim, input] =
-            MEMBRANE.map(|value| <T as Analytic>::from_f64(f64::from(value)));
-        let membrane = Membrane::new(mass, stiffness, exponent, ball, rim, input).map_err(|_| Unsolved::LeftDomain)?;
+        let membrane = membrane::<T>().map_err(|_| Unsolved::LeftDomain)?;
         let speed = <T as Analytic>::from_f64(*speed);
         Ok(vec![match self.0 {
             Form::Printed => membrane.voltage_as_printed(&speed),
@@ -46,17 +51,18 @@ pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> 
         let task = Task {
             name: name.to_owned(),
             points: &speeds,
-            exact: |speed| {
-                Some([
-                    Way(Form::Stable).answer(speed).ok()?,
-                    Way(Form::Printed).answer(speed).ok()?,
-                ])
-            },
             error: relative_error,
             miss: |_, _| Unsolved::FewDigits,
             place: |speed| format!("speed={speed}"),
+            right: RIGHT,
         };
-        rows.extend(contest::rows(&task, &Form::ALL.map(Way), options)?);
+        let exact: Twice<f64> = |speed| {
+            Some([
+                Way(Form::Stable).answer(speed).ok()?,
+                Way(Form::Printed).answer(speed).ok()?,
+            ])
+        };
+        rows.extend(contest::rows(&task, exact, &Form::ALL.map(Way), options)?);
     }
     Ok(rows)
 }

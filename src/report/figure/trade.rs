@@ -15,8 +15,8 @@ const NUMBERS: [(Rung, Colour, Form); 4] = [
     (Rung::Wide(50), Colour::Purple, Form::Diamond),
 ];
 
-/// Every task of a trade, the time in latencies of one f64 sine and cosine on a logarithmic axis; what no means beats is
-/// filled, named and joined by a line.
+/// Every task of a trade, the time in latencies of one f64 sine and cosine on a logarithmic axis. What a means comes to as
+/// its step, tolerance or count changes is a line; what no means beats is filled, and joined by a dotted line.
 pub fn trades(rows: &[TradeRow], machine: &str) -> Figure {
     let mut tasks: Vec<&str> = Vec::new();
     for row in rows {
@@ -32,42 +32,48 @@ pub fn trades(rows: &[TradeRow], machine: &str) -> Figure {
     }
 }
 
+/// The share of the problems at which digits are drawn: half of them.
+const DRAWN: f64 = 0.5;
+
 fn at(row: &TradeRow) -> Point {
-    (row.latencies.log10(), row.digits)
+    (row.latencies.log10(), row.kept(DRAWN))
 }
 
 fn panel(task: &str, rows: &[&TradeRow]) -> Panel {
     let mut panel = Panel::new(
-        Axis::new("log10 of time / L, L the latency of an f64 sin_cos"),
-        Axis::new("digits that 19 of 20 problems keep"),
+        Axis::new("log10 of time / L, L the latency of an f64 sine and cosine"),
+        Axis::new("digits at half of the problems"),
     );
     panel.heading = task.to_owned();
     let mut front: Vec<Point> = rows.iter().filter(|row| row.on_front).map(|row| at(row)).collect();
     front.sort_by(|one, other| one.0.total_cmp(&other.0));
-    let stroke = Stroke {
-        colour: Colour::Black,
-        dash: Dash::Dotted,
-        width: 1.0,
-    };
-    panel.series.push(Series::line("front", front, stroke));
+    let stroke = |colour, dash, width| Stroke { colour, dash, width };
+    let dotted = stroke(Colour::Black, Dash::Dotted, 1.0);
+    panel.series.push(Series::line("front", front, dotted));
+    let mut named: Vec<&str> = Vec::new();
     for (number, colour, form) in NUMBERS {
-        let of_number = rows.iter().filter(|row| row.number == number);
-        let (on, off): (Vec<&TradeRow>, Vec<&TradeRow>) = of_number.partition(|row| row.on_front);
+        let of_number: Vec<&TradeRow> = rows.iter().copied().filter(|row| row.number == number).collect();
+        for line in ladders(&of_number) {
+            panel
+                .series
+                .push(Series::line("", line, stroke(colour, Dash::Solid, 0.7)));
+        }
+        let (on, off): (Vec<&TradeRow>, Vec<&TradeRow>) = of_number.iter().partition(|row| row.on_front);
         let open = Marker::open(colour, form);
         let filled = Marker { filled: true, ..open };
-        let mark = |row: &&TradeRow| Mark {
-            at: at(row),
-            label: if row.on_front {
-                row.method.to_owned()
-            } else {
-                String::new()
-            },
+        let mut mark = |row: &&TradeRow| {
+            // a means is named once, where it is best
+            let is_first = row.on_front && !named.contains(&row.method);
+            let label = if is_first { row.method.to_owned() } else { String::new() };
+            named.extend(is_first.then_some(row.method));
+            let at = at(row);
+            Mark { at, label }
         };
         let mut name = number.to_string();
         for (rows, marker) in [(on, filled), (off, open)] {
             if !rows.is_empty() {
                 // the legend names a number once
-                let marks = rows.iter().map(mark).collect();
+                let marks = rows.iter().rev().map(&mut mark).collect();
                 panel
                     .series
                     .push(Series::marks(std::mem::take(&mut name), marks, marker));
@@ -75,6 +81,19 @@ fn panel(task: &str, rows: &[&TradeRow]) -> Panel {
         }
     }
     panel
+}
+
+/// The means that stand there with more than one setting, each as a line in the order of its settings.
+fn ladders(rows: &[&TradeRow]) -> Vec<Vec<Point>> {
+    let mut methods: Vec<&str> = rows.iter().map(|row| row.method).collect();
+    methods.dedup();
+    let line = |method: &str| -> Vec<Point> {
+        let settings = rows
+            .iter()
+            .filter(|row| row.method == method && !row.setting.is_empty());
+        settings.map(|row| at(row)).collect()
+    };
+    methods.into_iter().map(line).filter(|line| line.len() > 1).collect()
 }
 
 #[cfg(test)]
@@ -97,6 +116,9 @@ mod tests {
             sincos: 0,
             spread: 0.0,
             latencies: 60.0,
+            setting: String::new(),
+            cost: 1,
+            proved: false,
         }
     }
 
@@ -112,5 +134,23 @@ mod tests {
             assert!(svg.contains(text), "{text}");
         }
         assert!(!svg.contains("secant"));
+    }
+
+    #[test]
+    fn the_settings_of_a_means_are_one_line_and_a_means_without_settings_is_none() {
+        let with = |setting: &str| TradeRow {
+            setting: setting.to_owned(),
+            ..row("impact", "fixed-step", Rung::Double, false)
+        };
+        let rows = [
+            with("step=2^-3"),
+            with("step=2^-5"),
+            with("step=2^-7"),
+            row("impact", "own", Rung::Double, true),
+        ];
+        let rows: Vec<&TradeRow> = rows.iter().collect();
+        let lines = ladders(&rows);
+        assert_eq!(lines.len(), 1);
+        assert_eq!(lines[0].len(), 3);
     }
 }
