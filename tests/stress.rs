@@ -163,6 +163,31 @@ fn the_command_prints_the_columns_and_succeeds() {
 }
 
 #[test]
+fn a_curve_is_printed_with_its_distances_and_drawn() {
+    let directory = scratch("curve");
+    let arguments = ["stress", "--curve", "Delta", "--format", "csv", "--plot", "delta.svg"];
+    let output = run(&arguments, &directory);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let text = String::from_utf8(output.stdout).unwrap();
+    let mut lines = text.lines();
+    assert_eq!(
+        lines.next(),
+        Some("extreme,distance,formula,number,form,digits,condition,at,allowed")
+    );
+    // half decades from 1e-1 to 1e-14, of two formulas, in four numbers and two forms
+    assert_eq!(lines.clone().count(), 27 * 2 * 4 * 2);
+    assert!(lines.all(|line| line.starts_with("Delta to 0,") && line.contains("Tr=")));
+    let svg = fs::read_to_string(directory.join("delta.svg")).unwrap();
+    for words in ["f64 printed", "f64 stable", "f64 allowed", "Delta to 0"] {
+        assert!(svg.contains(words), "{words}");
+    }
+    // a reader at a terminal has the rows of f64 alone
+    let output = run(&["stress", "--curve", "Delta"], &directory);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains(" f64 ") && !text.contains("double-double"), "{text}");
+}
+
+#[test]
 fn the_command_fails_when_a_frozen_digit_is_lost() {
     let directory = scratch("lost");
     let at = |digits: f64| format!("case,formula,number,form,digits,at\nlate time,f,f32,stable,{digits},t=1.25\n");
@@ -189,6 +214,14 @@ fn what_is_no_search_and_what_is_not_there_is_refused() {
         (&["stress", "--search", "0.1", "--bless"], "golden/stress/worst.csv"),
         (&["stress", "nowhere"], "nowhere"),
         (&["stress", "--frozen", "none.csv"], "none.csv"),
+        (&["stress", "--curve", "nowhere"], "there are Delta to 0, r to 1, "),
+        (&["stress", "--curve", "--search", "1"], "cannot be used with"),
+        (&["stress", "--curve", "--frozen", "none.csv"], "cannot be used with"),
+        (
+            &["stress", "--curve", "--search", "1", "--bless"],
+            "cannot be used with",
+        ),
+        (&["stress", "--plot", "delta.svg"], "--curve"),
     ] {
         let output = run(arguments, &directory);
         let message = String::from_utf8(output.stderr).unwrap();

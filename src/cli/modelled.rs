@@ -5,15 +5,16 @@ use super::*;
 use crate::impact::{Kind, Origin, Simulation};
 use crate::model::calls::{Call, counted};
 use crate::orbit::Family;
-use crate::scene::Scene;
+use crate::scene::{Scene, Want};
 
-/// What a command modelled.
+/// How often each call was made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Modelled {
-    membranes: u64,
-    deflections: u64,
-    steps: u64,
-    growths: u64,
+struct Modelled([u64; Call::ALL.len()]);
+
+impl Modelled {
+    fn count(&self, call: Call) -> u64 {
+        self.0[call as usize]
+    }
 }
 
 /// What `work` models: it runs on a thread of its own, parallel parts too, whose counters therefore see all of it.
@@ -22,12 +23,7 @@ fn modelled(work: impl FnOnce() + Send) -> Modelled {
         let thread = scope.spawn(|| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread();
             pool.build().unwrap().install(work);
-            Modelled {
-                membranes: counted(Call::Membrane),
-                deflections: counted(Call::Deflection),
-                steps: counted(Call::Step),
-                growths: counted(Call::Growth),
-            }
+            Modelled(Call::ALL.map(counted))
         });
         thread.join().unwrap()
     })
@@ -63,6 +59,62 @@ fn of(command: &[&str], sets: &[&str]) -> Modelled {
     found
 }
 
+/// What the motion of each want needs; whatever else is counted is modelled for nobody.
+fn needed(want: Want) -> &'static [Call] {
+    match want {
+        // DP and a proof of every orbit and of every bifurcation
+        Want::Orbits | Want::Branch => &[Call::Jacobian, Call::Certificate],
+        // how many digits hold, and with them the number
+        Want::Impacts => &[Call::Step, Call::Growth],
+        // the summary has digits and the exponent, by DP
+        Want::Sweep => &[Call::Step, Call::Growth, Call::Exponent, Call::Jacobian],
+        Want::Trajectory => &[Call::Step, Call::Growth, Call::Snapshot],
+        Want::Voltage => &[
+            Call::Step,
+            Call::Growth,
+            Call::Exponent,
+            Call::Jacobian,
+            Call::Membrane,
+            Call::Deflection,
+        ],
+    }
+}
+
+/// Every command on a scene with what it may model.
+fn commands() -> [(&'static [&'static str], &'static [Call]); 6] {
+    [
+        (&["orbits"], needed(Want::Orbits)),
+        (&["branch"], needed(Want::Branch)),
+        (&["simulate"], needed(Want::Impacts)),
+        // the diagram has no digits and no exponent
+        (&["sweep"], &[Call::Step]),
+        (&["sweep", "--summary"], needed(Want::Sweep)),
+        (&["trajectory"], needed(Want::Trajectory)),
+    ]
+}
+
+fn assert_modelled(found: &Modelled, allowed: &[Call], of: &str) {
+    for call in Call::ALL {
+        let count = found.count(call);
+        assert_eq!(count > 0, allowed.contains(&call), "{of}: {call:?} {count} times");
+    }
+}
+
+#[test]
+fn a_command_models_what_it_tells_and_nothing_else() {
+    for (command, allowed) in commands() {
+        assert_modelled(&of(command, &[WITHOUT]), allowed, command[0]);
+    }
+}
+
+#[test]
+fn a_want_has_modelled_what_it_needs_and_nothing_else() {
+    for want in Want::ALL {
+        let wanted = format!("want=[\"{}\"]", want.name());
+        assert_modelled(&of(&["run"], &[&wanted]), needed(want), &wanted);
+    }
+}
+
 #[test]
 fn where_no_voltage_is_wanted_no_membrane_is_made_or_pressed_in() {
     let commands: [&[&str]; 8] = [
@@ -77,12 +129,20 @@ fn where_no_voltage_is_wanted_no_membrane_is_made_or_pressed_in() {
     ];
     for command in commands {
         let found = of(command, &[WITHOUT]);
-        assert_eq!((found.membranes, found.deflections), (0, 0), "{command:?}");
+        assert_eq!(
+            [Call::Membrane, Call::Deflection].map(|call| found.count(call)),
+            [0, 0],
+            "{command:?}"
+        );
     }
     // nor where voltage is wanted, by commands that do not tell it
     for command in [&["orbits"][..], &["branch"], &["simulate"], &["trajectory"]] {
         let found = of(command, &[WITH]);
-        assert_eq!((found.membranes, found.deflections), (0, 0), "{command:?}");
+        assert_eq!(
+            [Call::Membrane, Call::Deflection].map(|call| found.count(call)),
+            [0, 0],
+            "{command:?}"
+        );
     }
 }
 
@@ -90,13 +150,19 @@ fn where_no_voltage_is_wanted_no_membrane_is_made_or_pressed_in() {
 fn where_voltage_is_wanted_the_membrane_is_pressed_in_once_for_each_impact_that_is_listed() {
     let listed = of(&["sweep"], &[WITH]);
     // made to be checked, and to be used
-    assert_eq!((listed.membranes > 0, listed.deflections), (true, 5 * 20));
+    assert_eq!(
+        (listed.count(Call::Membrane) > 0, listed.count(Call::Deflection)),
+        (true, 5 * 20)
+    );
     for command in [&["run"][..], &["sweep", "--summary"], &["plot"]] {
         let found = of(command, &[WITH]);
-        assert!(found.membranes > 0 && found.deflections > 0, "{command:?}: {found:?}");
+        assert!(
+            found.count(Call::Membrane) > 0 && found.count(Call::Deflection) > 0,
+            "{command:?}: {found:?}"
+        );
     }
     // the motion is the same work either way
-    assert_eq!(of(&["sweep"], &[WITHOUT]).steps, listed.steps);
+    assert_eq!(of(&["sweep"], &[WITHOUT]).count(Call::Step), listed.count(Call::Step));
 }
 
 #[test]
@@ -115,12 +181,12 @@ fn a_sweep_takes_the_steps_of_the_bare_loop_and_follows_no_errors() {
             assert_eq!(impacts.take(100).count(), 100);
         }
     });
-    assert!(bare.steps >= 5 * 100 && bare.growths == 0);
+    assert!(bare.count(Call::Step) >= 5 * 100 && bare.count(Call::Growth) == 0);
     assert_eq!(swept, bare);
     // what is told of a summary costs more: errors are followed, and cycles until they repeat
     let summary = of(&["sweep", "--summary"], &[WITHOUT]);
     assert!(
-        summary.steps > bare.steps && summary.growths >= bare.steps,
+        summary.count(Call::Step) > bare.count(Call::Step) && summary.count(Call::Growth) >= bare.count(Call::Step),
         "{summary:?}"
     );
 }

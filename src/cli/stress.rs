@@ -1,8 +1,9 @@
-//! `vibro-audit stress [CASE] [--search SECONDS [--bless]] [--frozen FILE]`.
+//! `vibro-audit stress [CASE] [--search SECONDS [--bless]] [--frozen FILE]`, `stress --curve [CASE] [--plot FILE]`.
 
 use super::source::ANSWERS_AT_MOST;
 use super::{Answer, Content, Exit, Failure, Options, Source, SourceError, note};
-use crate::accuracy::stress::{BAR, StressRow, WORST, WORST_PATH, frozen_text, search, stress};
+use crate::accuracy::stress::{BAR, CurveRow, StressRow, WORST, WORST_PATH, curves, frozen_text, search, stress};
+use crate::report::figure::extremes;
 use crate::report::{Cell, Format, Output, Table};
 use std::path::PathBuf;
 
@@ -24,6 +25,12 @@ pub struct Arguments {
     /// Hold against these frozen points instead of the built-in ones
     #[arg(long, value_name = "FILE", conflicts_with = "search")]
     frozen: Option<Source>,
+    /// Approach each extreme step by step: digits against the distance, or against the length that grows
+    #[arg(long, conflicts_with_all = ["search", "bless", "frozen"])]
+    curve: bool,
+    /// Draw the curves as an SVG, a panel for each extreme
+    #[arg(long, value_name = "FILE", requires = "curve")]
+    plot: Option<PathBuf>,
 }
 
 /// The longest search: a day.
@@ -43,12 +50,15 @@ const SHOWN: usize = 7;
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
+    if arguments.curve {
+        return curve(arguments, options);
+    }
     let Some(seconds) = arguments.search else {
         let frozen = arguments
             .frozen
             .as_ref()
             .map_or(Ok(WORST.to_owned()), |source| source.read(ANSWERS_AT_MOST))?;
-        return judged(stress(arguments.case.as_deref(), &frozen)?, options);
+        return judged(&stress(arguments.case.as_deref(), &frozen)?, options);
     };
     if arguments.bless {
         // before a long search, not after: it must be there
@@ -66,16 +76,74 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
             rows.len()
         ));
     }
-    judged(rows, options)
+    judged(&rows, options)
+}
+
+/// The columns of a curve; text has all but the last.
+const CURVE_COLUMNS: [&str; 9] = [
+    "extreme",
+    "distance",
+    "formula",
+    "number",
+    "form",
+    "digits",
+    "condition",
+    "at",
+    "allowed",
+];
+
+/// The curves, drawn where that is asked for.
+fn curve(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
+    let drawing = options.drawing(arguments.plot.as_ref())?;
+    let rows = curves(arguments.case.as_deref())?;
+    if let Some(output) = drawing {
+        let svg = extremes(&rows).svg()?;
+        output.write(|out| out.write_all(svg.as_bytes()))?;
+    }
+    let is_text = options.format == Format::Text;
+    let columns = CURVE_COLUMNS.len() - usize::from(is_text);
+    let mut table = Table::new(CURVE_COLUMNS.into_iter().take(columns));
+    for CurveRow {
+        approach,
+        distance,
+        row,
+    } in rows.iter().filter(|row| is_shown(&row.row, is_text))
+    {
+        let extreme = [Cell::from(approach.name), Cell::from(rounded(*distance))];
+        // without the case, of which the extreme takes the place
+        let cells = extreme.into_iter().chain(cells(row).into_iter().skip(1));
+        table.push(cells.take(columns).collect::<Vec<_>>())?;
+    }
+    let exit = exit(rows.iter().map(|row| &row.row));
+    let content = Content::Table(table);
+    Ok(Answer { content, exit })
 }
 
 /// The table, and whether all is as it should be.
-fn judged(rows: Vec<StressRow>, options: &Options) -> Result<Answer, Failure> {
-    let below = rows.iter().filter(|row| row.is_below_bar());
+fn judged(rows: &[StressRow], options: &Options) -> Result<Answer, Failure> {
+    let is_text = options.format == Format::Text;
+    let columns = if is_text { SHOWN } else { StressRow::COLUMNS.len() };
+    let mut table = Table::new(StressRow::COLUMNS.into_iter().take(columns));
+    for row in rows.iter().filter(|row| is_shown(row, is_text)) {
+        table.push(cells(row).into_iter().take(columns).collect::<Vec<_>>())?;
+    }
+    let exit = exit(rows.iter());
+    let content = Content::Table(table);
+    Ok(Answer { content, exit })
+}
+
+/// Text has the rows of f64.
+fn is_shown(row: &StressRow, is_text: bool) -> bool {
+    !is_text || row.number == "f64"
+}
+
+/// Whether all is as it should be; what is not is named.
+fn exit<'a>(rows: impl Iterator<Item = &'a StressRow> + Clone) -> Exit {
+    let below = rows.clone().filter(|row| row.is_below_bar());
     for row in below.clone() {
         note(&format!("below {BAR} - log10(condition): {}", named(row)));
     }
-    let lost = rows.iter().filter(|row| row.has_lost_a_digit());
+    let lost = rows.filter(|row| row.has_lost_a_digit());
     for row in lost.clone() {
         note(&format!(
             "a digit is lost, {} before: {}",
@@ -83,15 +151,7 @@ fn judged(rows: Vec<StressRow>, options: &Options) -> Result<Answer, Failure> {
             named(row)
         ));
     }
-    let exit = Exit::from_verdict(below.count() == 0 && lost.count() == 0);
-    let is_text = options.format == Format::Text;
-    let columns = if is_text { SHOWN } else { StressRow::COLUMNS.len() };
-    let mut table = Table::new(StressRow::COLUMNS.into_iter().take(columns));
-    for row in rows.iter().filter(|row| !is_text || row.number == "f64") {
-        table.push(cells(row).into_iter().take(columns).collect::<Vec<_>>())?;
-    }
-    let content = Content::Table(table);
-    Ok(Answer { content, exit })
+    Exit::from_verdict(below.count() == 0 && lost.count() == 0)
 }
 
 fn named(row: &StressRow) -> String {
@@ -107,10 +167,15 @@ fn named(row: &StressRow) -> String {
     format!("{case}, {formula}, {number}, {form}: {digits:.2} digits at {at}")
 }
 
+/// With so many figures as an order of magnitude bears.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}
+
 fn cells(row: &StressRow) -> Vec<Cell> {
     // so many figures as a measurement bears
     let digits = |value: f64| Cell::from((value * 100.0).round() / 100.0);
-    let condition = format!("{:.2e}", row.condition).parse().unwrap_or(row.condition);
+    let condition = rounded(row.condition);
     vec![
         Cell::from(row.case.as_str()),
         Cell::from(row.formula.as_str()),

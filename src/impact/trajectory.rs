@@ -1,6 +1,8 @@
 //! The motion between the events: where ball and capsule are at any time.
 
 use super::event::{Event, Kind};
+#[cfg(test)]
+use crate::model::calls::{self, Call};
 use crate::model::{Flight, Forcing, Motion, Side};
 use crate::number::Analytic;
 
@@ -81,6 +83,8 @@ impl<T: Analytic, E: Iterator<Item = Event<T>>> Trajectory<T, E> {
     ///
     /// `None` before the first event, after an undecided one, and where the time is no number.
     pub fn at(&mut self, time: &T) -> Option<Snapshot<T>> {
+        #[cfg(test)]
+        calls::count(Call::Snapshot);
         let start = self.start.clone()?;
         while let Some(event) = self.next.take_if(|event| is_after(time, &event.time(&start))) {
             self.next = self.events.next();

@@ -15,10 +15,35 @@ pub enum Call {
     Step,
     /// A step through which the growth of errors is followed.
     Growth,
+    /// The Jacobian of one impact and the flight after it, of which DP is a product.
+    Jacobian,
+    /// A Lyapunov exponent of a cycle.
+    Exponent,
+    /// A box that Krawczyk's operator is applied to.
+    Certificate,
+    /// An instant of a trajectory, between the impacts.
+    Snapshot,
+    /// A figure that is drawn.
+    Figure,
+}
+
+impl Call {
+    /// All of them.
+    pub const ALL: [Self; 9] = [
+        Self::Membrane,
+        Self::Deflection,
+        Self::Step,
+        Self::Growth,
+        Self::Jacobian,
+        Self::Exponent,
+        Self::Certificate,
+        Self::Snapshot,
+        Self::Figure,
+    ];
 }
 
 thread_local! {
-    static COUNTS: Cell<[u64; 4]> = const { Cell::new([0; 4]) };
+    static COUNTS: Cell<[u64; Call::ALL.len()]> = const { Cell::new([0; Call::ALL.len()]) };
 }
 
 /// One more, on this thread.

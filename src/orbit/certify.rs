@@ -2,6 +2,8 @@
 
 use super::leap::System;
 use super::newton::inverse;
+#[cfg(test)]
+use crate::model::calls::{self, Call};
 use crate::number::{Analytic, Endpoint, Field, Interval};
 use nalgebra::DMatrix;
 
@@ -94,6 +96,8 @@ pub(super) fn approached<E: Endpoint>(system: &System<Interval<E>>, phases: &[f6
 
 /// A bound of |I - Y H'|.
 fn contraction<E: Endpoint>(inverse: &DMatrix<f64>, rows: &[Vec<Interval<E>>]) -> f64 {
+    #[cfg(test)]
+    calls::count(Call::Certificate);
     let count = rows.len();
     let row_sum = |row: usize| {
         let entries = (0..count).map(|column| {

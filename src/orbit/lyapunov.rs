@@ -3,6 +3,8 @@
 use super::{Attractor, Link};
 use crate::impact::Event;
 use crate::model::Motion;
+#[cfg(test)]
+use crate::model::calls::{self, Call};
 use crate::number::Analytic;
 use nalgebra::Matrix2;
 
@@ -10,6 +12,8 @@ use nalgebra::Matrix2;
 /// ln |lambda| / (2 periods), as accurate as the cycle; minus infinity through a rest, which wipes every distance out.
 /// `None` where the cycle grazes exactly.
 pub fn lyapunov(motion: &Motion<f64>, cycle: &Attractor) -> Option<f64> {
+    #[cfg(test)]
+    calls::count(Call::Exponent);
     if cycle.rests() {
         return Some(f64::NEG_INFINITY);
     }

@@ -6,6 +6,8 @@
 use super::cell::{Cell, around, intersection, is_inside, is_subset, width};
 use super::rounded::larger;
 use super::system::System;
+#[cfg(test)]
+use crate::model::calls::{self, Call};
 use crate::number::{Analytic, Endpoint, Interval};
 use nalgebra::SMatrix;
 
@@ -157,6 +159,8 @@ pub fn image<E: Endpoint, const D: usize>(
     slopes: &[Cell<E, D>; D],
     values: impl FnOnce(&Cell<E, D>) -> Option<Cell<E, D>>,
 ) -> Option<Cell<E, D>> {
+    #[cfg(test)]
+    calls::count(Call::Certificate);
     let middle = SMatrix::<f64, D, D>::from_fn(|row, column| slopes[row][column].midpoint().to_f64());
     let inverse = middle.try_inverse()?;
     if !inverse.iter().all(|entry| entry.is_finite()) {

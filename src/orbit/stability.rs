@@ -1,5 +1,7 @@
 //! Stability of a periodic motion: trace, determinant and multipliers of the product of its Jacobians.
 
+#[cfg(test)]
+use crate::model::calls::{self, Call};
 use crate::number::{Analytic, Field};
 use nalgebra::Matrix2;
 use std::fmt;
@@ -25,6 +27,8 @@ impl<T: Field> Link<T> {
     /// The derivative (20), (21) of (time, velocity) of the next impact by those of this one, times the velocity of
     /// arrival: entries without a division, so that they have values where the flight grazes.
     pub fn scaled_jacobian(&self) -> Matrix2<T> {
+        #[cfg(test)]
+        calls::count(Call::Jacobian);
         let Self {
             restitution,
             velocity,

@@ -6,7 +6,9 @@ use super::{Quantity, Scene, SceneError, Setting, Want};
 use crate::impact::{Event, Kind, Origin, Start, Widening};
 use crate::model::{Membrane, Motion, MotionError, Parameters};
 use crate::number::FIGURES_OF_F64;
-use crate::orbit::{Attractor, Estimate, Further, Length, Measure, OfImpact, RestingCycle, Settled, lyapunov};
+use crate::orbit::{
+    Attractor, CycleMeans, Estimate, Further, Length, Measure, OfImpact, RestingCycle, Settled, lyapunov,
+};
 use crate::stop::Token;
 use rayon::prelude::*;
 use std::vec::IntoIter;
@@ -307,71 +309,22 @@ impl Points {
 
 /// The means over a cycle, or of a ball that rests for ever.
 fn of_cycle(measure: &Measure, parameters: &impl Parameters, cycle: &Attractor) -> Result<Means, MotionError> {
-    let mut sums = Sums::default();
-    match &cycle.resting {
-        None => cycle.impacts.iter().for_each(|impact| sums.add(measure, impact)),
-        Some(resting) => resting.visit(parameters, |event| sums.add(measure, event))?,
-    }
+    let means = CycleMeans::of(measure, parameters, cycle)?;
     let has_voltage = measure.voltage.is_some();
-    let mean = (has_voltage && sums.impacts > 0).then(|| sums.listed / sums.impacts as f64);
-    let rate = has_voltage.then(|| sums.all / cycle.periods.map_or(1.0, |periods| periods as f64));
     let lyapunov = if measure.with_growth {
         lyapunov(measure.motion, cycle)
     } else {
         None
     };
-    let [voltage, rate, lyapunov] = [mean, rate, lyapunov].map(|value| value.map(Estimate::exact));
+    let [voltage, rate, lyapunov] = [means.voltage, means.rate, lyapunov].map(|value| value.map(Estimate::exact));
     Ok(Means {
         over: MeanOver::Periods,
-        impacts: sums.impacts,
+        impacts: means.impacts,
         voltage,
         rate,
         lyapunov,
         is_met: measure.length.error.filter(|_| has_voltage).map(|_| true),
     })
-}
-
-/// Sums along a cycle.
-#[derive(Default)]
-struct Sums {
-    impacts: u64,
-    /// Of the voltages of the impacts that are listed, and of all.
-    listed: f64,
-    all: f64,
-    last: Option<Event<f64>>,
-}
-
-impl Sums {
-    fn add(&mut self, measure: &Measure, event: &Event<f64>) {
-        let Some(voltage) = measure.voltage else {
-            self.impacts += u64::from(event.kind == Kind::Impact);
-            return;
-        };
-        match event.kind {
-            Kind::Impact => {
-                let voltage = voltage(event);
-                (self.impacts, self.listed, self.all) = (self.impacts + 1, self.listed + voltage, self.all + voltage);
-                self.last = Some(event.clone());
-            }
-            // the impacts that are not listed: each r times as fast as the one before, and so slow that their voltages,
-            // a power of the velocity, are a geometric series
-            Kind::Rest => {
-                let r = *measure.motion.restitution(event.side);
-                if let Some(last) = self.last.take().filter(|last| last.side == event.side) {
-                    let next = |times: f64| {
-                        voltage(&Event {
-                            velocity: last.velocity * times,
-                            ..last.clone()
-                        })
-                    };
-                    let (first, second) = (next(r), next(r * r));
-                    let tail = first / (1.0 - second / first);
-                    self.all += if tail.is_finite() { tail } else { 0.0 };
-                }
-            }
-            Kind::Release | Kind::Undecided => {}
-        }
-    }
 }
 
 /// The last event after which the motion is known.

@@ -7,7 +7,8 @@ use crate::model::Motion;
 use crate::number::{Analytic, Decimal, Decimals, Interval, Rung};
 use crate::orbit::{Goal, Instant, Prepared, confirmed_at};
 
-const INPUTS: [&str; 4] = ["g", "r_B", "r_T", "d"];
+/// The device, the bifurcation, and the range of gaps in which it is located.
+const INPUTS: [&str; 6] = ["g", "r_B", "r_T", "d", "low", "high"];
 
 /// The extremes, each with g, r_B and r_T of a device and a range of gaps that has a bifurcation or more.
 const DEVICES: [(&str, [f64; 3], [f64; 2]); 4] = [
@@ -38,7 +39,7 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
     let Some((_, device, range)) = found else {
         return Err(StressError::NoCase(case.to_owned()));
     };
-    let at = |gap: f64| place(&INPUTS, &[device[0], device[1], device[2], gap]);
+    let at = |gap: f64| place(&INPUTS, &[device[0], device[1], device[2], gap, range[0], range[1]]);
     let fault = |gap: f64| StressError::Point { case, at: at(gap) };
     let motion = motion(device).ok_or_else(|| fault(f64::NAN))?;
     let prepared = prepared(&motion, range).ok_or_else(|| fault(f64::NAN))?;

@@ -1,7 +1,7 @@
 //! The end of a chatter: infinitely many impacts, one after the other until none can be told apart, or in closed form.
 
 use super::StressError;
-use super::row::{Form, StressRow, allowed, place};
+use super::row::{Evaluation, Form, StressRow, place};
 use crate::accuracy::trade::digits_of;
 use crate::impact::{Kind, Simulation, Start};
 use crate::model::{Forcing, Impact, Motion, Parameters, Side, next_impact};
@@ -105,19 +105,9 @@ impl Chatter {
             Form::Printed => self.by_impacts::<T>(),
             _ => self.by_law::<T>([0.0; 4], 0.0),
         };
-        let epsilon = T::epsilon().to_f64();
-        StressRow {
-            case: case(self.r).to_owned(),
-            formula: "rest".to_owned(),
-            number: number.to_owned(),
-            form,
-            digits: digits_of(found.map_or(f64::NAN, |found| apart(&found, exact)), epsilon),
-            condition,
-            at: self.place(),
-            allowed: allowed(epsilon, condition),
-            frozen: None,
-            answer: String::new(),
-        }
+        let error = found.map_or(f64::NAN, |found| apart(&found, exact));
+        let evaluation = Evaluation::of::<T>(number, form, error);
+        StressRow::new(case(self.r), "rest", evaluation, condition, self.place())
     }
 
     fn place(&self) -> String {

@@ -19,6 +19,11 @@ pub(super) struct Closed<T> {
     pub middle: T,
 }
 
+/// The names of what [`Closed::list`] gives.
+pub(super) const NAMES: [&str; 11] = [
+    "r_B", "r_T", "g", "d", "T_1", "T_2", "Zdot_k", "Zdot_k+1", "t_k", "t_k+1", "psi",
+];
+
 /// sin and cos of pi t.
 fn wave<T: Analytic>(time: &T) -> (T, T) {
     (time.clone() * T::pi()).sincos()

@@ -1,6 +1,7 @@
 //! The multipliers (19): where Delta is near 0, and where one is far larger than the other.
 
 use super::StressError;
+use super::approach::{Approach, DELTA, SADDLE};
 use super::paper::{Formula, Paper, Values};
 use super::quantity::{Number, Quantity, Visitor};
 use crate::number::Analytic;
@@ -95,12 +96,27 @@ impl Quantity for Eigenvalue {
         vec![trace, loss]
     }
 
-    fn settings(&self) -> Vec<Vec<f64>> {
+    fn approach(&self) -> Approach {
+        match self.extreme {
+            Extreme::Meeting | Extreme::Parting => DELTA,
+            Extreme::Apart => SADDLE,
+        }
+    }
+
+    fn near(&self, exponent: f64) -> Vec<Vec<f64>> {
+        vec![vec![exponent, 0.18]]
+    }
+
+    fn exponents(&self) -> Vec<f64> {
         let exponents = match self.extreme {
             Extreme::Apart => [1, 4, 8, 12, 15],
             _ => [-1, -4, -8, -11, -14],
         };
-        exponents.map(|exponent| vec![f64::from(exponent), 0.18]).to_vec()
+        exponents.map(f64::from).to_vec()
+    }
+
+    fn given_names(&self) -> &'static [&'static str] {
+        &["Tr", "Det", "loss"]
     }
 
     fn given<T: Number>(&self, inputs: &[T]) -> Option<Vec<T>> {

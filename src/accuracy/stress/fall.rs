@@ -1,6 +1,7 @@
 //! A flight shortly after its start: (4) as a difference of integrals of the forcing, and by what changes since then.
 
 use super::StressError;
+use super::approach::{Approach, SHORT};
 use super::paper::{Formula, Paper, Values};
 use super::quantity::{Number, Quantity, Visitor};
 use crate::model::{Flight, Forcing, Motion, Side};
@@ -35,11 +36,20 @@ impl Quantity for Fall {
         dials.iter().enumerate().map(power).collect()
     }
 
-    fn settings(&self) -> Vec<Vec<f64>> {
-        let exponents = [0, -2, -4, -8, -12, -15].map(f64::from);
-        exponents
-            .map(|exponent| vec![exponent, 0.5, 0.12, 0.7, exponent])
-            .to_vec()
+    fn approach(&self) -> Approach {
+        SHORT
+    }
+
+    fn near(&self, exponent: f64) -> Vec<Vec<f64>> {
+        vec![vec![exponent, 0.5, 0.12, 0.7, exponent]]
+    }
+
+    fn exponents(&self) -> Vec<f64> {
+        [0, -2, -4, -8, -12, -15].map(f64::from).to_vec()
+    }
+
+    fn given_names(&self) -> &'static [&'static str] {
+        &["velocity", "r", "g", "t_k", "duration", "t"]
     }
 
     fn given<T: Number>(&self, inputs: &[T]) -> Option<Vec<T>> {

@@ -22,6 +22,17 @@ pub(super) struct Frozen {
     pub at: String,
 }
 
+impl Frozen {
+    /// What is wrong with it.
+    pub fn fault(&self, what: &str) -> StressError {
+        let Self { case, formula, at, .. } = self;
+        StressError::Frozen {
+            line: 0,
+            what: format!("{case} {formula} at {at}: {what}"),
+        }
+    }
+}
+
 /// The rows of a file.
 ///
 /// # Errors

@@ -1,7 +1,8 @@
 //! The derivative of the return map where an impact is slow: (20) to (23), and in the scaled form without a division.
 
 use super::StressError;
-use super::closed::Closed;
+use super::approach::{Approach, SLOW};
+use super::closed::{self, Closed};
 use super::paper::{Formula, Paper, Values};
 use super::quantity::{Number, Quantity, Visitor};
 use crate::model::{Forced, Forcing, Motion, Pair, Passage, Side};
@@ -130,15 +131,26 @@ impl Quantity for Derivative<'_> {
         dials.iter().enumerate().map(speed).collect()
     }
 
-    fn settings(&self) -> Vec<Vec<f64>> {
-        let slow = [-1, -4, -8, -12, -15].map(f64::from);
-        let at_top = slow.map(|slow| vec![0.6, 0.3, 0.7, 0.0, slow]);
-        let at_bottom = slow.map(|slow| vec![0.6, 0.3, 0.7, slow, 0.0]);
+    fn approach(&self) -> Approach {
+        SLOW
+    }
+
+    fn near(&self, exponent: f64) -> Vec<Vec<f64>> {
+        let at_top = vec![0.6, 0.3, 0.7, 0.0, exponent];
+        let at_bottom = vec![0.6, 0.3, 0.7, exponent, 0.0];
         match self.part {
-            Part::First => at_top.to_vec(),
-            Part::Second => at_bottom.to_vec(),
-            _ => [at_top, at_bottom].concat(),
+            Part::First => vec![at_top],
+            Part::Second => vec![at_bottom],
+            _ => vec![at_top, at_bottom],
         }
+    }
+
+    fn exponents(&self) -> Vec<f64> {
+        [-1, -4, -8, -12, -15].map(f64::from).to_vec()
+    }
+
+    fn given_names(&self) -> &'static [&'static str] {
+        &closed::NAMES
     }
 
     fn given<T: Number>(&self, inputs: &[T]) -> Option<Vec<T>> {

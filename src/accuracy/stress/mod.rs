@@ -19,12 +19,15 @@
 //! | (8) in absolute time | many impacts | [`Simulation`](crate::impact::Simulation): the phase of the forcing instead of the time |
 //! | (8) impact by impact | chatter | [`Simulation`](crate::impact::Simulation): its end in closed form |
 
+mod approach;
 mod branches;
 mod chatter;
 mod closed;
+mod curve;
 mod eigenvalue;
 mod fall;
 mod frozen;
+mod impacts;
 mod jacobian;
 mod lanes;
 mod long;
@@ -39,9 +42,12 @@ mod unusual;
 mod velocity;
 mod voltage;
 
+pub use approach::Approach;
+pub use curve::CurveRow;
 pub use frozen::{WORST, WORST_PATH, frozen_text};
 pub use row::{BAR, Form, StressRow};
 
+use curve::Curves;
 use frozen::Frozen;
 use motion::{Scene, Triple};
 use paper::Paper;
@@ -81,6 +87,14 @@ pub enum StressError {
         line: u64,
         /// What is wrong.
         what: String,
+    },
+    /// No extreme that is approached has this name.
+    #[error("no extreme has `{name}` in its name; there are {known}")]
+    NoExtreme {
+        /// What was asked for.
+        name: String,
+        /// The names.
+        known: String,
     },
     /// No case has this name.
     #[error("no case has `{0}` in its name; `stress` without it lists them")]
@@ -126,7 +140,7 @@ pub fn stress(only: Option<&str>, frozen: &str) -> Result<Vec<StressRow>, Stress
                 || gathered(restitutions.collect::<Vec<_>>().into_par_iter().map(chatter::rows)),
                 || {
                     if is_wanted(long::CASE) {
-                        long::rows(MILLION)
+                        long::rows(long::CASE, MILLION, long::OFF)
                     } else {
                         Ok(Vec::new())
                     }
@@ -178,6 +192,18 @@ pub fn search(seconds: f64) -> Result<Vec<StressRow>, StressError> {
     Ok(search.rows)
 }
 
+/// The rows along the approaches to all extremes, or to those that have `only` in their names, from harmless to extreme.
+///
+/// # Errors
+/// `NoExtreme`, a point without a value, a reference without confirmation.
+pub fn curves(only: Option<&str>) -> Result<Vec<CurveRow>, StressError> {
+    let paper = Paper::new()?;
+    let mut curves = Curves::new(only)?;
+    visit_all(&paper, &mut curves)?;
+    curves.add_motions(&Triple::new(&paper)?)?;
+    Ok(curves.into_rows())
+}
+
 fn visit_all(paper: &Paper, visitor: &mut impl Visitor) -> Result<(), StressError> {
     velocity::each(paper, visitor)?;
     jacobian::each(paper, visitor)?;
@@ -219,27 +245,29 @@ impl Visitor for Listed<'_> {
             })?);
         }
         let is_own = |frozen: &mut Frozen| frozen.case == case && frozen.formula == formula;
-        let mut own: Vec<Frozen> = self.frozen.extract_if(.., is_own).collect();
-        while let Some(at) = own.first().map(|frozen| frozen.at.clone()) {
-            let here: Vec<Frozen> = own.extract_if(.., |frozen| frozen.at == at).collect();
-            self.rows.extend(again(quantity, &at, &here)?);
+        let derived = quantity.derived_names();
+        let mut own = Vec::new();
+        for frozen in self.frozen.extract_if(.., is_own) {
+            let inputs = row::values(quantity.inputs(), &derived, &frozen.at);
+            own.push((inputs.ok_or_else(|| frozen.fault("these are not its inputs"))?, frozen));
+        }
+        while let Some(inputs) = own.first().map(|(inputs, _)| inputs.clone()) {
+            let here: Vec<_> = own.extract_if(.., |(other, _)| *other == inputs).collect();
+            let here: Vec<Frozen> = here.into_iter().map(|(_, frozen)| frozen).collect();
+            self.rows.extend(again(quantity, &inputs, &here)?);
         }
         Ok(())
     }
 }
 
 /// The rows of a frozen point with what was frozen of each.
-fn again(quantity: &impl Quantity, at: &str, frozen: &[Frozen]) -> Result<Vec<StressRow>, StressError> {
-    let fault = |what: &str| StressError::Frozen {
-        line: 0,
-        what: format!("{} {} at {at}: {what}", quantity.case(), quantity.formula()),
-    };
-    let inputs = row::values(quantity.inputs(), at).ok_or_else(|| fault("these are not its inputs"))?;
-    let mut found = rows(quantity, &inputs)?.ok_or_else(|| fault("there is no value"))?;
+fn again(quantity: &impl Quantity, inputs: &[f64], frozen: &[Frozen]) -> Result<Vec<StressRow>, StressError> {
+    let mut found = rows(quantity, inputs)?.unwrap_or_default();
     for frozen in frozen {
         let same = |row: &&mut StressRow| row.number == frozen.number && row.form == frozen.form;
         let row = found.iter_mut().find(same);
-        row.ok_or_else(|| fault("no such number and form"))?.frozen = Some(frozen.digits);
+        let row = row.ok_or_else(|| frozen.fault("there is no value in such a number and form"))?;
+        row.frozen = Some(frozen.digits);
     }
     Ok(found)
 }
@@ -270,6 +298,68 @@ mod tests {
             let found = stress(Some("late time"), &format!("{HEADER}{row}\n"));
             assert!(matches!(found, Err(StressError::Frozen { .. })), "{row}: {found:?}");
         }
+    }
+
+    #[test]
+    fn every_row_of_a_formula_is_evaluated_again_from_its_own_place_alone() {
+        visit_all(&Paper::new().unwrap(), &mut quantity::tests::Again).unwrap();
+    }
+
+    /// The digits of a form in f64 along an approach.
+    fn kept<'a>(rows: &'a [CurveRow], formula: &str, form: Form) -> Vec<&'a StressRow> {
+        let of_f64 = rows.iter().map(|row| &row.row).filter(|row| row.number == "f64");
+        of_f64
+            .filter(|row| row.formula == formula && row.form == form)
+            .collect()
+    }
+
+    #[test]
+    fn printed_digits_fall_towards_an_extreme_and_default_ones_stay_within_the_bar() {
+        for (extreme, formula) in [
+            ("Delta to 0", "(19) imaginary"),
+            ("T_1 to r_T T_2", "(15)"),
+            ("r_B to 0", "(16)"),
+            ("flight to 0", "(4)"),
+            ("voltage to 0", "(5)-(6)"),
+        ] {
+            let rows = curves(Some(extreme)).unwrap();
+            assert!(rows.iter().all(|row| !row.row.is_below_bar()), "{extreme}");
+            let printed = kept(&rows, formula, Form::Printed);
+            assert!(printed.len() >= 27, "{extreme}: {}", printed.len());
+            // a rounding may favour a point: two decades on, digits are fewer all the same, until none is left
+            for later in printed.windows(5).filter(|rows| rows[0].digits > 2.0) {
+                assert!(later[4].digits < later[0].digits, "{extreme}: {later:#?}");
+            }
+            let lost = printed[0].digits - printed[printed.len() - 1].digits;
+            assert!(lost > 6.0, "{extreme}: {lost}");
+        }
+    }
+
+    #[test]
+    fn every_extreme_is_approached_in_both_forms_and_several_numbers() {
+        let rows = curves(None).unwrap();
+        for approach in Approach::ALL {
+            let own: Vec<_> = rows.iter().filter(|row| row.approach == approach).collect();
+            let steps = own.chunk_by(|one, other| one.distance == other.distance).count();
+            assert!(steps >= 10, "{approach:?}: {steps}");
+            for form in [Form::Printed, Form::Stable] {
+                let numbers = own.iter().filter(|row| row.row.form == form);
+                let numbers: std::collections::BTreeSet<&str> = numbers.map(|row| row.row.number.as_str()).collect();
+                assert!(numbers.len() >= 2, "{approach:?} {form:?}: {numbers:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_name_of_no_extreme_is_an_error_that_names_them() {
+        let found = curves(Some("no extreme"));
+        let Err(StressError::NoExtreme { known, .. }) = found else {
+            panic!("{found:?}");
+        };
+        assert!(
+            Approach::ALL.iter().all(|approach| known.contains(approach.name)),
+            "{known}"
+        );
     }
 
     #[test]

@@ -3,11 +3,10 @@
 use super::StressError;
 use super::paper::{Formula, Paper, Values};
 use super::quantity::{Exact, Number, largest, narrow, widen};
-use super::row::{Form, StressRow, allowed, place};
-use crate::accuracy::trade::digits_of;
+use super::row::{Evaluation, Form, StressRow, place};
 use crate::model::{Forcing, Motion, Parameters, Side};
 use crate::number::{Analytic, Decimal, Decimals, DoubleDouble, Dual, Rung, seeded};
-use crate::orbit::{Fix, Goal, Rounded, Word, find, find_as, returning};
+use crate::orbit::{Fix, Goal, Open, Rounded, Word, find, find_as, returning};
 
 /// Parameters at which motions are looked for.
 pub(super) struct Scene {
@@ -291,35 +290,17 @@ pub(super) fn rows(triple: &Triple, scene: &Scene) -> Result<Vec<StressRow>, Str
             ("decimal 30", Form::Stable, 1e-30, fixes_of(decimal, parsed)),
         ];
         for (number, form, epsilon, fixes) in made {
-            let row = StressRow {
-                case: scene.case.to_owned(),
-                formula: FORMULA.to_owned(),
-                number: number.to_owned(),
-                form,
-                digits: digits_of(largest(errors(&fixes, &known.fixes)), epsilon),
-                condition: known.condition,
-                at: at(phase),
-                allowed: allowed(epsilon, known.condition),
-                frozen: None,
-                answer: String::new(),
-            };
-            keep_worse(&mut rows, row);
+            let error = largest(errors(&fixes, &known.fixes));
+            let evaluation = Evaluation::with(number, epsilon, form, error);
+            keep_worse(
+                &mut rows,
+                StressRow::new(scene.case, FORMULA, evaluation, known.condition, at(phase)),
+            );
         }
     }
     // a box or a motion that the search says it cannot decide is not claimed to be anything
-    let refused = found.open.iter().map(|open| StressRow {
-        case: scene.case.to_owned(),
-        formula: FORMULA.to_owned(),
-        number: "f64".to_owned(),
-        form: Form::Refused,
-        digits: 0.0,
-        condition: f64::INFINITY,
-        at: at(f64::NAN),
-        allowed: 0.0,
-        frozen: None,
-        answer: open.to_string(),
-    });
-    rows.extend(refused);
+    let refused = |open: &Open| StressRow::refused(scene.case, FORMULA, Rung::Double, at(f64::NAN), open.to_string());
+    rows.extend(found.open.iter().map(refused));
     if rows.is_empty() {
         Err(fault(f64::NAN))
     } else {

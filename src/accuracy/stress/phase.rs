@@ -1,6 +1,7 @@
 //! The forcing at late times and where its phase wraps: cos(pi t) of the time as it is, and of the phase.
 
 use super::StressError;
+use super::approach::{Approach, LATE, WRAP};
 use super::quantity::{Number, Quantity, Visitor};
 use crate::model::Forcing;
 
@@ -55,12 +56,23 @@ impl Quantity for Phase {
         inputs.collect()
     }
 
-    fn settings(&self) -> Vec<Vec<f64>> {
+    fn approach(&self) -> Approach {
+        match self.0 {
+            Extreme::Late => LATE,
+            Extreme::Wrap => WRAP,
+        }
+    }
+
+    fn near(&self, exponent: f64) -> Vec<Vec<f64>> {
+        vec![vec![exponent]]
+    }
+
+    fn exponents(&self) -> Vec<f64> {
         let exponents = match self.0 {
             Extreme::Late => [0.1, 3.1, 6.1, 9.1, 12.1, 15.1],
             Extreme::Wrap => [-1.0, -3.0, -6.0, -9.0, -12.0, -15.0],
         };
-        exponents.map(|exponent| vec![exponent]).to_vec()
+        exponents.to_vec()
     }
 
     fn given<T: Number>(&self, inputs: &[T]) -> Option<Vec<T>> {

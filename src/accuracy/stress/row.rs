@@ -1,6 +1,8 @@
 //! A row of the table: how many digits one form of one formula keeps at one extreme point.
 
 use crate::accuracy::trade::digits_of;
+use crate::number::{Analytic, Rung};
+use std::fmt::Display;
 
 /// Which form of a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -48,7 +50,8 @@ pub struct StressRow {
     /// its inputs that are small and all of one size. It belongs to the point, not to the form. Infinite for what was
     /// refused.
     pub condition: f64,
-    /// The point, `key=value;...`.
+    /// The point, `key=value;...`: all that is needed to evaluate the row again: inputs, which are numbers of f64, then what a
+    /// formula needs that follows from them, as the row's own type has it.
     pub at: String,
     /// The digits that the number type holds, less log10 of the condition.
     pub allowed: f64,
@@ -63,6 +66,31 @@ pub const BAR: f64 = 14.5;
 
 /// A frozen row may have so much less before a digit is lost.
 const ONE_DIGIT: f64 = 1.0;
+
+/// What a form made of a formula in a number type.
+pub(super) struct Evaluation {
+    number: String,
+    form: Form,
+    digits: f64,
+    epsilon: f64,
+}
+
+impl Evaluation {
+    /// In the number `T`, called `number`, with this relative error.
+    pub fn of<T: Analytic>(number: impl Display, form: Form, error: f64) -> Self {
+        Self::with(number, T::epsilon().to_f64(), form, error)
+    }
+
+    /// In a number of this `epsilon`, called `number`, with this relative error.
+    pub fn with(number: impl Display, epsilon: f64, form: Form, error: f64) -> Self {
+        Self {
+            number: number.to_string(),
+            form,
+            digits: digits_of(error, epsilon),
+            epsilon,
+        }
+    }
+}
 
 impl StressRow {
     /// The names of the columns, in the order of the fields.
@@ -81,15 +109,36 @@ impl StressRow {
 
     /// The row of a default form in f64, by its relative error.
     pub(super) fn stable(case: &str, formula: &str, error: f64, condition: f64, at: String) -> Self {
+        let evaluation = Evaluation::of::<f64>(Rung::Double, Form::Stable, error);
+        Self::new(case, formula, evaluation, condition, at)
+    }
+
+    /// The row of what a number type had no answer to.
+    pub(super) fn refused(case: &str, formula: &str, number: impl Display, at: String, answer: String) -> Self {
+        let evaluation = Evaluation::with(number, f64::EPSILON, Form::Refused, f64::NAN);
+        Self {
+            answer,
+            ..Self::new(case, formula, evaluation, f64::INFINITY, at)
+        }
+    }
+
+    /// The row of an evaluation.
+    pub(super) fn new(case: &str, formula: &str, evaluation: Evaluation, condition: f64, at: String) -> Self {
+        let Evaluation {
+            number,
+            form,
+            digits,
+            epsilon,
+        } = evaluation;
         Self {
             case: case.to_owned(),
             formula: formula.to_owned(),
-            number: "f64".to_owned(),
-            form: Form::Stable,
-            digits: digits_of(error, f64::EPSILON),
+            number,
+            form,
+            digits,
             condition,
             at,
-            allowed: allowed(f64::EPSILON, condition),
+            allowed: allowed(epsilon, condition),
             frozen: None,
             answer: String::new(),
         }
@@ -126,17 +175,14 @@ pub(super) fn place(names: &[&str], values: &[f64]) -> String {
     pairs.collect::<Vec<_>>().join(";")
 }
 
-/// The values of `at` for these names, in their order; `None` where it is not exactly these.
-pub(super) fn values(names: &[&str], at: &str) -> Option<Vec<f64>> {
-    let mut pairs = at.split(';');
-    let values: Option<Vec<f64>> = names
-        .iter()
-        .map(|name| {
-            let (key, value) = pairs.next()?.split_once('=')?;
-            (key == *name).then(|| value.parse().ok())?
-        })
-        .collect();
-    values.filter(|_| pairs.next().is_none())
+/// The values of `at` for these names, in their order; `None` where it is not exactly these, with or without the
+/// derived ones after them.
+pub(super) fn values(names: &[&str], derived: &[&str], at: &str) -> Option<Vec<f64>> {
+    let pairs: Vec<(&str, &str)> = at.split(';').map(|pair| pair.split_once('=')).collect::<Option<_>>()?;
+    let (own, others) = pairs.split_at_checked(names.len())?;
+    let keys = |pairs: &[(&str, &str)], names: &[&str]| pairs.iter().map(|(key, _)| *key).eq(names.iter().copied());
+    let is_point = keys(own, names) && (others.is_empty() || keys(others, derived));
+    is_point.then(|| own.iter().map(|(_, value)| value.parse().ok()).collect())?
 }
 
 #[cfg(test)]
@@ -185,9 +231,12 @@ pub(super) mod tests {
     #[test]
     fn a_place_reads_back_to_the_same_values() {
         let (names, numbers) = (["r_B", "t"], [1.0 - 1e-15, 1e-300]);
-        assert_eq!(values(&names, &place(&names, &numbers)).as_deref(), Some(&numbers[..]));
-        for wrong in ["r_B=1", "r_B=1;t=2;u=3", "t=1;r_B=2", "r_B=1;t=x", ""] {
-            assert_eq!(values(&names, wrong), None, "{wrong}");
+        let (at, derived) = (place(&names, &numbers), ["g", "d"]);
+        for at in [at.clone(), format!("{at};g=0.1;d=0.4")] {
+            assert_eq!(values(&names, &derived, &at).as_deref(), Some(&numbers[..]));
+        }
+        for wrong in ["r_B=1", "r_B=1;t=2;u=3", "r_B=1;t=2;g=3", "t=1;r_B=2", "r_B=1;t=x", ""] {
+            assert_eq!(values(&names, &derived, wrong), None, "{wrong}");
         }
     }
 

@@ -3,6 +3,7 @@
 use super::StressError;
 use super::quantity::{Judge, Quantity, Visitor, rows};
 use super::row::{Form, StressRow, allowed};
+use crate::accuracy::trade::digits_of;
 use crate::number::Sequence;
 use std::time::{Duration, Instant};
 
@@ -86,7 +87,7 @@ impl<Q: Quantity> Climb<'_, Q> {
         let Some(judge) = Judge::new(self.quantity, &self.quantity.set(dials))? else {
             return Ok(None);
         };
-        let digits = judge.digits::<f64>(self.quantity, self.form);
+        let digits = digits_of(judge.error::<f64>(self.quantity, self.form), f64::EPSILON);
         // what is allowed is at most this: the dear condition number need not be known
         if digits - allowed(f64::EPSILON, 1.0) >= bound {
             return Ok(None);

@@ -1,16 +1,15 @@
 //! What a sweep shows of a motion that attracts, where a device is at an extreme: its impacts, and their mean voltage.
 
 use super::StressError;
+use super::impacts::SimulatedImpact;
 use super::motion::{Known, errors, known};
 use super::quantity::{Exact, largest, widen};
-use super::row::{StressRow, place};
-use super::voltage::of_paper;
+use super::row::StressRow;
+use super::voltage::{membrane_at, of_paper};
 use crate::impact::{Event, Simulation, Start};
 use crate::model::{Motion, Side};
 use crate::number::Analytic;
-use crate::orbit::{Fix, Rounded, Settled, Word, find, multipliers};
-
-const INPUTS: [&str; 5] = ["g", "d", "r_B", "r_T", "impacts"];
+use crate::orbit::{Attractor, CycleMeans, Fix, Further, Length, Measure, Rounded, Settled, Word, find, multipliers};
 
 /// The extremes, each with g, d, r_B and r_T of a device that has a stable 1-1 motion, and the impacts after which what is
 /// left of a start beside it is less than f64 tells.
@@ -28,8 +27,12 @@ pub(super) fn cases() -> impl Iterator<Item = &'static str> {
     DEVICES.into_iter().map(|(case, ..)| case)
 }
 
-/// The rows of a case: phases and velocities of the cycle that [`Settled`] finds, and the mean (7) of their voltages,
-/// against those of the motion itself.
+/// The impacts that a voltage per forcing period is measured over, in whole periods: enough for every batch.
+const MEASURED: u32 = 2000;
+
+/// The rows of a case: phases and velocities of the cycle that [`Settled`] finds, the mean (7) of their voltages and
+/// their sum per forcing period, of the cycle and as it is measured where a motion does not repeat, against those of the
+/// motion itself.
 ///
 /// # Errors
 /// `Point` where there is no stable motion, it is not confirmed, or the sweep comes to another one.
@@ -39,8 +42,14 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
         return Err(StressError::NoCase(case.to_owned()));
     };
     let [g, d, r_b, r_t] = device;
-    let at = place(&INPUTS, &[g, d, r_b, r_t, f64::from(impacts)]);
-    let fault = || StressError::Point { case, at: at.clone() };
+    let from = |phase: f64, velocity: f64| SimulatedImpact {
+        inputs: [g, d, r_b, r_t, phase, velocity],
+        impacts,
+    };
+    let fault = || StressError::Point {
+        case,
+        at: from(f64::NAN, f64::NAN).at(),
+    };
     let motion = Motion::new(g, d, r_b, r_t).map_err(|_| fault())?;
     let found = find(&motion, &Word::pair(), 1).map_err(|_| fault())?;
     let orbit = found.orbits.iter().find(|orbit| orbit.stable).ok_or_else(fault)?;
@@ -52,12 +61,20 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
     if attractor.impacts.len() != known.fixes.len() {
         return Err(fault());
     }
-    let row = |formula: &str, error: f64| StressRow::stable(case, formula, error, condition, at.clone());
-    let mean = of_mean(&attractor.impacts, &known).ok_or_else(fault)?;
-    Ok(vec![
-        row("(8) until it repeats", of_impacts(&attractor.impacts, &known)),
-        row("(7)", mean),
-    ])
+    let at = from(start.phase, start.velocity).at();
+    let of_impacts = of_impacts(&attractor.impacts, &known);
+    let mut rows = vec![StressRow::stable(
+        case,
+        "(8) until it repeats",
+        of_impacts,
+        condition,
+        at.clone(),
+    )];
+    let at = format!("{at};{}", membrane_at());
+    let voltages = voltages(&motion, &attractor, &known).ok_or_else(fault)?;
+    let of_voltage = |(formula, error): (&str, f64)| StressRow::stable(case, formula, error, condition, at.clone());
+    rows.extend(voltages.map(of_voltage));
+    Ok(rows)
 }
 
 /// What roundings of one size at every cycle come to: 1 / (1 - the size of the larger multiplier), the sum of what is left
@@ -86,17 +103,37 @@ fn of_impacts(impacts: &[Event<f64>], known: &Known) -> f64 {
     largest(errors(&fixes.collect::<Vec<_>>(), &known.fixes))
 }
 
-/// Of the mean voltage, relative to it.
-fn of_mean(impacts: &[Event<f64>], known: &Known) -> Option<f64> {
+/// Relative errors of the mean voltage and of both voltages per forcing period, of which the motion takes one.
+fn voltages(motion: &Motion<f64>, attractor: &Attractor, known: &Known) -> Option<[(&'static str, f64); 3]> {
     let (narrow, wide) = (of_paper::<f64>()?, of_paper::<Exact>()?);
-    let voltages = impacts.iter().map(|event| narrow.voltage(&event.velocity));
-    let found = voltages.sum::<f64>() / impacts.len() as f64;
-    let mut exact = <Exact as Analytic>::from_f64(0.0);
+    let voltage = |event: &Event<f64>| narrow.voltage(&event.velocity);
+    let measure = Measure {
+        motion,
+        length: Length {
+            impacts: MEASURED,
+            error: None,
+            most: MEASURED,
+        },
+        voltage: Some(&voltage),
+        with_growth: false,
+        at_releases: false,
+    };
+    let cycle = CycleMeans::of(&measure, motion, attractor).ok()?;
+    let measured = match measure.after(attractor.impacts.last()?) {
+        Further::Measured(statistics) => statistics.rate?.value,
+        Further::Released(..) => return None,
+    };
+    let mut sum = <Exact as Analytic>::from_f64(0.0);
     for fix in &known.fixes {
-        exact += wide.voltage(&fix.velocity);
+        sum += wide.voltage(&fix.velocity);
     }
-    exact /= <Exact as Analytic>::from_f64(known.fixes.len() as f64);
-    Some(((widen(&found) - exact.clone()) / exact).to_f64().abs())
+    let mean = sum.clone() / <Exact as Analytic>::from_f64(known.fixes.len() as f64);
+    let error = |found: f64, exact: &Exact| ((widen(&found) - exact.clone()) / exact.clone()).to_f64().abs();
+    Some([
+        ("(7)", error(cycle.voltage?, &mean)),
+        ("voltage_rate", error(cycle.rate?, &sum)),
+        ("voltage_rate measured", error(measured, &sum)),
+    ])
 }
 
 #[cfg(test)]
@@ -108,6 +145,7 @@ mod tests {
         for case in cases() {
             let rows = rows(case).unwrap();
             assert!(rows.iter().all(|row| !row.is_below_bar()), "{rows:#?}");
+            assert!(rows.iter().any(|row| row.formula == "voltage_rate"));
         }
     }
 }

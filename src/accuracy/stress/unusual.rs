@@ -7,15 +7,60 @@ use crate::model::{Device, Flight, Forcing, Impact, Membrane, Motion, Passage, S
 use crate::orbit::{Balance, Kind, Link, multipliers, trace};
 use std::fmt::Display;
 
-/// A function of one input, the others harmless.
+/// A function of one input that varies, the others harmless.
 struct Probe {
     formula: &'static str,
+    /// The one that varies.
     input: &'static str,
+    /// All inputs with their harmless values.
+    harmless: &'static [&'static [Input]],
     /// A number, which may be NaN, or an error in its words.
-    ask: fn(f64) -> Result<f64, String>,
+    ask: fn(&Inputs) -> Result<f64, String>,
     /// Subnormal and huge inputs with the right answers, nearest in f64; all by hand, to first order.
     right: &'static [[f64; 2]],
 }
+
+/// An input and a value of it.
+type Input = (&'static str, f64);
+
+/// What a function is asked for.
+struct Inputs(Vec<Input>);
+
+impl Inputs {
+    /// The value of an input; NaN where there is none of this name.
+    fn of(&self, name: &str) -> f64 {
+        let found = self.0.iter().find(|(own, _)| *own == name);
+        found.map_or(f64::NAN, |(_, value)| *value)
+    }
+}
+
+const MOTION: [Input; 4] = [("g", 0.3), ("d", 0.4), ("r_B", 0.5), ("r_T", 0.5)];
+const IMPACT: [Input; 2] = [("time", 0.1), ("velocity", 0.5)];
+const START: [Input; 2] = [("phase", 0.1), ("velocity", 0.5)];
+const MEMBRANE: [Input; 7] = [
+    ("speed", 1.0),
+    ("mass", 0.0035),
+    ("stiffness", 4.0847e5),
+    ("exponent", 2.6),
+    ("ball", 0.005),
+    ("rim", 0.0063),
+    ("voltage", 2000.0),
+];
+const DEVICE: [Input; 5] = [
+    ("capsule_mass", 0.1245),
+    ("forcing_amplitude", 5.0),
+    ("angular_frequency", 15.7),
+    ("incline", 0.5),
+    ("gravity", 9.8),
+];
+const LINK: [Input; 6] = [
+    ("r", 0.5),
+    ("velocity", 0.5),
+    ("time", 1.0),
+    ("push", 0.4),
+    ("pull", 0.2),
+    ("arrival", -0.5),
+];
 
 /// What no function has an answer to.
 const NONSENSE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
@@ -27,67 +72,75 @@ fn told<T, E: Display>(result: Result<T, E>) -> Result<T, String> {
     result.map_err(|error| error.to_string())
 }
 
-fn motion(g: f64) -> Result<Motion<f64>, String> {
-    told(Motion::new(g, 0.4, 0.5, 0.5))
+fn motion(at: &Inputs) -> Result<Motion<f64>, String> {
+    told(Motion::new(at.of("g"), at.of("d"), at.of("r_B"), at.of("r_T")))
 }
 
-fn impact(time: f64, velocity: f64) -> Impact<f64> {
-    let side = Side::Bottom;
-    Impact { side, time, velocity }
+fn impact(at: &Inputs) -> Impact<f64> {
+    Impact {
+        side: Side::Bottom,
+        time: at.of("time"),
+        velocity: at.of("velocity"),
+    }
 }
 
 /// The duration of the flight after an impact.
-fn duration(time: f64, velocity: f64) -> Result<f64, String> {
-    let leg = next_impact(&motion(0.3)?, &Forcing::harmonic(&0.0), &impact(time, velocity));
+fn duration(at: &Inputs) -> Result<f64, String> {
+    let leg = next_impact(&motion(at)?, &Forcing::harmonic(&0.0), &impact(at));
     told(leg).map(|leg| leg.duration)
 }
 
 /// The phase of the first event after the start, where there is one that is decided.
-fn next_phase(phase: f64, velocity: f64) -> Result<f64, String> {
+fn next_phase(at: &Inputs) -> Result<f64, String> {
     let start = Start {
         side: Side::Bottom,
-        phase,
-        velocity,
+        phase: at.of("phase"),
+        velocity: at.of("velocity"),
     };
-    let next = Simulation::new(&motion(0.3)?, &start).nth(1);
+    let next = Simulation::new(&motion(at)?, &start).nth(1);
     let next = next.filter(|event| event.kind != What::Undecided);
     next.map(|event| event.phase).ok_or_else(|| "undecided".to_owned())
 }
 
-fn membrane(speed: f64, stiffness: f64) -> Result<f64, String> {
-    let membrane = told(Membrane::new(0.0035, stiffness, 2.6, 0.005, 0.0063, 2000.0))?;
-    Ok(membrane.voltage(&speed))
+fn membrane(at: &Inputs) -> Result<f64, String> {
+    let [mass, stiffness, exponent] = ["mass", "stiffness", "exponent"].map(|name| at.of(name));
+    let membrane = Membrane::new(mass, stiffness, exponent, at.of("ball"), at.of("rim"), at.of("voltage"));
+    Ok(told(membrane)?.voltage(&at.of("speed")))
 }
 
-fn scale(frequency: f64) -> Result<f64, String> {
+fn scale(at: &Inputs) -> Result<f64, String> {
     let device = Device {
-        capsule_mass: 0.1245,
-        forcing_amplitude: 5.0,
-        angular_frequency: frequency,
-        incline: 0.5,
-        gravity: 9.8,
+        capsule_mass: at.of("capsule_mass"),
+        forcing_amplitude: at.of("forcing_amplitude"),
+        angular_frequency: at.of("angular_frequency"),
+        incline: at.of("incline"),
+        gravity: at.of("gravity"),
     };
     told(device.scales()).map(|scales| scales.g)
 }
 
-fn fall(duration: f64) -> Result<f64, String> {
-    let flight = Flight::after(&motion(0.3)?, &Forcing::harmonic(&0.0), &impact(0.0, 0.5));
-    Ok(told(flight)?.state(&duration).displacement)
+fn fall(at: &Inputs) -> Result<f64, String> {
+    let flight = Flight::after(&motion(at)?, &Forcing::harmonic(&0.0), &impact(at));
+    Ok(told(flight)?.state(&at.of("duration")).displacement)
 }
 
-fn derivative(velocity: f64) -> Result<f64, String> {
-    let passage = Passage::new(&motion(0.3)?, &Forcing::harmonic(&0.0), &impact(0.2, velocity), &0.9);
+fn balance(at: &Inputs) -> Result<f64, String> {
+    Ok(Balance::new(&motion(at)?, 1).velocities(&at.of("T_1"), &at.of("psi"))[0])
+}
+
+fn derivative(at: &Inputs) -> Result<f64, String> {
+    let passage = Passage::new(&motion(at)?, &Forcing::harmonic(&0.0), &impact(at), &at.of("T_1"));
     told(passage.by_formula()).map(|matrix| matrix.m11)
 }
 
-fn stability(arrival: f64) -> Result<f64, String> {
+fn stability(at: &Inputs) -> Result<f64, String> {
     let link = Link {
-        restitution: 0.5,
-        velocity: 0.5,
-        time: 1.0,
-        push: 0.4,
-        pull: 0.2,
-        arrival,
+        restitution: at.of("r"),
+        velocity: at.of("velocity"),
+        time: at.of("time"),
+        push: at.of("push"),
+        pull: at.of("pull"),
+        arrival: at.of("arrival"),
     };
     Ok(trace(&[link]))
 }
@@ -96,54 +149,63 @@ const PROBES: &[Probe] = &[
     Probe {
         formula: "Motion",
         input: "g",
-        ask: |g| motion(g).map(|motion| *motion.g()),
+        harmless: &[&MOTION],
+        ask: |at| motion(at).map(|motion| *motion.g()),
         right: &[[LEAST, LEAST], [1e300, 1e300]],
     },
     Probe {
         formula: "Motion",
         input: "d",
-        ask: |d| told(Motion::new(0.1, d, 0.5, 0.5)).map(|motion| *motion.d()),
+        harmless: &[&MOTION],
+        ask: |at| motion(at).map(|motion| *motion.d()),
         right: &[[LEAST, LEAST], [1e300, 1e300]],
     },
     Probe {
         formula: "Motion",
         input: "r_B",
-        ask: |r| told(Motion::new(0.1, 0.4, r, 0.5)).map(|motion| *motion.restitution(Side::Bottom)),
+        harmless: &[&MOTION],
+        ask: |at| motion(at).map(|motion| *motion.restitution(Side::Bottom)),
         right: &[[LEAST, LEAST]],
     },
     Probe {
         formula: "Device",
         input: "angular_frequency",
+        harmless: &[&DEVICE],
         ask: scale,
         right: &[],
     },
     Probe {
         formula: "(6)",
         input: "speed",
-        ask: |speed| membrane(speed, 4.0847e5),
+        harmless: &[&MEMBRANE],
+        ask: membrane,
         right: &[[LEAST, 0.0], [-0.0, 0.0]],
     },
     Probe {
         formula: "(6)",
         input: "stiffness",
-        ask: |stiffness| membrane(1.0, stiffness),
+        harmless: &[&MEMBRANE],
+        ask: membrane,
         right: &[],
     },
     Probe {
         formula: "f",
         input: "t",
-        ask: |t| Ok(Forcing::harmonic(&0.0).at(&t).f),
+        harmless: &[&[("t", 0.0)]],
+        ask: |at| Ok(Forcing::harmonic(&0.0).at(&at.of("t")).f),
         right: &[[LEAST, 1.0]],
     },
     Probe {
         formula: "F_1",
         input: "t",
-        ask: |t| Ok(Forcing::harmonic(&0.0).at(&t).f1),
+        harmless: &[&[("t", 0.0)]],
+        ask: |at| Ok(Forcing::harmonic(&0.0).at(&at.of("t")).f1),
         right: &[[LEAST, LEAST]],
     },
     Probe {
         formula: "(4)",
         input: "duration",
+        harmless: &[&MOTION, &IMPACT, &[("duration", 0.1)]],
         ask: fall,
         // -r v s
         right: &[[1e-300, -0.25e-300]],
@@ -151,58 +213,74 @@ const PROBES: &[Probe] = &[
     Probe {
         formula: "(8)",
         input: "velocity",
-        ask: |velocity| duration(0.1, velocity),
+        harmless: &[&MOTION, &IMPACT],
+        ask: duration,
         // d / (r v) without time to fall; 2 r v / (f + g) without room for the push to change
         right: &[[1e300, 8e-301], [1e-290, 7.990_250_574_203_99e-291]],
     },
     Probe {
         formula: "(8)",
         input: "time",
-        ask: |time| duration(time, 0.5),
+        harmless: &[&MOTION, &IMPACT],
+        ask: duration,
         right: &[],
     },
     Probe {
         formula: "simulation",
         input: "phase",
-        ask: |phase| next_phase(phase, 0.5),
+        harmless: &[&MOTION, &START],
+        ask: next_phase,
         right: &[],
     },
     Probe {
         formula: "simulation",
         input: "velocity",
-        ask: |velocity| next_phase(0.1, velocity),
+        harmless: &[&MOTION, &START],
+        ask: next_phase,
         // no time passes
         right: &[[1e300, 0.1], [1e-290, 0.1], [LEAST, 0.1]],
     },
     Probe {
         formula: "(14)-(16)",
         input: "T_1",
-        ask: |t_1| Ok(Balance::new(&motion(0.3)?, 1).velocities(&t_1, &1.0)[0]),
+        harmless: &[&MOTION, &[("T_1", 0.9), ("psi", 1.0)]],
+        ask: balance,
         right: &[],
     },
     Probe {
         formula: "(19)",
         input: "Tr",
-        ask: |trace| Ok(multipliers(&trace, &0.18, Kind::Focus)[0].im),
+        harmless: &[&[("Tr", 0.1), ("loss", 0.18)]],
+        ask: |at| Ok(multipliers(&at.of("Tr"), &at.of("loss"), Kind::Focus)[0].im),
         right: &[[LEAST, 0.18]],
     },
     Probe {
         formula: "(20)",
         input: "velocity",
+        harmless: &[&MOTION, &IMPACT, &[("T_1", 0.9)]],
         ask: derivative,
         right: &[],
     },
     Probe {
         formula: "(22)",
         input: "arrival",
+        harmless: &[&LINK],
         ask: stability,
         right: &[],
     },
 ];
 
 impl Probe {
+    /// The inputs with this value of the one that varies, which comes first.
+    fn inputs(&self, input: f64) -> Inputs {
+        let others = self.harmless.concat().into_iter();
+        let others = others.filter(|(name, _)| *name != self.input);
+        Inputs([(self.input, input)].into_iter().chain(others).collect())
+    }
+
     fn row(&self, input: f64, right: Option<f64>) -> StressRow {
-        let answer = (self.ask)(input);
+        let inputs = self.inputs(input);
+        let answer = (self.ask)(&inputs);
         let case = match right {
             Some(_) if input.abs() >= 1.0 => "huge input",
             Some(_) => "subnormal and tiny input",
@@ -220,6 +298,7 @@ impl Probe {
             (Ok(found), None) => (Form::Stable, 0.0, format!("{found:?}")),
         };
         let refused = form == Form::Refused;
+        let (names, values): (Vec<&str>, Vec<f64>) = inputs.0.into_iter().unzip();
         StressRow {
             case: case.to_owned(),
             formula: self.formula.to_owned(),
@@ -227,7 +306,7 @@ impl Probe {
             form,
             digits,
             condition: if refused { f64::INFINITY } else { 1.0 },
-            at: place(&[self.input], &[input]),
+            at: place(&names, &values),
             allowed: if refused { 0.0 } else { BAR },
             frozen: None,
             answer,
@@ -256,10 +335,25 @@ mod tests {
     }
 
     #[test]
+    fn harmless_inputs_have_an_answer_so_that_none_that_a_function_needs_is_left_out() {
+        for probe in PROBES {
+            let harmless = probe.harmless.concat();
+            let own = harmless.iter().find(|(name, _)| *name == probe.input).unwrap();
+            let answer = (probe.ask)(&probe.inputs(own.1));
+            assert!(
+                answer.as_ref().is_ok_and(|found| found.is_finite()),
+                "{}: {answer:?}",
+                probe.formula
+            );
+        }
+    }
+
+    #[test]
     fn a_wrong_number_would_be_seen() {
         let probe = Probe {
             formula: "wrong",
             input: "x",
+            harmless: &[&[("x", 0.0)]],
             ask: |_| Ok(1.0),
             right: &[],
         };

@@ -1,7 +1,8 @@
 //! The velocity at the bottom of a 1-1 motion: (14), (15), (16), and by the balance without a denominator that vanishes.
 
 use super::StressError;
-use super::closed::Closed;
+use super::approach::{Approach, DEAD, LOSSLESS, TURN};
+use super::closed::{self, Closed};
 use super::paper::{Formula, Paper, Values};
 use super::quantity::{Number, Quantity, Visitor};
 use crate::model::{Forcing, Motion};
@@ -85,14 +86,28 @@ impl Quantity for Velocity {
         }
     }
 
-    fn settings(&self) -> Vec<Vec<f64>> {
-        let exponents = [-1, -3, -6, -9, -12, -15].map(f64::from);
-        let setting = |exponent: f64| match self.extreme {
+    fn approach(&self) -> Approach {
+        match self.extreme {
+            Extreme::Loss => LOSSLESS,
+            Extreme::Turn => TURN,
+            Extreme::Dead => DEAD,
+        }
+    }
+
+    fn near(&self, exponent: f64) -> Vec<Vec<f64>> {
+        vec![match self.extreme {
             Extreme::Loss => vec![exponent, exponent, 1.3, 1.8],
             Extreme::Turn => vec![exponent, 0.5, 0.5, 2.4],
             Extreme::Dead => vec![exponent, 0.5, 1.1, 3.0],
-        };
-        exponents.map(setting).to_vec()
+        }]
+    }
+
+    fn exponents(&self) -> Vec<f64> {
+        [-1, -3, -6, -9, -12, -15].map(f64::from).to_vec()
+    }
+
+    fn given_names(&self) -> &'static [&'static str] {
+        &closed::NAMES
     }
 
     fn given<T: Number>(&self, inputs: &[T]) -> Option<Vec<T>> {

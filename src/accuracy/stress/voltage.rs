@@ -1,7 +1,9 @@
 //! The voltage of tiny and huge impacts: (5) and (6) as a difference of squares of areas, and without it.
 
 use super::StressError;
+use super::approach::{Approach, SLIGHT};
 use super::quantity::{Number, Quantity, Visitor};
+use super::row::place;
 use crate::model::Membrane;
 use crate::number::Analytic;
 
@@ -13,6 +15,9 @@ pub(super) fn each(visitor: &mut impl Visitor) -> Result<(), StressError> {
     visitor.visit(&Voltage)
 }
 
+/// The speed of an impact and the membrane.
+const INPUTS: [&str; 7] = ["speed", "mass", "stiffness", "exponent", "ball", "rim", "voltage"];
+
 /// The paper's membrane: ball mass, stiffness, exponent, radii of ball and membrane, voltage.
 const MEMBRANE: [f64; 6] = [0.0035, 4.0847e5, 2.6, 0.005, 0.0063, 2000.0];
 
@@ -23,6 +28,11 @@ fn membrane<T: Number>(given: &[T]) -> Option<(Membrane<T>, &T)> {
     let [mass, stiffness, exponent, ball, rim, voltage] = [mass, stiffness, exponent, ball, rim, voltage].map(T::clone);
     let membrane = Membrane::new(mass, stiffness, exponent, ball, rim, voltage).ok()?;
     Some((membrane, speed))
+}
+
+/// The paper's membrane, as the column `at` has it.
+pub(super) fn membrane_at() -> String {
+    place(&INPUTS[1..], &MEMBRANE)
 }
 
 /// The paper's membrane over a number.
@@ -45,7 +55,7 @@ impl Quantity for Voltage {
     }
 
     fn inputs(&self) -> &'static [&'static str] {
-        &["speed", "mass", "stiffness", "exponent", "ball", "rim", "voltage"]
+        &INPUTS
     }
 
     fn dials(&self) -> Vec<[f64; 2]> {
@@ -57,10 +67,16 @@ impl Quantity for Voltage {
         [&[speed], &MEMBRANE[..]].concat()
     }
 
-    fn settings(&self) -> Vec<Vec<f64>> {
-        [3, 1, 0, -3, -6, -9, -12, -15, -30]
-            .map(|exponent| vec![f64::from(exponent)])
-            .to_vec()
+    fn approach(&self) -> Approach {
+        SLIGHT
+    }
+
+    fn near(&self, exponent: f64) -> Vec<Vec<f64>> {
+        vec![vec![exponent]]
+    }
+
+    fn exponents(&self) -> Vec<f64> {
+        [3, 1, 0, -3, -6, -9, -12, -15, -30].map(f64::from).to_vec()
     }
 
     fn given<T: Number>(&self, inputs: &[T]) -> Option<Vec<T>> {

@@ -5,6 +5,8 @@ use super::draw;
 use super::legend::Legend;
 use super::paper::Paper;
 use super::series::Series;
+#[cfg(test)]
+use crate::model::calls::{self, Call};
 use plotters::drawing::{DrawingAreaErrorKind, IntoDrawingArea};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{BLACK, FontDesc, FontStyle, IntoFont};
@@ -107,6 +109,8 @@ impl Figure {
     /// # Errors
     /// No panel or more than a hundred, and panels too small for their labels or too large.
     pub fn svg(&self) -> Result<String, PlotError> {
+        #[cfg(test)]
+        calls::count(Call::Figure);
         let (width, height) = self.panel_size;
         if !(SIDES.contains(&width) && SIDES.contains(&height)) {
             return Err(PlotError(format!(
