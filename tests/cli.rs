@@ -90,6 +90,33 @@ fn help_names_every_command_format_and_exit_status() {
 }
 
 #[test]
+fn advice_names_a_means_that_does_what_is_asked_and_else_the_closest() {
+    let advised = |need: &str| {
+        let output = run(&["trade", "--advise", need, "--format", "csv"]);
+        let text = String::from_utf8(output.stdout).unwrap();
+        let rows: Vec<Vec<String>> = text
+            .lines()
+            .map(|line| line.split(',').map(str::to_owned).collect())
+            .collect();
+        (output.status.code(), rows)
+    };
+    let (code, rows) = advised("digits=12,task=multipliers/saddle");
+    assert_eq!(code, Some(0));
+    assert_eq!(
+        rows[0].join(","),
+        "task,rank,by,number,method,kept,seconds,setting,solved,problems,cost,proved"
+    );
+    // (19) as printed keeps fewer digits of a saddle in f64
+    let cheapest = rows.iter().filter(|row| row[1] == "cheapest");
+    let named: Vec<[&str; 2]> = cheapest.map(|row| [row[3].as_str(), row[4].as_str()]).collect();
+    assert_eq!(named, [["f64", "stable"], ["f64", "stable"]]);
+    assert!(rows[1][5].parse::<f64>().unwrap() >= 12.0);
+    let (code, rows) = advised("digits=70,task=multipliers/random");
+    assert_eq!(code, Some(1));
+    assert_eq!((rows.len(), rows[1][1].as_str()), (2, "closest"));
+}
+
+#[test]
 fn no_command_at_all_shows_help_and_is_refused() {
     let output = run(&[]);
     assert_eq!(output.status.code(), Some(2));
@@ -101,6 +128,11 @@ fn an_unknown_command_option_task_or_format_is_refused() {
     assert_refused(&["prove"], &["prove"]);
     assert_refused(&["audit", "--colour"], &["--colour"]);
     assert_refused(&["trade", "tea"], &["tea", "dp"]);
+    assert_refused(&["trade", "--advise", "digits=8,task=tea"], &["tea", "dp", "orbit"]);
+    assert_refused(&["trade", "--advise", "digits=8,solved=2"], &["solved=2", "at most 1"]);
+    assert_refused(&["trade", "--advise", "speed=8"], &["speed", "digits", "error"]);
+    assert_refused(&["trade", "dp", "--advise", "digits=8"], &["--advise"]);
+    assert_refused(&["trade", "--problems", "--plot", "a.svg"], &["--problems", "--plot"]);
     assert_refused(
         &["audit", "--format", "xml"],
         &["xml", "text", "csv", "json", "markdown"],

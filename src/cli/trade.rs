@@ -24,7 +24,7 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME", value_parser = rung_parser())]
     number: Option<Rung>,
     /// List every problem of the task, and what each means did on it, without a clock
-    #[arg(long)]
+    #[arg(long, conflicts_with = "plot")]
     problems: bool,
     /// Name the cheapest means for a need, and the runner-up: digits=8,solved=0.99,task=orbit, or error=0.01,task=voltage
     ///

@@ -948,7 +948,17 @@ impl<'a> At<'a> {
         };
         for (flight, impact) in [(first - 1, *first), (last + 1, last + 1)] {
             let times = self.statement.times.clone();
-            let time = times.get(&impact).copied().unwrap_or_else(|| self.statement.fresh("t"));
+            // the laws moved on to this flight name the time by its index
+            let family = self.statement.quantities.iter().find_map(|quantity| match quantity {
+                Quantity::Time { family, .. } => Some(family.clone()),
+                _ => None,
+            });
+            let letter = self.statement.letter.clone();
+            let time = match (times.get(&impact), family) {
+                (Some(time), _) => *time,
+                (None, Some(family)) => self.statement.time(&family, impact, &letter),
+                (None, None) => self.statement.fresh("t"),
+            };
             self.statement.times.insert(impact, time);
             let at = self.statement.terms.symbol(time);
             let mut rows: Vec<Term> = Vec::new();
@@ -1018,6 +1028,11 @@ impl<'a> At<'a> {
         let mut open: Vec<(Node, Symbol)> = Vec::new();
         let mut equations = Vec::new();
         for row in rows {
+            // what no value of a state can break asks for none
+            let here = self.sampled(row, None);
+            if self.vanishes_identically(row)? && self.exists(here).is_ok() {
+                continue;
+            }
             let is_open = |node: &Node| match node {
                 Node::Symbol(symbol) => {
                     let is_state = matches!(self.statement.quantity(*symbol), Some(Quantity::State { .. }));

@@ -235,7 +235,15 @@ fn sequences(session: &mut Session, goals: &[Polynomial]) {
 fn given_laws(session: &mut Session, goals: &[Polynomial]) {
     let (spoken, states) = (impacts(session, goals), states(session, goals));
     let flights: Vec<i32> = match (spoken.first(), spoken.last()) {
-        (Some(&first), Some(&last)) => (first - 1..last.max(first + 1)).collect(),
+        (Some(&first), Some(&last)) => {
+            // a law is first of all one of the flight that it is written of
+            let named = session.checker.statement.functions().iter().filter_map(|of| match of {
+                FunctionOf::Flight { impact, .. } => Some(impact + 1),
+                FunctionOf::Line(_) => None,
+            });
+            let last = named.fold(last.max(first + 1), i32::max);
+            (first - 1..last).collect()
+        }
         _ => vec![0],
     };
     for given in 0..session.checker.statement.givens().len() {

@@ -16,8 +16,8 @@ use crate::orbit::{Attractor, Settled, largest_multiplier};
 /// The starts of each device: as many as go side by side in lanes.
 const STARTS: usize = 32;
 
-/// Devices of each region.
-const DEVICES: usize = 5;
+/// Devices of each region: one for so many of the points asked for, since each is followed for thousands of impacts.
+const FEWER: usize = 80;
 
 /// Motions drawn before a region is taken to have no more devices.
 const DRAWN: usize = 400;
@@ -107,7 +107,7 @@ fn devices(region: Region, options: &TradeOptions) -> Vec<Device> {
     let found = motions(options, DRAWN)
         .into_iter()
         .filter_map(|motion| device(region, motion));
-    found.take(DEVICES).collect()
+    found.take(options.points.div_ceil(FEWER)).collect()
 }
 
 fn device(region: Region, motion: Motion<f64>) -> Option<Device> {
@@ -410,6 +410,7 @@ mod tests {
     #[test]
     fn more_impacts_buy_digits_and_a_wider_number_buys_none_where_sampling_rules() {
         let options = TradeOptions {
+            points: 3 * FEWER,
             seconds_per_row: 0.0,
             ..TradeOptions::default()
         };

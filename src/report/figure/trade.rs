@@ -28,8 +28,14 @@ pub fn trades(rows: &[TradeRow], machine: &str) -> Figure {
     let panels: Vec<Panel> = tasks.iter().map(|task| panel(task, &of_task(task))).collect();
     Figure {
         columns: COLUMNS.min(panels.len().max(1)),
-        ..Figure::new(format!("Digits against time, {machine}"), panels)
+        ..Figure::new(format!("Digits against time, {}", processor(machine)), panels)
     }
+}
+
+/// What a title has room for: the machine without its system and our version.
+fn processor(machine: &str) -> &str {
+    let commas = machine.match_indices(',').map(|(at, _)| at);
+    commas.take(2).last().map_or(machine, |end| &machine[..end])
 }
 
 /// The share of the problems at which digits are drawn: half of them.
@@ -63,7 +69,8 @@ fn panel(task: &str, rows: &[&TradeRow]) -> Panel {
         let filled = Marker { filled: true, ..open };
         let mut mark = |row: &&TradeRow| {
             // a means is named once, where it is best
-            let is_first = row.on_front && !named.contains(&row.method);
+            let has_name = row.on_front || !row.setting.is_empty();
+            let is_first = has_name && !named.contains(&row.method);
             let label = if is_first { row.method.to_owned() } else { String::new() };
             named.extend(is_first.then_some(row.method));
             let at = at(row);
