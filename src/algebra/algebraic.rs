@@ -28,6 +28,9 @@ pub struct MinimalPolynomial {
     pub cofactors: Vec<Polynomial>,
 }
 
+/// The largest dimension in which minimal polynomials are looked for: the matrix has twice its square of entries.
+const LARGEST: usize = 1000;
+
 impl MinimalPolynomial {
     /// How often it can be divided by its unknown: `p^multiplicity * (a polynomial in p whose constant is not 0)`.
     pub fn multiplicity_of_zero(&self) -> usize {
@@ -69,8 +72,11 @@ impl QuotientAlgebra {
     }
 
     /// The minimal polynomial of an element over the rationals; `None` where it holds a generator that no relation
-    /// binds.
+    /// binds, or where the dimension is beyond [`LARGEST`].
     pub fn minimal_polynomial(&self, p: &Polynomial, steps: &mut Steps) -> Result<Option<MinimalPolynomial>> {
+        if self.dimension > LARGEST {
+            return Ok(None);
+        }
         let (base, base_cofactors) = self.normal_form(p, steps)?;
         let bound = |term: &Term| self.order.generators().contains(term);
         if !base.generators().iter().chain(&self.parameters()).all(bound) {

@@ -1122,6 +1122,13 @@ impl<'a> Builder<'a> {
             && let Some(index) = index_of(&time.subscript, &self.vocabulary.index)
             && self.vocabulary.states.contains(&name.bare())
         {
+            if name.primes > 0 || !matches!(name.mark.as_str(), "" | "+" | "-") {
+                let what = format!("`{name}({time})` is no state at an impact");
+                return Err(unreadable(
+                    at,
+                    format!("{what}: write \\dot{{x}}_k for a derivative, and + or - for a side"),
+                ));
+            }
             let at_departure = name.mark.is_empty() && self.scope.in_flight && self.scope.flight == index;
             if at_departure && !self.vocabulary.continuous.contains(&name.bare()) {
                 let what = format!("`{name}({time})` in a law of flight is the value before the impact or after it");

@@ -216,7 +216,19 @@ impl<'a> Reader<'a> {
         self.close_brace(below)?;
         let of = match of {
             Some(of) => of,
-            None => self.operand()?,
+            None => {
+                let of = self.operand()?;
+                self.skip_empty();
+                if self.peek_kind().is_some_and(starts_factor) {
+                    let instead = "write \\frac{\\partial a}{\\partial b}, with what is differentiated above";
+                    return Err(Fault::ambiguous(
+                        self.here(),
+                        "a factor behind what is differentiated",
+                        instead,
+                    ));
+                }
+                of
+            }
         };
         let at = At(at);
         Ok(Tree::Partial { of, by, at })

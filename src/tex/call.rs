@@ -110,7 +110,11 @@ impl<'a> Reader<'a> {
             _ => {
                 let argument = self.bare_argument()?;
                 let power = power.map(Exponent::before_argument).transpose()?;
-                Ok(raise(elementary_call(function, argument, at), power))
+                // without brackets a power behind it would be one of the argument, even behind braces
+                Ok(Part {
+                    form: Form::Knot,
+                    ..raise(elementary_call(function, argument, at), power)
+                })
             }
         }
     }

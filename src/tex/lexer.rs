@@ -54,7 +54,8 @@ impl<'a> Lexer<'a> {
         let rest = self.rest();
         match c {
             '%' => self.at += rest.find('\n').unwrap_or(rest.len()),
-            '&' | '$' | '~' => self.at += 1,
+            '$' | '~' => self.at += 1,
+            '&' => return self.push(Kind::Column, 1),
             '\\' => return self.command(),
             c if c.is_whitespace() => self.at += c.len_utf8(),
             c if c.is_ascii_digit() || (c == '.' && digit_at(rest, 1)) => {
@@ -280,6 +281,11 @@ impl<'a> Lexer<'a> {
         }
         self.environments.push((self.at, name));
         self.at = after;
+        // where it stands beside the line
+        let position = ["[t]", "[c]", "[b]"]
+            .into_iter()
+            .find(|position| self.rest().starts_with(position));
+        self.at += position.map_or(0, str::len);
         Ok(())
     }
 
@@ -335,9 +341,14 @@ mod tests {
 
     #[test]
     fn drops_what_does_not_change_the_meaning() {
-        let tex = r"\begin{align} &\displaystyle \left( a \, b~\;\:\!\ \right) \nonumber \label{x{y}} % c
+        let tex = r"\begin{align} \displaystyle \left( a \, b~\;\:\!\ \right) \nonumber \label{x{y}} % c
             \bigl[ \biggr] \tag{3} $ $$ \[ \] \end{align}";
         assert_eq!(texts(tex), ["(", "a", "b", ")", "[", "]"]);
+    }
+
+    #[test]
+    fn the_position_of_lines_is_no_factor() {
+        assert_eq!(texts(r"\begin{aligned}[b] a &= b \end{aligned}"), ["a", "&", "=", "b"]);
     }
 
     #[test]

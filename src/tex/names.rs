@@ -29,6 +29,8 @@ impl Names {
             Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| self.has_bare_function(part)),
             Tree::Quotient(above, below, _) => self.has_bare_function(above) || self.has_bare_function(below),
             Tree::Negate(body) | Tree::Power(body, ..) | Tree::Root(body, ..) => self.has_bare_function(body),
+            Tree::RealPower(base, exponent, _) => self.has_bare_function(base) || self.has_bare_function(exponent),
+            Tree::Call(name, body, _) => !self.is_function(name) && self.has_bare_function(body),
             _ => false,
         }
     }

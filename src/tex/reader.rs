@@ -181,7 +181,7 @@ impl<'a> Reader<'a> {
         while let Some(token) = self.peek() {
             let juxtaposed = starts_factor(token.kind);
             if matches!(token.kind, Kind::Open(Bracket::Round | Bracket::Square)) {
-                self.no_operator(factors.last(), form, token.at)?;
+                self.no_operator(factors.last(), token.at)?;
             }
             if !juxtaposed {
                 if !is_operation(token.kind) {
@@ -215,10 +215,9 @@ impl<'a> Reader<'a> {
         Ok(Part { tree, form })
     }
 
-    /// Refuses `(f + g)(t)`, which may be the functions at t or a product.
-    fn no_operator(&self, before: Option<&Tree>, form: Form, at: usize) -> Result<(), Fault> {
-        let stands_alone = matches!(form, Form::Bracketed | Form::Fraction);
-        match before.is_some_and(|tree| stands_alone && self.names.has_bare_function(tree)) {
+    /// Refuses `(f + g)(t)` and `{f^2}(t)`, which may be values at t or products.
+    fn no_operator(&self, before: Option<&Tree>, at: usize) -> Result<(), Fault> {
+        match before.is_some_and(|tree| self.names.has_bare_function(tree)) {
             true => {
                 let instead = "write the argument behind each function, or \\cdot for a product";
                 Err(Fault::ambiguous(

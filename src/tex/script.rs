@@ -113,7 +113,9 @@ impl<'a> Reader<'a> {
                 let primes = u8::try_from(kinds.len()).unwrap_or(u8::MAX);
                 Ok(Some(Superscript::Primes(more_primes(0, primes, at)?)))
             }
-            ([Kind::Plus, Kind::Number], Some(name)) if !(name.subscript.is_empty() && name.accents.is_empty()) => {
+            ([Kind::Plus, Kind::Number], Some(name))
+                if !(name.subscript.is_empty() && name.accents.is_empty()) || self.names.is_function(name) =>
+            {
                 let instead = "write ^2, or (v_k^+)^2 for the square of the value just after an impact";
                 Err(Fault::ambiguous(at, "a plus sign before a power", instead))
             }
@@ -131,7 +133,28 @@ impl<'a> Reader<'a> {
                 };
                 Err(two_superscripts(at, name, &format!("\\text{{{text}}}"), &power))
             }
-            ([Kind::Open(Bracket::Round), inner @ .., Kind::Close(Bracket::Round)], Some(_)) if is_closed(inner) => {
+            (
+                [
+                    Kind::Open(Bracket::Round),
+                    Kind::Number,
+                    Kind::Close(Bracket::Round),
+                    _,
+                    ..,
+                ],
+                Some(_),
+            ) => {
+                let instead = "write (x^{(1)})^2 for a power of what carries an index";
+                Err(Fault::ambiguous(
+                    at,
+                    "a superscript behind an index in brackets",
+                    instead,
+                ))
+            }
+            (
+                [Kind::Open(Bracket::Round), inner @ .., Kind::Close(Bracket::Round)]
+                | [Kind::Open(Bracket::Square), inner @ .., Kind::Close(Bracket::Square)],
+                Some(_),
+            ) if is_closed(inner) => {
                 let instead = "write ^{n} for a power; an index in brackets is read only if it is a number";
                 Err(Fault::ambiguous(at, "a superscript in brackets", instead))
             }

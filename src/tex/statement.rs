@@ -13,6 +13,8 @@ struct Piece<'a> {
     hard: bool,
     /// Holds a relation, such as `=`, outside brackets.
     related: bool,
+    /// Begins behind a `&` or a wide blank, in line with what stands above it.
+    aligned: bool,
 }
 
 /// The tokens of each equation, in order; none is empty.
@@ -35,10 +37,24 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
         tokens: Vec::new(),
         hard,
         related: false,
+        aligned: false,
     };
     let (mut done, mut piece, mut depth) = (Vec::new(), fresh(true), 0usize);
-    for token in tokens {
+    let mut tokens = tokens.into_iter().peekable();
+    while let Some(token) = tokens.next() {
         match token.kind {
+            // a column of its own begins where an equation is complete, and no part of it follows
+            Kind::Column => {
+                let next = tokens.peek().map(|next| next.kind);
+                let goes_on = next.is_none_or(|next| {
+                    is_relation(next) || next == Kind::Column || (is_operator(next) && next != Kind::Minus)
+                });
+                piece.aligned |= piece.tokens.is_empty();
+                if depth == 0 && piece.related && !ends_open(&piece.tokens) && !goes_on {
+                    done.push(std::mem::replace(&mut piece, fresh(true)));
+                }
+                continue;
+            }
             Kind::Open(_) | Kind::BraceOpen => depth += 1,
             Kind::Close(_) | Kind::BraceClose => depth = depth.saturating_sub(1),
             // Within brackets a new row is a blank.
@@ -51,6 +67,7 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
                 } else {
                     done.push(std::mem::replace(&mut piece, fresh(hard)));
                 }
+                piece.aligned |= token.kind == Kind::Quad;
                 continue;
             }
             _ => {}
@@ -74,7 +91,7 @@ fn continues(before: &Piece<'_>, piece: &Piece<'_>) -> Result<bool, Fault> {
         return Ok(true);
     }
     match first {
-        Some(token) if operator && piece.related && token.kind != Kind::Minus => {
+        Some(token) if operator && piece.related && (token.kind != Kind::Minus || piece.aligned) => {
             let instead = "end the equation before it with a comma, or give the row no relation";
             let found = format!("a row that starts with {} and has a relation", token.text);
             Err(Fault::ambiguous(token.at, &found, instead))
@@ -97,7 +114,13 @@ fn first_token<'a>(tokens: &[Token<'a>]) -> Option<Token<'a>> {
 
 /// Whether the last token waits for more; the `-` of `Z_k^-` does not.
 fn ends_open(tokens: &[Token<'_>]) -> bool {
-    match tokens {
+    let mut rest = tokens;
+    while let [head @ .., open, close] = rest
+        && (open.kind, close.kind) == (Kind::BraceOpen, Kind::BraceClose)
+    {
+        rest = head;
+    }
+    match rest {
         [.., before, last] => {
             let waits = is_operator(last.kind) || is_relation(last.kind);
             waits && !matches!(before.kind, Kind::Sup | Kind::Sub)
@@ -130,6 +153,15 @@ mod tests {
     }
 
     #[test]
+    fn columns_divide_where_an_equation_is_complete() {
+        assert_eq!(divided(r"a &= b & c &= d"), ["a=b", "c=d"]);
+        assert_eq!(divided(r"a &= b & -c &= d"), ["a=b", "-c=d"]);
+        assert_eq!(divided(r"a & = & b \\ & = & c"), ["a=b=c"]);
+        assert_eq!(divided(r"a = {} & b & + c"), ["a={}b+c"]);
+        assert_eq!(divided(r"f(a & b) &= c"), ["f(ab)=c"]);
+    }
+
+    #[test]
     fn divides_at_commas_and_rows() {
         assert_eq!(
             divided(r"a = b, c = d; \qquad e = f \\ g = h \text{and} i=j."),
@@ -144,6 +176,7 @@ mod tests {
         assert_eq!(divided(r"a = b \\ {}+ c \\ = d"), ["a=b{}+c=d"]);
         assert_eq!(divided(r"a = \\ b + \quad c"), ["a=b+c"]);
         assert_eq!(divided(r"a = Z^- \\ -d = c"), ["a=Z^-", "-d=c"]);
+        assert!(statements(lex(r"a &= b \\ &- c = d").unwrap()).is_err());
         assert!(statements(lex(r"a = b \\ + c = d").unwrap()).is_err());
     }
 }

@@ -58,6 +58,8 @@ pub(super) enum Kind {
     Infinity,
     Comma,
     Stop,
+    /// `&`, which prints nothing.
+    Column,
     Row,
     Quad,
     /// `\text{and}` and its like between equations.
