@@ -72,7 +72,7 @@ impl QuotientAlgebra {
     }
 
     /// The minimal polynomial of an element over the rationals; `None` where it holds a generator that no relation
-    /// binds, or where the dimension is beyond [`LARGEST`].
+    /// binds, or where the dimension is beyond 1000.
     pub fn minimal_polynomial(&self, p: &Polynomial, steps: &mut Steps) -> Result<Option<MinimalPolynomial>> {
         if self.dimension > LARGEST {
             return Ok(None);
