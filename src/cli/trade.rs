@@ -209,7 +209,7 @@ fn chosen(need: &Need, advice: &[Advice]) -> Result<Vec<String>, Failure> {
     if need.of_statistics {
         lines.push(format!(
             "`sweep.error = {}` follows motions one by one until their own standard error says so: lanes do not follow how distances grow",
-            10_f64.powf(-need.digits)
+            measured(10_f64.powf(-need.digits))
         ));
         return Ok(lines);
     }

@@ -52,21 +52,32 @@ impl<'a> Reader<'a> {
 
     /// The argument of `f{(x)}`, which prints as `f(x)`; `None` where the braces hold something else.
     fn braced_argument(&mut self) -> Result<Option<Box<Tree>>, Fault> {
-        let (before, at) = (self.next, self.here());
-        self.next += 1;
-        let is_bracket = matches!(
-            self.peek_kind(),
-            Some(Kind::BraceOpen | Kind::Open(Bracket::Round | Bracket::Square))
-        );
-        let part = if is_bracket { Some(self.sum_part()?) } else { None };
-        let part = part.filter(|part| part.form == Form::Bracketed && self.peek_kind() == Some(Kind::BraceClose));
-        match part {
-            Some(part) => self.close_brace(at).map(|()| Some(part.tree)),
-            None => {
-                self.next = before;
-                Ok(None)
+        let is = |ahead: usize, kind: Kind| self.look(ahead).is_some_and(|token| token.kind == kind);
+        let braces = (0..).take_while(|&ahead| is(ahead, Kind::BraceOpen)).count();
+        // looked for among the tokens, not by reading: what is read twice at each depth takes for ever
+        let (mut depth, mut end) = (0_usize, braces);
+        while let Some(token) = self.look(end) {
+            match token.kind {
+                Kind::Open(_) | Kind::BraceOpen => depth += 1,
+                Kind::Close(_) | Kind::BraceClose => depth = depth.saturating_sub(1),
+                _ => {}
             }
+            if depth == 0 {
+                break;
+            }
+            end += 1;
         }
+        let opens = is(braces, Kind::Open(Bracket::Round)) || is(braces, Kind::Open(Bracket::Square));
+        if !(opens && (1..=braces).all(|more| is(end + more, Kind::BraceClose))) {
+            return Ok(None);
+        }
+        let at = self.here();
+        self.next += braces;
+        let argument = self.bracketed()?;
+        for _ in 0..braces {
+            self.close_brace(at)?;
+        }
+        Ok(Some(argument))
     }
 
     /// A finished call: the power before its argument, or the one behind.
@@ -287,6 +298,15 @@ mod tests {
             (r"\frac{a + f}{2}[t]", "a bracket after a function without argument"),
             ("f(t", "`(` is not closed"),
         ]);
+    }
+
+    #[test]
+    fn braces_behind_a_function_are_read_once_at_each_depth() {
+        let nested = |depth: usize| (0..depth).fold("a".to_owned(), |inner, _| format!("f{{({inner}) b}}"));
+        let spelled = |depth: usize| (0..depth).fold("a".to_owned(), |inner, _| format!("(* f (* {inner} b))"));
+        // read twice at each, this would be read 2^40 times
+        check(&[(&nested(2), &spelled(2))]);
+        assert!(super::super::read_expression(&nested(40), &super::super::spelled::names()).is_ok());
     }
 
     #[test]

@@ -279,12 +279,13 @@ impl<'a> Lexer<'a> {
             let text = self.span(self.at, after);
             return Err(Fault::unreadable(self.at, text, ""));
         }
+        let has_position = ["aligned", "gathered"].contains(&name);
         self.environments.push((self.at, name));
         self.at = after;
         // where it stands beside the line
         let position = ["[t]", "[c]", "[b]"]
             .into_iter()
-            .find(|position| self.rest().starts_with(position));
+            .find(|position| has_position && self.rest().starts_with(position));
         self.at += position.map_or(0, str::len);
         Ok(())
     }
@@ -349,6 +350,10 @@ mod tests {
     #[test]
     fn the_position_of_lines_is_no_factor() {
         assert_eq!(texts(r"\begin{aligned}[b] a &= b \end{aligned}"), ["a", "&", "=", "b"]);
+        assert_eq!(
+            texts(r"\begin{equation}[b] a = b \end{equation}"),
+            ["[", "b", "]", "a", "=", "b"]
+        );
     }
 
     #[test]

@@ -100,14 +100,17 @@ impl Latency {
 
     /// The pair that takes the lesser.
     pub fn pair(&self) -> fn(f64) -> (f64, f64) {
-        let platform = self.platform.filter(|platform| platform.median < self.rust.median);
-        platform.and(PLATFORM).unwrap_or(f64::sin_cos)
+        self.lesser().and(PLATFORM).unwrap_or(f64::sin_cos)
     }
 
     /// L, the lesser: what nobody who needs a sine and a cosine can be below.
     pub fn least(&self) -> Timing {
-        let platform = self.platform.filter(|platform| platform.median < self.rust.median);
-        platform.unwrap_or(self.rust)
+        self.lesser().unwrap_or(self.rust)
+    }
+
+    /// That of the platform, where it is the lesser.
+    fn lesser(&self) -> Option<Timing> {
+        self.platform.filter(|platform| platform.median < self.rust.median)
     }
 }
 
