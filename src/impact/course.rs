@@ -20,6 +20,8 @@ enum Place<T> {
     Leaving(Departure<T>),
     /// At rest on a wall since this phase.
     Resting { side: Side, since: T },
+    /// On a flight of which it cannot be told where it ends.
+    Lost(Departure<T>),
     /// Nothing happens any more.
     Ended,
 }
@@ -108,6 +110,14 @@ impl<T: Analytic> Course<T> {
     pub fn departure(&self) -> Option<&Departure<T>> {
         match &self.ball.place {
             Place::Leaving(from) if !from.released => Some(from),
+            _ => None,
+        }
+    }
+
+    /// The departure, with the turns before it, of a flight whose end cannot be told; `None` while it can be.
+    pub fn lost(&self) -> Option<(&Departure<T>, i64)> {
+        match &self.ball.place {
+            Place::Lost(from) => Some((from, self.ball.turns)),
             _ => None,
         }
     }
@@ -203,7 +213,7 @@ impl<T: Analytic> Ball<T> {
                         let (phase, turns) = reduced(scaled, from.phase.clone() + T::from_f64(angle));
                         let event = self.event(Kind::Undecided, wall, phase, T::zero()).later(turns);
                         witness(&event, Step::Undecided);
-                        self.place = Place::Ended;
+                        self.place = Place::Lost(from.clone());
                         Some(event)
                     }
                 }
@@ -234,7 +244,7 @@ impl<T: Analytic> Ball<T> {
                 self.release(side, event.phase.clone());
                 Some(event)
             }
-            Place::Ended => None,
+            Place::Lost(_) | Place::Ended => None,
         }
     }
 

@@ -77,3 +77,19 @@ pub(super) struct Departure<T> {
     /// Whether f + g is just taking it off, so that it vanishes here.
     pub released: bool,
 }
+
+impl<T> Departure<T> {
+    /// The same from f64 to another number, with the sine and cosine that it has of the phase.
+    pub fn convert<U: Analytic>(&self, convert: impl Fn(&T) -> U) -> Departure<U> {
+        let phase = convert(&self.phase);
+        let (sin, cos) = phase.sincos();
+        Departure {
+            side: self.side,
+            phase,
+            sin,
+            cos,
+            speed: convert(&self.speed),
+            released: self.released,
+        }
+    }
+}

@@ -109,10 +109,23 @@ impl<T: Analytic> Simulation<T> {
     /// Goes on from an impact of [`LISTED`] or more, so many turns after the start.
     pub(super) fn depart(&mut self, from: Departure<T>, turns: i64) {
         self.course.depart(from, turns);
-        (self.exhaustive, self.idle) = (false, 0);
+        (self.has_started, self.exhaustive, self.idle) = (true, false, 0);
     }
 
-    #[inline]
+    /// The next event of a flight whose end this number cannot tell, in a wider one, if that can.
+    pub(super) fn widened<U: Analytic>(&self, motion: &Motion<U>, convert: impl Fn(&T) -> U) -> Option<Event<U>> {
+        let (from, turns) = self.course.lost()?;
+        let start = Start {
+            side: from.side,
+            phase: convert(&from.phase),
+            velocity: U::zero(),
+        };
+        let mut wider = Simulation::new(motion, &start);
+        wider.depart(from.convert(convert), turns);
+        wider.next().filter(|event| event.kind != Kind::Undecided)
+    }
+
+    #[inline(always)]
     fn advance(&mut self) -> Option<Event<T>> {
         #[cfg(test)]
         calls::count(Call::Step);
@@ -140,7 +153,7 @@ impl<T: Analytic> Simulation<T> {
     }
 
     /// The next event that is listed.
-    #[inline]
+    #[inline(always)]
     fn listed(&mut self) -> Option<Event<T>> {
         let event = self.advance()?;
         let is_start = !std::mem::replace(&mut self.has_started, true);
@@ -169,7 +182,8 @@ impl<T: Analytic> Simulation<T> {
 impl<T: Analytic> Iterator for Simulation<T> {
     type Item = Event<T>;
 
-    #[inline]
+    // a call that hands the event over in memory would cost as much as the rest of a step besides the flight
+    #[inline(always)]
     fn next(&mut self) -> Option<Event<T>> {
         let event = self.listed()?;
         self.idle = if event.kind == Kind::Impact { 0 } else { self.idle + 1 };

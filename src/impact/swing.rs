@@ -19,7 +19,8 @@ impl<T: Analytic> Swing<T> {
     #[inline]
     pub fn of(x: &T, epsilon: f64) -> Self {
         let square = x.clone() * x.clone();
-        let tails = [4, 5].map(|n| tail(&square, n, epsilon));
+        // written out: through a closure this takes a fifth more of each impact
+        let tails = [tail(&square, 4, epsilon), tail(&square, 5, epsilon)];
         Self::from_tails(x, square, tails)
     }
 

@@ -8,7 +8,7 @@ use crate::model::Motion;
 use crate::number::{Analytic, Digits, DoubleDouble, at_digits};
 
 /// The events of a motion in f64. A contact that rounding hides is decided in double-double, else in 50 digits, from the
-/// event before as f64 has it, and the motion goes on from there; so it ends undecided only where those cannot tell.
+/// departure before as f64 has it, and the motion goes on from there; so it ends undecided only where those cannot tell.
 ///
 /// For what is asked of many motions, or of very long ones: each event follows from the one before to the precision of
 /// f64, and [`Growth`] says how far that still tells the motion from the start.
@@ -16,7 +16,6 @@ use crate::number::{Analytic, Digits, DoubleDouble, at_digits};
 pub struct Widening {
     motion: Motion<f64>,
     simulation: Simulation<f64>,
-    before: Option<Event<f64>>,
 }
 
 impl Widening {
@@ -25,7 +24,6 @@ impl Widening {
         Self {
             motion: motion.clone(),
             simulation: Simulation::new(motion, start).with_growth(),
-            before: None,
         }
     }
 
@@ -42,7 +40,6 @@ impl Widening {
     pub fn after(motion: &Motion<f64>, event: &Event<f64>) -> Self {
         let mut next = Self::new(motion, &Start::from(event));
         next.simulation.resume(event);
-        next.before = Some(event.clone());
         next
     }
 
@@ -56,32 +53,33 @@ impl Widening {
         self.simulation.tracked()
     }
 
-    /// The contact after the event before, in a wider number, if that decides it.
+    /// The contact that f64 cannot tell, in a wider number, if that decides it.
     fn decided<T: Analytic>(&self) -> Option<Event<f64>> {
-        let before = self.before.as_ref()?.convert(|value| T::from_f64(*value));
         let motion = self.motion.convert(|value| T::from_f64(*value)).ok()?;
-        let mut simulation = Simulation::new(&motion, &Start::from(&before));
-        simulation.resume(&before);
-        let event = simulation.next()?;
-        (event.kind != Kind::Undecided).then(|| event.convert(T::to_f64))
+        let event = self.simulation.widened(&motion, |value| T::from_f64(*value))?;
+        Some(event.convert(T::to_f64))
+    }
+
+    /// The contact that f64 leaves undecided, if a wider number decides it: the motion goes on from there.
+    #[cold]
+    fn resolved(&mut self) -> Option<Event<f64>> {
+        let decided = self
+            .decided::<DoubleDouble>()
+            .or_else(|| at_digits(50, || self.decided::<Digits>()))?;
+        self.simulation.resume(&decided);
+        Some(decided)
     }
 }
 
 impl Iterator for Widening {
     type Item = Event<f64>;
 
-    #[inline]
+    #[inline(always)]
     fn next(&mut self) -> Option<Event<f64>> {
-        let mut event = self.simulation.next()?;
-        if event.kind == Kind::Undecided
-            && let Some(decided) = self
-                .decided::<DoubleDouble>()
-                .or_else(|| at_digits(50, || self.decided::<Digits>()))
-        {
-            self.simulation.resume(&decided);
-            event = decided;
+        let event = self.simulation.next()?;
+        match event.kind {
+            Kind::Undecided => Some(self.resolved().unwrap_or(event)),
+            _ => Some(event),
         }
-        self.before = Some(event.clone());
-        Some(event)
     }
 }

@@ -48,6 +48,29 @@ impl Settled {
     }
 }
 
+/// What a window has seen besides impacts.
+#[derive(Default)]
+struct Rests {
+    releases: Releases,
+    /// Rests and releases since the last impact, and the number of that.
+    idle: u32,
+    since: u64,
+}
+
+impl Rests {
+    /// Adds an event that is no impact; whether the ball is rested and released for ever, without an impact that is listed.
+    #[cold]
+    fn go_on_for_ever(&mut self, window: &mut Window, event: Event<f64>) -> bool {
+        if self.releases.is_second(&event) {
+            window.release = Some(event.clone());
+        }
+        window.events.push(event);
+        self.idle = if self.since == window.impacts { self.idle + 1 } else { 1 };
+        self.since = window.impacts;
+        self.idle > IDLE
+    }
+}
+
 /// The last events of a motion, with so many impacts among them at least, if there were as many.
 struct Window {
     events: Vec<Event<f64>>,
@@ -67,35 +90,28 @@ impl Window {
             impacts: 0,
             release: None,
         };
-        let mut releases = Releases::default();
-        // cut now and then, not at each event: of an impact this is to cost next to nothing
+        let mut rests = Rests::default();
+        // of an impact this is to cost next to nothing: all else is done now and then
         let mut next_cut = last.min(2 * most as u64);
-        let mut idle = 0;
+        let mut next_look = next_cut.min(BETWEEN_STOPS);
         for event in events {
-            let is_impact = event.kind == Kind::Impact;
-            if releases.is_second(&event) {
-                window.release = Some(event.clone());
-            }
-            window.events.push(event);
-            if !is_impact {
-                idle += 1;
-                // rested and released for ever, without an impact that is listed
-                if idle > IDLE {
+            if event.kind != Kind::Impact {
+                if rests.go_on_for_ever(&mut window, event) {
                     break;
                 }
                 continue;
             }
-            idle = 0;
+            window.events.push(event);
             window.impacts += 1;
-            if window.impacts.is_multiple_of(BETWEEN_STOPS) && !stop::goes_on() {
-                break;
-            }
-            if window.impacts == next_cut {
-                window.cut(most);
-                if window.impacts == last {
+            if window.impacts == next_look {
+                if window.impacts == next_cut {
+                    window.cut(most);
+                    next_cut = last.min(next_cut + most as u64);
+                }
+                if window.impacts == last || !stop::goes_on() {
                     break;
                 }
-                next_cut = last.min(next_cut + most as u64);
+                next_look = next_cut.min(window.impacts + BETWEEN_STOPS);
             }
         }
         window.cut(most);
