@@ -182,3 +182,49 @@ fn runs_have_the_digits_asked_at_close_to_the_least_cost() {
         );
     }
 }
+
+/// The least of three times of this thread, in seconds.
+fn seconds(work: impl Fn()) -> f64 {
+    let once = || {
+        let start = cpu_time::ThreadTime::now();
+        work();
+        start.elapsed().as_secs_f64()
+    };
+    std::iter::repeat_with(once).take(3).fold(f64::INFINITY, f64::min)
+}
+
+/// A measurement, for a quiet machine: `cargo test --release --test asked_digits -- --ignored --nocapture`.
+#[test]
+#[ignore = "a measurement"]
+fn the_number_chosen_takes_at_most_twice_the_time_of_the_quickest() {
+    let mut regrets: Vec<(f64, u32)> = Vec::new();
+    for (index, motion) in motions(200).iter().enumerate() {
+        let digits = digits(index);
+        let first = cheapest(Purpose::Orbit, digits).expect("a choice");
+        let time = |first: Rung| {
+            seconds(|| {
+                asked(motion, digits, first);
+            })
+        };
+        let chosen = time(first);
+        let least = Rung::Double
+            .and_wider()
+            .take_while(|rung| rung.digits() <= 2 * digits + 40);
+        let least = least.map(time).fold(chosen, f64::min);
+        regrets.push((chosen / least, digits));
+    }
+    regrets.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let worst: Vec<String> = regrets
+        .iter()
+        .rev()
+        .take(5)
+        .map(|(regret, digits)| format!("{regret:.2} at {digits} digits"))
+        .collect();
+    println!(
+        "orbits: {:.2} in the median; the worst {}",
+        regrets[regrets.len() / 2].0,
+        worst.join(", ")
+    );
+    let most = regrets[regrets.len() - 1].0;
+    assert!(most <= 2.0, "{most}");
+}

@@ -261,6 +261,9 @@ fn commands(count: u64) {
     let texts = Texts::new();
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     on_seeds(count, |seed| {
+        if seed > 0 && seed.is_multiple_of(1000) {
+            println!("{seed} inputs answered");
+        }
         let mut random = Random(seed);
         let command = ["audit", "orbits", "branch", "sweep", "simulate", "score", "plot"][random.below(7)];
         let text = random.changed(match command {

@@ -202,6 +202,14 @@ impl Task {
             Self::Statistics => "statistics",
         }
     }
+
+    /// Whether a part of it may have this in its name.
+    pub fn is_named(self, text: &str) -> bool {
+        match self {
+            Self::Statistics => statistics::is_named(text),
+            _ => text.is_empty() || text.starts_with(self.name()),
+        }
+    }
 }
 
 impl fmt::Display for Task {

@@ -129,18 +129,15 @@ const ADVICE_SHOWN: usize = 7;
 /// What to take, of the tasks that a need speaks of.
 fn advised(need: &Need, asked: &TradeOptions, drawing: Option<Output>, is_text: bool) -> Result<Answer, Failure> {
     let wanted = need.task.as_deref().unwrap_or("");
-    let is_wanted = |task: &Task| match need.of_statistics {
-        true => *task == Task::Statistics,
-        false => *task != Task::Statistics && (wanted.is_empty() || wanted.starts_with(task.name())),
-    };
+    let is_meant = |task: &Task| (*task == Task::Statistics) == need.of_statistics;
     let none = |tasks: Vec<&str>| AdviceError::Task {
         task: wanted.to_owned(),
         tasks: tasks.join(", "),
     };
-    let tasks: Vec<Task> = Task::ALL.into_iter().filter(is_wanted).collect();
+    let meant: Vec<Task> = Task::ALL.into_iter().filter(is_meant).collect();
+    let tasks: Vec<Task> = meant.iter().copied().filter(|task| task.is_named(wanted)).collect();
     if tasks.is_empty() {
-        let others = Task::ALL.into_iter().filter(|task| *task != Task::Statistics);
-        return Err(none(others.map(Task::name).collect()).into());
+        return Err(none(meant.into_iter().map(Task::name).collect()).into());
     }
     let latency = measured_latency(false);
     let mut all = Vec::new();
@@ -159,10 +156,14 @@ fn advised(need: &Need, asked: &TradeOptions, drawing: Option<Output>, is_text: 
     let mut table = Table::new(ADVICE.into_iter().take(shown));
     for Advice { rank, basis, row } in &advice {
         if *rank == Rank::Closest {
-            let (digits, kept) = (need.digits, row.kept(need.solved));
-            let share = 100.0 * need.solved;
+            let (digits, share) = (need.digits, 100.0 * need.solved);
+            let (kept, problems) = (need.kept_at(row), row.problems.len());
+            let proof = match (need.proved, row.proved) {
+                (true, false) => " and nothing proves them",
+                _ => "",
+            };
             note(&format!(
-                "{}: nothing keeps {digits:.1} digits at {share}% of the problems; the closest keeps {kept:.1}",
+                "{}: nothing keeps {digits:.1} digits at {share}% of the problems{proof}; the closest keeps them at {kept} of {problems}",
                 row.task
             ));
         }

@@ -27,6 +27,9 @@ pub enum AdviceError {
     /// No such key.
     #[error("there is no `{0}`: digits or error, solved, proved, task")]
     Key(String),
+    /// A key that is given twice.
+    #[error("`{0}` is given twice")]
+    Twice(String),
     /// A value out of its range.
     #[error("{key}={value}: {range}")]
     Value {
@@ -60,9 +63,14 @@ impl FromStr for Need {
     /// `solved` it is asked at every problem.
     fn from_str(text: &str) -> Result<Self, AdviceError> {
         let (mut digits, mut error, mut solved, mut proved, mut task) = (None, None, 1.0, false, None);
+        let mut keys: Vec<&str> = Vec::new();
         for pair in text.split(',') {
             let (key, value) = pair.split_once('=').ok_or_else(|| AdviceError::Pair(pair.to_owned()))?;
             let (key, value) = (key.trim(), value.trim());
+            if keys.contains(&key) {
+                return Err(AdviceError::Twice(key.to_owned()));
+            }
+            keys.push(key);
             let number = |key, range, may_be: fn(f64) -> bool| {
                 let number = value.parse().ok().filter(|number| may_be(*number));
                 number.ok_or_else(|| AdviceError::Value {
@@ -74,15 +82,15 @@ impl FromStr for Need {
             match key {
                 "digits" => {
                     let may_be = |digits| digits > 0.0 && digits <= MOST_DIGITS;
-                    digits = Some(number("digits", "must be above 0 and at most 1000", may_be)?);
+                    digits = Some(number("digits", "must be a number above 0 and at most 1000", may_be)?);
                 }
                 "error" => {
                     let may_be = |error| error > 0.0 && error < 1.0;
-                    error = Some(number("error", "must be above 0 and below 1", may_be)?);
+                    error = Some(number("error", "must be a number above 0 and below 1", may_be)?);
                 }
                 "solved" => {
                     let may_be = |solved| solved > 0.0 && solved <= 1.0;
-                    solved = number("solved", "must be above 0 and at most 1", may_be)?;
+                    solved = number("solved", "must be a number above 0 and at most 1", may_be)?;
                 }
                 "proved" => {
                     proved = value.parse().map_err(|_| AdviceError::Value {
@@ -113,6 +121,12 @@ impl FromStr for Need {
 impl Need {
     fn is_met(&self, row: &TradeRow) -> bool {
         row.kept(self.solved) >= self.digits && (row.proved || !self.proved)
+    }
+
+    /// At how many of its problems a means keeps the digits.
+    pub fn kept_at(&self, row: &TradeRow) -> usize {
+        let digits = row.problems.iter().filter_map(|problem| problem.digits);
+        digits.filter(|digits| *digits >= self.digits).count()
     }
 }
 
@@ -207,8 +221,15 @@ pub fn advise<'a>(rows: &'a [TradeRow], need: &Need) -> Vec<Advice<'a>> {
             advice.extend(ranked);
         }
         if met.is_empty() {
-            let may_be = of_task.into_iter().filter(|row| row.proved || !need.proved);
-            let closest = may_be.max_by(|a, b| a.kept(need.solved).total_cmp(&b.kept(need.solved)));
+            // where nothing proves, what comes closest does not either
+            let proves = need.proved && of_task.iter().any(|row| row.proved);
+            let may_be = of_task.into_iter().filter(|row| row.proved || !proves);
+            let closest = may_be.max_by(|a, b| {
+                let kept = a.kept(need.solved).total_cmp(&b.kept(need.solved));
+                (need.kept_at(a).cmp(&need.kept_at(b)))
+                    .then(kept)
+                    .then(b.cost.cmp(&a.cost))
+            });
             let (rank, basis) = (Rank::Closest, Basis::Operations);
             advice.extend(closest.map(|row| Advice { rank, basis, row }));
         }
@@ -281,6 +302,13 @@ mod tests {
             (Rank::Cheapest, seconds, "certified")
         );
         assert_eq!(named(&rows, "digits=20"), [(Rank::Closest, operations, "certified")]);
+        // of two of which neither does it at all problems, the one that does it at more of them
+        assert_eq!(named(&rows[..2], "digits=10"), [(Rank::Closest, operations, "quick")]);
+        // where nothing proves there is a closest too
+        assert_eq!(
+            named(&rows[..2], "digits=8,proved=true"),
+            [(Rank::Closest, operations, "few")]
+        );
     }
 
     #[test]
@@ -301,6 +329,7 @@ mod tests {
             "digits=1e9",
             "solved=0.5",
             "digits=5,error=0.1",
+            "digits=5,task=orbit,task=dp",
         ] {
             assert!(text.parse::<Need>().is_err(), "{text}");
         }

@@ -370,18 +370,30 @@ fn of_cycle<T: Analytic>(motion: &Motion<T>, impacts: &[Event<T>], periods: i64,
     })
 }
 
+/// The parts of task `statistics`, with their names.
+fn parts() -> impl Iterator<Item = (Region, Quantity, String)> {
+    let quantities = |region: Region| Quantity::ALL.into_iter().map(move |quantity| (region, quantity));
+    let all = Region::ALL.into_iter().flat_map(quantities);
+    // a rest wipes every distance out
+    let all = all.filter(|part| *part != (Region::Resting, Quantity::Lyapunov));
+    all.map(|(region, quantity)| {
+        let name = format!("statistics/{}/{}", region.name(), quantity.name());
+        (region, quantity, name)
+    })
+}
+
+/// Whether a part has this in its name.
+pub(super) fn is_named(text: &str) -> bool {
+    parts().any(|(.., name)| name.contains(text))
+}
+
 /// The trade of task `statistics`: a part for each kind of motion and quantity. Each problem is a device with
 /// [`STARTS`] starts; their impacts are counted together, and the first half of each motion is passed over.
 pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> {
     let mut rows = Vec::new();
     for region in Region::ALL {
         let devices = devices(region, options);
-        for quantity in Quantity::ALL {
-            // a rest wipes every distance out
-            if region == Region::Resting && quantity == Quantity::Lyapunov {
-                continue;
-            }
-            let name = format!("statistics/{}/{}", region.name(), quantity.name());
+        for (_, quantity, name) in parts().filter(|(of, ..)| *of == region) {
             let exact: Option<Vec<Vec<Exact>>> = devices
                 .iter()
                 .map(|device| Some(vec![<Exact as Analytic>::from_f64(exact(device, quantity)?)]))
