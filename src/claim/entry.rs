@@ -4,7 +4,7 @@ use super::declared::is_defined;
 use super::definition::{Local, circular};
 use super::fault::{Fault, Source};
 use super::nearest::nearest;
-use super::substitute::{any, number_of};
+use super::substitute::{any, number_of, tree_runs};
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::number::{Field, Rational};
@@ -99,6 +99,13 @@ impl Entry {
                 .filter(|local| !is_defined(&local.name, shared));
             match new {
                 Some(local) => own.push(local),
+                None if equation.explains
+                    && self.role != Role::Premise
+                    && vocabulary.definition(equation).is_none() =>
+                {
+                    let problem = "a condition within a formula: write it as an `assume` of the entry";
+                    return Err(self.tex.fault(equation.at.0, problem).of(&self.label));
+                }
                 None => stated.push(equation.clone()),
             }
         }
@@ -162,9 +169,21 @@ impl Entry {
             return Err(fault.of(&self.label));
         }
         self.check_order(vocabulary)?;
+        self.check_times_of_assume(vocabulary)?;
+        let mut replaced = HashSet::new();
         for (equation, source) in &self.with {
-            if let Tree::Symbol(name, _) = &equation.left
-                && vocabulary.is_index_letter(name)
+            if equation.relation != Relation::Equal {
+                let problem = "`with` puts one thing in for another: write what is no equation in `assume`";
+                return Err(source.fault(equation.at.0, problem).of(&self.label));
+            }
+            let Tree::Symbol(name, _) = &equation.left else {
+                continue;
+            };
+            if !replaced.insert(name) {
+                let problem = format!("`{name}` is replaced twice");
+                return Err(source.fault(equation.at.0, problem).of(&self.label));
+            }
+            if vocabulary.is_index_letter(name)
                 && index_of(&equation.right.to_string().replace(' ', ""), &vocabulary.index).is_none()
             {
                 let problem = format!("`{name}` can be replaced by `{name}+1` and the like only");
@@ -204,6 +223,39 @@ impl Entry {
             }
         }
         Ok(declared)
+    }
+
+    /// Refuses a condition on the running time that does not hold at one time, that of what the entry states.
+    fn check_times_of_assume(&self, vocabulary: &Vocabulary) -> Result<(), Fault> {
+        let runs = |tree: &Tree| tree_runs(tree, vocabulary);
+        let moves = |tree: &Tree| {
+            any(tree, &mut |node| match node {
+                Tree::Call(name, argument, _) => vocabulary.names.is_function(name) && runs(argument),
+                Tree::Symbol(name, _) => vocabulary.names.is_function(name) && runs(node),
+                _ => false,
+            })
+        };
+        let stated = self
+            .stated
+            .iter()
+            .flat_map(|equation| [&equation.left, &equation.right]);
+        let is_of_one_time = stated.chain(self.own.iter().map(|local| &local.tree)).any(runs);
+        for (condition, source) in &self.assume {
+            let (sides, at, is_equation) = match condition {
+                Condition::Relation(relation) => {
+                    let is_equation = relation.relation == Relation::Equal;
+                    (vec![&relation.left, &relation.right], relation.at.0, is_equation)
+                }
+                Condition::Integer(tree) => (vec![tree], 0, false),
+            };
+            let is_law = is_equation && sides.iter().any(|side| moves(side));
+            if sides.iter().any(|side| runs(side)) && (is_law || !is_of_one_time) {
+                let problem =
+                    "a condition is one at the time of the formula: write what holds at every time as a premise";
+                return Err(source.fault(at, problem).of(&self.label));
+            }
+        }
+        Ok(())
     }
 
     /// Refuses an inequality between values that may be complex.

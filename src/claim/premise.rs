@@ -27,8 +27,8 @@ pub struct Premise {
     pub source: Source,
 }
 
-/// Flights that [`Statements::said`] takes a law at; claims that name impacts far apart do not need more.
-const MOST_FLIGHTS: i32 = 4;
+/// The most flights that [`Statements::said`] takes a law at.
+const MOST_FLIGHTS: i32 = 6;
 
 /// All that bears on one claim.
 #[derive(Clone, Debug, Default)]
@@ -88,7 +88,7 @@ impl Premise {
     /// A law of flight is said of every impact: it is taken at the `flights` that the claim speaks of, from the
     /// impact `first` on. Any other premise is said once.
     fn said_of(&self, first: Option<i32>, flights: i32, vocabulary: &Vocabulary) -> Vec<Self> {
-        let flights = 0..flights.min(MOST_FLIGHTS);
+        let flights = 0..flights;
         match (self.first, first) {
             (Some(start), Some(first)) if runs(&self.equation, vocabulary) || (self.substituted && first >= start) => {
                 flights
@@ -163,13 +163,14 @@ impl Statements {
     }
 
     /// The premises at each flight that the claim speaks of: what is said of every flight is there once for each.
-    pub fn said(&self, vocabulary: &Vocabulary) -> Vec<Premise> {
+    pub fn said(&self, vocabulary: &Vocabulary) -> Option<Vec<Premise>> {
         let impacts = self.first.zip(self.last).filter(|_| !self.claim_runs);
         let flights = impacts.map_or(1, |(first, last)| last.saturating_sub(first).max(1));
         let premises = self.premises.iter();
-        premises
-            .flat_map(|premise| premise.said_of(self.first, flights, vocabulary))
-            .collect()
+        let said = |premise: &Premise| premise.said_of(self.first, flights.min(MOST_FLIGHTS), vocabulary);
+        let all: Vec<Vec<Premise>> = premises.map(said).collect();
+        let is_cut = flights > MOST_FLIGHTS && all.iter().any(|said| said.len() > 1);
+        (!is_cut).then(|| all.concat())
     }
 
     /// Adds what an entry states to the premises.
@@ -262,6 +263,7 @@ impl Statements {
                     right: local.tree.clone(),
                     at,
                     end: at,
+                    explains: false,
                 };
                 local.tree = vocabulary.substituted(&equation, &pairs).right;
             }

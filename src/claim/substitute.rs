@@ -100,6 +100,7 @@ pub(super) fn rewrite_alone(tree: &Tree, new: &dyn Fn(&Equation) -> Equation) ->
         right: Tree::Number(<Rational as num_traits::Zero>::zero()),
         at: At::default(),
         end: At::default(),
+        explains: false,
     };
     new(&equation).left
 }

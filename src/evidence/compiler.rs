@@ -5,8 +5,12 @@ use super::maps::Maps;
 use super::space::{Slot, Space};
 use super::value::Function;
 use crate::claim::{Local, Vocabulary, index_of, number_of};
-use crate::number::Rational;
+use crate::number::{Field, Rational};
 use crate::tex::{Invariant, Name, Tree};
+use dashu_int::ops::Gcd;
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
+use num_traits::{One, Zero};
 use std::collections::HashMap;
 
 /// Why there is no witness.
@@ -132,18 +136,37 @@ impl<'a> Compiler<'a> {
         })
     }
 
-    /// Whether a tree is made of integers by sums, products and powers.
+    /// Whether a tree is made of integers by sums, products and powers, up to numbers that make an integer.
     fn has_integer_values(&self, tree: &Tree) -> bool {
-        match tree {
-            Tree::Number(value) => !value.to_string().contains('/'),
+        self.unit(tree).is_some_and(|unit| is_integer(&unit))
+    }
+
+    /// A number of which each value of the tree is a multiple, if the tree is made of numbers and integers.
+    fn unit(&self, tree: &Tree) -> Option<Rational> {
+        let of = |part: &Tree| self.unit(part);
+        Some(match tree {
+            Tree::Number(value) => value.clone(),
             Tree::Symbol(name, _) => {
-                self.vocabulary.integers.contains(name) || super::domain::is_index(self.vocabulary, name)
+                let is_whole =
+                    self.vocabulary.integers.contains(name) || super::domain::is_index(self.vocabulary, name);
+                return is_whole.then(Rational::one);
             }
-            Tree::Negate(body) | Tree::PlusMinus(body) | Tree::MinusPlus(body) => self.has_integer_values(body),
-            Tree::Power(body, exponent, _) => *exponent >= 0 && self.has_integer_values(body),
-            Tree::Sum(parts) | Tree::Product(parts) => parts.iter().all(|part| self.has_integer_values(part)),
-            _ => false,
-        }
+            Tree::Negate(body) | Tree::PlusMinus(body) | Tree::MinusPlus(body) => of(body)?,
+            Tree::Power(body, exponent, _) if *exponent >= 0 => of(body)?.to_power(*exponent),
+            Tree::Product(parts) => parts
+                .iter()
+                .map(of)
+                .try_fold(Rational::one(), |product, part| Some(product * part?))?,
+            Tree::Sum(parts) => parts
+                .iter()
+                .map(of)
+                .try_fold(Rational::zero(), |sum, part| Some(common_unit(&sum, &part?)))?,
+            Tree::Quotient(above, below, _) => {
+                let below = number_of(below).filter(|below| !below.is_zero())?;
+                of(above)? / below
+            }
+            _ => return None,
+        })
     }
 
     /// Whether a name is this constant, which nothing declares anew.
@@ -406,6 +429,21 @@ pub fn chains(vocabulary: &Vocabulary) -> Vec<Vec<Name>> {
 }
 
 /// Numerator and denominator of a number whose powers and roots can be evaluated.
+/// The greatest number of which both are whole multiples.
+fn common_unit(a: &Rational, b: &Rational) -> Rational {
+    let parts = |x: &Rational, y: &Rational| x.0.numerator().clone() * IBig::from(y.0.denominator().clone());
+    let (left, right) = (parts(a, b), parts(b, a));
+    if left == IBig::ZERO || right == IBig::ZERO {
+        return a.clone() + b.clone();
+    }
+    let above = IBig::from(left.gcd(&right));
+    Rational(RBig::from_parts(above, a.0.denominator() * b.0.denominator()))
+}
+
+fn is_integer(value: &Rational) -> bool {
+    *value.0.denominator() == UBig::ONE
+}
+
 fn fraction(value: &Rational) -> Option<(i32, u32)> {
     let power = i32::try_from(value.0.numerator())
         .ok()

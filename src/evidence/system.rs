@@ -149,8 +149,8 @@ impl System {
             self.start = Some(self.compiler(vocabulary, &[]).time(first));
         }
         let mut laws = Vec::new();
-        let mut of_matrices = Vec::new();
-        let mut premises = said(statements, vocabulary);
+        let mut of_matrices: Vec<(&Equation, &[Local], Option<i32>)> = Vec::new();
+        let mut premises = said(statements, vocabulary).ok_or(Unwitnessed::Kind(TOO_FAR))?;
         premises.extend(beside(statements, vocabulary).into_iter().map(|premise| (premise, 0)));
         for (premise, by) in &premises {
             self.index_shift = *by;
@@ -163,7 +163,7 @@ impl System {
                 premise.first.unwrap_or(first)
             };
             if speaks_of_matrix(&premise.equation) {
-                of_matrices.push(premise);
+                of_matrices.push((&premise.equation, &premise.locals, premise.first));
                 continue;
             }
             let sides = self.sides(&premise.equation, vocabulary, &premise.locals, premise.first, flight)?;
@@ -194,6 +194,13 @@ impl System {
         });
         let given = self.rows.len();
         for (condition, locals, at) in claimed.chain(brought) {
+            if let Assumption::Relation(equation) = condition
+                && equation.relation == Relation::Equal
+                && speaks_of_matrix(equation)
+            {
+                of_matrices.push((equation, locals, at));
+                continue;
+            }
             self.assume(condition, vocabulary, locals, at, &mut laws)?;
         }
         let assumed = given..self.rows.len();
@@ -218,8 +225,8 @@ impl System {
         self.rows = rows;
         self.choose_step_rows(statements, &written, &assumed, vocabulary);
         self.maps.opaque = self.step_rows.iter().all(Vec::is_empty) && !statements.has_partials;
-        for premise in of_matrices {
-            for (left, right) in self.sides(&premise.equation, vocabulary, &premise.locals, premise.first, first)? {
+        for (equation, locals, at) in of_matrices {
+            for (left, right) in self.sides(equation, vocabulary, locals, at, first)? {
                 let row = self.formulas.subtract(left, right);
                 self.late.push(row);
             }
@@ -660,12 +667,15 @@ fn partials(statements: &Statements) -> Vec<(Name, Name)> {
     found.into_inner()
 }
 
+/// Why nothing is said of a claim that spans many impacts.
+const TOO_FAR: &str = "what the claim names lies more impacts or indices apart than are looked at";
+
 /// The premises at each flight that the claim speaks of; where an index runs, at each value of it that premises and
-/// claim name.
-fn said(statements: &Statements, vocabulary: &Vocabulary) -> Vec<(Premise, i32)> {
-    let premises = statements.said(vocabulary);
+/// claim name. `None` where these are too many.
+fn said(statements: &Statements, vocabulary: &Vocabulary) -> Option<Vec<(Premise, i32)>> {
+    let premises = statements.said(vocabulary)?;
     if !domain::index_runs(vocabulary) {
-        return premises.into_iter().map(|premise| (premise, 0)).collect();
+        return Some(premises.into_iter().map(|premise| (premise, 0)).collect());
     }
     let equations = premises
         .iter()
@@ -688,7 +698,10 @@ fn said(statements: &Statements, vocabulary: &Vocabulary) -> Vec<(Premise, i32)>
         let named = vocabulary.impacts(&premise.equation);
         match (named.first(), named.last()) {
             (Some(first), Some(last)) => {
-                let shifts = (low - first..=high - last).take(MOST_INSTANCES);
+                let shifts = low - first..=high - last;
+                if shifts.clone().nth(MOST_INSTANCES).is_some() {
+                    return None;
+                }
                 instances.extend(shifts.map(|by| (premise.shifted(by, vocabulary), by)));
             }
             // of an index that stands by itself a premise says something at every integer
@@ -698,7 +711,7 @@ fn said(statements: &Statements, vocabulary: &Vocabulary) -> Vec<(Premise, i32)>
             _ => instances.push((premise, 0)),
         }
     }
-    instances
+    Some(instances)
 }
 
 /// The laws of flight that restrict the states at its ends, in the flights that end at the first impact and start at the
@@ -738,7 +751,7 @@ fn beside(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Premise> {
 }
 
 /// Values of a running index at which a premise is taken.
-const MOST_INSTANCES: usize = 8;
+const MOST_INSTANCES: usize = 16;
 
 fn speaks_of_index(equation: &Equation, vocabulary: &Vocabulary) -> bool {
     any(

@@ -273,13 +273,21 @@ impl<T: Real> Value for Complex<T> {
             Function::Sinh => -self.clone().times_i().apply(Function::Sin).times_i(),
             Function::Cosh => self.clone().times_i().apply(Function::Cos),
             // NIST Handbook of Mathematical Functions, 4.23(iv) and 4.37(iv)
-            Function::Arcsin => -ln(self.clone().times_i() + (one() - square()).root(2)).times_i(),
+            Function::Arcsin => -self.clone().times_i().apply(Function::Arsinh).times_i(),
             Function::Arccos => Self::real(T::pi()).halved() - self.apply(Function::Arcsin),
             Function::Arctan => {
                 let iz = self.clone().times_i();
                 (ln(one() - iz.clone()) - ln(one() + iz)).halved().times_i()
             }
-            Function::Arsinh => ln(self.clone() + (square() + one()).root(2)),
+            // of the two logarithms, which are each other's negative, the one whose argument does not cancel
+            Function::Arsinh => {
+                let root = (square() + one()).root(2);
+                let (sum, difference) = (root.clone() + self.clone(), root - self.clone());
+                match sum.size() >= difference.size() {
+                    true => ln(sum),
+                    false => -ln(difference),
+                }
+            }
             Function::Arcosh => ln(self.clone() + (self.clone() + one()).root(2) * (self.clone() - one()).root(2)),
             Function::Artanh => ln((one() + self.clone()).over(&(one() - self.clone()))).halved(),
             Function::Abs => Self::real(self.modulus()),
@@ -377,6 +385,16 @@ mod tests {
         let z = Complex::new(-0.3, 1.7);
         let back = z.apply(Function::Arcsin).apply(Function::Sin);
         assert!((back - z.clone()).size() < 1e-14);
+        for far in [
+            Complex::<f64>::new(-3e7, 4e6),
+            Complex::new(2e8, -1e9),
+            Complex::new(-5.0, -8e9),
+        ] {
+            for (there, back) in [(Function::Arcsin, Function::Sin), (Function::Arccos, Function::Cos)] {
+                let apart = far.apply(there).apply(back) - far.clone();
+                assert!(apart.size() < 1e-13 * far.size(), "{there:?} {far:?} {apart:?}");
+            }
+        }
         let back = z.apply(Function::Artanh);
         let tanh = back.apply(Function::Sinh).over(&back.apply(Function::Cosh));
         assert!((tanh - z).size() < 1e-14);

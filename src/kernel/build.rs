@@ -975,20 +975,28 @@ impl<'a> Builder<'a> {
         Ok(self.statement.terms.add(Node::RealPower(base, exponent)))
     }
 
-    /// Whether a term is a sum of products of integers and symbols declared to be integers.
+    /// Whether a term is written with numbers and symbols declared to be integers alone, and is, multiplied out, a sum of
+    /// whole multiples of products of these.
     fn is_integer(&self, term: Term) -> bool {
-        match self.statement.terms.node(term) {
-            Node::Number(value) => *value.0.denominator() == dashu_int::UBig::ONE,
+        let terms = &self.statement.terms;
+        let may_stand = |inner: Term| match terms.node(inner) {
+            Node::Number(_) | Node::Sum(_) | Node::Product(_) | Node::Power(..) | Node::Quotient(..) => true,
             Node::Symbol(symbol) => match self.statement.quantity(*symbol) {
                 Some(Quantity::Parameter(name)) => {
                     self.vocabulary.integers.contains(name) || self.vocabulary.indices.contains(name)
                 }
                 _ => false,
             },
-            Node::Sum(parts) | Node::Product(parts) => parts.iter().all(|&part| self.is_integer(part)),
-            Node::Power(base, _) => self.is_integer(*base),
             _ => false,
+        };
+        if !terms.inside(term).into_iter().all(may_stand) {
+            return false;
         }
+        let mut expansion = super::expand::Expansion::new(BTreeSet::new(), 1000);
+        let is_whole = |value: &dashu_ratio::RBig| *value.denominator() == dashu_int::UBig::ONE;
+        expansion.of(terms, term).is_ok_and(|quotient| {
+            quotient.divisors.is_empty() && quotient.numerator.terms().iter().all(|(_, value)| is_whole(value))
+        })
     }
 
     fn is_declared(&self, name: &Name) -> bool {

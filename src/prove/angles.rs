@@ -17,6 +17,9 @@ type Atom = (Monomial, Vec<(Polynomial, u32)>);
 /// The largest multiple of a basis argument that is written out.
 const LARGEST_MULTIPLE: i64 = 64;
 
+/// The most summands of an argument that are written out: each takes four steps, each longer than the one before.
+const MOST_SUMMANDS: usize = 24;
+
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Family {
     Circular,
@@ -96,7 +99,7 @@ fn expand_family(session: &mut Session, family: Family, arguments: &BTreeSet<Ter
     let mut combinations: Vec<(Term, Vec<(Atom, RBig)>)> = Vec::new();
     let mut denominators: Vec<(Atom, UBig)> = Vec::new();
     for &argument in arguments {
-        let Some(parts) = combination(session, argument) else {
+        let Some(parts) = combination(session, argument).filter(|parts| parts.len() <= MOST_SUMMANDS) else {
             continue;
         };
         for (atom, value) in &parts {

@@ -11,6 +11,13 @@ use crate::number::{Field, Rational};
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
+/// The steps that the kernel may take for each one of the search, in all inferences of a session: what it refuses and
+/// what is not used in the end costs steps too.
+const KERNEL_STEPS: u64 = 4;
+
+/// The monomials that are looked at in the time of one operation on coefficients.
+const LOOKS_OF_A_STEP: u64 = 16;
+
 /// What an inference costs, as steps of a division do.
 const STEPS_OF_INFERENCE: u64 = 20;
 
@@ -94,7 +101,7 @@ impl<'a> Session<'a> {
             steps: Vec::new(),
         };
         Self {
-            checker: Checker::new(statement, &certificate, 200_000_000),
+            checker: Checker::new(statement, &certificate, budget.saturating_mul(KERNEL_STEPS)),
             laws: super::values::Laws::default(),
             steps: Vec::new(),
             budget: Steps::new(budget),
@@ -387,6 +394,7 @@ impl<'a> Session<'a> {
             {
                 continue;
             }
+            self.budget.take(polynomial.terms().len() as u64).ok()?;
             let coefficients = coefficients_in(&polynomial, generator);
             let degree = u32::try_from(coefficients.len() - 1).ok()?;
             let Some(lead) = coefficients.last().cloned() else {
@@ -686,6 +694,8 @@ impl<'a> Session<'a> {
             for place in 0..self.triangle.len() {
                 let pivot = &self.triangle[place];
                 let (known, generator, degree) = (pivot.fact, pivot.generator, pivot.degree);
+                let looked_at = self.checker.facts[current].polynomial.terms().len() as u64;
+                self.budget.take(looked_at / LOOKS_OF_A_STEP).ok()?;
                 if known == current || degree_in(&self.checker.facts[current].polynomial, generator) < degree {
                     continue;
                 }

@@ -73,21 +73,23 @@ impl<'a> Reader<'a> {
         self.carried(tree, Form::Literal)
     }
 
-    /// Refuses `1e3` and `2.5e-3`: a programmer means a power of ten, TeX prints a product or a difference.
+    /// Refuses `1e3` and `2.5e-3`: a programmer means a power of ten, TeX prints a product or a difference. Blanks and
+    /// braces do not print; a sign makes a sum of it where the source has blanks beside it.
     fn no_scale(&self, number: Token<'a>) -> Result<(), Fault> {
-        let close = |ahead: usize| {
-            let before = match ahead.checked_sub(1) {
-                Some(before) => self.look(before)?,
-                None => number,
-            };
-            self.look(ahead).filter(|token| token.at == before.end)
-        };
-        let Some(letter) = close(0).filter(|token| matches!(token.text, "e" | "E")) else {
+        let printed = |token: &&Token<'a>| !matches!(token.kind, Kind::BraceOpen | Kind::BraceClose);
+        let mut rest = self.tokens.iter().skip(self.next).filter(printed);
+        let Some(letter) = rest.next().filter(|token| matches!(token.text, "e" | "E")) else {
             return Ok(());
         };
-        let sign = close(1).filter(|token| matches!(token.kind, Kind::Plus | Kind::Minus));
-        let digits = close(1 + usize::from(sign.is_some())).filter(|token| token.kind == Kind::Number);
-        let Some(digits) = digits else {
+        let (mut sign, mut digits) = (None, rest.next());
+        if let Some(token) = digits.filter(|token| matches!(token.kind, Kind::Plus | Kind::Minus)) {
+            let close = |before: &Token<'a>, after: &Token<'a>| before.end == after.at;
+            (sign, digits) = (Some(token), rest.next());
+            if !(close(letter, token) && digits.is_some_and(|digits| close(token, digits))) {
+                return Ok(());
+            }
+        }
+        let Some(digits) = digits.filter(|token| token.kind == Kind::Number) else {
             return Ok(());
         };
         let (number_text, letter, digits) = (number.text, letter.text, digits.text);
@@ -109,9 +111,19 @@ impl<'a> Reader<'a> {
         self.next += 1;
         let part = self.sum_part()?;
         self.close_brace(at)?;
+        let last = match &*part.tree {
+            Tree::Product(factors) => factors.last(),
+            _ => None,
+        };
+        let ends_in_number = matches!(last, Some(Tree::Number(_)));
         match (part.tree, part.form) {
             (tree, Form::Plain) if matches!(*tree, Tree::Symbol(..)) => self.rescripted(*tree),
             (tree, Form::Open) => self.carried(tree, Form::Braced),
+            (tree, _) if ends_in_number => self.carried(tree, Form::Braced),
+            (tree, Form::Bare) => {
+                self.argument_ends(at)?;
+                self.carried(tree, Form::Bare)
+            }
             (tree, form) => self.carried(tree, form),
         }
     }
@@ -326,6 +338,8 @@ mod tests {
             (r"\sqrt[1]{x}", "from 2 to 1000"),
             (r"\sqrt[1001]{x}", "from 2 to 1000"),
             (r"\sqrt[3{x}", "from 2 to 1000"),
+            (r"1.5\mathrm{e}3", r"`1.5e3` can be read"),
+            ("1.5 e 3", r"`1.5e3` can be read"),
             ("1e3", r"`1e3` can be read as 1 \cdot 10^{3} or as 1 e \cdot 3"),
             (
                 "a + 2.5e-3",

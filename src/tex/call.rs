@@ -26,6 +26,7 @@ impl<'a> Reader<'a> {
         if let Some((function, length)) = self.plain_elementary() {
             return self.elementary(function, length);
         }
+        self.no_foreign_function(token.at)?;
         let name = self.bare_name()?;
         self.symbol(name, token.at)
     }
@@ -123,7 +124,7 @@ impl<'a> Reader<'a> {
                 let power = power.map(Exponent::before_argument).transpose()?;
                 // without brackets a power behind it would be one of the argument, even behind braces
                 Ok(Part {
-                    form: Form::Knot,
+                    form: Form::Bare,
                     ..raise(elementary_call(function, argument, at), power)
                 })
             }
@@ -134,10 +135,6 @@ impl<'a> Reader<'a> {
     fn bare_argument(&mut self) -> Result<Box<Tree>, Fault> {
         self.deepen()?;
         let at = self.here();
-        let brackets = || {
-            let instead = "write brackets around the argument";
-            Fault::ambiguous(at, "an argument without brackets", instead)
-        };
         match self.peek_kind() {
             Some(kind) if starts_factor(kind) && kind != Kind::Function => {}
             _ => return Err(self.instead_of("the argument of the function")),
@@ -149,13 +146,18 @@ impl<'a> Reader<'a> {
             Form::Plain => matches!(*part.tree, Tree::Symbol(..)),
             _ => false,
         };
+        match atom {
+            true => self.argument_ends(at).map(|()| part.tree),
+            false => Err(unclear_argument(at)),
+        }
+    }
+
+    /// Refuses what would print as more of the argument of a function that starts at `at` and has no brackets.
+    pub(super) fn argument_ends(&mut self, at: usize) -> Result<(), Fault> {
         self.skip_empty();
-        let more = self
-            .peek_kind()
-            .is_some_and(|kind| starts_factor(kind) || kind == Kind::Slash);
-        match atom && !more {
-            true => Ok(part.tree),
-            false => Err(brackets()),
+        match self.peek_kind() {
+            Some(kind) if starts_factor(kind) || kind == Kind::Slash => Err(unclear_argument(at)),
+            _ => Ok(()),
         }
     }
 
@@ -175,6 +177,21 @@ impl<'a> Reader<'a> {
         let function = elementary_at_start(&run).filter(|_| self.names.word_at_start(&run).is_none())?;
         let length = function.len() - 1;
         self.bracket_follows(length).then_some((function, length))
+    }
+
+    /// Refuses `sqrt(` and its like in letters: a programmer means the function, TeX prints a product.
+    fn no_foreign_function(&self, at: usize) -> Result<(), Fault> {
+        let run = self.letters(true);
+        let is_next = |word: &&&str| run.starts_with(**word) && self.bracket_follows(word.len());
+        let word = FOREIGN_FUNCTIONS.iter().find(is_next);
+        match word.filter(|_| self.names.word_at_start(&run).is_none()) {
+            Some(word) => {
+                let letters = word.chars().map(String::from).collect::<Vec<_>>().join(" ");
+                let function = format!("\\operatorname{{{word}}}");
+                Err(Fault::two_readings(at, &format!("`{word}(`"), &function, &letters))
+            }
+            None => Ok(()),
+        }
     }
 
     /// Whether a bracket stands behind the next `skip` tokens and, perhaps, a power.
@@ -244,6 +261,17 @@ impl<'a> Reader<'a> {
     }
 }
 
+/// Functions that programs spell in letters and this reader does not know under that name.
+const FOREIGN_FUNCTIONS: [&str; 16] = [
+    "sqrt", "cbrt", "asinh", "acosh", "atanh", "asin", "acos", "atan", "max", "min", "mod", "sign", "floor", "ceil",
+    "round", "gcd",
+];
+
+fn unclear_argument(at: usize) -> Fault {
+    let instead = "write brackets around the argument";
+    Fault::ambiguous(at, "an argument without brackets", instead)
+}
+
 fn elementary_call(function: &str, argument: Box<Tree>, at: usize) -> Box<Tree> {
     Box::new(Tree::Call(base(function), argument, At(at)))
 }
@@ -280,12 +308,12 @@ mod tests {
             ("f^2(t_k)", "(^ <f t_k> 2)"),
             ("f(t_k)^2", "(^ <f t_k> 2)"),
             ("f(t)(t - a)", "(* <f t> (+ t (- a)))"),
+            ("f{a}", "(* f a)"),
             (r"f{\left(t + a \right)}", "<f (+ t a)>"),
             ("f{(t)} f{}(t) {f}{(t)} {f}(t)", "(* <f t> <f t> <f t> <f t>)"),
             (r"f^{2}{\left(t\right)} f'{(t)}", "(* (^ <f t> 2) <f' t>)"),
             ("f{{(t)}}", "<f t>"),
             (r"\dot Z{(t)}", r"<\dot{Z} t>"),
-            ("f{a}", "(* f a)"),
             ("f", "f"),
         ]);
         refuse(&[
@@ -297,13 +325,15 @@ mod tests {
             (r"\frac{f}{a}(t)", "a bracket after a function without argument"),
             (r"\frac{a + f}{2}[t]", "a bracket after a function without argument"),
             ("f(t", "`(` is not closed"),
+            ("sqrt(4)", r"`sqrt(` can be read as \operatorname{sqrt} or as s q r t"),
+            ("a asin[t]", "`asin(` can be read"),
         ]);
     }
 
     #[test]
     fn braces_behind_a_function_are_read_once_at_each_depth() {
-        let nested = |depth: usize| (0..depth).fold("a".to_owned(), |inner, _| format!("f{{({inner}) b}}"));
-        let spelled = |depth: usize| (0..depth).fold("a".to_owned(), |inner, _| format!("(* f (* {inner} b))"));
+        let nested = |depth: usize| (0..depth).fold("a".to_owned(), |inner, _| format!("f{{({inner} + b)}}"));
+        let spelled = |depth: usize| (0..depth).fold("a".to_owned(), |inner, _| format!("<f (+ {inner} b)>"));
         // read twice at each, this would be read 2^40 times
         check(&[(&nested(2), &spelled(2))]);
         assert!(super::super::read_expression(&nested(40), &super::super::spelled::names()).is_ok());

@@ -20,7 +20,9 @@ pub(super) enum Command {
     Skip,
     /// It is dropped together with the braces after it.
     SkipGroup,
-    /// It is a wide blank, with its width in the braces after it.
+    /// It is a blank of this width, in eighteenths of a quad.
+    Blank(u32),
+    /// It is a wide blank, with its width in the braces after it, or what would fill it.
     Space,
     /// A bracket must follow; a bar after it opens or closes.
     Sized(Side),
@@ -100,15 +102,7 @@ pub(super) fn operator_name(base: &str) -> Option<&str> {
 }
 
 const SKIPPED: &[&str] = &[
-    "\\,",
-    "\\;",
-    "\\:",
     "\\!",
-    "\\ ",
-    "\\\n",
-    "\\\t",
-    "\\\r",
-    "\\>",
     "\\/",
     "\\[",
     "\\]",
@@ -125,10 +119,12 @@ const SKIPPED: &[&str] = &[
     "\\Big",
     "\\bigg",
     "\\Bigg",
-    "\\thinspace",
     "\\mathstrut",
     "\\strut",
 ];
+
+/// The width of the blank between two words, in eighteenths of a quad.
+pub(super) const WORD_SPACE: u32 = 6;
 
 /// The command of the elementary function `word`, as `cos` or `\cos`.
 pub(super) fn elementary(word: &str) -> Option<&'static str> {
@@ -172,8 +168,12 @@ fn structure(text: &str) -> Option<Command> {
     Some(match text {
         "\\\\" | "\\cr" | "\\newline" => Command::Row,
         "\\quad" | "\\qquad" | "\\enspace" => Command::Token(Kind::Quad),
-        "\\hspace" => Command::Space,
-        "\\label" | "\\tag" | "\\phantom" | "\\hphantom" | "\\vphantom" => Command::SkipGroup,
+        "\\," | "\\thinspace" => Command::Blank(3),
+        "\\:" | "\\>" => Command::Blank(4),
+        "\\;" => Command::Blank(5),
+        "\\ " | "\\\n" | "\\\t" | "\\\r" => Command::Blank(WORD_SPACE),
+        "\\hspace" | "\\phantom" | "\\hphantom" => Command::Space,
+        "\\label" | "\\tag" | "\\vphantom" => Command::SkipGroup,
         "\\left" => Command::Sized(Side::Opening),
         "\\right" => Command::Sized(Side::Closing),
         "\\bigl" | "\\Bigl" | "\\biggl" | "\\Biggl" => Command::Side(Side::Opening),

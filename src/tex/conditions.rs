@@ -15,8 +15,8 @@ pub fn read_conditions(tex: &str, names: &Names) -> Result<Vec<Condition>, ReadE
             return Err(Fault::new(0, Reason::NoCondition));
         }
         let mut conditions = Vec::new();
-        for tokens in statements {
-            Reader::new(tokens, names).condition(&mut conditions)?;
+        for statement in statements {
+            Reader::new(statement.tokens, names).condition(&mut conditions)?;
         }
         Ok(conditions)
     };
@@ -84,6 +84,7 @@ impl Reader<'_> {
                 right,
                 at,
                 end,
+                explains: false,
             }));
         };
         let relation = |closed| match closed {

@@ -4,7 +4,7 @@ use super::bars::pair_bars;
 use super::error::{Fault, Reason};
 use super::lexer::lex;
 use super::reader::Reader;
-use super::statement::statements;
+use super::statement::{Statement, statements};
 use super::token::{Bracket, Kind, Token};
 use super::{At, Equation, Name, Names, ReadError, Tree};
 
@@ -38,12 +38,16 @@ pub fn read_name(tex: &str, names: &Names) -> Result<Name, ReadError> {
 
 fn read_equations(tex: &str, names: &Names) -> Result<Vec<Equation>, Fault> {
     let mut equations = Vec::new();
-    for tokens in divided(tex)? {
+    for Statement { tokens, explains } in divided(tex)? {
         // Text taken from a PDF carries the number of the display along.
         if !equations.is_empty() && is_number_of_display(&tokens) {
             continue;
         }
+        let known = equations.len();
         Reader::new(tokens, names).chain(&mut equations)?;
+        for equation in equations.iter_mut().skip(known) {
+            equation.explains = explains;
+        }
     }
     match equations.is_empty() {
         true => Err(Fault::new(0, Reason::NoEquation)),
@@ -58,24 +62,24 @@ fn is_number_of_display(tokens: &[Token<'_>]) -> bool {
     kinds == [open, Kind::Number, close] || kinds == [open, Kind::Number, Kind::Letter, close]
 }
 
-pub(super) fn divided(tex: &str) -> Result<Vec<Vec<Token<'_>>>, Fault> {
+pub(super) fn divided(tex: &str) -> Result<Vec<Statement<'_>>, Fault> {
     let (bytes, most) = (tex.len(), LONGEST);
     if bytes > most {
         return Err(Fault::new(0, Reason::TooLong { bytes, most }));
     }
     let mut statements = statements(lex(tex)?)?;
-    for tokens in &mut statements {
-        pair_bars(tokens)?;
+    for statement in &mut statements {
+        pair_bars(&mut statement.tokens)?;
     }
     Ok(statements)
 }
 
 fn single<'a>(tex: &'a str, names: &'a Names) -> Result<Reader<'a>, Fault> {
     let mut all = divided(tex)?.into_iter();
-    let Some(tokens) = all.next() else {
+    let Some(Statement { tokens, .. }) = all.next() else {
         return Err(Fault::unexpected(tex.trim_end().len(), "nothing", "a formula"));
     };
-    match all.next().and_then(|more| more.first().copied()) {
+    match all.next().and_then(|more| more.tokens.first().copied()) {
         Some(token) => Err(Fault::unexpected(token.at, token.text, "the end")),
         None => Ok(Reader::new(tokens, names)),
     }
@@ -121,6 +125,7 @@ impl Reader<'_> {
                 right,
                 at: At(at),
                 end: At(end),
+                explains: false,
             });
             at = start;
         }

@@ -1,9 +1,12 @@
 //! TeX source -> tokens. What does not change the meaning (blanks, sizes, fonts, alignment) ends here.
 
 use super::Relation;
-use super::command::{Command, Side, character, character_hint, command};
+use super::command::{Command, Side, WORD_SPACE, character, character_hint, command};
 use super::error::{Fault, Reason};
 use super::token::{Bracket, Kind, Set, Token};
+
+/// The least width of a blank that may part equations, in eighteenths of a quad: two spaces between words.
+const WIDE: u32 = 12;
 
 /// The tokens of `tex`.
 pub(super) fn lex(tex: &str) -> Result<Vec<Token<'_>>, Fault> {
@@ -14,6 +17,7 @@ pub(super) fn lex(tex: &str) -> Result<Vec<Token<'_>>, Fault> {
         sized: None,
         styled: false,
         side: None,
+        blank: 0,
         environments: Vec::new(),
     };
     while let Some(c) = lexer.rest().chars().next() {
@@ -38,6 +42,8 @@ struct Lexer<'a> {
     styled: bool,
     /// Whether a bar that comes next opens or closes.
     side: Option<Side>,
+    /// The width of the small blanks since the last token, in eighteenths of a quad.
+    blank: u32,
     environments: Vec<(usize, &'a str)>,
 }
 
@@ -54,7 +60,8 @@ impl<'a> Lexer<'a> {
         let rest = self.rest();
         match c {
             '%' => self.at += rest.find('\n').unwrap_or(rest.len()),
-            '$' | '~' => self.at += 1,
+            '$' => self.at += 1,
+            '~' => return self.blank(WORD_SPACE, self.at + 1),
             '&' => return self.push(Kind::Column, 1),
             '\\' => return self.command(),
             c if c.is_whitespace() => self.at += c.len_utf8(),
@@ -91,6 +98,7 @@ impl<'a> Lexer<'a> {
         }
         let styled = self.styled && kind == Kind::Letter;
         self.styled &= kind == Kind::BraceOpen;
+        self.blank = 0;
         self.tokens.push(Token {
             kind,
             text,
@@ -125,11 +133,12 @@ impl<'a> Lexer<'a> {
                 self.at = end;
                 Ok(())
             }
-            Command::SkipGroup => self.skip_group(end),
-            Command::Space => {
-                self.skip_group(end)?;
-                self.push_as(Kind::Quad, text, at, self.at)
-            }
+            Command::SkipGroup => self.skip_group(end).map(|_| ()),
+            Command::Blank(width) => self.blank(width, end),
+            Command::Space => match self.skip_group(end)?.is_empty() {
+                true => Ok(()),
+                false => self.push_as(Kind::Quad, text, at, self.at),
+            },
             Command::Blackboard => self.set(end),
             Command::Side(side) => {
                 self.at = end;
@@ -147,6 +156,16 @@ impl<'a> Lexer<'a> {
             Command::Begin => self.begin(end),
             Command::End => self.end(end),
             Command::Unknown(instead) => Err(Fault::unreadable(at, text, instead)),
+        }
+    }
+
+    /// A small blank that ends at byte `end`: several of them part equations as a wide one does.
+    fn blank(&mut self, width: u32, end: usize) -> Result<(), Fault> {
+        let at = std::mem::replace(&mut self.at, end);
+        self.blank += width;
+        match self.blank >= WIDE && self.sized.is_none() {
+            true => self.push_as(Kind::Quad, self.span(at, end), at, end),
+            false => Ok(()),
         }
     }
 
@@ -206,10 +225,12 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    fn skip_group(&mut self, from: usize) -> Result<(), Fault> {
+    /// Skips the group behind `from`; returns what it holds.
+    fn skip_group(&mut self, from: usize) -> Result<&'a str, Fault> {
         let star = usize::from(self.span(from, self.tex.len()).starts_with('*'));
-        self.at = self.group(from + star)?.1;
-        Ok(())
+        let (content, end) = self.group(from + star)?;
+        self.at = end;
+        Ok(content)
     }
 
     /// A math font: it matters only where it makes one word of several letters.
@@ -342,7 +363,7 @@ mod tests {
 
     #[test]
     fn drops_what_does_not_change_the_meaning() {
-        let tex = r"\begin{align} \displaystyle \left( a \, b~\;\:\!\ \right) \nonumber \label{x{y}} % c
+        let tex = r"\begin{align} \displaystyle \left( a \, b~\;\! \right) \nonumber \label{x{y}} % c
             \bigl[ \biggr] \tag{3} $ $$ \[ \] \end{align}";
         assert_eq!(texts(tex), ["(", "a", "b", ")", "[", "]"]);
     }
@@ -367,6 +388,17 @@ mod tests {
         let tokens = lex(r"\text{ and } \quad \\[2pt] \\*").unwrap();
         let kinds: Vec<Kind> = tokens.iter().map(|token| token.kind).collect();
         assert_eq!(kinds, [Kind::And, Kind::Quad, Kind::Row, Kind::Row]);
+    }
+
+    #[test]
+    fn several_small_blanks_are_a_wide_one() {
+        let kinds = |tex: &str| lex(tex).unwrap().iter().map(|token| token.kind).collect::<Vec<_>>();
+        for wide in [r"\;\;\;", "~~~", r"\ \ ", r"\phantom{xx}", r"\hspace{1em}"] {
+            assert!(kinds(&format!("a{wide}b")).contains(&Kind::Quad), "{wide}");
+        }
+        for small in [r"\,\;", "~", r"\phantom{}", r"\vphantom{x}"] {
+            assert_eq!(kinds(&format!("a{small}b")).len(), 2, "{small}");
+        }
     }
 
     #[test]

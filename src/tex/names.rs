@@ -16,7 +16,7 @@ pub struct Names {
 
 impl Names {
     /// Whether `name`, whatever its mark and primes, was declared a function.
-    pub(super) fn is_function(&self, name: &Name) -> bool {
+    pub fn is_function(&self, name: &Name) -> bool {
         self.functions.iter().any(|function| {
             function.base == name.base && function.accents == name.accents && function.subscript == name.subscript
         })

@@ -13,6 +13,9 @@ pub(super) enum Form {
     Fraction,
     /// A product or a power: a power of it needs brackets, even where TeX braces stand around it.
     Knot,
+    /// What ends in a function with an argument that no brackets close, as `\cos x`: what follows would print as
+    /// part of the argument.
+    Bare,
     /// A sum, a negation or a quotient with a slash.
     Open,
     /// Such a one between TeX braces, which do not print: nothing may stand beside it.
@@ -29,9 +32,10 @@ pub(super) struct Part {
     pub form: Form,
 }
 
-/// Refuses neighbours that print as something else: `2 3`, `2\frac{1}{2}`.
+/// Refuses neighbours that print as something else: `2 3`, `2\frac{1}{2}`; `token` is the first of the factor that
+/// prints.
 pub(super) fn readable(before: Form, factor: &Part, token: Token<'_>) -> Result<(), Fault> {
-    let literal = factor.form == Form::Literal;
+    let literal = token.kind == Kind::Number;
     let numbers = matches!(&*factor.tree, Tree::Quotient(above, below, _)
         if matches!((&**above, &**below), (Tree::Number(_), Tree::Number(_))));
     let after_number = before == Form::Literal;

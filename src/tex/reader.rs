@@ -154,11 +154,7 @@ impl<'a> Reader<'a> {
         match part.form {
             Form::Braced => {
                 let instead = "TeX braces do not print; write ( ) around it";
-                Err(Fault::ambiguous(
-                    self.here(),
-                    "a sum or quotient between braces",
-                    instead,
-                ))
+                Err(Fault::ambiguous(self.here(), "what these braces hold", instead))
             }
             _ => Ok(part.tree),
         }
@@ -190,9 +186,10 @@ impl<'a> Reader<'a> {
                 self.next += 1;
                 self.no_sign(token.text)?;
             }
+            let printed = self.first_printed();
             let factor = self.factor()?;
             if juxtaposed {
-                readable(form, &factor, token)?;
+                readable(form, &factor, printed.unwrap_or(token))?;
             }
             let by = factor.form;
             let tree = self.beside(factor)?;
@@ -200,8 +197,12 @@ impl<'a> Reader<'a> {
             if token.kind == Kind::Slash {
                 let above = product(factors);
                 self.divisor(by, token.at, divided)?;
+                if let (Tree::Product(below), Form::Knot | Form::Bare) = (&*tree, by) {
+                    return Err(two_quotients(above, below.clone(), token.at));
+                }
                 if self.peek_kind().is_some_and(starts_factor) {
-                    return Err(self.two_quotients(above, tree, token.at));
+                    let next = *self.factor()?.tree;
+                    return Err(two_quotients(above, vec![*tree, next], token.at));
                 }
                 factors = vec![Tree::Quotient(above, tree, At(token.at))];
                 divided = true;
@@ -210,9 +211,19 @@ impl<'a> Reader<'a> {
             }
             form = by;
         }
-        let form = if divided { Form::Open } else { Form::Knot };
+        let form = match form {
+            _ if divided => Form::Open,
+            Form::Bare => Form::Bare,
+            _ => Form::Knot,
+        };
         let tree = product(factors);
         Ok(Part { tree, form })
+    }
+
+    /// The next token that prints something.
+    fn first_printed(&self) -> Option<Token<'a>> {
+        let mut rest = self.tokens.iter().skip(self.next);
+        rest.find(|token| token.kind != Kind::BraceOpen).copied()
     }
 
     /// Refuses `(f + g)(t)` and `{f^2}(t)`, which may be values at t or products.
@@ -248,20 +259,21 @@ impl<'a> Reader<'a> {
             _ => Ok(()),
         }
     }
+}
 
-    /// The fault of a factor right after a divisor, `above/below next`: it may belong to the divisor or not.
-    #[inline(never)]
-    fn two_quotients(&mut self, above: Box<Tree>, below: Box<Tree>, at: usize) -> Fault {
-        let next = match self.factor() {
-            Ok(next) => *next.tree,
-            Err(fault) => return fault,
-        };
-        let quotient = |below| Tree::Quotient(above.clone(), below, At(at));
-        let outside = Tree::Product(vec![quotient(below.clone()), next.clone()]);
-        let inside = quotient(Box::new(Tree::Product(vec![*below, next])));
-        let found = "a factor right after a divisor";
-        Fault::two_readings(at, found, &outside.to_string(), &inside.to_string())
+/// The fault of a factor right after a divisor, `above/below next`, perhaps between braces: it may belong to the
+/// divisor or not.
+#[inline(never)]
+fn two_quotients(above: Box<Tree>, below: Vec<Tree>, at: usize) -> Fault {
+    let quotient = |below| Tree::Quotient(above.clone(), below, At(at));
+    let mut outside = below.clone();
+    if let Some(first) = outside.first_mut() {
+        *first = quotient(Box::new(first.clone()));
     }
+    let outside = Tree::Product(outside);
+    let inside = quotient(Box::new(Tree::Product(below)));
+    let found = "a factor right after a divisor";
+    Fault::two_readings(at, found, &outside.to_string(), &inside.to_string())
 }
 
 fn product(mut factors: Vec<Tree>) -> Box<Tree> {
@@ -328,6 +340,10 @@ mod tests {
             (r"2\frac{a}{b}", "(* 2 (/ a b))"),
             (r"2 \cdot 3", "(* 2 3)"),
             (r"{a b} c", "(* (* a b) c)"),
+            (
+                r"{\cos a \cdot \cos b} + {\cos(a)} b",
+                r"(+ (* <\cos a> <\cos b>) (* <\cos a> b))",
+            ),
         ]);
         refuse(&[
             (
@@ -350,6 +366,15 @@ mod tests {
             ("a/b (c", "`(` is not closed"),
             (r"x/\partial a/\partial b", r"write \frac"),
             ("2 3", r"write \cdot"),
+            ("2 {3 a}", r"write \cdot"),
+            ("2 2^3", r"write \cdot"),
+            ("2 {{2}^3}", r"write \cdot"),
+            ("{a 2} 3", "do not print"),
+            ("{a 2}^3", "write brackets around"),
+            ("1/{2a}", r"\frac{1}{2} a or as \frac{1}{2 a}"),
+            (r"1/{2 \cos a}", r"or as \frac{1}{2 \cos"),
+            (r"{\cos a} b", "brackets around the argument"),
+            (r"{2 \cos a}/b", "brackets around the argument"),
             (r"2\frac{1}{2}", r"write \cdot"),
             ("x.5", r"write \cdot"),
             ("a \\over b", r"write \frac"),

@@ -3,8 +3,16 @@
 //! A comma, a full stop or an "and" outside brackets always divides. A new row or a wide blank divides too,
 //! unless one side of it cannot stand alone: `x = a \\ + b` and `x = \\ a` are one equation each.
 
+use super::Relation;
 use super::error::Fault;
 use super::token::{Kind, Token};
+
+/// The tokens of an equation, never none.
+pub(super) struct Statement<'a> {
+    pub tokens: Vec<Token<'a>>,
+    /// Whether it stands behind "where" or "with".
+    pub explains: bool,
+}
 
 /// What stands between two dividers.
 struct Piece<'a> {
@@ -15,12 +23,15 @@ struct Piece<'a> {
     related: bool,
     /// Begins behind a `&` or a wide blank, in line with what stands above it.
     aligned: bool,
+    /// Begins behind "where" or "with".
+    explains: bool,
 }
 
-/// The tokens of each equation, in order; none is empty.
-pub(super) fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Vec<Token<'_>>>, Fault> {
+/// The equations, in order.
+pub(super) fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Statement<'_>>, Fault> {
     let mut whole: Vec<Piece<'_>> = Vec::new();
     for piece in pieces(tokens) {
+        no_condition(&piece)?;
         match whole.last_mut() {
             Some(before) if continues(before, &piece)? => {
                 before.related |= piece.related;
@@ -29,7 +40,8 @@ pub(super) fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Vec<Token<'_>>>, 
             _ => whole.push(piece),
         }
     }
-    Ok(whole.into_iter().map(|piece| piece.tokens).collect())
+    let statement = |Piece { tokens, explains, .. }| Statement { tokens, explains };
+    Ok(whole.into_iter().map(statement).collect())
 }
 
 fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
@@ -38,6 +50,7 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
         hard,
         related: false,
         aligned: false,
+        explains: false,
     };
     let (mut done, mut piece, mut depth) = (Vec::new(), fresh(true), 0usize);
     let mut tokens = tokens.into_iter().peekable();
@@ -68,6 +81,7 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
                     done.push(std::mem::replace(&mut piece, fresh(hard)));
                 }
                 piece.aligned |= token.kind == Kind::Quad;
+                piece.explains |= token.kind == Kind::And && token.text != "and";
                 continue;
             }
             _ => {}
@@ -78,6 +92,19 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
         done.push(piece);
     }
     done
+}
+
+/// Refuses `\text{where } a > 0`: a condition, which would be read as one claim more.
+fn no_condition(piece: &Piece<'_>) -> Result<(), Fault> {
+    let is_condition = |kind| is_relation(kind) && kind != Kind::Relation(Relation::Equal);
+    let mut relations = piece.tokens.iter().filter(|token| is_condition(token.kind));
+    match relations.next() {
+        Some(token) if piece.explains => {
+            let instead = "write it as an `assume` of the entry";
+            Err(Fault::unsupported(token.at, "a condition within a formula", instead))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Whether `piece` belongs to the equation `before`.
@@ -147,7 +174,7 @@ mod tests {
     use super::*;
 
     fn divided(tex: &str) -> Vec<String> {
-        let join = |tokens: Vec<Token<'_>>| tokens.iter().map(|token| token.text).collect();
+        let join = |statement: Statement<'_>| statement.tokens.iter().map(|token| token.text).collect();
         let statements = statements(lex(tex).unwrap()).unwrap();
         statements.into_iter().map(join).collect()
     }
@@ -169,6 +196,20 @@ mod tests {
         );
         assert_eq!(divided(r"\lambda_{1,2} = (a \\ + b)"), [r"\lambda_{1,2}=(a+b)"]);
         assert!(divided(r", \\ .").is_empty());
+    }
+
+    #[test]
+    fn a_condition_is_no_equation() {
+        for tex in [
+            r"|a| = a \text{ where } a > 0",
+            r"a = n b \text{ with } n \in \mathbb{Z}",
+        ] {
+            assert!(statements(lex(tex).unwrap()).is_err(), "{tex}");
+        }
+        assert_eq!(
+            divided(r"a = b \text{ where } c = d \text{ and } e < f"),
+            ["a=b", "c=d", "e<f"]
+        );
     }
 
     #[test]

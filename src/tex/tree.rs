@@ -98,6 +98,8 @@ pub struct Equation {
     pub right: Tree,
     pub at: At,
     pub end: At,
+    /// Whether it stands behind "where" or "with".
+    pub explains: bool,
 }
 
 /// What a sheet assumes of its symbols.

@@ -104,6 +104,7 @@ pub fn equation() -> impl Strategy<Value = Equation> {
         right,
         at: At::default(),
         end: At::default(),
+        explains: false,
     })
 }
 
