@@ -176,9 +176,28 @@ impl Entry {
                 let problem = "`with` puts one thing in for another: write what is no equation in `assume`";
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
             }
-            let Tree::Symbol(name, _) = &equation.left else {
-                continue;
+            let is_single = |name: &Name| {
+                let is_abbreviation = || vocabulary.abbreviations.iter().any(|(known, _)| known == name);
+                let is_time = || vocabulary.running.as_ref() == Some(name) || vocabulary.impact(name).is_some();
+                vocabulary.parameters.contains(name)
+                    || vocabulary.is_index_letter(name)
+                    || is_abbreviation()
+                    || is_time()
             };
+            let is_impact = |tree: &Tree| matches!(tree, Tree::Symbol(time, _) if vocabulary.impact(time).is_some());
+            let name = match &equation.left {
+                Tree::Symbol(name, _) if is_single(name) => name,
+                // the value of a state at an impact, which is given beside the premises
+                Tree::Call(state, time, _) if vocabulary.states.contains(&state.bare()) && is_impact(time) => continue,
+                _ => {
+                    let problem = "`with` puts something in for a symbol: write what else holds as a premise";
+                    return Err(source.fault(equation.at.0, problem).of(&self.label));
+                }
+            };
+            if self.role != Role::Claim {
+                let problem = "`with` puts something into the premises of a claim: this entry has none";
+                return Err(source.fault(equation.at.0, problem).of(&self.label));
+            }
             if !replaced.insert(name) {
                 let problem = format!("`{name}` is replaced twice");
                 return Err(source.fault(equation.at.0, problem).of(&self.label));

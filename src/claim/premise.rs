@@ -229,7 +229,7 @@ impl Statements {
         });
     }
 
-    /// Makes the substitutions of `with` in the premises. What stands there and is no substitution is a premise.
+    /// Makes the substitutions of `with` in the premises. The value of a state at an impact is a premise.
     fn substitute(&mut self, claim: &Entry, vocabulary: &Vocabulary) {
         let (mut pairs, mut more, mut shift) = (Vec::new(), Vec::new(), 0);
         for (equation, source) in &claim.with {

@@ -505,8 +505,9 @@ impl Program {
                 Op::Divide(a, b) => size_of(a).max(value * size_of(b)) / at(b)?.size(),
                 Op::Negate(a) => size_of(a),
                 Op::Power(a, power) => {
-                    let power = f64::from(power).abs();
-                    value.max(through(a, power * value / at(a)?.size().max(f64::MIN_POSITIVE)))
+                    // beside 0 it is the power of the error itself that counts
+                    let base = at(a)?.size().max(f64::EPSILON * size_of(a)).max(f64::MIN_POSITIVE);
+                    value.max(through(a, f64::from(power).abs() * base.powf(f64::from(power) - 1.0)))
                 }
                 // a root of what is lost has a part of the digits of that, and no more
                 Op::Root(a, _) if is_noise(a) || (at(a)?.size() == 0.0 && size_of(a) > LOST) => return None,

@@ -717,7 +717,15 @@ fn said(statements: &Statements, vocabulary: &Vocabulary) -> Option<Vec<(Premise
 /// The laws of flight that restrict the states at its ends, in the flights that end at the first impact and start at the
 /// last: those that give a state itself, and name fewer states at their own impact than there are.
 fn beside(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Premise> {
-    let Some((first, last)) = statements.first.zip(statements.last).filter(|_| !statements.claim_runs) else {
+    // a claim that names no impact is bound by those that its premises name
+    let named = statements
+        .premises
+        .iter()
+        .flat_map(|premise| vocabulary.impacts(&premise.equation));
+    let named: BTreeSet<i32> = named.collect();
+    let of_premises = named.first().copied().zip(named.last().copied());
+    let of_claim = statements.first.zip(statements.last);
+    let Some((first, last)) = of_claim.or(of_premises).filter(|_| !statements.claim_runs) else {
         return Vec::new();
     };
     let is_state = |name: &Name| vocabulary.states.contains(&name.bare());
