@@ -276,6 +276,25 @@ fn no_output_replaces_an_input() {
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("read as an input"));
     assert_eq!(fs::read_to_string(&sheet).unwrap(), text);
+    // behind standard output, whatever its name
+    let output = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
+        .args(["audit", &sheet, "--out", "/dev/stdout"])
+        .stdout(fs::OpenOptions::new().append(true).open(&sheet).unwrap())
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(fs::read_to_string(&sheet).unwrap(), text);
+    // below a directory that is read
+    let scenes = scratch.path("golden/scenes");
+    fs::create_dir_all(&scenes).unwrap();
+    let scene = format!("{scenes}/a.toml");
+    fs::write(&scene, run(&["scenes", "fig02"]).stdout).unwrap();
+    let row = "id,place,scene,set,quantity,printed,unit,expected,rests_on,note\na,p,scenes/a.toml,,orbits.determinant,7,,wrong,,\n";
+    fs::write(scratch.path("golden/printed.csv"), row).unwrap();
+    assert_refused(
+        &["check", &scratch.path("golden"), "--out", &scene],
+        &["read as an input"],
+    );
     // beside it there is room
     assert_eq!(
         run(&["audit", &sheet, "--out", &scratch.path("rows.txt")])
@@ -283,6 +302,19 @@ fn no_output_replaces_an_input() {
             .code(),
         Some(0)
     );
+}
+
+#[test]
+fn a_table_and_a_drawing_are_two_files_however_they_are_spelled() {
+    let scratch = Scratch::new("both");
+    for out in ["x.svg", "./x.svg", "sub/../x.svg"] {
+        fs::create_dir_all(scratch.path("sub")).unwrap();
+        let (plot, out) = (scratch.path("x.svg"), scratch.path(out));
+        assert_refused(
+            &["trade", "multipliers", "--plot", &plot, "--out", &out],
+            &["hold both"],
+        );
+    }
 }
 
 #[test]
@@ -478,6 +510,13 @@ fn nothing_of_an_input_reaches_a_terminal_as_a_control_character() {
         let said = [output.stdout, output.stderr].concat();
         assert!(!said.contains(&0x1b) && !said.contains(&0), "{arguments:?}");
     }
+    let title =
+        "title = \"\\u001b[31m\\u009b\"\nwant = [\"orbits\"]\n[motion]\nd = 0.3\ng = 0.1\nr_b = 0.5\nr_t = 0.5\n";
+    let titled = file("titled.toml", title);
+    let output = run(&["run", &titled, "--explain"]);
+    assert_eq!(output.status.code(), Some(0));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(!text.contains(['\u{1b}', '\u{9b}']), "{text:?}");
     let formula = file("formula.toml", &sheet("=cmd()", "x=x"));
     let output = run(&["audit", &formula, "--format", "csv"]);
     let text = String::from_utf8(output.stdout).unwrap();

@@ -1,7 +1,7 @@
 //! What a command hands back, and how it is printed.
 
 use super::{Exit, Failure, Options};
-use crate::report::{Cell, Column, Format, Output, Stream, Table};
+use crate::report::{Cell, Column, Format, Output, Stream, Table, acts_on_a_terminal};
 use crate::stop::Token;
 use std::fmt;
 use std::io;
@@ -62,6 +62,8 @@ impl Content {
             }
             Self::Rows(rows) => rows.write(output, format, figures),
             Self::Text(text) => {
+                let acts = |c: char| acts_on_a_terminal(c) && !"\n\t".contains(c);
+                let text = text.replace(acts, "\u{fffd}");
                 output.write(|to| writeln!(to, "{}", text.trim_end_matches('\n')))?;
                 Ok((0, true))
             }

@@ -35,7 +35,7 @@ pub use options::{Asked, Options};
 pub use scene::SceneArguments;
 pub use source::{Source, SourceError, SourceProblem};
 
-use crate::report::{Format, Output};
+use crate::report::{Format, Output, acts_on_a_terminal};
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::Write;
@@ -151,9 +151,8 @@ fn say(kind: &str, text: &str) {
             _ if length == LONGEST_WORD => shown.push('\u{2026}'),
             _ if length > LONGEST_WORD => {}
             '\n' => shown.push(c),
-            // bidirectional marks turn the rest of a line round
-            '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => shown.extend(c.escape_unicode()),
             _ if c.is_control() => shown.extend(c.escape_debug()),
+            _ if acts_on_a_terminal(c) => shown.extend(c.escape_unicode()),
             _ => shown.push(c),
         }
     }

@@ -4,7 +4,7 @@ use super::Failure;
 use crate::accuracy::{Purpose, cheapest};
 use crate::number::{Decimals, Doubles, FIGURES_OF_F64};
 use crate::orbit::{Goal, most_figures};
-use crate::report::{DEFAULT_DIGITS, Format, Output};
+use crate::report::{DEFAULT_DIGITS, Format, Output, is_same_file};
 use crate::scene::{MOST_DIGITS, Scene};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
@@ -47,7 +47,7 @@ impl Options {
         let Some(file) = file else {
             return Ok(None);
         };
-        if self.out.as_ref() == Some(file) {
+        if self.out.as_ref().is_some_and(|out| is_same_file(out, file)) {
             return Err(Failure::SameFile(file.display().to_string()));
         }
         let output = Output::File(file.clone());

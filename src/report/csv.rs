@@ -35,24 +35,28 @@ impl Printer for Records {
 /// The cell as text that does nothing to a terminal and that a spreadsheet takes for text.
 ///
 /// A spreadsheet executes what begins with `=`, `@`, a tab or a line break, and after a sign what calls a function or
-/// another program; TeX after a sign does not.
+/// another program or is a sum of numbers and cells; a number alone and TeX after a sign are none.
 fn harmless(cell: &Cell) -> Cow<'_, str> {
     let Cell::Text(text) = cell else {
         return field(cell);
     };
     let is_executed = match text.chars().next() {
-        Some('=' | '@' | '\t' | '\r' | '\n') => true,
-        Some('+' | '-') => text.contains(['|', '!']) || calls(text),
+        Some('=' | '\u{ff1d}' | '@' | '\u{ff20}' | '\t' | '\r' | '\n') => true,
+        Some('+' | '-' | '\u{ff0b}' | '\u{ff0d}') => text.contains(['|', '!']) || calls(text) || is_sum(text),
         _ => false,
     };
-    let has_control = text.chars().any(|c| c.is_control() && c != '\n');
+    let acts = |c: char| super::acts_on_a_terminal(c) && c != '\n';
+    let has_control = text.chars().any(acts);
     if !is_executed && !has_control {
         return Cow::Borrowed(text);
     }
-    let shown = text
-        .chars()
-        .map(|c| if c.is_control() && c != '\n' { '\u{fffd}' } else { c });
+    let shown = text.chars().map(|c| if acts(c) { '\u{fffd}' } else { c });
     Cow::Owned(is_executed.then_some('\'').into_iter().chain(shown).collect())
+}
+
+/// Whether a text behind a sign has nothing of TeX, and is no number.
+fn is_sum(text: &str) -> bool {
+    text.parse::<f64>().is_err() && !text.contains(['\\', '_', '{', '='])
 }
 
 /// Whether a name of three letters or more, which is no command of TeX, is followed by a bracket.
@@ -120,6 +124,11 @@ mod tests {
             ("-x_k + f(t)", "-x_k + f(t)"),
             (r"-\sqrt{x} \sin(t)", r"-\sqrt{x} \sin(t)"),
             ("x = -1", "x = -1"),
+            ("-1.5e-3", "-1.5e-3"),
+            ("-2+3+A1", "'-2+3+A1"),
+            ("+A1*B2", "'+A1*B2"),
+            ("\u{ff1d}1+1", "'\u{ff1d}1+1"),
+            ("a\u{202e}b", "a\u{fffd}b"),
             ("\u{1b}[31m", "\u{fffd}[31m"),
         ];
         for (text, shown) in cells {

@@ -42,7 +42,7 @@ fn escape(text: &str) -> String {
     for c in text.chars() {
         match c {
             '|' | '\\' | '*' | '`' | '<' => escaped.extend(['\\', c]),
-            c if c.is_control() => escaped.push(' '),
+            c if super::acts_on_a_terminal(c) => escaped.push(' '),
             c => escaped.push(c),
         }
     }

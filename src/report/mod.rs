@@ -29,9 +29,15 @@ mod table;
 mod text;
 
 pub use format::{Format, UnknownFormat};
-pub use output::{Output, OutputError, OutputProblem, note_input, note_stdin, remove_temporaries};
+pub use output::{Output, OutputError, OutputProblem, is_same_file, note_input, note_stdin, remove_temporaries};
 pub use stream::Stream;
 pub use table::{Cell, Column, RowError, Table};
 
 /// Significant figures of a number in text where the user names none.
 pub const DEFAULT_DIGITS: usize = 12;
+
+/// Whether a character of somebody's text does something to a terminal: a control character, or a bidirectional mark, which
+/// turns the rest of a line round.
+pub fn acts_on_a_terminal(c: char) -> bool {
+    c.is_control() || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}

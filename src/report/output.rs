@@ -111,7 +111,7 @@ fn identity(found: &fs::Metadata) -> Option<[u64; 2]> {
 
 fn is_input(path: &Path) -> bool {
     let known = INPUTS.lock();
-    let is_known = known.is_ok_and(|inputs| path.ancestors().take(2).any(|place| inputs.contains(place)));
+    let is_known = known.is_ok_and(|inputs| path.ancestors().any(|place| inputs.contains(place)));
     let file = fs::metadata(path).ok().as_ref().and_then(identity);
     let files = FILES.lock();
     is_known || file.is_some_and(|file| files.is_ok_and(|files| files.contains(&file)))
@@ -123,6 +123,21 @@ enum Target {
     Replace(PathBuf),
     /// A device or a pipe: renaming a file to it would destroy it.
     Direct(PathBuf),
+}
+
+/// Whether two paths are of one file, or would be: links and ways round are followed.
+pub fn is_same_file(a: &Path, b: &Path) -> bool {
+    let place = |path: &Path| {
+        let there = path.canonicalize();
+        there.or_else(|_| {
+            Ok::<_, io::Error>(
+                directory_of(path)
+                    .canonicalize()?
+                    .join(path.file_name().unwrap_or_default()),
+            )
+        })
+    };
+    a == b || matches!((place(a), place(b)), (Ok(a), Ok(b)) if a == b)
 }
 
 impl Output {
@@ -144,7 +159,10 @@ impl Output {
         match self {
             Self::Stdout => write_stdout(print),
             // a file behind it has more in it than this
-            Self::File(path) if path == Path::new("/dev/stdout") => write_stdout(print),
+            Self::File(path) if path == Path::new("/dev/stdout") => match target(path) {
+                Err(OutputProblem::Input) => Err(OutputProblem::Input),
+                _ => write_stdout(print),
+            },
             Self::File(path) => match target(path) {
                 Ok(Target::Replace(path)) => replace(&path, print),
                 Ok(Target::Direct(path)) => write_direct(&path, print),

@@ -225,7 +225,10 @@ fn show(cell: &Cell, digits: usize) -> String {
 
 /// Text comes from other people's sheets: a line break would break the table, an escape code the terminal.
 fn one_line(text: &str) -> String {
-    let text: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let text: String = text
+        .chars()
+        .map(|c| if super::acts_on_a_terminal(c) { ' ' } else { c })
+        .collect();
     text.trim_end().to_owned()
 }
 
