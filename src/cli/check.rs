@@ -30,6 +30,9 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     }
     if let Directory::At(path) = &directory {
         note_input(path);
+        for file in directory.reference_files()? {
+            note_input(&path.join(file));
+        }
     }
     let certified = directory.certified()?;
     let mut answer = |request: &_| golden::answer(&directory, request, options).map_err(|failure| failure.to_string());

@@ -3,7 +3,7 @@
 use super::{Content, Failure, Options, audit, branch, orbits, simulate, sweep, trajectory, voltage};
 use crate::number::{Analytic, Decimals, Field, Wide};
 use crate::reference::{Computed, Directory, Made, Quantity, Request, Setting};
-use crate::report::{Cell, Table};
+use crate::report::{Cell, Table, note_input};
 use crate::scene::{self, Scene};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -160,7 +160,7 @@ fn scene(directory: &Directory, request: &Request) -> Result<Scene, Failure> {
     };
     let text = match built_in {
         Some(text) => text.to_owned(),
-        None if is_path => directory.read(name)?,
+        None if is_path => read(directory, name)?,
         None => return Err(Failure::NoScene(name.to_owned())),
     };
     let mut scene = Scene::read(&text, name)?;
@@ -176,7 +176,7 @@ fn verdicts(directory: &Directory, request: &Request) -> Result<Table, Failure> 
         "" => "equations.toml",
         name => name,
     };
-    let answer = audit::verdicts(&directory.read(sheet)?, &directory.name(sheet))?;
+    let answer = audit::verdicts(&read(directory, sheet)?, &directory.name(sheet))?;
     match answer.content {
         Content::Table(table) => Ok(table),
         Content::Rows(rows) => rows.table(),
@@ -214,4 +214,11 @@ fn as_text(table: &Table) -> Computed {
         note: String::new(),
         swept: None,
     }
+}
+/// A file of the directory, which no output replaces from now on.
+fn read(directory: &Directory, name: &str) -> Result<String, Failure> {
+    if let Directory::At(path) = directory {
+        note_input(&path.join(name));
+    }
+    Ok(directory.read(name)?)
 }

@@ -70,7 +70,7 @@ static INPUTS: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 /// The files themselves, whatever they are called: of hard links, and of a file behind standard input.
 static FILES: Mutex<BTreeSet<[u64; 2]>> = Mutex::new(BTreeSet::new());
 
-/// Takes note of a file, or of a directory with all in it, that is read: no output replaces it from now on.
+/// Takes note of a file, or of a directory with the files in it, that is read: no output replaces it from now on.
 pub fn note_input(path: &Path) {
     if let (Ok(path), Ok(mut inputs)) = (path.canonicalize(), INPUTS.lock()) {
         inputs.insert(path);
@@ -111,7 +111,7 @@ fn identity(found: &fs::Metadata) -> Option<[u64; 2]> {
 
 fn is_input(path: &Path) -> bool {
     let known = INPUTS.lock();
-    let is_known = known.is_ok_and(|inputs| path.ancestors().any(|place| inputs.contains(place)));
+    let is_known = known.is_ok_and(|inputs| path.ancestors().take(2).any(|place| inputs.contains(place)));
     let file = fs::metadata(path).ok().as_ref().and_then(identity);
     let files = FILES.lock();
     is_known || file.is_some_and(|file| files.is_ok_and(|files| files.contains(&file)))
