@@ -1,7 +1,7 @@
 //! A table that is written reads back equal, numbers bit for bit, whatever is in it.
 
 use proptest::prelude::*;
-use vibro_audit::report::{Cell, Format, Table};
+use vibro_audit::report::{Cell, Format, Table, acts_on_a_terminal};
 
 /// One kind per column, as commands have it: a reader knows the kind from the column.
 #[derive(Clone, Copy, Debug)]
@@ -48,6 +48,7 @@ fn text() -> impl Strategy<Value = String> {
     prop_oneof![
         ".{0,12}",
         "[,;\"'|\n\r\\\\ =]{0,6}",
+        "[=@+\\-\u{ff1d}\u{ff20}\u{ff0b}\u{ff0d}\u{202e}\u{2066}\u{7}1(]{0,4}",
         Just("\\frac{1}{1 - r_B r_T}".to_owned())
     ]
 }
@@ -132,18 +133,18 @@ fn from_json(kind: Kind, value: &serde_json::Value) -> Cell {
     }
 }
 
-/// The cells as CSV shows them: control characters but line breaks are told apart from nothing else, and what a spreadsheet would
-/// execute has an apostrophe before it.
+/// The cells as CSV shows them: characters that act on a terminal, but line breaks, are told apart from nothing else, and what a
+/// spreadsheet would execute has an apostrophe before it.
 fn as_csv_shows(table: &Table, read: &[Vec<Cell>]) -> Table {
     let mut shown = Table::new(table.columns().to_vec());
     for (row, read) in table.rows().iter().zip(read) {
         let cell = |(cell, read): (&Cell, &Cell)| match (cell, read) {
             (Cell::Text(text), Cell::Text(read)) => {
-                let is_executed = text.starts_with(['=', '@', '\t', '\r', '\n']);
-                let may_be = text.starts_with(['+', '-']) && read.starts_with('\'');
+                let is_executed = text.starts_with(['=', '\u{ff1d}', '@', '\u{ff20}', '\t', '\r', '\n']);
+                let may_be = text.starts_with(['+', '-', '\u{ff0b}', '\u{ff0d}']) && read.starts_with('\'');
                 let printed = text
                     .chars()
-                    .map(|c| if c.is_control() && c != '\n' { '\u{fffd}' } else { c });
+                    .map(|c| if acts_on_a_terminal(c) && c != '\n' { '\u{fffd}' } else { c });
                 let apostrophe = (is_executed || may_be).then_some('\'');
                 Cell::Text(apostrophe.into_iter().chain(printed).collect())
             }
