@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 use vibro_audit::accuracy::{COSTS, Purpose, cheapest, costs};
-use vibro_audit::impact::{Extent, Start, history, history_in_decimals};
+use vibro_audit::impact::{Event, Extent, Start, Widening, history, history_in_decimals};
 use vibro_audit::model::{Motion, Side};
 use vibro_audit::number::{Analytic, Decimals, FIGURES_OF_F64, Rung, Sequence, Told, Wide};
-use vibro_audit::orbit::{Goal, Rounded, Word, find_as};
+use vibro_audit::orbit::{Estimate, Further, Goal, Length, Measure, Rounded, Settled, Statistics, Word, find_as};
 
 type Exact = Wide<200>;
 
@@ -181,6 +181,68 @@ fn runs_have_the_digits_asked_at_close_to_the_least_cost() {
             "{motion:?}: {digits} digits cost {excess} times what they need"
         );
     }
+}
+
+/// The statistics of voltage-like velocities of a motion, after 500 impacts.
+fn measured(motion: &Motion<f64>, length: Length) -> Option<Statistics> {
+    let start = Start {
+        side: Side::Bottom,
+        phase: 6.18,
+        velocity: 0.5293,
+    };
+    let settled = Settled::after(Widening::new(motion, &start), 500, 60);
+    let voltage = |impact: &Event<f64>| impact.velocity.abs();
+    let measure = Measure {
+        motion,
+        length,
+        voltage: Some(&voltage),
+        with_growth: false,
+        at_releases: true,
+    };
+    match measure.after(&settled.end.filter(|_| settled.attractor.is_none())?) {
+        Further::Measured(found) => Some(found),
+        Further::Released(..) => None,
+    }
+}
+
+#[test]
+fn an_error_asked_for_costs_close_to_the_least_and_holds() {
+    const LONG: u32 = 400_000;
+    let mut sequence = Sequence::new(21);
+    let (mut held, mut excesses) = (0, Vec::new());
+    while excesses.len() < 60 {
+        let mut between = |low, high| sequence.between(low, high);
+        let motion = Motion::new(
+            between(-0.3, 0.6),
+            between(0.02, 0.15),
+            between(0.6, 0.95),
+            between(0.6, 0.95),
+        );
+        let (motion, part) = (motion.expect("a motion"), 10_f64.powf(between(-2.5, -2.0)));
+        let over = |impacts, error, most| measured(&motion, Length { impacts, error, most });
+        let Some(long) = over(LONG, None, LONG) else { continue };
+        let found = over(500, Some(part), LONG).expect("a motion that does not repeat");
+        // the impacts that have the error, as the long run knows it; the first look is at 500
+        let apart = |of: fn(&Statistics) -> Option<Estimate>| {
+            let (long, found) = (of(&long).expect("a mean"), of(&found).expect("a mean"));
+            let error = long.error.expect("a measured error") / long.value / part;
+            (
+                error * error * f64::from(LONG),
+                (found.value - long.value).abs() / long.value,
+            )
+        };
+        let (voltage, rate) = (apart(|found| found.voltage), apart(|found| found.rate));
+        held += usize::from(voltage.1.max(rate.1) <= 2.09 * part);
+        excesses.push((500.0 + found.impacts as f64) / (500.0 + voltage.0.max(rate.0).max(500.0)));
+    }
+    excesses.sort_by(f64::total_cmp);
+    let close = excesses.iter().filter(|excess| **excess <= 1.5).count();
+    println!("{held} and {close} of {}: {excesses:.2?}", excesses.len());
+    assert!(held >= 54, "{held} of 60 means are as good as asked");
+    assert!(
+        close >= 45,
+        "{close} of 60 cost up to 1.5 times the least: {excesses:?}"
+    );
 }
 
 /// The least of three times of this thread, in seconds.

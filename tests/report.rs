@@ -142,9 +142,13 @@ fn as_csv_shows(table: &Table, read: &[Vec<Cell>]) -> Table {
             (Cell::Text(text), Cell::Text(read)) => {
                 let is_executed = text.starts_with(['=', '\u{ff1d}', '@', '\u{ff20}', '\t', '\r', '\n']);
                 let may_be = text.starts_with(['+', '-', '\u{ff0b}', '\u{ff0d}']) && read.starts_with('\'');
-                let printed = text
-                    .chars()
-                    .map(|c| if acts_on_a_terminal(c) && c != '\n' { '\u{fffd}' } else { c });
+                let printed = text.chars().map(|c| {
+                    if acts_on_a_terminal(c) && c != '\n' {
+                        '\u{fffd}'
+                    } else {
+                        c
+                    }
+                });
                 let apostrophe = (is_executed || may_be).then_some('\'');
                 Cell::Text(apostrophe.into_iter().chain(printed).collect())
             }

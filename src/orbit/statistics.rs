@@ -10,13 +10,17 @@ use crate::stop;
 /// be long.
 pub const BATCHES: usize = 20;
 
+/// The batches at which an error that is asked for is looked at between a length and its double: lengths grow by no more
+/// than 1.43 from look to look, and looks stay few, since each is one more chance to stop by luck.
+const BETWEEN_DOUBLES: usize = 28;
+
 /// A statistic with its standard error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
     /// Its value.
     pub value: f64,
     /// One standard error: 0 where the value is exact but for rounding; where it is measured, that of [`BATCHES`] batch
-    /// means, of which 2.09 (Student's t of 19 degrees of freedom) are 95%; none where nothing is claimed.
+    /// means or a few more, of which 2.09 (Student's t of 19 degrees of freedom) are 95%; none where nothing is claimed.
     pub error: Option<f64>,
 }
 
@@ -37,7 +41,7 @@ impl Estimate {
 pub struct Length {
     /// So many,
     pub impacts: u32,
-    /// doubled until the standard errors of the voltages are no more than this part of their means,
+    /// and about half as many again until the standard errors of the voltages are no more than this part of their means,
     pub error: Option<f64>,
     /// but no more than these.
     pub most: u32,
@@ -161,8 +165,13 @@ impl Measure<'_> {
             if full.len() == 2 * BATCHES {
                 (full, size) = (joined(&full), 2.0 * size);
             }
-            let may_go_on = 2.0 * size * BATCHES as f64 <= f64::from(self.length.most);
-            if full.len() == BATCHES && !(may_go_on && self.is_met(&full) == Some(false)) {
+            let next = match full.len() {
+                BATCHES => BETWEEN_DOUBLES,
+                BETWEEN_DOUBLES => 2 * BATCHES,
+                _ => continue,
+            };
+            let may_go_on = size * next as f64 <= f64::from(self.length.most);
+            if !(may_go_on && self.is_met(&full) == Some(false)) {
                 return Further::Measured(self.statistics(&full));
             }
         }
@@ -227,7 +236,7 @@ fn ratio(batches: &[Batch], of: fn(&Batch) -> f64, over: fn(&Batch) -> f64) -> O
         (squares * count / (count - 1.0)).sqrt() / sum(over)
     };
     let longer = joined(batches);
-    let error = (batches.len() == BATCHES).then(|| error(batches).max(error(&longer)).max(error(&joined(&longer))));
+    let error = (batches.len() >= BATCHES).then(|| error(batches).max(error(&longer)).max(error(&joined(&longer))));
     value.is_finite().then_some(Estimate { value, error })
 }
 
@@ -283,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn impacts_are_doubled_until_the_error_is_met_or_the_most_are_reached() {
+    fn impacts_are_added_until_the_error_is_met_or_the_most_are_reached() {
         let motion = Motion::new(0.244, 0.31, 0.579, 0.709).unwrap();
         let asked = |error, most| {
             measured(
@@ -298,7 +307,7 @@ mod tests {
         };
         let met = asked(0.002, 1_000_000);
         assert!(
-            met.is_met == Some(true) && met.impacts > 500 && met.impacts.is_multiple_of(500),
+            met.is_met == Some(true) && met.impacts > 500 && met.impacts.is_multiple_of(100),
             "{met:?}"
         );
         assert!(
@@ -308,6 +317,8 @@ mod tests {
         );
         let unmet = asked(1e-6, 5000);
         assert_eq!((unmet.is_met, unmet.impacts), (Some(false), 4000));
+        let between = asked(1e-6, 6000);
+        assert_eq!((between.is_met, between.impacts), (Some(false), 5600));
         assert_eq!(asked(1.0, 1).impacts, 500);
     }
 
