@@ -101,7 +101,15 @@ fn divide(
         let Some(cell) = settled(family, periods, cell)? else {
             continue;
         };
-        let excess = |i: usize| width(cell[i]) / widest[i];
+        // between neighbouring numbers there is nothing to halve
+        let has_halves = |side: Interval<f64>| side.low() < side.midpoint() && side.midpoint() < side.high();
+        let excess = |i: usize| {
+            if has_halves(cell[i]) {
+                width(cell[i]) / widest[i]
+            } else {
+                0.0
+            }
+        };
         let direction = (0..3).max_by(|&i, &j| excess(i).total_cmp(&excess(j))).unwrap_or(0);
         if excess(direction) <= 1.0 || cells.len() + left.len() > MOST_CELLS || !stop::goes_on() {
             cells.push(grown(family, cell, widest));
@@ -230,6 +238,21 @@ mod tests {
             }
         }
         assert!(orbits > 30, "{orbits}");
+    }
+
+    #[test]
+    fn a_box_of_neighbouring_numbers_is_covered_by_few_cells() {
+        let family = Motion::new(1.055e-10, 0.5, 0.084_455_544_531_243_32, 0.084_455_544_531_243_32).expect("a motion");
+        let whole = Cover::new(&family, 1, Interval::new(0.3530, 0.3531)).expect("a cover");
+        let tight = [
+            Interval::new(1.000_000_000_138_732_4, 1.000_000_000_138_733_7),
+            Interval::new(3.033_708_538_134_507, 3.033_708_545_391_402),
+            Interval::new(0.353_024_136_797_091_2, 0.353_024_138_553_708_5),
+        ];
+        let mut point = tight;
+        point[0] = Interval::point(1.000_000_000_138_733);
+        let cover = whole.within(&family, &[tight, point]).expect("a cover");
+        assert!(cover.cells.len() < 1000, "{}", cover.cells.len());
     }
 
     #[test]
