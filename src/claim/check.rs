@@ -1,7 +1,7 @@
 //! Whether a vocabulary makes sense: every name in it declared, nothing defined by itself.
 
 use super::circle::circle;
-use super::definition::{Local, circular};
+use super::definition::{Local, circular, inlined};
 use super::fault::Fault;
 use super::vocabulary::{Map, Vocabulary};
 use crate::tex::{Name, Tree};
@@ -36,8 +36,15 @@ impl Vocabulary {
             name: name.clone(),
             tree: tree.clone(),
         });
-        if let Some(name) = circular(&abbreviations.collect::<Vec<_>>()) {
+        let abbreviations: Vec<Local> = abbreviations.collect();
+        if let Some(name) = circular(&abbreviations) {
             return Err(Fault::new(format!("`{name}` is defined by itself")));
+        }
+        if let Some(long) = abbreviations
+            .iter()
+            .find(|own| inlined(&own.tree, &abbreviations).is_none())
+        {
+            return Err(Fault::new(format!("`{}` is too long when written out", long.name)));
         }
         let lists = [
             ("generic", &self.generic),
@@ -51,6 +58,13 @@ impl Vocabulary {
         for (list, names) in lists {
             if let Some(name) = names.iter().find(|name| !self.declares(name)) {
                 return Err(Fault::new(format!("`{name}` in `{list}` is not declared")));
+            }
+            if let Some(name) = names
+                .iter()
+                .find(|name| !(self.is_single(name) || self.is_indexed(name)))
+            {
+                let problem = "runs over times: give its value at an impact, or a premise that says it at every time";
+                return Err(Fault::new(format!("`{name}` in `{list}` {problem}")));
             }
         }
         for letter in &self.indices {

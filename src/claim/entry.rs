@@ -1,10 +1,10 @@
 //! One `[[equation]]` of a sheet: what it states, what it defines, and whether it can be read.
 
 use super::declared::is_defined;
-use super::definition::{Local, circular};
+use super::definition::{Local, circular, inlined};
 use super::fault::{Fault, Source};
 use super::nearest::nearest;
-use super::substitute::{any, number_of, tree_runs};
+use super::substitute::{any, any_side, flies, number_of, rewrite_equation, tree_runs};
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::number::{Field, Rational};
@@ -198,6 +198,11 @@ impl Entry {
                 let problem = "`with` puts something into the premises of a claim: this entry has none";
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
             }
+            let is_own = |node: &Tree| matches!(node, Tree::Symbol(name, _) if is_defined(name, &self.own));
+            if any(&equation.right, &mut |node| is_own(node)) {
+                let problem = "what `with` puts in stands in the premises, which do not know the names of this entry: write it out";
+                return Err(source.fault(equation.at.0, problem).of(&self.label));
+            }
             if !replaced.insert(name) {
                 let problem = format!("`{name}` is replaced twice");
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
@@ -209,10 +214,98 @@ impl Entry {
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
             }
         }
+        self.check_shift(vocabulary)?;
+        if let Some((_, source)) = self.assume.first().filter(|_| self.role == Role::Definition) {
+            let problem = "a definition says what a name stands for: write what else holds as a premise";
+            return Err(source.fault(0, problem).of(&self.label));
+        }
         let declared = self.declared_of_with(vocabulary)?;
         self.assume.extend(declared);
         self.borrowed = borrowed;
         Ok(())
+    }
+
+    /// Refuses a shift of the index beside something put in for what the index counts: which comes first would matter.
+    fn check_shift(&self, vocabulary: &Vocabulary) -> Result<(), Fault> {
+        let replaces = |test: &dyn Fn(&Name) -> bool| {
+            let replaced = self.with.iter();
+            let found =
+                |(equation, _): &&(Equation, Source)| matches!(&equation.left, Tree::Symbol(name, _) if test(name));
+            replaced
+                .filter(found)
+                .map(|(equation, source)| (equation, source))
+                .next()
+        };
+        let counted = |name: &Name| {
+            let is_abbreviation = vocabulary.abbreviations.iter().any(|(known, _)| known == name);
+            is_abbreviation || vocabulary.is_indexed(name)
+        };
+        match (replaces(&|name| vocabulary.is_index_letter(name)), replaces(&counted)) {
+            (Some(_), Some((equation, source))) => {
+                let problem = "which comes first, the shift of the index or this? write it as a premise";
+                Err(source.fault(equation.at.0, problem).of(&self.label))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses the time of an impact put in for that of a flight, except at its end: at the start a state that an impact
+    /// changes has two values, and beyond the end the law says nothing.
+    ///
+    /// # Errors
+    /// The [`Fault`] of the substitution.
+    pub(super) fn check_time_put_in(
+        &self,
+        law: &Equation,
+        locals: &[Local],
+        vocabulary: &Vocabulary,
+    ) -> Result<(), Fault> {
+        let at_impact = self
+            .with
+            .iter()
+            .find_map(|(equation, source)| match (&equation.left, &equation.right) {
+                (Tree::Symbol(name, _), Tree::Symbol(time, _)) if vocabulary.running.as_ref() == Some(name) => {
+                    Some((equation, source, vocabulary.impact(time)?))
+                }
+                _ => None,
+            });
+        let Some((equation, source, impact)) = at_impact else {
+            return Ok(());
+        };
+        let written = rewrite_equation(law, &|name| {
+            let local = locals.iter().find(|local| local.name == *name)?;
+            inlined(&local.tree, locals)
+        });
+        let symbols = self.with.iter().filter_map(|(other, _)| match &other.left {
+            Tree::Symbol(name, _) if vocabulary.running.as_ref() != Some(name) => {
+                Some((name.clone(), other.right.clone()))
+            }
+            _ => None,
+        });
+        let others: Vec<(Name, Tree)> = symbols.collect();
+        let written = vocabulary.substituted(&vocabulary.expanded(&written), &others);
+        let first = vocabulary.impacts(&written).first().copied();
+        let is_kept = |name: &Name| {
+            let bare = Name {
+                primes: 0,
+                ..name.bare()
+            };
+            name.primes == 0 && vocabulary.continuous.contains(&bare)
+        };
+        let mut changes = |node: &Tree| match node {
+            Tree::Call(name, ..) | Tree::Symbol(name, _) => {
+                name.subscript.is_empty() && vocabulary.is_in_flight(name) && !is_kept(name)
+            }
+            _ => false,
+        };
+        let is_end = first.is_some_and(|first| impact == first + 1);
+        let is_start = first.is_none_or(|first| impact == first);
+        if !flies(&written, vocabulary) || is_end || (is_start && !any_side(&written, &mut changes)) {
+            return Ok(());
+        }
+        let problem =
+            "the law is one of a flight, and this no time within it or two values there: write what holds as a premise";
+        Err(source.fault(equation.at.0, problem).of(&self.label))
     }
 
     /// What `[symbols]` says of the symbols that `with` replaces, said of what is put in; a number is held against it here.

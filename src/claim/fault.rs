@@ -31,6 +31,11 @@ impl Source {
         }
     }
 
+    /// TeX that stands in no file.
+    pub(super) fn unplaced(tex: String) -> Self {
+        Self { tex, ..Self::default() }
+    }
+
     /// Line and column where the TeX starts in the file, from 1.
     pub fn place(&self) -> (usize, usize) {
         (self.line, self.column)

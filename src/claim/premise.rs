@@ -5,9 +5,9 @@ use super::definition::{Local, circular, inlined};
 use super::entry::{Entry, Role};
 use super::fault::{Fault, Source};
 use super::sheet::Sheet;
-use super::substitute::{any, flies, rewrite_alone, rewrite_condition, runs, tree_runs};
+use super::substitute::{any, flies, rewrite_alone, rewrite_condition, rewrite_equation, runs, tree_runs};
 use super::vocabulary::{Map, Vocabulary, index_of};
-use crate::tex::{At, Condition, Equation, Name, Relation, Tree};
+use crate::tex::{At, Condition, Equation, Name, Tree};
 use std::collections::BTreeSet;
 
 /// One equation that is taken as true.
@@ -150,7 +150,19 @@ impl Statements {
         }
         found.claims.clone_from(&claim.stated);
         found.assume = claim.assume.iter().map(|(condition, _)| condition.clone()).collect();
-        found.substitute(claim, &sheet.vocabulary);
+        found.substitute(claim, &sheet.vocabulary)?;
+        for law in &sheet.vocabulary.laws {
+            let printed = law.to_string();
+            found.premises.push(Premise {
+                label: printed.clone(),
+                equation: law.clone(),
+                locals: Vec::new(),
+                assume: Vec::new(),
+                first: None,
+                substituted: false,
+                source: Source::unplaced(printed),
+            });
+        }
         Ok(found.with_overview(&sheet.vocabulary))
     }
 
@@ -198,6 +210,9 @@ impl Statements {
         for equation in &entry.stated {
             self.push(entry, equation, &entry.tex, locals.clone());
         }
+        if entry.stated.iter().any(|equation| sheet.vocabulary.is_law(equation)) {
+            self.assume_outright(entry, &locals, &sheet.vocabulary);
+        }
         // What another definition gave already is a premise here.
         let below = sheet.definitions_below(claim);
         for equation in entry.equations.iter().filter(|_| entry.role == Role::Definition) {
@@ -217,6 +232,27 @@ impl Statements {
         Ok(())
     }
 
+    /// The conditions of a law that speak of nothing that runs hold whether or not the law says anything: they are premises.
+    fn assume_outright(&mut self, entry: &Entry, locals: &[Local], vocabulary: &Vocabulary) {
+        for (condition, source) in &entry.assume {
+            // of an integer the condition itself is what is said
+            let (equation, assume) = match condition {
+                Condition::Relation(relation) => (relation.clone(), Vec::new()),
+                Condition::Integer(tree) => (Equation::between(tree.clone(), tree.clone()), vec![condition.clone()]),
+            };
+            let written = rewrite_equation(&equation, &|name| {
+                let local = locals.iter().find(|local| local.name == *name)?;
+                inlined(&local.tree, locals)
+            });
+            if !vocabulary.is_law(&written) && vocabulary.impacts(&written).is_empty() {
+                self.push(entry, &equation, source, locals.to_vec());
+                if let Some(premise) = self.premises.last_mut() {
+                    premise.assume = assume;
+                }
+            }
+        }
+    }
+
     fn push(&mut self, entry: &Entry, equation: &Equation, source: &Source, locals: Vec<Local>) {
         self.premises.push(Premise {
             label: entry.label.clone(),
@@ -230,7 +266,10 @@ impl Statements {
     }
 
     /// Makes the substitutions of `with` in the premises. The value of a state at an impact is a premise.
-    fn substitute(&mut self, claim: &Entry, vocabulary: &Vocabulary) {
+    ///
+    /// # Errors
+    /// The [`Fault`] of a time of an impact put in for the time of a flight that is not the end of the flight.
+    fn substitute(&mut self, claim: &Entry, vocabulary: &Vocabulary) -> Result<(), Fault> {
         let (mut pairs, mut more, mut shift) = (Vec::new(), Vec::new(), 0);
         for (equation, source) in &claim.with {
             match &equation.left {
@@ -245,6 +284,7 @@ impl Statements {
         if shift != 0 || !pairs.is_empty() {
             for premise in &mut self.premises {
                 let shifted = premise.shifted(shift, vocabulary);
+                claim.check_time_put_in(&shifted.equation, &shifted.locals, vocabulary)?;
                 let put_in = shifted.rewritten(&|equation| vocabulary.substituted(equation, &pairs));
                 let one_impact = vocabulary.impacts(&put_in.equation).len() == 1;
                 let substituted = one_impact && put_in.equation != shifted.equation;
@@ -256,21 +296,16 @@ impl Statements {
                 .iter_mut()
                 .filter(|local| !is_defined(&local.name, &claim.own));
             for local in followed {
-                let (left, at) = (Tree::Symbol(local.name.clone(), At(0)), At(0));
-                let equation = Equation {
-                    left,
-                    relation: Relation::Equal,
-                    right: local.tree.clone(),
-                    at,
-                    end: at,
-                    explains: false,
-                };
+                let left = Tree::Symbol(local.name.clone(), At(0));
+                let equation = Equation::between(left, local.tree.clone());
+                claim.check_time_put_in(&equation, &[], vocabulary)?;
                 local.tree = vocabulary.substituted(&equation, &pairs).right;
             }
         }
         for (equation, source) in more {
             self.push(claim, equation, source, Vec::new());
         }
+        Ok(())
     }
 
     fn named_maps(&self, vocabulary: &Vocabulary) -> BTreeSet<Name> {

@@ -2,7 +2,7 @@
 
 use super::vocabulary::{Vocabulary, index_of, subscript_of};
 use crate::number::Rational;
-use crate::tex::{At, Condition, Equation, Name, Relation, Tree, evaluate};
+use crate::tex::{At, Condition, Equation, Name, Tree, evaluate};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The tree with each symbol for which `new` has a tree replaced by it.
@@ -94,15 +94,8 @@ pub(super) fn rewrite_condition(condition: &Condition, new: &dyn Fn(&Equation) -
 
 /// The tree rewritten as a side of an equation would be.
 pub(super) fn rewrite_alone(tree: &Tree, new: &dyn Fn(&Equation) -> Equation) -> Tree {
-    let equation = Equation {
-        left: tree.clone(),
-        relation: Relation::Equal,
-        right: Tree::Number(<Rational as num_traits::Zero>::zero()),
-        at: At::default(),
-        end: At::default(),
-        explains: false,
-    };
-    new(&equation).left
+    let nothing = Tree::Number(<Rational as num_traits::Zero>::zero());
+    new(&Equation::between(tree.clone(), nothing)).left
 }
 
 /// Whether an equation is said of a running time: by its symbol, or by a function without a bracket.
@@ -180,9 +173,28 @@ impl Vocabulary {
         });
     }
 
+    /// What an abbreviation stands for, those within it written out too, but for names that are `kept`.
+    fn meaning(&self, name: &Name, kept: &dyn Fn(&Name) -> bool) -> Option<Tree> {
+        let meant = self.abbreviated(name).filter(|_| !kept(name))?;
+        Some(rewrite(meant, &|inner| self.meaning(inner, kept)))
+    }
+
     /// The equation with its abbreviations written out.
     pub fn expanded(&self, equation: &Equation) -> Equation {
-        rewrite_equation(equation, &|name| self.abbreviated(name).cloned())
+        rewrite_equation(equation, &|name| self.meaning(name, &|_| false))
+    }
+
+    /// Whether an equation is said of a running time or of a running index: it is more than one.
+    pub(super) fn moves(&self, equation: &Equation) -> bool {
+        let counts = |letter: &Name, name: &Name| *letter == *name || index_of(&name.subscript, &letter.base).is_some();
+        let equation = self.expanded(equation);
+        let mut is_counted = |node: &Tree| matches!(node, Tree::Symbol(name, _) if self.indices.iter().any(|letter| counts(letter, name)));
+        runs(&equation, self) || any_side(&equation, &mut is_counted)
+    }
+
+    /// Whether an equation is said of many times, flights or indices.
+    pub(super) fn is_law(&self, equation: &Equation) -> bool {
+        self.moves(equation) || flies(&self.expanded(equation), self)
     }
 
     /// The equation said of impacts `by` further on.
@@ -211,10 +223,7 @@ impl Vocabulary {
             _ => false,
         });
         // what an abbreviation stands for is replaced too, unless it is itself
-        let written_out = rewrite_equation(equation, &|name| match find(name) {
-            Some(_) => None,
-            None => self.abbreviated(name).cloned(),
-        });
+        let written_out = rewrite_equation(equation, &|name| self.meaning(name, &|inner| find(inner).is_some()));
         rewrite_equation(&written_out, &|name| {
             let plain = Name {
                 mark: String::new(),

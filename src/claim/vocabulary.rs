@@ -52,6 +52,8 @@ pub struct Vocabulary {
     pub abbreviations: Vec<(Name, Tree)>,
     /// Squares of symbols: `s^2 = ...`.
     pub relations: Vec<Equation>,
+    /// Squares of what runs over times or indices, which hold throughout: a premise of every claim.
+    pub laws: Vec<Equation>,
     /// Jacobians by name.
     pub maps: Vec<(Name, Map)>,
     /// What the reader of formulas needs to know of all this.
@@ -141,6 +143,8 @@ impl Vocabulary {
         }
         vocabulary.generic = vocabulary.list(&symbols.generic)?;
         vocabulary.read_kinds(symbols)?;
+        let relations = std::mem::take(&mut vocabulary.relations).into_iter();
+        (vocabulary.laws, vocabulary.relations) = relations.partition(|relation| vocabulary.moves(relation));
         vocabulary.read_maps(symbols)?;
         vocabulary.refuse_twice()?;
         let abbreviations = vocabulary.abbreviations.iter().map(|(name, _)| name);

@@ -147,8 +147,18 @@ impl<'a> Compiler<'a> {
         Some(match tree {
             Tree::Number(value) => value.clone(),
             Tree::Symbol(name, _) => {
-                let is_whole =
-                    self.vocabulary.integers.contains(name) || super::domain::is_index(self.vocabulary, name);
+                if let Some(local) = self.locals.iter().find(|local| local.name == *name) {
+                    return self.unit(&local.tree);
+                }
+                let vocabulary = self.vocabulary;
+                if let Some((_, meaning)) = vocabulary.abbreviations.iter().find(|(known, _)| known == name) {
+                    return self.unit(meaning);
+                }
+                let is_counted = |listed: &Name| {
+                    super::domain::index_runs(vocabulary) && bare(listed) == bare(name) && vocabulary.is_indexed(name)
+                };
+                let is_listed = |listed: &Name| listed == name || is_counted(listed);
+                let is_whole = vocabulary.integers.iter().any(is_listed) || super::domain::is_index(vocabulary, name);
                 return is_whole.then(Rational::one);
             }
             Tree::Negate(body) | Tree::PlusMinus(body) | Tree::MinusPlus(body) => of(body)?,

@@ -3,7 +3,7 @@
 use super::compiler::{Compiler, Unwitnessed, bare};
 use super::formula::{Formula, Op};
 use super::space::{Slot, Space};
-use crate::claim::Vocabulary;
+use crate::claim::{Vocabulary, index_of};
 use crate::tex::{At, Name, Relation, Tree};
 
 /// `left - right`, compared with 0.
@@ -75,11 +75,17 @@ pub fn kinds(vocabulary: &Vocabulary, space: &Space) -> Vec<Kind> {
         let Some(name) = space.name(slot) else {
             return Kind::default();
         };
-        let indexed = !matches!(what, Slot::Parameter(_));
-        let listed = |list: &[Name]| {
-            list.iter()
-                .any(|known| known == name || (indexed && bare(known) == *name))
+        let index = match what {
+            Slot::Time { index, .. } | Slot::State { index, .. } => Some(*index),
+            _ => None,
         };
+        let at = |known: &Name| index_of(&known.subscript, &vocabulary.index) == index || index_runs(vocabulary);
+        let is_side = |known: &Name| match what {
+            Slot::State { state, after, .. } => vocabulary.continuous.contains(state) || *after == (known.mark == "+"),
+            _ => true,
+        };
+        let indexed = |known: &Name| index.is_some() && bare(known) == *name && at(known) && is_side(known);
+        let listed = |list: &[Name]| list.iter().any(|known| known == name || indexed(known));
         Kind {
             positive: listed(&vocabulary.positive),
             nonnegative: listed(&vocabulary.nonnegative),

@@ -273,6 +273,20 @@ impl System {
                 *place = N::Of::<f64>::new(value, imaginary);
             }
         }
+        // where premises shape functions, constants are what meets them soonest
+        if self.shaped && random.draw() & 1 == 0 {
+            for (slot, value) in self.space.slots.iter().zip(&mut values) {
+                if let Slot::Coefficient { course, term } = slot
+                    && self
+                        .space
+                        .courses
+                        .get(*course)
+                        .is_some_and(|course| *term >= course.names.len())
+                {
+                    *value = N::Of::<f64>::integer(0);
+                }
+            }
+        }
         let running = match self.start.and_then(|slot| values.get(slot)) {
             Some(start) => start.parts()[0] + random.between(0.1, 1.0),
             None if style == Style::Special => pick(random),

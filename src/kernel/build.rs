@@ -950,7 +950,10 @@ impl<'a> Builder<'a> {
             let root = self.statement.terms.elementary(Elementary::Root(index), base);
             return Ok(self.power(root, power));
         }
-        let whole = self.is_integer(exponent);
+        // what the exponent is called does not matter where it is an integer
+        let meant = self.statement.written_out(exponent);
+        let integer = [exponent, meant].into_iter().find(|term| self.is_integer(*term));
+        let (whole, exponent) = (integer.is_some(), integer.unwrap_or(exponent));
         if !whole {
             let principal = self.statement.complex;
             let property = if principal {
@@ -981,12 +984,10 @@ impl<'a> Builder<'a> {
         let terms = &self.statement.terms;
         let may_stand = |inner: Term| match terms.node(inner) {
             Node::Number(_) | Node::Sum(_) | Node::Product(_) | Node::Power(..) | Node::Quotient(..) => true,
-            Node::Symbol(symbol) => match self.statement.quantity(*symbol) {
-                Some(Quantity::Parameter(name)) => {
-                    self.vocabulary.integers.contains(name) || self.vocabulary.indices.contains(name)
-                }
-                _ => false,
-            },
+            Node::Symbol(symbol) => self.statement.quantity(*symbol).is_some_and(|quantity| {
+                let is_index = matches!(quantity, Quantity::Parameter(name) if self.vocabulary.indices.contains(name));
+                is_index || self.is_listed(quantity, &self.vocabulary.integers)
+            }),
             _ => false,
         };
         if !terms.inside(term).into_iter().all(may_stand) {

@@ -102,6 +102,20 @@ pub struct Equation {
     pub explains: bool,
 }
 
+impl Equation {
+    /// An equation that stands in no TeX.
+    pub fn between(left: Tree, right: Tree) -> Self {
+        Self {
+            left,
+            relation: Relation::Equal,
+            right,
+            at: At::default(),
+            end: At::default(),
+            explains: false,
+        }
+    }
+}
+
 /// What a sheet assumes of its symbols.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 #[expect(clippy::large_enum_variant, reason = "a sheet holds few of them")]
