@@ -3,8 +3,9 @@
 use super::circle::circle;
 use super::definition::{Local, circular, inlined};
 use super::fault::Fault;
+use super::substitute::any_side;
 use super::vocabulary::{Map, Vocabulary};
-use crate::tex::{Name, Tree};
+use crate::tex::{At, Equation, Name, Tree};
 use std::collections::HashMap;
 
 impl Vocabulary {
@@ -67,6 +68,8 @@ impl Vocabulary {
                 return Err(Fault::new(format!("`{name}` in `{list}` {problem}")));
             }
         }
+        self.check_lists_of_meanings()?;
+        self.check_subscripts()?;
         for letter in &self.indices {
             if letter.to_string().chars().count() != 1 {
                 return Err(Fault::new(format!("`{letter}` in `indices` must be one letter")));
@@ -83,6 +86,62 @@ impl Vocabulary {
             }
         }
         self.check_maps()
+    }
+
+    /// Refuses names that carry the index of the impacts, or one that runs, without running with it.
+    fn check_subscripts(&self) -> Result<(), Fault> {
+        let has_impacts = !(self.times.is_empty() && self.states.is_empty());
+        let runs = |letter: &str| self.indices.iter().any(|index| index.base == letter);
+        let letters = self.indices.iter().map(|index| index.base.as_str());
+        let letters: Vec<&str> = letters.chain(has_impacts.then_some(self.index.as_str())).collect();
+        let names = self
+            .parameters
+            .iter()
+            .chain(self.functions.iter().map(|(name, _)| name));
+        for name in names {
+            if has_impacts && !runs(&self.index) && name.to_string() == self.index {
+                let problem = "numbers the impacts here: call the parameter otherwise";
+                return Err(Fault::new(format!("`{name}` {problem}")));
+            }
+            let parts = name.subscript.split(|c: char| !c.is_ascii_alphanumeric());
+            let short: Vec<&str> = parts.filter(|part| part.len() <= 2).collect();
+            if let Some(letter) = letters
+                .iter()
+                .find(|letter| short.iter().any(|part| part.contains(**letter)))
+            {
+                let problem = format!(
+                    "carries the index {letter} and does not run with it: a state does, as {letter} or {letter}+1 alone"
+                );
+                return Err(Fault::new(format!("`{name}` {problem}")));
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses an abbreviation that is generic of symbols that are not, and an index in a list.
+    fn check_lists_of_meanings(&self) -> Result<(), Fault> {
+        let lists = [&self.positive, &self.at_most_one, &self.generic];
+        if let Some(index) = self
+            .indices
+            .iter()
+            .find(|index| lists.iter().any(|list| list.contains(index)))
+        {
+            return Err(Fault::new(format!("`{index}` is an index: it runs over all integers")));
+        }
+        for (name, _) in self
+            .abbreviations
+            .iter()
+            .filter(|(name, _)| self.generic.contains(name))
+        {
+            let symbol = Tree::Symbol(name.clone(), At::default());
+            let written = self.expanded(&Equation::between(symbol.clone(), symbol));
+            let mut is_bound = |node: &Tree| matches!(node, Tree::Symbol(inner, _) if self.parameters.contains(inner) && !self.generic.contains(inner));
+            if any_side(&written, &mut is_bound) {
+                let problem = "stands for symbols that are not generic: list these";
+                return Err(Fault::new(format!("`{name}` in `generic` {problem}")));
+            }
+        }
+        Ok(())
     }
 
     fn check_tree(&self, tree: &Tree, about: &str) -> Result<(), Fault> {

@@ -87,6 +87,11 @@ impl Vocabulary {
         self.states.iter().any(|state| derivatives(state).contains(&plain))
     }
 
+    /// Whether this is a state, not the derivative of the last one.
+    fn is_state_itself(&self, name: &Name) -> bool {
+        name.primes == 0 && self.states.contains(&name.bare())
+    }
+
     /// The names of the formula that stand for nothing, each once; `extra` are names that are known besides.
     pub(super) fn undeclared(&self, tree: &Tree, extra: &dyn Fn(&Name) -> bool) -> Vec<Undeclared> {
         let mut found: Vec<Undeclared> = Vec::new();
@@ -120,6 +125,13 @@ impl Vocabulary {
                 let elementary = name.base.starts_with('\\') && *name == base_alone(name);
                 let at_impact = matches!(argument.as_ref(), Tree::Symbol(time, _) if self.is_time_of_impact(time));
                 let message = match () {
+                    () if at_impact
+                        && name.mark.is_empty()
+                        && self.is_in_flight(name)
+                        && !self.is_state_itself(name) =>
+                    {
+                        format!("`{name}` has two values at an impact, before and after it: write the motion out")
+                    }
                     () if self.is_in_flight(name) && (name.mark.is_empty() || at_impact) => return None,
                     () if self.is_function(name) || elementary => return None,
                     () if self.is_in_flight(name) => {

@@ -2,13 +2,13 @@
 
 use super::declared::is_defined;
 use super::definition::{Local, circular, inlined};
-use super::fault::{Fault, Source};
+use super::fault::{Fault, Source, Text};
 use super::nearest::nearest;
 use super::substitute::{any, any_side, flies, number_of, rewrite_equation, tree_runs};
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Equation, Lines, Name, Relation, Tree, read, read_conditions};
+use crate::tex::{At, Condition, Equation, Name, Relation, Tree, read, read_conditions};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashSet};
 use toml::Spanned;
@@ -43,6 +43,8 @@ pub struct Entry {
     /// The entries it follows from, by position in the sheet.
     pub follows_from: Vec<usize>,
     pub expect: Verdict,
+    /// What its verdict rests on that nobody said, as a document without comments makes one guess.
+    pub guessed: Vec<String>,
     /// Why the entry cannot be read: its TeX, or a name in it that nothing declares.
     pub unread: Option<Fault>,
     /// The symbols that the entry defines for itself: those of `where`, and in a claim or definition those alone on the
@@ -57,7 +59,7 @@ pub struct Entry {
 }
 
 /// One `[[equation]]` as it stands in the file.
-#[derive(Deserialize)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RawEntry {
     pub label: Spanned<String>,
@@ -72,6 +74,12 @@ pub(super) struct RawEntry {
     pub follows_from: Option<Vec<Spanned<String>>>,
     #[serde(default)]
     pub expect: Verdict,
+    /// What is guessed of an entry of a document.
+    #[serde(skip)]
+    pub guessed: Vec<String>,
+    /// Why an entry of a document cannot be read, beyond its formulas.
+    #[serde(skip)]
+    pub unread: Option<String>,
 }
 
 impl Entry {
@@ -168,6 +176,7 @@ impl Entry {
         if let Some(fault) = faults.into_iter().reduce(Fault::and) {
             return Err(fault.of(&self.label));
         }
+        self.check_brackets(vocabulary, shared)?;
         self.check_order(vocabulary)?;
         self.check_times_of_assume(vocabulary)?;
         let mut replaced = HashSet::new();
@@ -198,6 +207,18 @@ impl Entry {
                 let problem = "`with` puts something into the premises of a claim: this entry has none";
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
             }
+            let runs =
+                |node: &Tree| matches!(node, Tree::Symbol(other, _) if other != name && vocabulary.is_running(other));
+            if any(&equation.right, &mut |node| runs(node)) {
+                let problem = "what runs in the premises cannot be put in: it would be taken for theirs";
+                return Err(source.fault(equation.at.0, problem).of(&self.label));
+            }
+            let is_replaced = !vocabulary.is_indexed(name) && !vocabulary.is_index_letter(name);
+            if let Some(listed) = vocabulary.listed_with(name).filter(|_| is_replaced) {
+                let problem =
+                    format!("`{name}` stands in `{listed}`, of which [symbols] says what it may be: write a premise");
+                return Err(source.fault(equation.at.0, problem).of(&self.label));
+            }
             let is_own = |node: &Tree| matches!(node, Tree::Symbol(name, _) if is_defined(name, &self.own));
             if any(&equation.right, &mut |node| is_own(node)) {
                 let problem = "what `with` puts in stands in the premises, which do not know the names of this entry: write it out";
@@ -215,6 +236,19 @@ impl Entry {
             }
         }
         self.check_shift(vocabulary)?;
+        let declared = self
+            .stated
+            .iter()
+            .find(|equation| matches!(&equation.left, Tree::Symbol(name, _) if vocabulary.declares(name)));
+        if let Some(equation) =
+            declared.filter(|equation| self.role == Role::Definition && equation.relation == Relation::Equal)
+        {
+            let problem = format!(
+                "`{}` is declared in [symbols]: a definition gives a new name, what else holds is a premise",
+                equation.left
+            );
+            return Err(self.tex.fault(equation.at.0, problem).of(&self.label));
+        }
         if let Some((_, source)) = self.assume.first().filter(|_| self.role == Role::Definition) {
             let problem = "a definition says what a name stands for: write what else holds as a premise";
             return Err(source.fault(0, problem).of(&self.label));
@@ -222,6 +256,35 @@ impl Entry {
         let declared = self.declared_of_with(vocabulary)?;
         self.assume.extend(declared);
         self.borrowed = borrowed;
+        Ok(())
+    }
+
+    /// Refuses a bracket behind a name that stands for something at every time: it may hold a time or a factor.
+    fn check_brackets(&self, vocabulary: &Vocabulary, shared: &[Local]) -> Result<(), Fault> {
+        let abbreviations = vocabulary.abbreviations.iter().map(|(name, tree)| (name, tree));
+        let locals = self.own.iter().chain(shared).map(|local| (&local.name, &local.tree));
+        let moves = |tree: &Tree| vocabulary.is_law(&Equation::between(tree.clone(), tree.clone()));
+        let moving = abbreviations.chain(locals).filter(|(_, tree)| moves(tree));
+        let moving: Vec<String> = moving
+            .map(|(name, _)| format!("{}(", name.to_string().replace(' ', "")))
+            .collect();
+        let mut sources: Vec<&Source> = self.trees(vocabulary).into_iter().map(|(_, source)| source).collect();
+        sources.dedup_by_key(|source| source.place());
+        for source in sources {
+            let shown = source.tex.replace(r"\left", "").replace(char::is_whitespace, "");
+            let called = |name: &&String| {
+                let before = |at: usize| shown.get(..at).and_then(|before| before.chars().next_back());
+                let mut found = shown.match_indices(name.as_str());
+                found.any(|(at, _)| !before(at).is_some_and(char::is_alphabetic))
+            };
+            if let Some(name) = moving.iter().find(called) {
+                let name = name.trim_end_matches('(');
+                let problem = format!(
+                    "`{name}(...)` can be read as a value of `{name}` or as a product: write `{name} \\cdot (...)`"
+                );
+                return Err(source.fault(0, problem).of(&self.label));
+            }
+        }
         Ok(())
     }
 
@@ -505,6 +568,27 @@ impl Vocabulary {
         self.may_be_complex(tree) || any(tree, &mut |node| is_imaginary(node))
     }
 
+    /// Whether a name runs over times or indices.
+    fn is_running(&self, name: &Name) -> bool {
+        self.running.as_ref() == Some(name) || self.indices.contains(name)
+    }
+
+    /// The abbreviation of which a list says what it may be, and in which this symbol stands.
+    fn listed_with(&self, name: &Name) -> Option<&Name> {
+        let meant = self
+            .abbreviations
+            .iter()
+            .filter(|(own, _)| own != name && !self.lists_of(own).is_empty());
+        let mut holding = meant.filter(|(own, _)| {
+            let symbol = Tree::Symbol(own.clone(), At::default());
+            any_side(
+                &self.expanded(&Equation::between(symbol.clone(), symbol)),
+                &mut |node| matches!(node, Tree::Symbol(inner, _) if inner == name),
+            )
+        });
+        holding.next().map(|(own, _)| own)
+    }
+
     /// Whether this is the letter that numbers impacts, which `with` may shift.
     pub(super) fn is_index_letter(&self, name: &Name) -> bool {
         name.to_string() == self.index
@@ -521,7 +605,7 @@ fn sides<'a>(equation: &'a Equation, source: &'a Source) -> [(&'a Tree, &'a Sour
 /// # Errors
 /// The [`Fault`] of a label in `follows_from` that no entry has.
 pub(super) fn read_entry(
-    lines: &Lines,
+    lines: &Text,
     raw: &RawEntry,
     positions: &BTreeMap<&str, usize>,
     vocabulary: &Vocabulary,
@@ -538,7 +622,7 @@ pub(super) fn read_entry(
         }
     }
     let tex = Source::new(lines, &raw.tex);
-    let mut faults = Vec::new();
+    let mut faults: Vec<Fault> = raw.unread.iter().map(|problem| tex.fault(0, problem)).collect();
     let mut keep = |read: Result<Vec<Equation>, Fault>| {
         read.unwrap_or_else(|fault| {
             faults.push(fault);
@@ -576,6 +660,7 @@ pub(super) fn read_entry(
         assume,
         follows_from,
         expect: raw.expect,
+        guessed: raw.guessed.clone(),
         unread: faults
             .into_iter()
             .reduce(Fault::and)

@@ -4,10 +4,47 @@ use crate::tex::{Lines, Place};
 use std::fmt;
 use toml::Spanned;
 
+/// A file within a text of several: where it starts, and its name if it is not the first.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    pub start: usize,
+    pub name: Option<String>,
+}
+
+/// A text of one file, or of several one after the other.
+pub(super) struct Text<'a> {
+    lines: Lines<'a>,
+    files: &'a [File],
+}
+
+impl<'a> Text<'a> {
+    /// The text of a file.
+    pub fn new(text: &'a str) -> Self {
+        Self::of_files(text, &[])
+    }
+
+    /// A text in which these files start.
+    pub fn of_files(text: &'a str, files: &'a [File]) -> Self {
+        let lines = Lines::new(text);
+        Self { lines, files }
+    }
+
+    /// The file that byte `at` stands in, if it is not the first, and the place there.
+    fn place(&self, at: usize) -> (Option<String>, Place) {
+        let Place { line, column } = self.lines.place(at);
+        let file = self.files.iter().rev().find(|file| file.start <= at);
+        let before = file.map_or(1, |file| self.lines.place(file.start).line);
+        let line = line + 1 - before;
+        (file.and_then(|file| file.name.clone()), Place { line, column })
+    }
+}
+
 /// A piece of TeX and where in the file it starts.
 #[derive(Clone, Debug, Default)]
 pub struct Source {
     pub tex: String,
+    /// The file, where it is not the one that is read but one that it includes.
+    pub file: Option<String>,
     line: usize,
     column: usize,
     /// Whether a place in the TeX is a place in the file (not where the TOML string has escapes).
@@ -18,13 +55,14 @@ pub struct Source {
 const MOST_SHOWN: usize = 160;
 
 impl Source {
-    pub(super) fn new(lines: &Lines, value: &Spanned<String>) -> Self {
+    pub(super) fn new(text: &Text, value: &Spanned<String>) -> Self {
         let span = value.span();
-        let raw = lines.text.get(span.clone()).unwrap_or_default();
+        let raw = text.lines.text.get(span.clone()).unwrap_or_default();
         let offset = raw.find(value.get_ref().as_str());
-        let Place { line, column } = lines.place(span.start + offset.unwrap_or(0));
+        let (file, Place { line, column }) = text.place(span.start + offset.unwrap_or(0));
         Self {
             tex: value.get_ref().clone(),
+            file,
             line,
             column,
             verbatim: offset.is_some(),
@@ -72,6 +110,7 @@ impl Source {
         Fault {
             message: message.into(),
             label: None,
+            file: self.file.clone(),
             place: Some(place),
             shown: Some(shown),
         }
@@ -84,6 +123,8 @@ pub struct Fault {
     pub message: String,
     /// The equation at fault.
     pub label: Option<String>,
+    /// The file, where it is not the one that is read but one that it includes.
+    pub file: Option<String>,
     /// Line and column in the file, from 1.
     pub place: Option<(usize, usize)>,
     /// The line of TeX with a caret beneath.
@@ -96,6 +137,7 @@ impl Fault {
         Self {
             message: message.into(),
             label: None,
+            file: None,
             place: None,
             shown: None,
         }
@@ -124,13 +166,19 @@ impl Fault {
 
     /// The fault, at the start of `source` where it has no place yet.
     pub fn at(mut self, source: &Source) -> Self {
-        self.place.get_or_insert((source.line, source.column));
+        if self.place.is_none() {
+            self.place = Some((source.line, source.column));
+            self.file.clone_from(&source.file);
+        }
         self
     }
 }
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(file) = &self.file {
+            write!(f, "{file}, ")?;
+        }
         if let Some((line, column)) = self.place {
             write!(f, "line {line}, column {column}: ")?;
         }

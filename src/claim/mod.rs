@@ -4,6 +4,7 @@ mod check;
 mod circle;
 mod declared;
 mod definition;
+mod document;
 mod entry;
 mod fault;
 mod nearest;
@@ -16,6 +17,7 @@ mod verdict;
 mod vocabulary;
 
 pub use definition::{Local, pair_of};
+pub use document::{Document, Include, Markup, PrintedNumber};
 pub use entry::{Entry, Role};
 pub use fault::{Fault, Source};
 pub use nearest::nearest;

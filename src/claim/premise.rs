@@ -277,7 +277,9 @@ impl Statements {
                     let to = equation.right.to_string().replace(' ', "");
                     shift = index_of(&to, &vocabulary.index).unwrap_or(0);
                 }
-                Tree::Symbol(name, _) => pairs.push((name.clone(), equation.right.clone())),
+                Tree::Symbol(name, _) if !vocabulary.is_indexed(name) || vocabulary.renames(equation) => {
+                    pairs.push((name.clone(), equation.right.clone()));
+                }
                 _ => more.push((equation, source)),
             }
         }

@@ -3,11 +3,11 @@
 use super::circle::circle;
 use super::declared::is_defined;
 use super::entry::{Entry, RawEntry, Role, read_entry};
-use super::fault::{Fault, Source};
+use super::fault::{Fault, Source, Text};
 use super::premise::shared;
 use super::symbols::{MapEntry, Symbols};
 use super::vocabulary::Vocabulary;
-use crate::tex::{Lines, Name};
+use crate::tex::Name;
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use toml::Spanned;
@@ -20,13 +20,14 @@ pub struct Sheet {
     pub entries: Vec<Entry>,
 }
 
-#[derive(Deserialize)]
+/// A sheet as it stands in the file.
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct RawSheet {
-    title: Option<String>,
-    symbols: Option<Spanned<Symbols>>,
+pub(super) struct RawSheet {
+    pub title: Option<String>,
+    pub symbols: Option<Spanned<Symbols>>,
     #[serde(default)]
-    equation: Vec<RawEntry>,
+    pub equation: Vec<RawEntry>,
 }
 
 /// The `[symbols]` block of a file that holds nothing else.
@@ -52,19 +53,26 @@ impl Sheet {
     /// exist, a claim with itself among its premises, a sheet without an equation or without a claim. A formula that
     /// cannot be read is no fault of the sheet: its entry says so.
     pub fn read(text: &str, vocabulary: &Vocabulary) -> Result<Self, Fault> {
-        let lines = Lines::new(text);
         let raw: RawSheet = parse(text)?;
         if raw.equation.is_empty() {
             return Err(Fault::new("the sheet has no [[equation]]"));
         }
+        Self::from_raw(&raw, &Text::new(text), vocabulary)
+    }
+
+    /// The sheet of what stands in a text.
+    ///
+    /// # Errors
+    /// As [`Sheet::read`].
+    pub(super) fn from_raw(raw: &RawSheet, lines: &Text, vocabulary: &Vocabulary) -> Result<Self, Fault> {
         let vocabulary = match &raw.symbols {
             None => vocabulary.clone(),
             Some(symbols) => read_checked(&with_labels(symbols.get_ref(), &raw.equation)).map_err(|fault| {
-                let here = Source::new(&lines, &Spanned::new(symbols.span(), String::new()));
+                let here = Source::new(lines, &Spanned::new(symbols.span(), String::new()));
                 fault.within("[symbols]").at(&here)
             })?,
         };
-        let positions = positions(&lines, &raw.equation)?;
+        let positions = positions(lines, &raw.equation)?;
         let needed = needed(&raw.equation, &positions);
         let mut entries = Vec::new();
         for entry in &raw.equation {
@@ -73,15 +81,15 @@ impl Sheet {
                 || positions
                     .get(label.as_str())
                     .is_some_and(|position| needed.contains(position));
-            let read = read_entry(&lines, entry, &positions, &vocabulary, wanted);
+            let read = read_entry(lines, entry, &positions, &vocabulary, wanted);
             entries.push(read.map_err(|fault| fault.of(label))?);
         }
         if entries.iter().all(|entry: &Entry| entry.role != Role::Claim) {
             let problem = "the sheet has no claim: give an equation that is to be decided `role = \"claim\"`";
-            return Err(Fault::new(problem).at(&Source::new(&lines, &Spanned::new(0..0, String::new()))));
+            return Err(Fault::new(problem).at(&Source::new(lines, &Spanned::new(0..0, String::new()))));
         }
         let mut sheet = Self {
-            title: raw.title,
+            title: raw.title.clone(),
             vocabulary,
             entries,
         };
@@ -228,7 +236,7 @@ fn parse(text: &str) -> Result<RawSheet, Fault> {
     toml::from_str(text).map_err(|error: toml::de::Error| {
         let fault = Fault::new(error.message());
         match error.span() {
-            Some(span) => fault.at(&Source::new(&Lines::new(text), &Spanned::new(span, String::new()))),
+            Some(span) => fault.at(&Source::new(&Text::new(text), &Spanned::new(span, String::new()))),
             None => fault,
         }
     })
@@ -253,7 +261,7 @@ fn with_labels(symbols: &Symbols, entries: &[RawEntry]) -> Symbols {
     symbols
 }
 
-fn positions<'a>(lines: &Lines, entries: &'a [RawEntry]) -> Result<BTreeMap<&'a str, usize>, Fault> {
+fn positions<'a>(lines: &Text, entries: &'a [RawEntry]) -> Result<BTreeMap<&'a str, usize>, Fault> {
     let mut positions = BTreeMap::new();
     for (position, entry) in entries.iter().enumerate() {
         let label = entry.label.get_ref();

@@ -1,7 +1,7 @@
 //! Substitutions in a tree, and what a tree mentions.
 
 use super::vocabulary::{Vocabulary, index_of, subscript_of};
-use crate::number::Rational;
+use crate::number::{Field, Rational};
 use crate::tex::{At, Condition, Equation, Name, Tree, evaluate};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -192,6 +192,12 @@ impl Vocabulary {
         runs(&equation, self) || any_side(&equation, &mut is_counted)
     }
 
+    /// Whether an equation puts the time of one impact in for that of another, which takes the states there along.
+    pub(super) fn renames(&self, equation: &Equation) -> bool {
+        let is_time = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if self.times.contains(&name.bare()) && self.impact(name).is_some());
+        is_time(&equation.left) && is_time(&equation.right)
+    }
+
     /// Whether an equation is said of many times, flights or indices.
     pub(super) fn is_law(&self, equation: &Equation) -> bool {
         self.moves(equation) || flies(&self.expanded(equation), self)
@@ -203,6 +209,11 @@ impl Vocabulary {
             return equation.clone();
         }
         rewrite_equation(&self.expanded(equation), &|name| {
+            if self.indices.contains(name) && name.to_string() == self.index {
+                let number = Tree::Number(Rational::from_integer(i64::from(by.abs())));
+                let number = if by < 0 { Tree::Negate(Box::new(number)) } else { number };
+                return Some(Tree::Sum(vec![Tree::Symbol(name.clone(), At::default()), number]));
+            }
             let subscript = subscript_of(self.impact(name)? + by, &self.index);
             Some(Tree::Symbol(
                 Name {

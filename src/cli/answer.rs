@@ -20,6 +20,8 @@ pub struct Answer {
 pub enum Content {
     /// Rows, in the format the user chose.
     Table(Table),
+    /// Tables of different columns one after the other, an empty line between them.
+    Tables(Vec<Table>),
     /// Rows that are made while they are printed.
     Rows(Rows),
     /// Text that has one form only, such as a proof; `--format` has no say in it.
@@ -61,6 +63,18 @@ impl Content {
                 Ok((table.rows().len(), true))
             }
             Self::Rows(rows) => rows.write(output, format, figures),
+            Self::Tables(tables) => {
+                output.write(|to| {
+                    for (place, table) in tables.iter().enumerate() {
+                        if place > 0 {
+                            writeln!(to)?;
+                        }
+                        table.write(to, format, figures)?;
+                    }
+                    Ok(())
+                })?;
+                Ok((tables.iter().map(|table| table.rows().len()).sum(), true))
+            }
             Self::Text(text) => {
                 let acts = |c: char| acts_on_a_terminal(c) && !"\n\t".contains(c);
                 let text = text.replace(acts, "\u{fffd}");

@@ -1,7 +1,7 @@
 //! `vibro-audit audit [SHEET] [--explain LABEL] [--effort N] [--template]`.
 
 use super::source::TOML_AT_MOST;
-use super::{Answer, Content, Exit, Failure, Options, Source};
+use super::{Answer, Content, Exit, Failure, Options, Source, document};
 use crate::claim::{self, Fault, Sheet, Verdict};
 use crate::evidence::{Evidence, witness};
 use crate::prove::{self, Decision, mention_refuted};
@@ -16,7 +16,7 @@ use std::path::Path;
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = PROMISES)]
 pub struct Arguments {
-    /// The sheet, a TOML file or `-` for stdin; without it, the paper's own appendix
+    /// The sheet, a TOML file or `-` for stdin; or a document, `.tex` or `.md`; without it, the paper's own appendix
     #[arg(value_name = "SHEET")]
     sheet: Option<Source>,
     /// Print the proof or the counterexample of this equation alone
@@ -32,6 +32,9 @@ pub struct Arguments {
     /// Print a sheet to start from, with every key explained
     #[arg(long, conflicts_with_all = ["sheet", "explain", "effort", "proof"])]
     template: bool,
+    /// Print the sheet that a document is taken for, what is guessed of it included
+    #[arg(long, requires = "sheet", conflicts_with_all = ["explain", "effort", "proof"])]
+    draft: bool,
 }
 
 /// The largest `--effort`.
@@ -73,7 +76,7 @@ const POINTS: usize = 24;
 type Row = (Decision, Option<Evidence>);
 
 /// Runs the command.
-pub fn run(arguments: &Arguments, _options: &Options) -> Result<Answer, Failure> {
+pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
     if arguments.template {
         return Ok(Answer {
             content: Content::Text(TEMPLATE.to_string()),
@@ -86,14 +89,27 @@ pub fn run(arguments: &Arguments, _options: &Options) -> Result<Answer, Failure>
         .map_or("the paper's equations".to_string(), |source| source.name().to_string());
     let in_sheet = |fault: Fault| Failure::Sheet {
         name: name.clone(),
-        fault,
+        fault: Box::new(fault),
     };
     let vocabulary = claim::vocabulary().map_err(in_sheet)?;
-    let text = match &arguments.sheet {
-        Some(source) => source.read(TOML_AT_MOST)?,
-        None => claim::EQUATIONS.to_string(),
+    let document = arguments.sheet.as_ref().map(document::read).transpose()?.flatten();
+    if arguments.draft {
+        let document = document.ok_or_else(|| Failure::NoDocument(name.clone()))?;
+        document::tell(&document, &name);
+        return Ok(Answer {
+            content: Content::Text(document.draft(&name)),
+            exit: document::exit(&document, Exit::AsExpected),
+        });
+    }
+    let sheet = match (&document, &arguments.sheet) {
+        (Some(document), _) => {
+            document::tell(document, &name);
+            document.sheet(&vocabulary)
+        }
+        (None, Some(source)) => Sheet::read(&source.read(TOML_AT_MOST)?, &vocabulary),
+        (None, None) => Sheet::read(claim::EQUATIONS, &vocabulary),
     };
-    let sheet = Sheet::read(&text, &vocabulary).map_err(in_sheet)?;
+    let sheet = sheet.map_err(in_sheet)?;
     let options = prove::Options {
         effort: arguments.effort,
     };
@@ -102,7 +118,13 @@ pub fn run(arguments: &Arguments, _options: &Options) -> Result<Answer, Failure>
     }
     match &arguments.explain {
         Some(label) => explain(&sheet, label, &options).map_err(in_sheet),
-        None => decide_sheet(&sheet, &name, &options),
+        None => {
+            let answer = decide_sheet(&sheet, &name, &options)?;
+            match (&document, &arguments.sheet) {
+                (Some(document), Some(source)) => document::with_numbers(answer, document, source, global),
+                _ => Ok(answer),
+            }
+        }
     }
 }
 
@@ -139,7 +161,7 @@ fn write_proofs(sheet: &Sheet, directory: &Path, options: &prove::Options) -> Re
 pub(super) fn verdicts(text: &str, name: &str) -> Result<Answer, Failure> {
     let in_sheet = |fault: Fault| Failure::Sheet {
         name: name.to_owned(),
-        fault,
+        fault: Box::new(fault),
     };
     let vocabulary = claim::vocabulary().map_err(in_sheet)?;
     let sheet = Sheet::read(text, &vocabulary).map_err(in_sheet)?;
@@ -149,7 +171,7 @@ pub(super) fn verdicts(text: &str, name: &str) -> Result<Answer, Failure> {
 fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options) -> Result<Answer, Failure> {
     let mut rows = decide_all(sheet, options).map_err(|fault| Failure::Sheet {
         name: name.to_owned(),
-        fault,
+        fault: Box::new(fault),
     })?;
     mention_refuted(sheet, rows.iter_mut().map(|(decision, _)| decision));
     let unread = sheet.entries.iter().filter(|entry| entry.expect != Verdict::Unread);
@@ -209,7 +231,8 @@ fn table(rows: &[Row]) -> Result<Table, Failure> {
             }
         }
         let digits = evidence.as_ref().and_then(|evidence| evidence.digits);
-        let place = decision.place.map(|(line, column)| format!("{line}:{column}"));
+        let file = decision.file.as_ref().map_or(String::new(), |file| format!("{file}:"));
+        let place = decision.place.map(|(line, column)| format!("{file}{line}:{column}"));
         table.push(vec![
             Cell::from(decision.label.clone()),
             Cell::from(decision.verdict.to_string()),

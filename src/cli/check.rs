@@ -37,10 +37,14 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     let certified = directory.certified()?;
     let mut answer = |request: &_| golden::answer(&directory, request, options).map_err(|failure| failure.to_string());
     let outcomes = check(&printed, &certified, &mut answer)?;
-    table(&outcomes)
+    Ok(Answer {
+        content: Content::Table(table(&outcomes)?),
+        exit: Exit::from_verdict(outcomes.iter().all(Outcome::is_expected)),
+    })
 }
 
-fn table(outcomes: &[Outcome]) -> Result<Answer, Failure> {
+/// The table of what rows of golden values came to.
+pub(super) fn table(outcomes: &[Outcome]) -> Result<Table, Failure> {
     let mut table = Table::new(COLUMNS);
     for outcome in outcomes {
         table.push(vec![
@@ -55,10 +59,7 @@ fn table(outcomes: &[Outcome]) -> Result<Answer, Failure> {
             Cell::from(outcome.reason.as_str()),
         ])?;
     }
-    Ok(Answer {
-        content: Content::Table(table),
-        exit: Exit::from_verdict(outcomes.iter().all(Outcome::is_expected)),
-    })
+    Ok(table)
 }
 
 /// A number where the text is that of an f64, so that text rounds it as any other; else the text.

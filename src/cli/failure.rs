@@ -17,7 +17,13 @@ pub enum Failure {
     Row(#[from] RowError),
     /// A sheet makes no sense.
     #[error("{name}: {fault}")]
-    Sheet { name: String, fault: crate::claim::Fault },
+    Sheet {
+        name: String,
+        fault: Box<crate::claim::Fault>,
+    },
+    /// A draft was asked for of what is no document.
+    #[error("{0}: --draft is of a document, a file whose name ends in .tex or .md; a sheet is one already")]
+    NoDocument(String),
     /// A golden file cannot be used.
     #[error(transparent)]
     Golden(#[from] crate::reference::Fault),

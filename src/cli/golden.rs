@@ -180,7 +180,7 @@ fn verdicts(directory: &Directory, request: &Request) -> Result<Table, Failure> 
     match answer.content {
         Content::Table(table) => Ok(table),
         Content::Rows(rows) => rows.table(),
-        Content::Text(_) => Ok(Table::default()),
+        Content::Tables(_) | Content::Text(_) => Ok(Table::default()),
     }
 }
 

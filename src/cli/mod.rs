@@ -5,6 +5,7 @@ mod audit;
 mod branch;
 mod check;
 mod complete;
+mod document;
 mod exit;
 mod failure;
 mod golden;

@@ -9,6 +9,9 @@ use std::str::FromStr;
 /// The longest sheet or scene that is read, in MB: TOML takes up to eighty times its length in memory.
 pub const TOML_AT_MOST: u64 = 2;
 
+/// The longest document, and the longest file that it includes, in MB.
+pub const DOCUMENT_AT_MOST: u64 = 8;
+
 /// The longest table of answers that is read, in MB.
 pub const ANSWERS_AT_MOST: u64 = 16;
 

@@ -17,7 +17,9 @@ pub struct Decision {
     pub provided: Vec<String>,
     /// The equation that was not proved, of the several that a label may have.
     pub failed: Option<Equation>,
-    /// Line and column in the sheet: of what cannot be read, else of the formula.
+    /// The file that the formula stands in, where it is one that the document includes.
+    pub file: Option<String>,
+    /// Line and column in the file: of what cannot be read, else of the formula.
     pub place: Option<(usize, usize)>,
 }
 
@@ -34,8 +36,26 @@ impl Decision {
             label: entry.map(|entry| entry.label.clone()).unwrap_or_default(),
             verdict: Verdict::Undecided,
             expected: entry.map(|entry| entry.expect).unwrap_or_default(),
+            file: entry.and_then(|entry| entry.tex.file.clone()),
             place: entry.map(|entry| entry.tex.place()),
             ..Self::default()
+        }
+    }
+
+    /// Says what the verdict rests on that nobody said. A formula is not refuted on a guess of what it follows from.
+    pub(super) fn on_guesses(&mut self, sheet: &Sheet, position: usize) {
+        let guessed = sheet.entries.get(position).map_or(&[][..], |entry| &entry.guessed);
+        if guessed.is_empty() {
+            return;
+        }
+        let guessed = guessed.join("; ");
+        self.reason = match (self.verdict, self.counterexample.take()) {
+            (Verdict::Refuted, None) => format!("{}, if the guess is right that {guessed}", self.reason),
+            (Verdict::Refuted, Some(point)) => format!("fails at {point}, if the guess is right that {guessed}"),
+            _ => format!("{}; guessed: {guessed}", self.reason),
+        };
+        if self.verdict == Verdict::Refuted {
+            self.verdict = Verdict::Undecided;
         }
     }
 

@@ -107,6 +107,7 @@ eq 0",
             }
         }
     }
+    decision.on_guesses(sheet, position);
     decision
 }
 

@@ -30,7 +30,7 @@ pub use directory::Directory;
 pub use fault::Fault;
 pub use figures::Figures;
 pub use outcome::{Outcome, check};
-pub use printed::Printed;
+pub use printed::{COLUMNS as PRINTED_COLUMNS, Printed};
 pub use quantity::{Across, FieldName, NoQuantity, Quantity};
 #[cfg(feature = "cli")]
 pub(crate) use records::Lines;

@@ -1,0 +1,295 @@
+//! What an author says of a formula in a comment that does not print.
+
+use super::super::entry::Role;
+use super::super::symbols::{MapEntry, Pairs, Symbols};
+use super::super::verdict::Verdict;
+
+/// What a comment says, a key at a time.
+#[derive(Clone, Debug)]
+pub(super) enum Key {
+    Role(Role),
+    /// The formula is not looked at.
+    Skip,
+    Label(String),
+    FollowsFrom(Vec<String>),
+    With(String),
+    Where(String),
+    Assume(String),
+    Expect(Verdict),
+    /// What formulas are that say nothing of themselves; `None` to skip them.
+    Default(Option<Role>),
+    /// The symbols of the document; `None` for those of the impact pair.
+    Symbols(Option<Box<Symbols>>),
+    /// A printed number: its quantity, its scene, and what the scene is set to.
+    Value {
+        quantity: String,
+        scene: String,
+        set: Vec<String>,
+    },
+}
+
+/// The keys of a comment.
+///
+/// # Errors
+/// What to say of a key that is none.
+pub(super) fn keys(text: &str) -> Result<Vec<Key>, String> {
+    let mut keys = Vec::new();
+    let mut parts = parted(text, ';').into_iter().filter(|part| !part.is_empty());
+    while let Some(part) = parts.next() {
+        let (word, rest) = part.split_once(char::is_whitespace).unwrap_or((part, ""));
+        let rest = rest.trim();
+        let own = rest.to_owned();
+        let role = role(word);
+        keys.push(match word {
+            "skip" if rest.is_empty() => Key::Skip,
+            _ if role.is_some() && rest.is_empty() => Key::Role(role.unwrap_or(Role::Claim)),
+            "label" if !rest.is_empty() => Key::Label(own),
+            "follows" | "from" => Key::FollowsFrom(labels(rest.strip_prefix("from ").unwrap_or(rest))),
+            "with" if !rest.is_empty() => Key::With(own),
+            "where" if !rest.is_empty() => Key::Where(own),
+            "assume" if !rest.is_empty() => Key::Assume(own),
+            "expect" => Key::Expect(verdict(rest)?),
+            "default" if rest == "skip" => Key::Default(None),
+            "default" => match self::role(rest) {
+                Some(role) => Key::Default(Some(role)),
+                None => return Err(format!("`default {rest}`: claim, premise, definition or skip is")),
+            },
+            "symbols" if rest == "impact pair" || rest == "of the impact pair" => Key::Symbols(None),
+            "symbols" => {
+                let all: Vec<&str> = std::iter::once(rest).chain(parts.by_ref()).collect();
+                Key::Symbols(Some(Box::new(symbols(&all)?)))
+            }
+            "value" => {
+                let mut said = parted(rest, ',').into_iter();
+                let quantity = said.next().unwrap_or_default().to_owned();
+                let (scenes, set): (Vec<&str>, Vec<&str>) = said.partition(|part| part.starts_with("scene "));
+                let scene = scenes.first().and_then(|scene| scene.strip_prefix("scene "));
+                Key::Value {
+                    quantity,
+                    scene: scene.unwrap_or_default().trim().to_owned(),
+                    set: set.into_iter().map(str::to_owned).collect(),
+                }
+            }
+            _ => {
+                let known = "claim, premise, definition, skip, follows from, with, where, assume, expect, label, default, symbols, value";
+                return Err(format!("`{part}` says nothing here (known: {known})"));
+            }
+        });
+    }
+    Ok(keys)
+}
+
+fn role(word: &str) -> Option<Role> {
+    match word {
+        "claim" => Some(Role::Claim),
+        "premise" => Some(Role::Premise),
+        "definition" => Some(Role::Definition),
+        _ => None,
+    }
+}
+
+fn verdict(word: &str) -> Result<Verdict, String> {
+    match word {
+        "proved" => Ok(Verdict::Proved),
+        "refuted" => Ok(Verdict::Refuted),
+        "unread" => Ok(Verdict::Unread),
+        _ => Err(format!("`expect {word}`: proved, refuted or unread is")),
+    }
+}
+
+/// The labels in `(9), (11) and \eqref{eq:law}`.
+fn labels(text: &str) -> Vec<String> {
+    let text = text.replace(" and ", ",");
+    let parts = text.split(',').map(str::trim).filter(|part| !part.is_empty());
+    let alone = |part: &str| -> String {
+        let part = part
+            .strip_prefix(r"\eqref")
+            .or(part.strip_prefix(r"\ref"))
+            .unwrap_or(part);
+        let inner = part
+            .strip_prefix(['(', '{'])
+            .and_then(|part| part.strip_suffix([')', '}']));
+        inner.unwrap_or(part).trim().to_owned()
+    };
+    parts.map(alone).collect()
+}
+
+/// The parts between these signs, outside braces, without blanks around them.
+fn parted(text: &str, by: char) -> Vec<&str> {
+    let (mut parts, mut depth, mut start) = (Vec::new(), 0_i32, 0);
+    for (at, c) in text.char_indices() {
+        match c {
+            '{' | '[' | '(' => depth += 1,
+            '}' | ']' | ')' => depth -= 1,
+            _ if c == by && depth <= 0 => {
+                parts.push(text.get(start..at).unwrap_or_default().trim());
+                start = at + c.len_utf8();
+            }
+            _ => {}
+        }
+    }
+    parts.push(text.get(start..).unwrap_or_default().trim());
+    parts
+}
+
+/// The symbols that parts such as `positive T_1, T_2` or `functions F' = f` declare.
+fn symbols(parts: &[&str]) -> Result<Symbols, String> {
+    let mut symbols = Symbols::default();
+    for part in parts {
+        let (kind, rest) = part.split_once(char::is_whitespace).unwrap_or((part, ""));
+        let names: Vec<String> = parted(rest, ',')
+            .into_iter()
+            .filter(|name| !name.is_empty())
+            .map(str::to_owned)
+            .collect();
+        let list = match kind {
+            "parameters" => &mut symbols.parameters,
+            "generic" => &mut symbols.generic,
+            "positive" => &mut symbols.positive,
+            "at_most_one" => &mut symbols.at_most_one,
+            "nonnegative" => &mut symbols.nonnegative,
+            "nonzero" => &mut symbols.nonzero,
+            "integers" => &mut symbols.integers,
+            "complex" => &mut symbols.complex,
+            "indices" => &mut symbols.indices,
+            "times" => &mut symbols.times,
+            "states" => &mut symbols.states,
+            "continuous" => &mut symbols.continuous,
+            "functions" => {
+                add(&mut symbols.functions, names.iter().flat_map(|name| function(name)));
+                continue;
+            }
+            "periods" => {
+                add(&mut symbols.periods, names);
+                continue;
+            }
+            "abbreviations" => {
+                add(&mut symbols.abbreviations, names);
+                continue;
+            }
+            "relations" => {
+                add(&mut symbols.relations, names);
+                continue;
+            }
+            "maps" => {
+                let (name, map) =
+                    map(rest).ok_or_else(|| format!("`{part}`: `M of x, y by u, v` or `M = A B` is a map"))?;
+                symbols.maps.insert(name, map);
+                continue;
+            }
+            // names alone are parameters
+            _ => {
+                symbols
+                    .parameters
+                    .extend(parted(part, ',').into_iter().map(str::to_owned));
+                continue;
+            }
+        };
+        list.extend(names);
+    }
+    // what is a derivative is a function too
+    let functions = symbols.functions.pairs().map_err(|fault| fault.message)?;
+    let derivatives = functions.iter().map(|(_, derivative)| derivative.clone());
+    let is_name = |text: &String| !text.is_empty() && !text.contains([' ', '+', '-', '*', '/', '^', '(']);
+    let undeclared = derivatives.filter(|name| is_name(name) && functions.iter().all(|(known, _)| known != name));
+    add(&mut symbols.functions, undeclared.collect::<Vec<_>>());
+    // what is positive needs no second declaration
+    let declared: Vec<String> = symbols.positive.iter().chain(&symbols.at_most_one).cloned().collect();
+    let indexed = |name: &String| symbols.states.iter().chain(&symbols.times).any(|state| state == name);
+    let is_abbreviated = |name: &String| match &symbols.abbreviations {
+        Pairs::List(list) => list
+            .iter()
+            .any(|own| own.split('=').next().is_some_and(|left| left.trim() == name)),
+        Pairs::Table(table) => table.contains_key(name),
+    };
+    for name in declared {
+        if !symbols.parameters.contains(&name) && !indexed(&name) && !is_abbreviated(&name) {
+            symbols.parameters.push(name);
+        }
+    }
+    Ok(symbols)
+}
+
+fn add(to: &mut Pairs, more: impl IntoIterator<Item = String>) {
+    if let Pairs::List(list) = to {
+        list.extend(more);
+    }
+}
+
+/// `F' = f`, or `F = f` as in a sheet, says that f is the derivative of F, and declares both; `f` alone that it is a function.
+fn function(text: &str) -> Vec<String> {
+    match text.split_once('=') {
+        Some((left, right)) => {
+            let (left, right) = (left.trim().trim_end_matches('\''), right.trim());
+            vec![format!("{left} = {right}")]
+        }
+        None => vec![text.to_owned()],
+    }
+}
+
+fn map(text: &str) -> Option<(String, MapEntry)> {
+    if let Some((name, product)) = text.split_once('=') {
+        return Some((name.trim().to_owned(), MapEntry::Product(product.trim().to_owned())));
+    }
+    let (name, rest) = text.split_once(" of ")?;
+    let (of, by) = rest.split_once(" by ")?;
+    let list = |text: &str| parted(text, ',').into_iter().map(str::to_owned).collect();
+    let (of, by) = (list(of), list(by));
+    Some((name.trim().to_owned(), MapEntry::Of { of, by }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_keys_of_a_comment_are_read_and_others_named() {
+        let found = keys(
+            r"claim; follows from (9), (11) and \eqref{eq:law}; with r = r_B; where \Delta = {a; b}; expect refuted",
+        )
+        .unwrap();
+        let [
+            Key::Role(Role::Claim),
+            Key::FollowsFrom(from),
+            Key::With(with),
+            Key::Where(own),
+            Key::Expect(Verdict::Refuted),
+        ] = found.as_slice()
+        else {
+            panic!("{found:?}");
+        };
+        assert_eq!(
+            (from.join(" "), with.as_str(), own.as_str()),
+            ("9 11 eq:law".into(), "r = r_B", r"\Delta = {a; b}")
+        );
+        for (text, word) in [
+            ("clam", "`clam`"),
+            ("expect right", "expect right"),
+            ("default x", "default x"),
+            ("symbols maps M", "maps"),
+        ] {
+            assert!(keys(text).unwrap_err().contains(word), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_value_says_its_quantity_scene_and_settings() {
+        let found = keys("value orbits.velocities[0], scene fig02, motion.d=0.4, row.word=BT").unwrap();
+        assert!(matches!(found.as_slice(), [Key::Value { quantity, scene, set }]
+            if quantity == "orbits.velocities[0]" && scene == "fig02" && set.join(";") == "motion.d=0.4;row.word=BT"));
+    }
+
+    #[test]
+    fn symbols_are_those_of_a_sheet() {
+        let found = keys(r"symbols a, b; positive T_1; functions F' = f; maps P of x_{k+1} by x_k").unwrap();
+        let [Key::Symbols(Some(symbols))] = found.as_slice() else {
+            panic!("{found:?}");
+        };
+        assert_eq!(symbols.parameters, ["a", "b", "T_1"]);
+        assert_eq!(
+            symbols.functions.pairs().unwrap(),
+            [("F".into(), "f".into()), ("f".into(), String::new())]
+        );
+        assert!(matches!(symbols.maps.get("P"), Some(MapEntry::Of { of, .. }) if of == &["x_{k+1}"]));
+    }
+}

@@ -1,0 +1,306 @@
+//! What formulas are of which nobody says it: what stands for a symbol, a definition, a law, a claim.
+
+use super::super::declared::is_constant;
+use super::super::definition::pair_of;
+use super::super::entry::Role;
+use super::super::substitute::any;
+use super::super::symbols::{Pairs, Symbols};
+use super::super::vocabulary::Vocabulary;
+use super::scan::Formula;
+use crate::tex::{Equation, Name, Names, Relation, Tree, read, read_name};
+use std::collections::{BTreeSet, HashMap, HashSet};
+
+/// What is guessed of one formula.
+pub(super) struct Guessed {
+    pub role: Role,
+    /// What it follows from, by label.
+    pub follows_from: Vec<String>,
+    /// What its verdict rests on that nobody said.
+    pub guessed: Vec<String>,
+}
+
+/// Guesses formula by formula, in the order of the document.
+pub(super) struct Guess {
+    /// What each formula states, where it can be read.
+    read: Vec<Vec<Equation>>,
+    /// The functions of time.
+    functions: Vec<Name>,
+    has_symbols: bool,
+    /// What the document declares itself.
+    vocabulary: Vocabulary,
+    /// The names met so far.
+    met: HashSet<Name>,
+    /// Which formula defines a name, what that rests on, and whether that is a guess.
+    definitions: HashMap<Name, (String, Vec<String>, bool)>,
+    /// The premises so far: laws that are guessed, and what is said to be one.
+    premises: Vec<(String, bool)>,
+    /// All names that need a declaration.
+    names: BTreeSet<Name>,
+    guessed_definitions: Vec<String>,
+}
+
+/// The running time of a document that does not say it.
+const TIME: &str = "t";
+
+impl Guess {
+    /// `symbols` are those that the document declares, `of_the_pair` whether they are those of the impact pair.
+    pub fn new(formulas: &[Formula], symbols: Option<&Symbols>, of_the_pair: bool) -> Self {
+        let vocabulary = match symbols {
+            _ if of_the_pair => super::super::vocabulary().unwrap_or_default(),
+            Some(symbols) => Vocabulary::read(symbols).unwrap_or_default(),
+            None => Vocabulary::default(),
+        };
+        let has_symbols = symbols.is_some() || of_the_pair;
+        let mut functions: Vec<Name> = Vec::new();
+        if !has_symbols {
+            for name in formulas
+                .iter()
+                .flat_map(|formula| called_with_time(formula.tex.as_deref().unwrap_or_default()))
+            {
+                if !functions.contains(&name) {
+                    functions.push(name);
+                }
+            }
+        }
+        let names = if has_symbols {
+            vocabulary.names.clone()
+        } else {
+            Names {
+                functions: functions.clone(),
+                ..Names::default()
+            }
+        };
+        let stated = |formula: &Formula| {
+            let tex = formula.tex.as_deref().unwrap_or_default();
+            read(tex, &names).unwrap_or_default()
+        };
+        Self {
+            read: formulas.iter().map(stated).collect(),
+            functions,
+            has_symbols,
+            vocabulary,
+            met: HashSet::new(),
+            definitions: HashMap::new(),
+            premises: Vec::new(),
+            names: BTreeSet::new(),
+            guessed_definitions: Vec::new(),
+        }
+    }
+
+    /// What formula number `at`, called `label`, is; `role` is what its author says, `is_founded` whether he says what it follows
+    /// from.
+    pub fn of(&mut self, at: usize, label: &str, role: Option<Role>, is_founded: bool) -> Guessed {
+        let equations = self.read.get(at).cloned().unwrap_or_default();
+        let new = match equations.as_slice() {
+            [equation] => self.defined(equation),
+            _ => None,
+        };
+        let is_law = matches!(equations.as_slice(), [equation] if self.is_new_law(equation));
+        let is_guess = role.is_none();
+        let role = role.unwrap_or(match (&new, is_law) {
+            (Some(_), _) => Role::Definition,
+            (_, true) => Role::Premise,
+            _ => Role::Claim,
+        });
+        let mut names = BTreeSet::new();
+        for equation in &equations {
+            for side in [&equation.left, &equation.right] {
+                names_in(side, &mut names);
+            }
+        }
+        let mut below = self.definitions_of(&names);
+        if is_guess && role == Role::Claim {
+            below.extend(self.premises.iter().cloned());
+        }
+        let mut guessed = Vec::new();
+        if role == Role::Claim {
+            if !self.has_symbols {
+                guessed.push("each symbol is real and has one value".to_owned());
+            }
+            let from: Vec<String> = below.iter().map(|(label, _)| format!("({label})")).collect();
+            let from = if from.is_empty() {
+                "nothing".to_owned()
+            } else {
+                from.join(", ")
+            };
+            if is_guess && is_founded {
+                guessed.push("this is a claim".to_owned());
+            } else if is_guess {
+                guessed.push(format!("this is a claim that follows from {from}"));
+            }
+        }
+        // an author who says that it is a claim says what it follows from, or that it follows from nothing
+        let is_said = is_founded || (!is_guess && role == Role::Claim);
+        let below = below.into_iter().filter(|_| !is_said);
+        let follows_from: Vec<String> = below.map(|(label, _)| label).collect();
+        match role {
+            Role::Definition => {
+                if is_guess {
+                    self.guessed_definitions.push(format!("({label})"));
+                }
+                if let Some(name) = &new {
+                    self.definitions
+                        .insert(name.clone(), (label.to_owned(), follows_from.clone(), is_guess));
+                }
+            }
+            Role::Premise => self.premises.push((label.to_owned(), is_guess)),
+            Role::Claim => {}
+        }
+        self.met.extend(names.iter().cloned());
+        names.retain(|name| role != Role::Definition || Some(name) != new.as_ref());
+        self.names.extend(names);
+        Guessed {
+            role,
+            follows_from,
+            guessed,
+        }
+    }
+
+    /// The name that an equation gives, where it is the first to speak of it.
+    fn defined(&self, equation: &Equation) -> Option<Name> {
+        let Tree::Symbol(name, _) = &equation.left else {
+            return None;
+        };
+        let mut right = BTreeSet::new();
+        names_in(&equation.right, &mut right);
+        let is_new = !self.met.contains(name) && !self.vocabulary.knows(name) && !is_constant(name);
+        let is_function = self.functions.contains(name) || name.base == TIME;
+        let is_one = pair_of(name).is_none() && name.primes == 0 && !is_function;
+        (equation.relation == Relation::Equal && is_new && is_one && !right.contains(name)).then(|| name.clone())
+    }
+
+    /// Whether an equation is the first to speak of a function, and says what it is.
+    fn is_new_law(&self, equation: &Equation) -> bool {
+        let Tree::Call(name, argument, _) = &equation.left else {
+            return false;
+        };
+        let is_time = matches!(argument.as_ref(), Tree::Symbol(time, _) if time.to_string() == TIME);
+        let mut right = BTreeSet::new();
+        names_in(&equation.right, &mut right);
+        let is_new = self.functions.contains(name) && !self.met.contains(name) && !right.contains(name);
+        equation.relation == Relation::Equal && is_time && is_new
+    }
+
+    /// The definitions of these names, and those that they use.
+    fn definitions_of(&self, names: &BTreeSet<Name>) -> Vec<(String, bool)> {
+        let mut found: Vec<(String, bool)> = Vec::new();
+        for (label, below, is_guess) in names.iter().filter_map(|name| self.definitions.get(name)) {
+            let guessed = |label: &String| {
+                self.definitions
+                    .values()
+                    .any(|(own, _, is_guess)| own == label && *is_guess)
+            };
+            let all = below
+                .iter()
+                .map(|label| (label.clone(), guessed(label)))
+                .chain([(label.clone(), *is_guess)]);
+            for one in all {
+                if !found.contains(&one) {
+                    found.push(one);
+                }
+            }
+        }
+        found
+    }
+
+    /// The symbols that occur, where the document declares none.
+    pub fn symbols(&self) -> Option<Symbols> {
+        if self.has_symbols {
+            return None;
+        }
+        let is_time = |name: &Name| name.to_string() == TIME;
+        let runs = !self.functions.is_empty();
+        let plain = |name: &Name| Name {
+            primes: 0,
+            ..name.clone()
+        };
+        let is_function = |name: &Name| self.functions.contains(&plain(name));
+        let single = |name: &Name| pair_of(name).unwrap_or_else(|| name.clone());
+        let defined = |name: &Name| self.definitions.contains_key(name);
+        let needed = self
+            .names
+            .iter()
+            .filter(|name| !is_constant(name) && !defined(name) && !is_function(name));
+        let needed = needed.filter(|name| !(runs && is_time(name))).map(single);
+        let mut parameters: Vec<String> = needed.map(|name| name.to_string()).collect();
+        parameters.dedup();
+        let derivative = |name: &Name| {
+            let next = name.dotted();
+            let next = self.functions.contains(&next).then(|| next.to_string());
+            format!("{name} = {}", next.unwrap_or_default())
+        };
+        Some(Symbols {
+            parameters,
+            times: if runs { vec![TIME.to_owned()] } else { Vec::new() },
+            functions: Pairs::List(self.functions.iter().map(derivative).collect()),
+            ..Symbols::default()
+        })
+    }
+
+    /// What is guessed of the document as a whole.
+    pub fn told(&self) -> Vec<String> {
+        let mut told = Vec::new();
+        if !self.guessed_definitions.is_empty() {
+            told.push(format!(
+                "definitions are guessed: {}",
+                self.guessed_definitions.join(", ")
+            ));
+        }
+        if let Some(symbols) = self.symbols() {
+            let list = |names: &[String]| names.join(", ");
+            let functions: Vec<String> = self.functions.iter().map(ToString::to_string).collect();
+            let of_time = if functions.is_empty() {
+                String::new()
+            } else {
+                format!("; functions of {TIME}: {}", functions.join(", "))
+            };
+            told.push(format!(
+                "symbols are guessed, all real: {}{of_time}",
+                list(&symbols.parameters)
+            ));
+        }
+        told
+    }
+}
+
+/// The names in a tree, those of functions too; names of elementary functions are none.
+fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
+    any(tree, &mut |node| {
+        match node {
+            Tree::Symbol(name, _) => {
+                names.insert(name.clone());
+            }
+            Tree::Call(name, ..) if !name.base.starts_with('\\') || !name.accents.is_empty() => {
+                names.insert(name.clone());
+            }
+            _ => {}
+        }
+        false
+    });
+}
+
+/// The names that stand before `(t)`.
+fn called_with_time(tex: &str) -> Vec<Name> {
+    let mut found = Vec::new();
+    let argument = format!("({TIME})");
+    let plain = tex.replace(r"\left(", "(").replace(r"\right)", ")");
+    for (at, _) in plain.match_indices(&argument) {
+        let before = plain.get(..at).unwrap_or_default().trim_end().trim_end_matches('\'');
+        found.extend(last_name(before));
+    }
+    found
+}
+
+/// The name that a text ends with.
+fn last_name(before: &str) -> Option<Name> {
+    let starts = before.char_indices().rev().map(|(at, _)| at).take(40);
+    // the longest that is one name with an accent or subscript, else its last letter
+    let names = starts.filter_map(|at| {
+        let text = before.get(at..)?;
+        let name = read_name(text, &Names::default()).ok()?;
+        let is_elementary = name.base.starts_with('\\')
+            && ["\\sin", "\\cos", "\\tan", "\\exp", "\\ln", "\\log"].contains(&name.base.as_str());
+        (!is_elementary && name.primes == 0 && name.mark.is_empty()).then_some(name)
+    });
+    names.last()
+}

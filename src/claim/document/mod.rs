@@ -1,0 +1,386 @@
+//! Documents as authors write them: their displays are the formulas of a sheet, comments that do not print say what each is, and
+//! what nobody says is guessed, and called a guess.
+
+mod comment;
+mod draft;
+mod guess;
+mod macros;
+mod rows;
+mod scan;
+mod tex;
+
+use super::entry::{RawEntry, Role};
+use super::fault::{Fault, File, Source, Text};
+use super::sheet::{RawSheet, Sheet};
+use super::symbols::Symbols;
+use super::verdict::Verdict;
+use super::vocabulary::Vocabulary;
+use comment::{Key, keys};
+use guess::Guess;
+use scan::{Comment, Formula, Scan};
+use std::collections::HashMap;
+use toml::Spanned;
+
+pub use scan::{Include, Markup};
+
+/// A document, taken apart.
+#[derive(Clone, Debug)]
+pub struct Document {
+    text: String,
+    files: Vec<File>,
+    raw: RawSheet,
+    /// What is wrong with it, beside formulas that cannot be read.
+    pub faults: Vec<Fault>,
+    /// What was guessed of it as a whole, a sentence each.
+    pub guesses: Vec<String>,
+    /// The printed numbers that comments ask to be held against what is computed.
+    pub numbers: Vec<PrintedNumber>,
+}
+
+/// A number that a document prints, and what it is said to be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PrintedNumber {
+    pub printed: String,
+    pub quantity: String,
+    pub scene: String,
+    /// What the scene is set to, and which row is meant.
+    pub set: Vec<String>,
+    /// Where the comment stands.
+    pub file: Option<String>,
+    pub place: (usize, usize),
+}
+
+/// What the comments beside a formula say of it.
+#[derive(Clone, Debug, Default)]
+struct Said {
+    role: Option<Role>,
+    skip: bool,
+    label: Option<String>,
+    follows_from: Option<Vec<String>>,
+    with: Vec<Spanned<String>>,
+    local: Vec<Spanned<String>>,
+    assume: Vec<Spanned<String>>,
+    expect: Option<Verdict>,
+}
+
+/// What comments say of the whole document.
+#[derive(Default)]
+struct Whole {
+    symbols: Option<(Option<Box<Symbols>>, std::ops::Range<usize>)>,
+    /// Roles of formulas that say nothing, from this formula on.
+    defaults: Vec<(usize, Option<Role>)>,
+}
+
+impl Document {
+    /// Takes a document apart; `include` reads the files that it includes. Nothing of it is too wrong to be read: what is, stands
+    /// in `faults`.
+    pub fn read(text: &str, markup: Markup, include: Include<'_>) -> Self {
+        let scan = Scan::new(text, markup, include);
+        let place = |at: usize| Spanned::new(at..at, String::new());
+        let source = |at: usize| Source::new(&Text::of_files(&scan.text, &scan.files), &place(at));
+        let fault = |at: usize, message: String| Fault::new(message).at(&source(at));
+        let mut faults: Vec<Fault> = scan
+            .faults
+            .iter()
+            .map(|(at, message)| fault(*at, message.clone()))
+            .collect();
+        let (mut whole, mut numbers) = (Whole::default(), Vec::new());
+        let mut said: Vec<Said> = vec![Said::default(); scan.formulas.len()];
+        let about: HashMap<usize, usize> = scan
+            .formulas
+            .iter()
+            .enumerate()
+            .flat_map(|(formula, own)| own.comments.iter().map(move |comment| (*comment, formula)))
+            .collect();
+        for (number, comment) in scan.comments.iter().enumerate() {
+            let keys = keys(&comment.text).unwrap_or_else(|problem| {
+                faults.push(fault(comment.part.start, problem));
+                Vec::new()
+            });
+            for key in keys {
+                let problem = match key {
+                    Key::Symbols(symbols) if whole.symbols.is_none() => {
+                        whole.symbols = Some((symbols, comment.part.clone()));
+                        None
+                    }
+                    Key::Symbols(_) => Some("the symbols are said a second time: say them in one comment"),
+                    Key::Default(role) => {
+                        whole.defaults.push((comment.after, role));
+                        None
+                    }
+                    Key::Value { quantity, scene, set } => match printed_number(comment) {
+                        Some(printed) => {
+                            let at = source(comment.part.start);
+                            let (file, place) = (at.file.clone(), at.place());
+                            numbers.push(PrintedNumber {
+                                printed,
+                                quantity,
+                                scene,
+                                set,
+                                file,
+                                place,
+                            });
+                            None
+                        }
+                        None => Some("no number is printed beside this comment"),
+                    },
+                    key => match about.get(&number).and_then(|&formula| said.get_mut(formula)) {
+                        Some(said) => {
+                            said.take(key, comment);
+                            None
+                        }
+                        None => Some("no formula follows this comment"),
+                    },
+                };
+                faults.extend(problem.map(|problem| fault(comment.part.start, problem.to_owned())));
+            }
+        }
+        let symbols = whole.symbols.take();
+        let of_the_pair = matches!(&symbols, Some((None, _)));
+        let line = |at: usize| source(at).place().0;
+        let mut raw = RawSheet {
+            title: None,
+            symbols: symbols.and_then(|(symbols, at)| Some(Spanned::new(at, *symbols?))),
+            equation: Vec::new(),
+        };
+        let guesses = entries(&scan.formulas, said, &whole, of_the_pair, &mut raw, &line);
+        Self {
+            raw,
+            faults,
+            guesses,
+            numbers,
+            files: scan.files,
+            text: scan.text,
+        }
+    }
+
+    /// The sheet that the document is. `pair` is the vocabulary of the impact pair, for a document that asks for it.
+    ///
+    /// # Errors
+    /// As [`Sheet::read`].
+    pub fn sheet(&self, pair: &Vocabulary) -> Result<Sheet, Fault> {
+        Sheet::from_raw(&self.raw, &Text::of_files(&self.text, &self.files), pair)
+    }
+
+    /// Whether there is a formula to be decided.
+    pub fn has_claims(&self) -> bool {
+        self.raw.equation.iter().any(|entry| entry.role == Role::Claim)
+    }
+
+    /// The same sheet as TOML, to be edited; `name` is the document's.
+    pub fn draft(&self, name: &str) -> String {
+        draft::toml(&self.raw, &self.guesses, name)
+    }
+}
+
+impl Said {
+    fn take(&mut self, key: Key, comment: &Comment) {
+        let spanned = |tex: String| Spanned::new(comment.part.clone(), tex);
+        match key {
+            Key::Role(role) => self.role = Some(role),
+            Key::Skip => self.skip = true,
+            Key::Label(label) => self.label = Some(label),
+            Key::FollowsFrom(labels) => self.follows_from.get_or_insert_default().extend(labels),
+            Key::With(tex) => self.with.push(spanned(tex)),
+            Key::Where(tex) => self.local.push(spanned(tex)),
+            Key::Assume(tex) => self.assume.push(spanned(tex)),
+            Key::Expect(verdict) => self.expect = Some(verdict),
+            Key::Default(_) | Key::Symbols(_) | Key::Value { .. } => {}
+        }
+    }
+
+    /// What a row says that says nothing of this itself: what the row before it does, which it goes with.
+    fn or(self, before: &Self, is_link: bool) -> Self {
+        let list =
+            |own: Vec<Spanned<String>>, before: &[Spanned<String>]| if own.is_empty() { before.to_vec() } else { own };
+        // what follows the definition of a name is claimed of it
+        let claimed = |role: Role| {
+            if is_link && role == Role::Definition {
+                Role::Claim
+            } else {
+                role
+            }
+        };
+        Self {
+            role: self.role.or(before.role.map(claimed)),
+            skip: self.skip || (before.skip && self.role.is_none()),
+            follows_from: self.follows_from.or_else(|| before.follows_from.clone()),
+            with: list(self.with, &before.with),
+            local: list(self.local, &before.local),
+            assume: list(self.assume, &before.assume),
+            ..self
+        }
+    }
+}
+
+/// The last number that is printed before a comment on its line, else the first of the next.
+fn printed_number(comment: &Comment) -> Option<String> {
+    let mut numbers = Vec::new();
+    let mut rest = comment.beside.as_str();
+    while let Some(at) = rest.find(|c: char| c.is_ascii_digit()) {
+        let sign = rest.get(..at).is_some_and(|before| before.ends_with(['-', '\u{2212}']));
+        let tail = rest.get(at..).unwrap_or_default();
+        let length = tail
+            .find(|c: char| !c.is_ascii_digit() && c != '.')
+            .unwrap_or(tail.len());
+        let digits = tail.get(..length).unwrap_or_default().trim_end_matches('.');
+        rest = tail.get(length..).unwrap_or_default();
+        let power = ["\\cdot", "\\times"]
+            .iter()
+            .find_map(|sign| rest.trim_start().strip_prefix(sign));
+        let power = power.and_then(|power| power.trim_start().strip_prefix("10^"));
+        let exponent = power.map(|power| {
+            power
+                .trim_start_matches('{')
+                .chars()
+                .take_while(|c| c.is_ascii_digit() || *c == '-')
+                .collect::<String>()
+        });
+        if let (Some(exponent), Some(power)) = (&exponent, power) {
+            rest = power.trim_start_matches('{').get(exponent.len()..).unwrap_or_default();
+        }
+        let sign = if sign { "-" } else { "" };
+        let exponent = exponent.map_or(String::new(), |exponent| format!("e{exponent}"));
+        numbers.push(format!("{sign}{digits}{exponent}"));
+    }
+    if comment.is_beside {
+        numbers.pop()
+    } else {
+        numbers.into_iter().next()
+    }
+}
+
+/// Fills the sheet with the formulas, and tells what was guessed of all.
+fn entries(
+    formulas: &[Formula],
+    said: Vec<Said>,
+    whole: &Whole,
+    of_the_pair: bool,
+    raw: &mut RawSheet,
+    line: &dyn Fn(usize) -> usize,
+) -> Vec<String> {
+    let mut said: Vec<Said> = said;
+    for at in 1..said.len() {
+        if let Some(formula) = formulas.get(at).filter(|formula| formula.is_beside)
+            && let Some(before) = said.get(at - 1).cloned()
+            && let Some(own) = said.get_mut(at)
+        {
+            *own = std::mem::take(own).or(&before, formula.is_link);
+        }
+    }
+    let labels = labels(formulas, &said, line);
+    let mut guess = Guess::new(formulas, raw.symbols.as_ref().map(Spanned::get_ref), of_the_pair);
+    for (at, ((formula, own), label)) in formulas.iter().zip(said).zip(&labels.own).enumerate() {
+        let tex = formula.tex.clone().unwrap_or_default();
+        // a default is of what states something
+        let default = whole.defaults.iter().rev().find(|(from, _)| *from <= at);
+        let (role, is_skipped) = match (own.role, default) {
+            (None, Some((_, role))) => (*role, role.is_none()),
+            (role, _) => (role, false),
+        };
+        let states = tex::outside(&tex, 0..tex.len())
+            .iter()
+            .any(|found| matches!(found, tex::Outside::Relation(_)));
+        if own.skip || is_skipped || (own.role.is_none() && !states && formula.tex.is_ok()) {
+            continue;
+        }
+        let here = |text: String| Spanned::new(formula.part.clone(), text);
+        let guessed = guess.of(at, label, role, own.follows_from.is_some());
+        let mut unread = formula.tex.clone().err();
+        let mut follows_from = guessed.follows_from;
+        for asked in own.follows_from.iter().flatten() {
+            match labels.find(asked) {
+                [] => unread = Some(format!("follows from `{asked}`, which is no label here")),
+                found => follows_from.extend(found.iter().cloned()),
+            }
+        }
+        raw.equation.push(RawEntry {
+            label: here(label.clone()),
+            role: guessed.role,
+            tex: here(tex),
+            local: own.local,
+            with: own.with,
+            assume: own.assume,
+            follows_from: Some(follows_from.into_iter().map(here).collect()),
+            expect: own.expect.unwrap_or_default(),
+            guessed: guessed.guessed,
+            unread,
+        });
+    }
+    if let Some(symbols) = guess.symbols() {
+        raw.symbols = Some(Spanned::new(0..0, symbols));
+    }
+    guess.told()
+}
+
+/// The labels of the formulas, and what else they are called.
+struct Labels {
+    own: Vec<String>,
+    known: HashMap<String, Vec<String>>,
+}
+
+impl Labels {
+    fn find(&self, asked: &str) -> &[String] {
+        self.known.get(asked).map_or(&[], Vec::as_slice)
+    }
+}
+
+/// A formula is called by its number or tag, else by its label, else by its line. Several under one number are called 7.1, 7.2.
+fn labels(formulas: &[Formula], said: &[Said], line: &dyn Fn(usize) -> usize) -> Labels {
+    let mut labels = Labels {
+        own: Vec::new(),
+        known: HashMap::new(),
+    };
+    let mut start = 0;
+    while start < formulas.len() {
+        let length = 1 + formulas
+            .iter()
+            .skip(start + 1)
+            .take_while(|formula| formula.is_beside)
+            .count();
+        let chain: Vec<&Formula> = formulas.iter().skip(start).take(length).collect();
+        let mut numbers: Vec<Option<String>> = chain.iter().map(|formula| formula.number.clone()).collect();
+        // a number that stands beside the last row of several is that of all
+        for at in (0..length.saturating_sub(1)).rev() {
+            if numbers[at].is_none() {
+                numbers[at] = numbers[at + 1].clone();
+            }
+        }
+        for at in 1..length {
+            if numbers[at].is_none() {
+                numbers[at] = numbers[at - 1].clone();
+            }
+        }
+        let head = chain.first().map_or(0, |formula| formula.part.start);
+        let name = chain.iter().find_map(|formula| formula.labels.first().cloned());
+        let name = name.unwrap_or_else(|| format!("line {}", line(head)));
+        let bases: Vec<String> = numbers
+            .into_iter()
+            .map(|number| number.unwrap_or_else(|| name.clone()))
+            .collect();
+        for (at, (formula, base)) in chain.iter().zip(&bases).enumerate() {
+            let alike = bases.iter().filter(|other| *other == base).count();
+            let rank = bases.iter().take(at + 1).filter(|other| *other == base).count();
+            let mut label = if alike > 1 {
+                format!("{base}.{rank}")
+            } else {
+                base.clone()
+            };
+            if let Some(own) = said.get(start + at).and_then(|said| said.label.clone()) {
+                label = own;
+            }
+            if labels.own.contains(&label) {
+                label = format!("{label} (line {})", line(formula.part.start));
+            }
+            let mut called: Vec<&String> = vec![&label];
+            called.extend((*base != label).then_some(base));
+            called.extend(formula.labels.iter().filter(|name| **name != label && **name != *base));
+            for name in called {
+                labels.known.entry(name.clone()).or_default().push(label.clone());
+            }
+            labels.own.push(label);
+        }
+        start += length;
+    }
+    labels
+}

@@ -1,0 +1,334 @@
+//! The rows of a display, and the formulas that they make.
+
+use super::tex::{BRACES, Outside, after_blanks, environment, group, outside, trimmed};
+use std::ops::Range;
+
+/// A row of a display, or several that are one formula.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Row {
+    /// Where it stands, labels and tags blanked out.
+    pub part: Range<usize>,
+    /// Where its last line ends.
+    pub line_end: usize,
+    pub labels: Vec<String>,
+    pub tag: Option<String>,
+    /// Whether it may have a number of its own.
+    pub is_numbered: bool,
+    /// The last side of the row before, where this one starts with a relation and continues it.
+    pub continues: Option<Range<usize>>,
+}
+
+/// Environments within a display that lay out its rows.
+const LAYERS: [&str; 7] = [
+    "split",
+    "aligned",
+    "alignedat",
+    "gathered",
+    "cases",
+    "array",
+    "multlined",
+];
+
+/// Takes a display apart: `text` is what it stands in, `body` where; labels, tags and column signs become blanks.
+pub(super) fn rows(text: &mut String, body: Range<usize>) -> Vec<Row> {
+    let line_end = |text: &str, at: usize| {
+        text.get(at..)
+            .and_then(|rest| rest.find('\n'))
+            .map_or(text.len(), |end| at + end)
+    };
+    let mut whole = Row {
+        part: body.clone(),
+        line_end: line_end(text, body.end),
+        labels: Vec::new(),
+        tag: None,
+        is_numbered: true,
+        continues: None,
+    };
+    // what is said outside a layer is said of all of it
+    whole.take_names(text, body.clone());
+    let inner = layer(text, body);
+    let mut pieces: Vec<Range<usize>> = Vec::new();
+    let mut start = inner.start;
+    for found in outside(text, inner.clone()) {
+        match found {
+            Outside::Row(at) => {
+                pieces.push(start..at.start);
+                start = at.end;
+            }
+            Outside::Column(at) => text.replace_range(at..=at, " "),
+            _ => {}
+        }
+    }
+    pieces.push(start..inner.end);
+    let mut rows: Vec<Row> = Vec::new();
+    for piece in pieces {
+        let mut row = Row {
+            part: piece.clone(),
+            line_end: line_end(text, piece.end),
+            labels: Vec::new(),
+            tag: None,
+            is_numbered: true,
+            continues: None,
+        };
+        row.take_names(text, piece.clone());
+        row.part = trimmed(text, piece);
+        if row.part.is_empty() {
+            continue;
+        }
+        let starts = starts_with_relation(text, &row.part);
+        match rows.last_mut() {
+            Some(last) if goes_on(text, &last.part, &row.part, starts) => {
+                // one formula of two rows is read as one row, without the blanks that indent the second
+                let shown = text.get(row.part.clone()).unwrap_or_default();
+                let indent = shown.find(printed(text, &row.part)).unwrap_or(0);
+                blank(text, last.part.end..row.part.start + indent);
+                last.join(row);
+            }
+            Some(last) => {
+                row.continues = starts.then(|| last_side(text, &last.part)).flatten();
+                rows.push(row);
+            }
+            None => rows.push(row),
+        }
+    }
+    if let Some(first) = rows.first_mut() {
+        first.labels.splice(0..0, whole.labels);
+        first.tag = whole.tag.or(first.tag.take());
+        first.is_numbered &= whole.is_numbered;
+    }
+    if let Some(last) = rows.last_mut() {
+        last.line_end = whole.line_end;
+    }
+    rows
+}
+
+impl Row {
+    /// Takes the labels, the tag and the like out of a part of the text.
+    fn take_names(&mut self, text: &mut String, part: Range<usize>) {
+        let commands: Vec<Range<usize>> = outside(text, part)
+            .into_iter()
+            .filter_map(|found| match found {
+                Outside::Command(at) => Some(at),
+                _ => None,
+            })
+            .collect();
+        for at in commands {
+            let name = text.get(at.start + 1..at.end).unwrap_or_default().to_owned();
+            let star = usize::from(text.as_bytes().get(at.end) == Some(&b'*'));
+            let argument = group(text, at.end + star, BRACES);
+            let own = argument
+                .clone()
+                .and_then(|own| text.get(own))
+                .unwrap_or_default()
+                .trim()
+                .to_owned();
+            let end = argument.map_or(at.end, |own| own.end + 1);
+            match name.as_str() {
+                "label" => self.labels.push(own),
+                "tag" => {
+                    self.tag = Some(
+                        own.trim_matches('$')
+                            .trim_start_matches('(')
+                            .trim_end_matches(')')
+                            .to_owned(),
+                    )
+                }
+                "nonumber" | "notag" => {
+                    self.is_numbered = false;
+                    blank(text, at);
+                    continue;
+                }
+                _ => continue,
+            }
+            blank(text, at.start..end);
+        }
+    }
+
+    fn join(&mut self, more: Self) {
+        self.part.end = more.part.end;
+        self.line_end = more.line_end;
+        self.labels.extend(more.labels);
+        self.tag = self.tag.take().or(more.tag);
+    }
+}
+
+/// Writes blanks over a part of the text, so that all places stay as they are.
+pub(super) fn blank(text: &mut String, part: Range<usize>) {
+    let blanks: String = text
+        .get(part.clone())
+        .unwrap_or_default()
+        .chars()
+        .map(|c| {
+            if c == '\n' {
+                "\n".to_owned()
+            } else {
+                " ".repeat(c.len_utf8())
+            }
+        })
+        .collect();
+    text.replace_range(part, &blanks);
+}
+
+/// What an environment that is all there is lays out, or one behind a brace.
+fn layer(text: &str, body: Range<usize>) -> Range<usize> {
+    let own = trimmed(text, body.clone());
+    let rest = text.get(own.clone()).unwrap_or_default();
+    let braced = [r"\left\{", r"\left \{", r"\left\lbrace"]
+        .iter()
+        .find_map(|brace| rest.strip_prefix(brace));
+    let start = own.end - braced.unwrap_or(rest).len();
+    let start = after_blanks(text, start);
+    if !text.get(start..own.end).is_some_and(|rest| rest.starts_with(r"\begin")) {
+        return body;
+    }
+    let Some((name, inner, end)) = environment(text, start) else {
+        return body;
+    };
+    let behind = text.get(end..own.end).unwrap_or_default();
+    let behind = if braced.is_some() {
+        behind.trim_start().trim_start_matches(r"\right.")
+    } else {
+        behind
+    };
+    let is_all = behind.chars().all(|c| c.is_whitespace() || ",.;".contains(c));
+    let is_layer = LAYERS.contains(&name) && (braced.is_some() || !matches!(name, "array"));
+    if !(is_all && is_layer) {
+        return body;
+    }
+    let columns = matches!(name, "array" | "alignedat")
+        .then(|| group(text, inner.start, BRACES))
+        .flatten();
+    columns.map_or(inner.start, |columns| columns.end + 1)..inner.end
+}
+
+/// What prints a blank alone, or nothing.
+const BLANKS: [&str; 10] = [
+    r"\quad",
+    r"\qquad",
+    r"\,",
+    r"\;",
+    r"\:",
+    r"\!",
+    r"\ ",
+    "{}",
+    r"\displaystyle",
+    "~",
+];
+
+fn printed<'t>(text: &'t str, part: &Range<usize>) -> &'t str {
+    let mut rest = text.get(part.clone()).unwrap_or_default().trim();
+    loop {
+        let start = BLANKS.iter().find_map(|blank| rest.strip_prefix(blank));
+        match start {
+            Some(after) => rest = after.trim_start(),
+            None => break,
+        }
+    }
+    loop {
+        let end = BLANKS.iter().find_map(|blank| rest.strip_suffix(blank));
+        match end {
+            // `\\,` is no blank
+            Some(before) if !before.ends_with('\\') => rest = before.trim_end(),
+            _ => return rest,
+        }
+    }
+}
+
+fn relations(text: &str) -> Vec<Range<usize>> {
+    let found = outside(text, 0..text.len()).into_iter();
+    found
+        .filter_map(|found| match found {
+            Outside::Relation(at) => Some(at),
+            _ => None,
+        })
+        .collect()
+}
+
+fn starts_with_relation(text: &str, part: &Range<usize>) -> bool {
+    let own = printed(text, part);
+    relations(own).first().is_some_and(|first| first.start == 0)
+}
+
+/// The signs that join two sides of a row's end.
+const OPERATORS: [&str; 8] = ["+", "-", "−", r"\pm", r"\mp", r"\cdot", r"\times", "/"];
+
+/// Whether a row is the same formula as the one before it: that one cannot end where it does, or states nothing yet, or this one
+/// starts with an operator and states nothing itself.
+fn goes_on(text: &str, before: &Range<usize>, part: &Range<usize>, starts_with_relation: bool) -> bool {
+    let own = printed(text, part);
+    let starts = OPERATORS.iter().any(|operator| own.starts_with(operator)) || own.starts_with(r"\right");
+    let is_left_side = starts_with_relation && relations(printed(text, before)).is_empty();
+    is_left_side || is_continued(text, before) || (starts && relations(own).is_empty())
+}
+
+/// Whether a row cannot end where it does: behind an operator or a relation.
+fn is_continued(text: &str, part: &Range<usize>) -> bool {
+    let own = printed(text, part);
+    let related = relations(own).last().is_some_and(|last| last.end == own.len());
+    related || OPERATORS.iter().any(|operator| own.ends_with(operator))
+}
+
+/// What stands behind the last relation of a row.
+fn last_side(text: &str, part: &Range<usize>) -> Option<Range<usize>> {
+    let own = text.get(part.clone())?;
+    let last = relations(own).pop()?;
+    let side = trimmed(text, part.start + last.end..part.end);
+    let printed = text.get(side.clone())?.trim_end_matches([',', '.', ';']).trim_end();
+    Some(side.start..side.start + printed.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(tex: &str) -> Vec<(String, Option<String>, Vec<String>, bool)> {
+        let mut text = tex.to_owned();
+        let length = text.len();
+        let rows = rows(&mut text, 0..length);
+        let show = |row: &Row| {
+            let side = row
+                .continues
+                .clone()
+                .map(|side| text[side].split_whitespace().collect::<Vec<_>>().join(" "));
+            let own = text[row.part.clone()].split_whitespace().collect::<Vec<_>>().join(" ");
+            let names = row.tag.iter().chain(&row.labels).cloned().collect();
+            (own, side, names, row.is_numbered)
+        };
+        rows.iter().map(show).collect()
+    }
+
+    #[test]
+    fn a_row_that_starts_with_a_relation_continues_and_one_with_an_operator_is_the_same() {
+        let found =
+            shown(r"a &= b + c \label{one} \\ &\quad - d \\ &= \left(e = f\right), \nonumber \\ -g &\le h \tag{7}");
+        assert_eq!(
+            found,
+            [
+                (r"a = b + c - d".into(), None, vec!["one".into()], true),
+                (
+                    r"= \left(e = f\right),".into(),
+                    Some(r"b + c - d".into()),
+                    vec![],
+                    false
+                ),
+                (r"-g \le h".into(), None, vec!["7".into()], true),
+            ]
+        );
+    }
+
+    #[test]
+    fn what_lays_out_rows_is_looked_into() {
+        for tex in [
+            r"\begin{split} a &= b \\ c &= d \end{split}",
+            r"\label{x}\left\{\begin{array}{l} a = b \\ c = d \end{array}\right.",
+            r"\begin{alignedat}{2} a &= b \\ c &= d \end{alignedat}.",
+        ] {
+            let found = shown(tex);
+            let own: Vec<&str> = found.iter().map(|row| row.0.as_str()).collect();
+            assert_eq!(own, ["a = b", "c = d"], "{tex}");
+        }
+        let matrix = r"M = \begin{pmatrix} 1 & 2 \\ 3 & 4 \end{pmatrix}";
+        assert_eq!(shown(matrix)[0].0, matrix);
+        assert_eq!(shown("a = \\\\ b").len(), 1, "an end behind a relation");
+    }
+}

@@ -1,0 +1,505 @@
+//! A document from its beginning to its end: its displays, its comments, its macros, the files that it includes.
+
+use super::super::fault::File;
+use super::macros::Macros;
+use super::rows::{Row, blank, rows};
+use super::tex::{BRACES, command, environment, group};
+use std::ops::Range;
+
+/// The most files, and how deep they may include each other.
+const MOST_FILES: usize = 100;
+const DEEPEST: usize = 16;
+
+/// The most formulas of a document.
+const MOST_FORMULAS: usize = 20_000;
+
+/// How a document is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Markup {
+    Tex,
+    Markdown,
+}
+
+/// The text of a file by the name that a document includes it by, or why it cannot be had.
+pub type Include<'a> = &'a mut dyn FnMut(&str) -> Result<String, String>;
+
+/// How a display counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Numbers {
+    None,
+    One,
+    Rows,
+}
+
+/// A formula as it stands in the document.
+#[derive(Clone, Debug)]
+pub(super) struct Formula {
+    /// Where it stands in the text, without labels and tags.
+    pub part: Range<usize>,
+    /// Its TeX, macros replaced; of a link of a chain with the side before it. Else what is wrong with its macros.
+    pub tex: Result<String, String>,
+    /// The number or tag that it prints.
+    pub number: Option<String>,
+    pub labels: Vec<String>,
+    /// Whether it continues the formula before it.
+    pub is_link: bool,
+    /// Whether it goes with the formula before it: as a link, or as another row of a display with one number or none.
+    pub is_beside: bool,
+    /// The comments that are about it, by number.
+    pub comments: Vec<usize>,
+}
+
+/// A comment that begins with `audit:`.
+#[derive(Clone, Debug)]
+pub(super) struct Comment {
+    /// Where it stands.
+    pub part: Range<usize>,
+    /// What it says, without `audit:`.
+    pub text: String,
+    /// The printed text around it: of its line before it, else the next line.
+    pub beside: String,
+    /// Whether that is the line that it stands on.
+    pub is_beside: bool,
+    /// How many formulas stand before it.
+    pub after: usize,
+}
+
+/// Displays by their environments.
+fn numbers_of(environment: &str) -> Option<Numbers> {
+    let plain = environment.trim_end_matches('*');
+    let numbers = match plain {
+        "equation" | "multline" | "dmath" => Numbers::One,
+        "align" | "gather" | "eqnarray" | "alignat" | "flalign" | "xalignat" => Numbers::Rows,
+        "displaymath" => Numbers::None,
+        _ => return None,
+    };
+    Some(if plain == environment { numbers } else { Numbers::None })
+}
+
+/// What holds no formulas to be decided.
+const VERBATIM: [&str; 7] = [
+    "verbatim",
+    "verbatim*",
+    "Verbatim",
+    "lstlisting",
+    "minted",
+    "comment",
+    "tikzpicture",
+];
+
+pub(super) struct Scan<'a> {
+    markup: Markup,
+    include: Include<'a>,
+    /// All files one after the other, comments, labels and tags blanked out.
+    pub text: String,
+    pub files: Vec<File>,
+    pub formulas: Vec<Formula>,
+    pub comments: Vec<Comment>,
+    /// What is wrong, and where.
+    pub faults: Vec<(usize, String)>,
+    macros: Macros,
+    /// The comments of the file at hand that no formula has taken yet.
+    waiting: Vec<usize>,
+    /// The last number, that of a group of equations, and the letter within it.
+    counted: usize,
+    group: Option<(usize, u32)>,
+    open: Vec<String>,
+    ended: bool,
+}
+
+impl<'a> Scan<'a> {
+    /// Reads a document and what it includes.
+    pub fn new(text: &str, markup: Markup, include: Include<'a>) -> Self {
+        let mut scan = Self {
+            markup,
+            include,
+            text: String::new(),
+            files: Vec::new(),
+            formulas: Vec::new(),
+            comments: Vec::new(),
+            faults: Vec::new(),
+            macros: Macros::default(),
+            waiting: Vec::new(),
+            counted: 0,
+            group: None,
+            open: Vec::new(),
+            ended: false,
+        };
+        scan.file(None, text);
+        scan
+    }
+
+    fn file(&mut self, name: Option<String>, text: &str) {
+        let start = self.text.len();
+        self.files.push(File { start, name });
+        self.text.push_str(text);
+        if !text.ends_with('\n') {
+            self.text.push('\n');
+        }
+        let end = self.text.len();
+        let comments = match self.markup {
+            Markup::Tex => self.comments_of_tex(start..end),
+            Markup::Markdown => self.comments_of_markdown(start..end),
+        };
+        let outer = std::mem::replace(&mut self.waiting, comments);
+        self.displays(start..end);
+        self.take_comments(usize::MAX, None);
+        self.waiting = outer;
+    }
+
+    fn comments_of_tex(&mut self, part: Range<usize>) -> Vec<usize> {
+        let mut numbers = Vec::new();
+        let mut at = part.start;
+        while at < part.end {
+            let line = self
+                .text
+                .get(at..part.end)
+                .and_then(|rest| rest.find('\n'))
+                .map_or(part.end, |end| at + end);
+            let bytes = self.text.as_bytes();
+            let is_escaped = |at: usize| {
+                bytes[part.start..at]
+                    .iter()
+                    .rev()
+                    .take_while(|byte| **byte == b'\\')
+                    .count()
+                    % 2
+                    == 1
+            };
+            let start = (at..line).find(|&at| bytes[at] == b'%' && !is_escaped(at));
+            if let Some(start) = start {
+                numbers.extend(self.comment(start + 1..line, start));
+                blank(&mut self.text, start..line);
+            }
+            at = line + 1;
+        }
+        numbers
+    }
+
+    fn comments_of_markdown(&mut self, part: Range<usize>) -> Vec<usize> {
+        let mut numbers = Vec::new();
+        let mut at = part.start;
+        while let Some(start) = self
+            .text
+            .get(at..part.end)
+            .and_then(|rest| rest.find("<!--"))
+            .map(|found| at + found)
+        {
+            let end = self
+                .text
+                .get(start..part.end)
+                .and_then(|rest| rest.find("-->"))
+                .map(|found| start + found);
+            let Some(end) = end else {
+                self.faults.push((start, "this comment does not end".to_owned()));
+                break;
+            };
+            numbers.extend(self.comment(start + 4..end, start));
+            blank(&mut self.text, start..end + 3);
+            at = end + 3;
+        }
+        numbers
+    }
+
+    /// Keeps a comment that is for us.
+    fn comment(&mut self, part: Range<usize>, start: usize) -> Option<usize> {
+        let text = self
+            .text
+            .get(part.clone())?
+            .trim()
+            .strip_prefix("audit:")?
+            .trim()
+            .to_owned();
+        let line = self.text.get(..start)?.rfind('\n').map_or(0, |end| end + 1);
+        let before = self.text.get(line..start)?.trim();
+        let is_beside = !before.is_empty();
+        let beside = match before {
+            "" => self
+                .text
+                .get(part.end..)?
+                .lines()
+                .find(|line| !line.trim().is_empty() && !line.contains("-->"))?,
+            before => before,
+        };
+        let beside = beside.to_owned();
+        self.comments.push(Comment {
+            part,
+            text,
+            beside,
+            is_beside,
+            after: 0,
+        });
+        Some(self.comments.len() - 1)
+    }
+
+    /// Hands the comments before byte `end` to a formula; what is left at the end of a file is about none.
+    fn take_comments(&mut self, end: usize, formula: Option<usize>) {
+        let count = self.formulas.len();
+        let starts: Vec<(usize, usize)> = self
+            .waiting
+            .iter()
+            .filter_map(|&n| Some((n, self.comments.get(n)?.part.start)))
+            .collect();
+        let taken: Vec<usize> = starts
+            .into_iter()
+            .filter(|(_, start)| *start < end)
+            .map(|(n, _)| n)
+            .collect();
+        self.waiting.retain(|number| !taken.contains(number));
+        for &number in &taken {
+            if let Some(comment) = self.comments.get_mut(number) {
+                comment.after = formula.unwrap_or(count);
+            }
+        }
+        if let Some(formula) = formula.and_then(|formula| self.formulas.get_mut(formula)) {
+            formula.comments.extend(taken);
+        }
+    }
+
+    fn displays(&mut self, part: Range<usize>) {
+        let mut at = part.start;
+        while at < part.end && !self.ended && self.formulas.len() < MOST_FORMULAS {
+            let rest = self.text.get(at..part.end).unwrap_or_default();
+            let Some(found) = rest.find(['\\', '$', '`']) else {
+                break;
+            };
+            let here = at + found;
+            at = match self.text.as_bytes().get(here) {
+                Some(b'`') if self.markup == Markup::Markdown => self.code(here, part.end),
+                Some(b'$') => self.dollars(here, part.end),
+                Some(b'\\') => self.command(here, part.end),
+                _ => here + 1,
+            };
+        }
+    }
+
+    /// Where the code that starts here ends; a block of `math` is a display.
+    fn code(&mut self, here: usize, end: usize) -> usize {
+        let rest = self.text.get(here..end).unwrap_or_default();
+        let fence: String = rest.chars().take_while(|c| *c == '`').collect();
+        let body = here + fence.len();
+        let Some(close) = self
+            .text
+            .get(body..end)
+            .and_then(|rest| rest.find(&fence))
+            .map(|found| body + found)
+        else {
+            return body;
+        };
+        let is_math = fence.len() >= 3 && self.text.get(body..close).is_some_and(|text| text.starts_with("math"));
+        if is_math {
+            self.display(body + 4..close, Numbers::None);
+        }
+        close + fence.len()
+    }
+
+    fn dollars(&mut self, here: usize, end: usize) -> usize {
+        let is_display = self.text.as_bytes().get(here + 1) == Some(&b'$');
+        let sign = if is_display { "$$" } else { "$" };
+        let start = here + sign.len();
+        let mut at = start;
+        loop {
+            let Some(found) = self
+                .text
+                .get(at..end)
+                .and_then(|rest| rest.find(sign))
+                .map(|found| at + found)
+            else {
+                if is_display {
+                    self.faults
+                        .push((here, "this display does not end: there is no second `$$`".to_owned()));
+                }
+                return start;
+            };
+            if self.text.as_bytes().get(found.wrapping_sub(1)) == Some(&b'\\') {
+                at = found + 1;
+                continue;
+            }
+            let body = start..found;
+            let is_parted = self.text.get(body.clone()).is_some_and(|text| text.contains("\n\n"));
+            if is_parted {
+                if is_display {
+                    self.faults
+                        .push((here, "a display ends before an empty line: `$$` is missing".to_owned()));
+                }
+                return start;
+            }
+            if is_display {
+                self.display(body, Numbers::None);
+            }
+            return found + sign.len();
+        }
+    }
+
+    fn command(&mut self, here: usize, end: usize) -> usize {
+        let (name, next) = command(&self.text, here);
+        let name = name.to_owned();
+        match name.as_str() {
+            "begin" => {
+                let Some(environment_name) = group(&self.text, next, BRACES) else {
+                    return next;
+                };
+                let inside = environment_name.end + 1;
+                let own = self.text.get(environment_name).unwrap_or_default().to_owned();
+                if own == "subequations" {
+                    self.counted += 1;
+                    self.group = Some((self.counted, 0));
+                    return inside;
+                }
+                let numbers = numbers_of(&own);
+                if numbers.is_none() && !VERBATIM.contains(&own.as_str()) {
+                    return inside;
+                }
+                let Some((_, mut body, close)) = environment(&self.text, here).filter(|(.., close)| *close <= end)
+                else {
+                    self.faults
+                        .push((here, format!(r"`\begin{{{own}}}` has no `\end{{{own}}}`")));
+                    return inside;
+                };
+                if let Some(numbers) = numbers {
+                    if own.contains("alignat") {
+                        body.start = group(&self.text, body.start, BRACES).map_or(body.start, |count| count.end + 1);
+                    }
+                    self.display(body, numbers);
+                }
+                close
+            }
+            "end" => {
+                let own = group(&self.text, next, BRACES)
+                    .and_then(|own| self.text.get(own))
+                    .unwrap_or_default();
+                self.ended |= own == "document";
+                if own == "subequations" {
+                    self.group = None;
+                }
+                next
+            }
+            "[" => {
+                let close = self
+                    .text
+                    .get(next..end)
+                    .and_then(|rest| rest.find(r"\]"))
+                    .map(|found| next + found);
+                let Some(close) = close else {
+                    self.faults
+                        .push((here, r"this display does not end: there is no `\]`".to_owned()));
+                    return next;
+                };
+                self.display(next..close, Numbers::None);
+                close + 2
+            }
+            "verb" => {
+                let sign = self.text.get(next..).and_then(|rest| rest.chars().next());
+                let close = sign.and_then(|sign| {
+                    let start = next + sign.len_utf8();
+                    Some(start + self.text.get(start..)?.find(sign)? + sign.len_utf8())
+                });
+                close.unwrap_or(next)
+            }
+            "newcommand" | "renewcommand" | "providecommand" | "DeclareMathOperator" | "def" => {
+                let close = self.macros.read(&self.text, &name, next);
+                if close.is_none() {
+                    self.faults.push((here, format!(r"this `\{name}` cannot be read")));
+                }
+                close.unwrap_or(next)
+            }
+            "input" | "include" | "subfile" => {
+                let argument = group(&self.text, next, BRACES);
+                let close = argument.as_ref().map_or(next, |own| own.end + 1);
+                if let Some(file) = argument
+                    .and_then(|own| self.text.get(own))
+                    .map(|own| own.trim().to_owned())
+                {
+                    self.included(here, file);
+                }
+                close
+            }
+            _ => next,
+        }
+    }
+
+    fn included(&mut self, here: usize, name: String) {
+        let problem = if self.open.contains(&name) {
+            format!("`{name}` includes itself")
+        } else if self.open.len() >= DEEPEST || self.files.len() >= MOST_FILES {
+            format!("`{name}` is not included: the files are too many, or too deep in each other")
+        } else {
+            match (self.include)(&name) {
+                Ok(text) => {
+                    self.open.push(name.clone());
+                    self.file(Some(name), &text);
+                    self.open.pop();
+                    return;
+                }
+                Err(problem) => format!("`{name}` cannot be included: {problem}"),
+            }
+        };
+        self.faults.push((here, problem));
+    }
+
+    fn display(&mut self, body: Range<usize>, numbers: Numbers) {
+        let first = self.formulas.len();
+        let end = body.end;
+        for (place, row) in rows(&mut self.text, body).into_iter().enumerate() {
+            let is_own = match numbers {
+                Numbers::Rows => row.is_numbered,
+                // one number of several rows is that of the first
+                Numbers::One => row.is_numbered && place == 0,
+                Numbers::None => false,
+            };
+            let number = row.tag.clone().or_else(|| is_own.then(|| self.count()));
+            let is_beside = place > 0 && (row.continues.is_some() || numbers != Numbers::Rows);
+            self.formula(row, number, is_beside, end);
+        }
+        // what is said behind a display of one number is said of all of it
+        let line = self
+            .text
+            .get(end..)
+            .and_then(|rest| rest.find('\n'))
+            .map_or(self.text.len(), |found| end + found);
+        let last = self.formulas.len().wrapping_sub(1);
+        let formula = if numbers == Numbers::Rows { last } else { first };
+        if self.formulas.len() > first {
+            self.take_comments(line, Some(formula));
+        }
+    }
+
+    fn count(&mut self) -> String {
+        match &mut self.group {
+            Some((number, letter)) => {
+                *letter += 1;
+                let letter = char::from_u32(u32::from('a') + *letter - 1).unwrap_or('?');
+                format!("{number}{letter}")
+            }
+            None => {
+                self.counted += 1;
+                self.counted.to_string()
+            }
+        }
+    }
+
+    /// Adds a formula of a display that ends at byte `end`.
+    fn formula(&mut self, row: Row, number: Option<String>, is_beside: bool, end: usize) {
+        let own = self.text.get(row.part.clone()).unwrap_or_default();
+        let side = row
+            .continues
+            .clone()
+            .and_then(|side| self.text.get(side))
+            .unwrap_or_default();
+        let tex = match side {
+            "" => own.to_owned(),
+            side => format!("{side} {own}"),
+        };
+        let tex = self.macros.expanded(&tex);
+        self.formulas.push(Formula {
+            part: row.part,
+            tex,
+            number,
+            labels: row.labels,
+            is_link: row.continues.is_some(),
+            is_beside,
+            comments: Vec::new(),
+        });
+        self.take_comments(row.line_end.min(end), Some(self.formulas.len() - 1));
+    }
+}

@@ -1,0 +1,215 @@
+//! What TeX source looks like from outside: groups, environments, rows, relations. Nothing of its mathematics.
+
+use std::ops::Range;
+
+/// The command at byte `at`, a backslash: its name, of letters or of one other character, and where it ends.
+pub(super) fn command(text: &str, at: usize) -> (&str, usize) {
+    let rest = text.get(at + 1..).unwrap_or_default();
+    let letters = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
+    let length = match letters {
+        0 => rest.chars().next().map_or(0, char::len_utf8),
+        letters => letters,
+    };
+    (rest.get(..length).unwrap_or_default(), at + 1 + length)
+}
+
+/// Where blanks that start at byte `at` end.
+pub(super) fn after_blanks(text: &str, at: usize) -> usize {
+    let rest = text.get(at..).unwrap_or_default();
+    at + rest.len() - rest.trim_start().len()
+}
+
+/// What stands between the braces, or these other brackets, that open at byte `at`, or blanks later.
+pub(super) fn group(text: &str, at: usize, brackets: [u8; 2]) -> Option<Range<usize>> {
+    let [open, close] = brackets;
+    let start = after_blanks(text, at);
+    let bytes = text.as_bytes();
+    if bytes.get(start) != Some(&open) {
+        return None;
+    }
+    let (mut braces, mut next) = (0_usize, start + 1);
+    while let Some(&byte) = bytes.get(next) {
+        match byte {
+            b'\\' => next += 1,
+            _ if byte == close && braces == 0 => return Some(start + 1..next),
+            b'{' => braces += 1,
+            b'}' => braces = braces.checked_sub(1)?,
+            _ => {}
+        }
+        next += 1;
+    }
+    None
+}
+
+pub(super) const BRACES: [u8; 2] = *b"{}";
+pub(super) const SQUARE: [u8; 2] = *b"[]";
+
+/// The environment that `\begin` at byte `at` opens: its name, what it holds, and where its `\end` ends.
+pub(super) fn environment(text: &str, at: usize) -> Option<(&str, Range<usize>, usize)> {
+    let name = group(text, at + r"\begin".len(), BRACES)?;
+    let start = name.end + 1;
+    let name = text.get(name)?;
+    let (mut depth, mut next) = (1_usize, start);
+    while let Some(found) = text.get(next..)?.find('\\') {
+        let here = next + found;
+        let (word, end) = command(text, here);
+        next = end;
+        let same = |text: &str| group(text, end, BRACES).is_some_and(|own| text.get(own) == Some(name));
+        match word {
+            "begin" if same(text) => depth += 1,
+            "end" if same(text) => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return Some((name, start..here, group(text, end, BRACES)?.end + 1));
+        }
+    }
+    None
+}
+
+/// What is met outside braces, brackets and environments within a formula, in order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Outside {
+    /// `\\` with what belongs to it.
+    Row(Range<usize>),
+    /// `&`.
+    Column(usize),
+    /// A relation.
+    Relation(Range<usize>),
+    /// Any other command with what it is called.
+    Command(Range<usize>),
+}
+
+/// The spellings of relations that are no commands.
+const RELATIONS: [&str; 11] = [":=", "=", "<", ">", "≤", "≥", "≠", "≈", "≡", "≲", "≳"];
+
+/// The commands that relate.
+const RELATING: [&str; 22] = [
+    "le",
+    "leq",
+    "leqslant",
+    "ge",
+    "geq",
+    "geqslant",
+    "ne",
+    "neq",
+    "lt",
+    "gt",
+    "equiv",
+    "approx",
+    "simeq",
+    "sim",
+    "to",
+    "propto",
+    "ll",
+    "gg",
+    "Rightarrow",
+    "implies",
+    "Leftrightarrow",
+    "in",
+];
+
+/// What stands outside all brackets in part of a text.
+pub(super) fn outside(text: &str, part: Range<usize>) -> Vec<Outside> {
+    let (mut found, mut next, mut depth) = (Vec::new(), part.start, 0_usize);
+    while next < part.end {
+        let rest = text.get(next..part.end).unwrap_or_default();
+        let Some(c) = rest.chars().next() else { break };
+        let here = next;
+        next += c.len_utf8();
+        let relation = RELATIONS.iter().find(|relation| rest.starts_with(**relation));
+        match c {
+            '\\' => {
+                let (name, end) = command(text, here);
+                next = end;
+                match name {
+                    "begin" => next = environment(text, here).map_or(end, |(_, _, end)| end),
+                    "left" | "bigl" | "Bigl" | "biggl" | "Biggl" => {
+                        depth += 1;
+                        next = sized(text, end);
+                    }
+                    "right" | "bigr" | "Bigr" | "biggr" | "Biggr" => {
+                        depth = depth.saturating_sub(1);
+                        next = sized(text, end);
+                    }
+                    "{" | "lbrace" => depth += 1,
+                    "}" | "rbrace" => depth = depth.saturating_sub(1),
+                    "\\" if depth == 0 => {
+                        let star = usize::from(text.as_bytes().get(next) == Some(&b'*'));
+                        next = group(text, next + star, SQUARE).map_or(next + star, |space| space.end + 1);
+                        found.push(Outside::Row(here..next));
+                    }
+                    _ if depth > 0 => {}
+                    name if RELATING.contains(&name) => found.push(Outside::Relation(here..next)),
+                    _ => found.push(Outside::Command(here..next)),
+                }
+            }
+            '{' => next = group(text, here, BRACES).map_or(next, |group| group.end + 1),
+            '(' | '[' => depth += 1,
+            ')' | ']' => depth = depth.saturating_sub(1),
+            _ if depth > 0 => {}
+            '&' => found.push(Outside::Column(here)),
+            _ => {
+                if let Some(relation) = relation {
+                    next = here + relation.len();
+                    found.push(Outside::Relation(here..next));
+                }
+            }
+        }
+    }
+    found
+}
+
+/// Where the bracket that a size belongs to ends.
+fn sized(text: &str, at: usize) -> usize {
+    let at = after_blanks(text, at);
+    match text.get(at..).and_then(|rest| rest.chars().next()) {
+        Some('\\') => command(text, at).1,
+        Some(c) => at + c.len_utf8(),
+        None => at,
+    }
+}
+
+/// The part without blanks around it.
+pub(super) fn trimmed(text: &str, part: Range<usize>) -> Range<usize> {
+    let own = text.get(part.clone()).unwrap_or_default();
+    let start = part.start + own.len() - own.trim_start().len();
+    start..start + own.trim().len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_environment_ends_where_its_own_end_stands() {
+        let text = r"\begin{align}a \begin{align} b \end{align} \\ \end{aligned} c\end{align} d";
+        let (name, body, end) = environment(text, 0).unwrap();
+        assert_eq!((name, &text[end..]), ("align", " d"));
+        assert!(text[body].ends_with(r"\end{aligned} c"));
+        assert_eq!(environment(r"\begin{align} a", 0), None);
+    }
+
+    #[test]
+    fn rows_and_relations_are_those_outside_brackets() {
+        let text =
+            r"a &= \left( b \\ = c \right) \\[2pt] {x = y} \le \begin{pmatrix} 1 & 2 \\ 3 & 4 \end{pmatrix} f(x = 1)";
+        let found = outside(text, 0..text.len());
+        let shown: Vec<&str> = found
+            .iter()
+            .map(|found| match found {
+                Outside::Row(at) | Outside::Relation(at) | Outside::Command(at) => &text[at.clone()],
+                Outside::Column(at) => &text[*at..=*at],
+            })
+            .collect();
+        assert_eq!(shown, ["&", "=", r"\\[2pt]", r"\le"]);
+    }
+
+    #[test]
+    fn a_group_holds_its_own_braces() {
+        let text = r"x {a {b} \} c} d";
+        assert_eq!(group(text, 1, BRACES).map(|own| &text[own]), Some(r"a {b} \} c"));
+        assert_eq!(group(text, 0, BRACES), None);
+        assert_eq!(group("{a", 0, BRACES), None);
+    }
+}

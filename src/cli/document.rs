@@ -1,0 +1,139 @@
+//! Documents as `audit` reads them: the files that they include, the numbers that they print.
+
+use super::source::DOCUMENT_AT_MOST;
+use super::{Answer, Content, Exit, Failure, Options, Source, check, golden, note};
+use crate::claim::{Document, Markup, PrintedNumber};
+use crate::reference::{self, Directory, Outcome, PRINTED_COLUMNS, Printed};
+use std::path::{Path, PathBuf};
+
+/// The document in a file whose name says that it is one.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn read(source: &Source) -> Result<Option<Document>, Failure> {
+    let Source::File(path) = source else {
+        return Ok(None);
+    };
+    let markup = match path.extension().and_then(|extension| extension.to_str()) {
+        Some("tex" | "ltx") => Markup::Tex,
+        Some("md" | "markdown") => Markup::Markdown,
+        _ => return Ok(None),
+    };
+    let text = source.read(DOCUMENT_AT_MOST)?;
+    let directory = directory(path);
+    Ok(Some(Document::read(&text, markup, &mut |name| {
+        included(&directory, name)
+    })))
+}
+
+fn directory(path: &Path) -> PathBuf {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+/// The text of a file that a document includes, which lies beside or below it.
+fn included(directory: &Path, name: &str) -> Result<String, String> {
+    let with_extension = format!("{name}.tex");
+    let names = [with_extension.as_str(), name];
+    let Some(path) = names
+        .iter()
+        .map(|name| directory.join(name))
+        .find(|path| path.is_file())
+    else {
+        return Err("there is no such file".to_owned());
+    };
+    let place = |path: &Path| path.canonicalize().map_err(|error| error.to_string());
+    if !place(&path)?.starts_with(place(directory)?) {
+        return Err("it leads out of the directory of the document".to_owned());
+    }
+    let text = Source::File(path).read(DOCUMENT_AT_MOST);
+    text.map_err(|error| error.problem.to_string())
+}
+
+/// Says what is wrong with a document and what was guessed of it.
+pub fn tell(document: &Document, name: &str) {
+    for fault in &document.faults {
+        note(&format!("{name}: {fault}"));
+    }
+    for guess in &document.guesses {
+        note(&format!("{name}: {guess}"));
+    }
+}
+
+/// As what it holds comes to, but where something of it cannot be read.
+pub fn exit(document: &Document, exit: Exit) -> Exit {
+    if document.faults.is_empty() {
+        exit
+    } else {
+        Exit::Unusable
+    }
+}
+
+/// The verdicts, and beside them what the printed numbers came to. One that makes no sense is said, and stops no other.
+///
+/// # Errors
+/// None that is the document's.
+pub fn with_numbers(
+    answer: Answer,
+    document: &Document,
+    source: &Source,
+    options: &Options,
+) -> Result<Answer, Failure> {
+    let mut exit = exit(document, answer.exit);
+    let (Source::File(path), false) = (source, document.numbers.is_empty()) else {
+        return Ok(Answer { exit, ..answer });
+    };
+    let directory = Directory::At(directory(path));
+    let mut outcomes = Vec::new();
+    for (place, number) in document.numbers.iter().enumerate() {
+        match outcome(&row(place, number), &source.name(), &directory, options) {
+            Ok(found) => outcomes.extend(found),
+            Err(problem) => {
+                let (line, column) = number.place;
+                note(&format!("{}: line {line}, column {column}: {problem}", source.name()));
+                exit = Exit::Unusable;
+            }
+        }
+    }
+    if exit == Exit::AsExpected && !outcomes.iter().all(Outcome::is_expected) {
+        exit = Exit::NotAsExpected;
+    }
+    let numbers = check::table(&outcomes)?;
+    let content = match answer.content {
+        Content::Table(verdicts) => Content::Tables(vec![verdicts, numbers]),
+        other => other,
+    };
+    Ok(Answer { content, exit })
+}
+
+/// What a row of golden values comes to.
+fn outcome(row: &[String], name: &str, directory: &Directory, options: &Options) -> Result<Vec<Outcome>, String> {
+    let mut csv = csv::Writer::from_writer(Vec::new());
+    let header = PRINTED_COLUMNS.iter().map(ToString::to_string).collect();
+    for fields in [&header, &row.to_vec()] {
+        csv.write_record(fields).map_err(|error| error.to_string())?;
+    }
+    let text = csv.into_inner().map_err(|error| error.to_string())?;
+    let printed = Printed::read(name, &String::from_utf8_lossy(&text)).map_err(|fault| fault.to_string())?;
+    let mut compute = |request: &_| golden::answer(directory, request, options).map_err(|failure| failure.to_string());
+    reference::check(&printed, &[], &mut compute).map_err(|fault| fault.to_string())
+}
+
+/// The row of golden values that a printed number is.
+fn row(place: usize, number: &PrintedNumber) -> Vec<String> {
+    let (line, column) = number.place;
+    let file = number.file.as_ref().map_or(String::new(), |file| format!("{file}:"));
+    let field = |name: &str| match name {
+        "id" => format!("number-{}", place + 1),
+        "place" => format!("{file}{line}:{column}"),
+        "scene" => number.scene.clone(),
+        "set" => number.set.join(";"),
+        "quantity" => number.quantity.clone(),
+        "printed" => number.printed.clone(),
+        "expected" => "reproduced".to_owned(),
+        _ => String::new(),
+    };
+    PRINTED_COLUMNS.iter().map(|name| field(name)).collect()
+}

@@ -1,0 +1,401 @@
+//! Documents as authors write them, in TeX and Markdown: which formulas are taken from them, what is guessed, what is wrong with
+//! them; and the paper's own as one.
+
+#[path = "common/paper.rs"]
+#[allow(dead_code)]
+mod paper;
+
+use paper::vocabulary;
+use proptest::prelude::*;
+use std::collections::HashMap;
+use std::process::{Command, Output};
+use std::time::{Duration, Instant};
+use vibro_audit::claim::{Document, Markup, Sheet, Verdict};
+use vibro_audit::prove::{self, Decision, Options};
+
+fn document(text: &str, files: &[(&str, &str)]) -> Document {
+    let files: HashMap<&str, &str> = files.iter().copied().collect();
+    let mut include = |name: &str| {
+        files
+            .get(name)
+            .map(ToString::to_string)
+            .ok_or("there is no such file".to_owned())
+    };
+    Document::read(text, Markup::Tex, &mut include)
+}
+
+fn markdown(text: &str) -> Document {
+    Document::read(text, Markup::Markdown, &mut |_| Err("nothing is included".to_owned()))
+}
+
+fn decisions(document: &Document) -> Vec<Decision> {
+    let sheet = document.sheet(&vocabulary()).unwrap_or_else(|fault| panic!("{fault}"));
+    prove::audit(&sheet, &Options::default())
+}
+
+/// Label and verdict of each row, as `7.1 proved`.
+fn verdicts(document: &Document) -> Vec<String> {
+    let shown = |decision: &Decision| format!("{} {}", decision.label, decision.verdict);
+    decisions(document).iter().map(shown).collect()
+}
+
+fn faults(document: &Document) -> String {
+    document.faults.iter().map(|fault| format!("{fault}\n")).collect()
+}
+
+const SYMBOLS: &str = "% audit: symbols a, b, c, x, y\n";
+
+#[test]
+fn the_papers_document_has_the_verdicts_of_its_sheet() {
+    let document = document(include_str!("../golden/paper/paper.tex"), &[]);
+    assert_eq!(
+        (faults(&document), document.guesses.as_slice()),
+        (String::new(), &[][..])
+    );
+    let sheet = Sheet::read(include_str!("../golden/paper/equations.toml"), &vocabulary()).unwrap();
+    let of = |decisions: Vec<Decision>| -> Vec<(String, Verdict, Verdict, String)> {
+        let all = decisions.into_iter();
+        all.map(|own| (own.label, own.verdict, own.expected, own.reason))
+            .collect()
+    };
+    assert_eq!(of(decisions(&document)), of(prove::audit(&sheet, &Options::default())));
+}
+
+#[test]
+fn each_row_of_a_display_is_a_formula_and_each_link_of_a_chain_a_claim() {
+    let text = format!(
+        r"{SYMBOLS}% audit: default claim
+\begin{{align}}
+  (a + b)^2 &= a^2 + 2 a b \\
+     &\quad + b^2 \label{{square}} \\
+     &= (b + a)^2, \nonumber \\
+  a^2 - b^2 &= (a - b)(a + b)
+\end{{align}}
+\begin{{equation}}\begin{{split}} (a + 1)^2 &= a^2 + 2 a + 1 \\ &= a (a + 2) + 1 \\ &= a (a + 2) \end{{split}}\end{{equation}}
+\begin{{equation*}} a + a = 2 a \tag{{A}} \end{{equation*}}
+\[ \left\{{ \begin{{aligned}} x + 0 &= x \\ y - y &= 0 \end{{aligned}} \right. \]
+$$ \begin{{pmatrix}} a & b \\ c & x \end{{pmatrix}} $$
+\begin{{gather}} a b = b a, \\ -a = 0 - a \label{{minus}} \end{{gather}}
+\begin{{multline}} a + b + c \\ = c + b + a \end{{multline}}
+"
+    );
+    let found = verdicts(&document(&text, &[]));
+    let wanted = [
+        "1.1 proved",
+        "1.2 proved",
+        "2 proved",
+        "3.1 proved",
+        "3.2 proved",
+        "3.3 refuted",
+        "A proved",
+        "line 11.1 proved",
+        "line 11.2 proved",
+        "4 proved",
+        "5 proved",
+        "6 proved",
+    ];
+    assert_eq!(found, wanted);
+}
+
+#[test]
+fn comments_say_what_a_formula_is_and_what_it_follows_from() {
+    let text = format!(
+        r"{SYMBOLS}
+\begin{{subequations}}
+\begin{{equation}} y = a x \label{{law}} \end{{equation}} % audit: premise
+% audit: premise
+\begin{{equation}} x = 2 \end{{equation}}
+\end{{subequations}}
+% audit: claim; follows from \eqref{{law}}, (1b)
+\begin{{equation}} y = 2 a \end{{equation}}
+\begin{{align}}
+ y &= 3 x \\ % audit: claim; follows from (1a); with a = 3
+ y &= b x \\ % audit: claim; follows from (1a); assume a = b
+ y &= w x \\ % audit: claim; follows from (1a); where w = a
+ y &= 4 x \\ % audit: claim; follows from (1a); expect refuted
+ y &= anything   % audit: skip
+\end{{align}}
+"
+    );
+    let found = document(&text, &[]);
+    assert_eq!(faults(&found), "");
+    assert_eq!(
+        verdicts(&found),
+        ["2 proved", "3 proved", "4 proved", "5 proved", "6 refuted"]
+    );
+    assert!(decisions(&found).iter().all(Decision::is_expected));
+}
+
+#[test]
+fn macros_and_included_files_are_read_in_their_places() {
+    let main = r"\newcommand{\sq}[1]{#1^2} \def\two{2}
+% audit: symbols a, b
+\begin{equation} \sq{(a+b)} = \sq a + \two a b + \sq b \end{equation} % audit: claim
+\input{part}
+\begin{equation} \diff = b - a \end{equation} % audit: claim
+";
+    let part = "% nothing \\[ a = b \\]\n\\newcommand{\\diff}{(b-a)}\n\n\\[ a \\diff = a b - a^3 \\] % audit: claim\n";
+    let found = document(main, &[("part", part)]);
+    assert_eq!(faults(&found), "");
+    let rows = decisions(&found);
+    let shown: Vec<String> = rows
+        .iter()
+        .map(|row| format!("{} {}", row.label, row.verdict))
+        .collect();
+    assert_eq!(shown, ["1 proved", "line 4 refuted", "2 proved"]);
+    assert_eq!((rows[1].file.as_deref(), rows[1].place), (Some("part"), Some((4, 4))));
+    assert_eq!(rows[0].place.map(|(line, _)| line), Some(3));
+}
+
+#[test]
+fn a_guess_is_said_and_never_refutes() {
+    let text = r"
+\begin{equation} E = \frac{m v^2}{2} + m g h \end{equation}
+\begin{align} E &= \frac{m}{2} (v^2 + 2 g h) \\ &= m (v^2 + 2 g h) \end{align}
+$$ f(t) = \sin(\omega t) $$
+$$ f(t)^2 = 1 - \cos^2(\omega t) $$
+$$ f(t) = 1 $$
+";
+    let found = document(text, &[]);
+    let rows = decisions(&found);
+    let shown: Vec<String> = rows
+        .iter()
+        .map(|row| format!("{} {}", row.label, row.verdict))
+        .collect();
+    assert_eq!(shown, ["2 proved", "3 undecided", "line 5 proved", "line 6 undecided"]);
+    assert!(
+        rows[0].reason.contains("guessed") && rows[0].reason.contains("follows from (1)"),
+        "{}",
+        rows[0].reason
+    );
+    assert!(
+        rows[1].reason.starts_with("fails at") && rows[1].reason.contains("if the guess is right"),
+        "{}",
+        rows[1].reason
+    );
+    assert!(rows[1].counterexample.is_none());
+    let guesses = found.guesses.join("\n");
+    assert!(
+        guesses.contains("(1)") && guesses.contains(r"\omega") && guesses.contains("functions of t: f"),
+        "{guesses}"
+    );
+}
+
+#[test]
+fn a_draft_is_a_sheet_with_the_same_entries() {
+    for text in [
+        include_str!("../golden/paper/paper.tex").to_owned(),
+        "\\[ y = a x'' \\]\n\\[ y^2 = a^2 x''^2 \\]\n$$ f'(t) = f(t) $$".to_owned(),
+        format!("{SYMBOLS}\\begin{{align}} a + b &= b + a \\\\ &= b + a + 0 \\end{{align}} % audit: claim"),
+    ] {
+        let found = document(&text, &[]);
+        let sheet = found.sheet(&vocabulary()).unwrap();
+        let draft = found.draft("paper.tex");
+        let again = Sheet::read(&draft, &vocabulary()).unwrap_or_else(|fault| panic!("{draft}\n{fault}"));
+        let entries = |sheet: &Sheet| -> Vec<(String, String, Vec<usize>, bool)> {
+            let all = sheet.entries.iter();
+            all.map(|own| {
+                (
+                    own.label.clone(),
+                    own.tex.tex.clone(),
+                    own.follows_from.clone(),
+                    own.unread.is_some(),
+                )
+            })
+            .collect()
+        };
+        assert_eq!(entries(&sheet), entries(&again), "{draft}");
+    }
+}
+
+#[test]
+fn what_is_wrong_is_said_with_its_place_and_the_rest_is_decided() {
+    let good = r"\begin{equation} a + b = b + a \end{equation} % audit: claim";
+    for (bad, words, line) in [
+        (r"\begin{equation} a = {b \end{equation}", "", 0),
+        ("\\begin{align} a = b\n\n", r"has no `\end{align}`", 2),
+        (r"\begin{dmat} a \end{dmat}", "", 0),
+        (r"\[ a = b", r"no `\]`", 2),
+        ("$$ a = b\n\n", "no second `$$`", 2),
+        (r"\newcommand{\x}[", r"`\newcommand` cannot be read", 2),
+        (
+            r"\input{nowhere}",
+            "`nowhere` cannot be included: there is no such file",
+            2,
+        ),
+        (r"\input{self}", "`self` includes itself", 1),
+        ("% audit: clam\n", "`clam` says nothing here", 2),
+        ("% audit: symbols d\n", "a second time", 2),
+        ("% audit: value orbits.d, scene fig02\n\n", "no number is printed", 2),
+    ] {
+        let text = format!("{SYMBOLS}{bad}\n{good}\n");
+        let found = document(&text, &[("self", r"\input{self}")]);
+        let shown = faults(&found);
+        assert!(shown.contains(words), "{bad}\n`{words}` is missing in: {shown}");
+        let place = found.faults.first().and_then(|fault| fault.place);
+        assert!(
+            line == 0 || place.map(|(line, _)| line) == Some(line),
+            "{bad}: {place:?}"
+        );
+        let rows = verdicts(&found);
+        assert!(rows.iter().any(|row| row.ends_with(" proved")), "{bad}: {rows:?}");
+    }
+    let unread = |text: &str, words: &str| {
+        let found = document(&format!("{SYMBOLS}{text} % audit: claim\n{good}"), &[]);
+        let rows = decisions(&found);
+        assert!(
+            rows[0].verdict == Verdict::Unread && rows[0].reason.contains(words),
+            "{text}: {rows:?}"
+        );
+        assert_eq!(
+            (rows[0].place.map(|(line, _)| line), rows[1].verdict),
+            (Some(2), Verdict::Proved),
+            "{text}"
+        );
+    };
+    unread(r"\newcommand{\r}{\r} \[ a = \r \]", "goes on for ever");
+    unread(r"\newcommand{\two}[2]{#1} \[ a = {\two} \]", "lacks an argument");
+    unread(r"\[ a = \begin{unknown} b \end{unknown} \]", "unknown");
+    unread(r"\[ a = {b \]", "");
+    let text = format!("{SYMBOLS}\\[ a = a \\] % audit: claim; follows from (99)\n{good}");
+    let rows = decisions(&document(&text, &[]));
+    assert!(
+        rows[0].reason.contains("`99`, which is no label") && rows[1].verdict == Verdict::Proved,
+        "{rows:?}"
+    );
+}
+
+#[test]
+fn markdown_has_displays_fences_and_comments_that_do_not_print() {
+    let text = "# Notes\n<!-- audit: symbols a, b -->\nIt costs $5, and `$$ x $$` is code; $a$ is a price.\n\n$$ (a + b)^2 = a^2 + 2 a b + b^2 $$ <!-- audit: claim -->\n\
+                \n```math\na b = b a + a\n```\n<!-- audit: claim; expect refuted -->\n\\[ a = b \\tag{7} \\]\n\n```\n$$ a = 1 $$\n```\n";
+    let found = markdown(text);
+    assert_eq!(faults(&found), "");
+    let shown = verdicts(&found);
+    assert_eq!(shown.len(), 3, "{shown:?}");
+    assert_eq!((shown[0].as_str(), shown[2].as_str()), ("line 5 proved", "7 refuted"));
+}
+
+#[test]
+fn a_document_of_200_formulas_takes_seconds() {
+    let mut text = SYMBOLS.to_owned();
+    for n in 1..=200 {
+        text.push_str(&format!(
+            "\\begin{{equation}} (a + {n} b)^2 = a^2 + {} a b + {} b^2 \\end{{equation}} % audit: claim\n",
+            2 * n,
+            n * n
+        ));
+    }
+    let start = Instant::now();
+    let found = verdicts(&document(&text, &[]));
+    assert!(
+        found.len() == 200 && found.iter().all(|row| row.ends_with(" proved")),
+        "{found:?}"
+    );
+    assert!(start.elapsed() < Duration::from_secs(5), "{:?}", start.elapsed());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn any_text_is_read_without_a_panic(pieces in prop::collection::vec(prop_oneof![
+        prop::sample::select(vec![
+            "\\begin{align}", "\\end{align}", "\\begin{equation}", "\\end{equation}", "\\begin{split}", "\\end{split}", "\\[", "\\]",
+            "$$", "$", "\\\\", "&", "=", "\\left(", "\\right)", "{", "}", "\\label{é}", "\\tag{7}", "% audit: claim", "% audit: default skip",
+            "\n", "a", "b", "\\newcommand{\\x}[1]{#1#1}", "\\x", "\\input{f}", "\\verb|", "\\begin{", "`", "```", "<!--", "-->", "\\", "é", "+",
+        ]).prop_map(ToString::to_string),
+        ".{0,5}",
+    ], 0..40), markdown in any::<bool>()) {
+        let text = pieces.concat();
+        let markup = if markdown { Markup::Markdown } else { Markup::Tex };
+        let found = Document::read(&text, markup, &mut |_| Ok("\\[ a = b \\]".to_owned()));
+        let _ = found.sheet(&vocabulary());
+        let _ = found.draft("x");
+    }
+}
+
+/// An empty directory of a test's own.
+fn directory(name: &str) -> std::path::PathBuf {
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("documents-{name}"));
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).unwrap();
+    path
+}
+
+fn run(directory: &std::path::Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
+    command
+        .current_dir(directory)
+        .arg("audit")
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+#[test]
+fn the_command_reads_documents_includes_what_lies_below_and_checks_printed_numbers() {
+    let directory = directory("commands");
+    let path = directory.as_path();
+    std::fs::create_dir(path.join("sub")).unwrap();
+    let write = |name: &str, text: &str| std::fs::write(path.join(name), text).unwrap();
+    write("sub/part.tex", "\\[ a b = b a \\] % audit: claim\n");
+    write("outside.tex", "\\[ a = 1 \\]\n");
+    write(
+        "sub/main.tex",
+        "% audit: symbols a, b\n\\input{part}\nThe velocity is 0.83272, % audit: value orbits.velocities[0], scene fig02, motion.d=0.4\n",
+    );
+    let output = run(path, &["sub/main.tex"]);
+    let shown = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        output.status.success() && shown.contains("part:1:4") && shown.contains("reproduced"),
+        "{shown}"
+    );
+    write(
+        "sub/wrong.tex",
+        "% audit: symbols a, b\n\\input{../outside}\n\\[ a b = b a \\] % audit: claim\n% audit: value orbits.velocities[0], scene fig02, motion.d=0.4\nIt is 0.9.\n",
+    );
+    let output = run(path, &["sub/wrong.tex", "--format", "csv"]);
+    let (shown, said) = (
+        String::from_utf8(output.stdout).unwrap(),
+        String::from_utf8(output.stderr).unwrap(),
+    );
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(
+        said.contains("leads out of the directory")
+            && shown.contains("proved")
+            && shown.contains("0.9")
+            && shown.contains("wrong"),
+        "{shown}{said}"
+    );
+    let output = run(path, &["sub/main.tex", "--draft"]);
+    assert!(String::from_utf8_lossy(&output.stdout).contains("[[equation]]"));
+    write("sheet.toml", "");
+    let output = run(path, &["sheet.toml", "--draft"]);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("--draft is of a document"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_document_without_an_end_is_refused() {
+    let directory = directory("endless");
+    std::os::unix::fs::symlink("/dev/zero", directory.join("endless.tex")).unwrap();
+    let output = run(&directory, &["endless.tex"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("more than 8 MB"));
+}
+
+#[test]
+fn the_readmes_document_is_proved() {
+    let readme = include_str!("../README.md");
+    let (_, rest) = readme.split_once("```tex\n").expect("a document");
+    let (text, _) = rest.split_once("```").expect("its end");
+    let found = document(text, &[]);
+    assert_eq!(faults(&found), "");
+    assert_eq!(verdicts(&found), ["2 proved", "3 proved"]);
+    assert!(
+        decisions(&found)
+            .iter()
+            .all(|decision| !decision.reason.contains("guess"))
+    );
+}
