@@ -148,6 +148,22 @@ fn macros_and_included_files_are_read_in_their_places() {
 }
 
 #[test]
+fn equations_are_numbered_as_they_print() {
+    let text = format!(
+        "{SYMBOLS}% audit: default claim\r\n\\numberwithin{{equation}}{{section}}\r\n\\section{{One}} \\verb|%| $5\r\n\\begin{{align}} a &= a \\\\ \\intertext{{and $b$}} b &= b \\end{{align}}\r\n\
+         \\section*{{None}}\\section{{Two}}\r\n\\iffalse \\[ a = 1 \\] \\fi\r\n$$\r\n c = c\r\n $$\r\n\\begin{{equation}} x = x \\end{{equation}}\r\n\\appendix \\section{{Three}}\\begin{{equation}} y = y \\end{{equation}}\r\n"
+    );
+    let found = document(&text, &[]);
+    assert_eq!(
+        (faults(&found), verdicts(&found).join(", ")),
+        (
+            String::new(),
+            "1.1 proved, 1.2 proved, line 9 proved, 2.1 proved, A.1 proved".into()
+        )
+    );
+}
+
+#[test]
 fn a_guess_is_said_and_never_refutes() {
     let text = r"
 \begin{equation} E = \frac{m v^2}{2} + m g h \end{equation}

@@ -288,8 +288,7 @@ impl<'a> Compiler<'a> {
             && self.vocabulary.times.contains(&bare(time))
             && let Some(index) = index_of(&time.subscript, &self.vocabulary.index)
         {
-            let departs = function.mark == "+" || (function.mark.is_empty() && self.first == Some(index));
-            let slot = self.state(state, index, departs);
+            let slot = self.state(state, index, function.mark == "+");
             return Ok(self.formulas.slot(slot));
         }
         if !function.mark.is_empty() {

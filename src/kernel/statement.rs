@@ -310,6 +310,11 @@ impl Statement {
         inside.filter_map(symbol).collect()
     }
 
+    /// The letter that numbers impacts, or the index that runs.
+    pub fn letter(&self) -> &str {
+        &self.letter
+    }
+
     /// What a symbol stands for.
     pub fn quantity(&self, symbol: Symbol) -> Option<&Quantity> {
         self.quantities.get(symbol.0 as usize)

@@ -166,6 +166,7 @@ class Statement:
         self.times = {}  # of the impacts, by their index
         self.complex = bool(data["complex"])
         self.states, self.continuous = set(data["states"]), set(data["continuous"])
+        self.letter = data["letter"]  # of the index
         self.dots = {name: chain for chain in data["dots"] for name in chain[:1]}
         self.extend(data)
         self.definitions = dict(data["definitions"])
@@ -329,6 +330,8 @@ class Statement:
                     return self.symbol(self.symbol_of(("time", meaning[1], meaning[2] + shift)))
                 if shift and meaning[0] == "state":
                     return self.symbol(self.state(meaning[1], meaning[2] + shift, meaning[3]))
+                if shift and meaning == ("parameter", self.letter):
+                    return self.sum([self.symbol(node[1]), self.number(shift)])
                 require(not shift or meaning[0] != "partial", "a derivative along a map is not moved on")
             elif node[0] == "value" and self.functions[node[1]][0] == "flight":
                 _, name, impact = self.functions[node[1]]

@@ -351,6 +351,7 @@ fn statement_fields(statement: &Statement) -> Vec<String> {
     let names = |names: &[Name]| list(names.iter().map(|name| quoted(&name.to_string())));
     fields.push(field("states", names(statement.states())));
     fields.push(field("continuous", names(statement.continuous())));
+    fields.push(field("letter", quoted(statement.letter())));
     let roots = statement.functions().iter().filter_map(|of| match of {
         FunctionOf::Flight { state, .. } => Some(state.clone()),
         FunctionOf::Line(_) => None,

@@ -30,13 +30,13 @@ pub(super) struct Guess {
     vocabulary: Vocabulary,
     /// The names met so far.
     met: HashSet<Name>,
-    /// Which formula defines a name, what that rests on, and whether that is a guess.
-    definitions: HashMap<Name, (String, Vec<String>, bool)>,
+    /// Which formula defines a name, and what that rests on.
+    definitions: HashMap<Name, (String, Vec<String>)>,
     /// The premises so far: laws that are guessed, and what is said to be one.
-    premises: Vec<(String, bool)>,
+    premises: Vec<String>,
     /// All names that need a declaration.
     names: BTreeSet<Name>,
-    guessed_definitions: Vec<String>,
+    guessed_definitions: BTreeSet<String>,
 }
 
 /// The running time of a document that does not say it.
@@ -83,7 +83,7 @@ impl Guess {
             definitions: HashMap::new(),
             premises: Vec::new(),
             names: BTreeSet::new(),
-            guessed_definitions: Vec::new(),
+            guessed_definitions: BTreeSet::new(),
         }
     }
 
@@ -117,7 +117,7 @@ impl Guess {
             if !self.has_symbols {
                 guessed.push("each symbol is real and has one value".to_owned());
             }
-            let from: Vec<String> = below.iter().map(|(label, _)| format!("({label})")).collect();
+            let from: Vec<String> = below.iter().map(|label| format!("({label})")).collect();
             let from = if from.is_empty() {
                 "nothing".to_owned()
             } else {
@@ -131,19 +131,18 @@ impl Guess {
         }
         // an author who says that it is a claim says what it follows from, or that it follows from nothing
         let is_said = is_founded || (!is_guess && role == Role::Claim);
-        let below = below.into_iter().filter(|_| !is_said);
-        let follows_from: Vec<String> = below.map(|(label, _)| label).collect();
+        let follows_from: Vec<String> = if is_said { Vec::new() } else { below };
         match role {
             Role::Definition => {
                 if is_guess {
-                    self.guessed_definitions.push(format!("({label})"));
+                    self.guessed_definitions.insert(label.to_owned());
                 }
                 if let Some(name) = &new {
                     self.definitions
-                        .insert(name.clone(), (label.to_owned(), follows_from.clone(), is_guess));
+                        .insert(name.clone(), (label.to_owned(), follows_from.clone()));
                 }
             }
-            Role::Premise => self.premises.push((label.to_owned(), is_guess)),
+            Role::Premise => self.premises.push(label.to_owned()),
             Role::Claim => {}
         }
         self.met.extend(names.iter().cloned());
@@ -182,21 +181,12 @@ impl Guess {
     }
 
     /// The definitions of these names, and those that they use.
-    fn definitions_of(&self, names: &BTreeSet<Name>) -> Vec<(String, bool)> {
-        let mut found: Vec<(String, bool)> = Vec::new();
-        for (label, below, is_guess) in names.iter().filter_map(|name| self.definitions.get(name)) {
-            let guessed = |label: &String| {
-                self.definitions
-                    .values()
-                    .any(|(own, _, is_guess)| own == label && *is_guess)
-            };
-            let all = below
-                .iter()
-                .map(|label| (label.clone(), guessed(label)))
-                .chain([(label.clone(), *is_guess)]);
-            for one in all {
-                if !found.contains(&one) {
-                    found.push(one);
+    fn definitions_of(&self, names: &BTreeSet<Name>) -> Vec<String> {
+        let mut found: Vec<String> = Vec::new();
+        for (label, below) in names.iter().filter_map(|name| self.definitions.get(name)) {
+            for one in below.iter().chain([label]) {
+                if !found.contains(one) {
+                    found.push(one.clone());
                 }
             }
         }
@@ -241,10 +231,12 @@ impl Guess {
     pub fn told(&self) -> Vec<String> {
         let mut told = Vec::new();
         if !self.guessed_definitions.is_empty() {
-            told.push(format!(
-                "definitions are guessed: {}",
-                self.guessed_definitions.join(", ")
-            ));
+            let labels: Vec<String> = self
+                .guessed_definitions
+                .iter()
+                .map(|label| format!("({label})"))
+                .collect();
+            told.push(format!("definitions are guessed: {}", labels.join(", ")));
         }
         if let Some(symbols) = self.symbols() {
             let list = |names: &[String]| names.join(", ");

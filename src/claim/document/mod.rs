@@ -18,7 +18,7 @@ use super::vocabulary::Vocabulary;
 use comment::{Key, keys};
 use guess::Guess;
 use scan::{Comment, Formula, Scan};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use toml::Spanned;
 
 pub use scan::{Include, Markup};
@@ -77,7 +77,8 @@ impl Document {
     pub fn read(text: &str, markup: Markup, include: Include<'_>) -> Self {
         let scan = Scan::new(text, markup, include);
         let place = |at: usize| Spanned::new(at..at, String::new());
-        let source = |at: usize| Source::new(&Text::of_files(&scan.text, &scan.files), &place(at));
+        let lines = Text::of_files(&scan.text, &scan.files);
+        let source = |at: usize| Source::new(&lines, &place(at));
         let fault = |at: usize, message: String| Fault::new(message).at(&source(at));
         let mut faults: Vec<Fault> = scan
             .faults
@@ -331,7 +332,7 @@ fn labels(formulas: &[Formula], said: &[Said], line: &dyn Fn(usize) -> usize) ->
         own: Vec::new(),
         known: HashMap::new(),
     };
-    let mut start = 0;
+    let (mut start, mut taken) = (0, HashSet::new());
     while start < formulas.len() {
         let length = 1 + formulas
             .iter()
@@ -369,8 +370,9 @@ fn labels(formulas: &[Formula], said: &[Said], line: &dyn Fn(usize) -> usize) ->
             if let Some(own) = said.get(start + at).and_then(|said| said.label.clone()) {
                 label = own;
             }
-            if labels.own.contains(&label) {
+            if !taken.insert(label.clone()) {
                 label = format!("{label} (line {})", line(formula.part.start));
+                taken.insert(label.clone());
             }
             let mut called: Vec<&String> = vec![&label];
             called.extend((*base != label).then_some(base));

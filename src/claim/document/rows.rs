@@ -133,6 +133,8 @@ impl Row {
                             .to_owned(),
                     )
                 }
+                // words between rows
+                "intertext" | "shortintertext" => {}
                 "nonumber" | "notag" => {
                     self.is_numbered = false;
                     blank(text, at);

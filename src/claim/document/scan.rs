@@ -4,6 +4,7 @@ use super::super::fault::File;
 use super::macros::Macros;
 use super::rows::{Row, blank, rows};
 use super::tex::{BRACES, command, environment, group};
+use std::collections::VecDeque;
 use std::ops::Range;
 
 /// The most files, and how deep they may include each other.
@@ -99,10 +100,12 @@ pub(super) struct Scan<'a> {
     pub faults: Vec<(usize, String)>,
     macros: Macros,
     /// The comments of the file at hand that no formula has taken yet.
-    waiting: Vec<usize>,
+    waiting: VecDeque<usize>,
     /// The last number, that of a group of equations, and the letter within it.
     counted: usize,
     group: Option<(usize, u32)>,
+    /// The number of the section, where equations are numbered within sections, and whether it is an appendix.
+    sections: Option<(usize, bool)>,
     open: Vec<String>,
     ended: bool,
 }
@@ -119,9 +122,10 @@ impl<'a> Scan<'a> {
             comments: Vec::new(),
             faults: Vec::new(),
             macros: Macros::default(),
-            waiting: Vec::new(),
+            waiting: VecDeque::new(),
             counted: 0,
             group: None,
+            sections: None,
             open: Vec::new(),
             ended: false,
         };
@@ -141,7 +145,7 @@ impl<'a> Scan<'a> {
             Markup::Tex => self.comments_of_tex(start..end),
             Markup::Markdown => self.comments_of_markdown(start..end),
         };
-        let outer = std::mem::replace(&mut self.waiting, comments);
+        let outer = std::mem::replace(&mut self.waiting, comments.into());
         self.displays(start..end);
         self.take_comments(usize::MAX, None);
         self.waiting = outer;
@@ -235,17 +239,10 @@ impl<'a> Scan<'a> {
     /// Hands the comments before byte `end` to a formula; what is left at the end of a file is about none.
     fn take_comments(&mut self, end: usize, formula: Option<usize>) {
         let count = self.formulas.len();
-        let starts: Vec<(usize, usize)> = self
-            .waiting
-            .iter()
-            .filter_map(|&n| Some((n, self.comments.get(n)?.part.start)))
-            .collect();
-        let taken: Vec<usize> = starts
-            .into_iter()
-            .filter(|(_, start)| *start < end)
-            .map(|(n, _)| n)
-            .collect();
-        self.waiting.retain(|number| !taken.contains(number));
+        let comments = &self.comments;
+        let is_before = |number: &usize| comments.get(*number).is_some_and(|comment| comment.part.start < end);
+        let many = self.waiting.iter().take_while(|number| is_before(number)).count();
+        let taken: Vec<usize> = self.waiting.drain(..many).collect();
         for &number in &taken {
             if let Some(comment) = self.comments.get_mut(number) {
                 comment.after = formula.unwrap_or(count);
@@ -316,7 +313,7 @@ impl<'a> Scan<'a> {
                 continue;
             }
             let body = start..found;
-            let is_parted = self.text.get(body.clone()).is_some_and(|text| text.contains("\n\n"));
+            let is_parted = self.text.get(body.clone()).is_some_and(has_empty_line);
             if is_parted {
                 if is_display {
                     self.faults
@@ -392,7 +389,8 @@ impl<'a> Scan<'a> {
                 let sign = self.text.get(next..).and_then(|rest| rest.chars().next());
                 let close = sign.and_then(|sign| {
                     let start = next + sign.len_utf8();
-                    Some(start + self.text.get(start..)?.find(sign)? + sign.len_utf8())
+                    let line = self.text.get(start..)?.lines().next()?;
+                    Some(start + line.find(sign)? + sign.len_utf8())
                 });
                 close.unwrap_or(next)
             }
@@ -402,6 +400,28 @@ impl<'a> Scan<'a> {
                     self.faults.push((here, format!(r"this `\{name}` cannot be read")));
                 }
                 close.unwrap_or(next)
+            }
+            "iffalse" => {
+                let close = self.text.get(next..end).and_then(|rest| rest.find(r"\fi"));
+                close.map_or(next, |found| next + found)
+            }
+            "numberwithin" | "counterwithin" => {
+                let own = self.text.get(next..).unwrap_or_default();
+                self.sections = self
+                    .sections
+                    .or(own.starts_with("{equation}{section}").then_some((0, false)));
+                next
+            }
+            "section" if self.text.as_bytes().get(next) != Some(&b'*') => {
+                if let Some((section, _)) = &mut self.sections {
+                    *section += 1;
+                    self.counted = 0;
+                }
+                next
+            }
+            "appendix" => {
+                self.sections = self.sections.map(|_| (0, true));
+                next
             }
             "input" | "include" | "subfile" => {
                 let argument = group(&self.text, next, BRACES);
@@ -465,7 +485,17 @@ impl<'a> Scan<'a> {
     }
 
     fn count(&mut self) -> String {
-        match &mut self.group {
+        let letter = |number: usize| {
+            u32::try_from(number)
+                .ok()
+                .and_then(|number| char::from_u32(64 + number))
+        };
+        let section = match self.sections {
+            Some((section, true)) => letter(section).map_or(String::new(), |letter| format!("{letter}.")),
+            Some((section, false)) => format!("{section}."),
+            None => String::new(),
+        };
+        let number = match &mut self.group {
             Some((number, letter)) => {
                 *letter += 1;
                 let letter = char::from_u32(u32::from('a') + *letter - 1).unwrap_or('?');
@@ -475,7 +505,8 @@ impl<'a> Scan<'a> {
                 self.counted += 1;
                 self.counted.to_string()
             }
-        }
+        };
+        section + &number
     }
 
     /// Adds a formula of a display that ends at byte `end`.
@@ -502,4 +533,11 @@ impl<'a> Scan<'a> {
         });
         self.take_comments(row.line_end.min(end), Some(self.formulas.len() - 1));
     }
+}
+
+/// Whether a line between the first and the last holds nothing.
+fn has_empty_line(text: &str) -> bool {
+    let lines: Vec<&str> = text.split('\n').collect();
+    let inner = lines.get(1..lines.len().saturating_sub(1)).unwrap_or_default();
+    inner.iter().any(|line| line.trim().is_empty())
 }
