@@ -83,16 +83,16 @@ $$ \begin{{pmatrix}} a & b \\ c & x \end{{pmatrix}} $$
     let wanted = [
         "1.1 proved",
         "1.2 proved",
-        "2 proved",
-        "3.1 proved",
-        "3.2 proved",
-        "3.3 refuted",
+        "3 proved",
+        "4.1 proved",
+        "4.2 proved",
+        "4.3 refuted",
         "A proved",
         "line 11.1 proved",
         "line 11.2 proved",
-        "4 proved",
         "5 proved",
         "6 proved",
+        "7 proved",
     ];
     assert_eq!(found, wanted);
 }
@@ -160,6 +160,39 @@ fn equations_are_numbered_as_they_print() {
             String::new(),
             "1.1 proved, 1.2 proved, line 9 proved, 2.1 proved, A.1 proved".into()
         )
+    );
+}
+
+#[test]
+fn columns_labels_and_conditions_of_rows_are_their_own() {
+    let text = format!(
+        r"{SYMBOLS}\newcommand{{\h}}{{a}}
+\begin{{align}} a &= 1 \label{{u}} & b &= 2 \\ % audit: premise
+ c &= 3 \label{{v}} \tag{{C}} % audit: premise
+\end{{align}}
+\begin{{equation}} a = 2 \end{{equation}} % audit: claim; follows from \eqref{{u}}; expect refuted
+\begin{{equation}} c = 3 \end{{equation}} % audit: claim; follows from \eqref{{v}}
+\begin{{equation}} \cos\h^2 = \cos(a^2) \end{{equation}} % audit: claim
+\begin{{align*}} x x &= x^2, \qquad x > 0 \\ &= x \cdot x \\ &\quad - y + y \end{{align*}} % audit: premise
+\begin{{equation}} \boxed{{a = b}} \end{{equation}}
+"
+    );
+    let found = document(&text, &[]);
+    assert_eq!(faults(&found), "");
+    let sheet = found.sheet(&vocabulary()).unwrap();
+    let tex = |label: &str| {
+        let entry = sheet.entries.iter().find(|entry| entry.label == label).unwrap();
+        entry.tex.tex.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(
+        (tex("1"), tex("C"), tex("4")),
+        ("a = 1 , b = 2".into(), "c = 3".into(), r"\cos a^2 = \cos(a^2)".into())
+    );
+    assert_eq!(tex("line 9.2"), r"x^2 = x \cdot x - y + y");
+    let rows = verdicts(&found);
+    assert!(
+        rows.starts_with(&["2 refuted".into(), "3 proved".into()]) && rows.last() == Some(&"5 unread".to_owned()),
+        "{rows:?}"
     );
 }
 

@@ -679,7 +679,11 @@ impl<'a> Builder<'a> {
         // an abbreviation that is declared positive is so whether or not it is written
         for (name, _) in &vocabulary.abbreviations {
             let is_listed = lists.iter().any(|(list, _)| list.contains(name)) || vocabulary.at_most_one.contains(name);
-            if is_listed && (vocabulary.times.is_empty() || !self.statement.times.is_empty()) {
+            let symbol = Tree::Symbol(name.clone(), Default::default());
+            let is_timeless = vocabulary
+                .impacts(&Equation::between(symbol.clone(), symbol))
+                .is_empty();
+            if is_listed && (is_timeless || !self.statement.times.is_empty()) {
                 self.own_scope(0, false);
                 self.tree(&Tree::Symbol(name.clone(), Default::default()))?;
             }

@@ -34,6 +34,9 @@ pub(super) enum Key {
 /// What to say of a key that is none.
 pub(super) fn keys(text: &str) -> Result<Vec<Key>, String> {
     let mut keys = Vec::new();
+    if text.ends_with(',') {
+        return Err("this ends with a comma: each line of a comment begins with audit:".to_owned());
+    }
     let mut parts = parted(text, ';').into_iter().filter(|part| !part.is_empty());
     while let Some(part) = parts.next() {
         let (word, rest) = part.split_once(char::is_whitespace).unwrap_or((part, ""));

@@ -155,6 +155,30 @@ impl Guess {
         }
     }
 
+    /// Why what a formula speaks of cannot be guessed.
+    pub fn problem(&self, tex: &str) -> Option<String> {
+        let is_bold = [r"\vec", r"\mathbf", r"\boldsymbol", r"\bm"]
+            .iter()
+            .any(|command| tex.contains(command));
+        let shown: String = tex.replace(r"\left", "").split_whitespace().collect();
+        let is_called = |letter: &str| {
+            let mut found = shown.match_indices(letter);
+            found.any(|(at, _)| {
+                let before = shown.get(..at).unwrap_or_default();
+                let rest = shown.get(at + letter.len()..).unwrap_or_default();
+                rest.starts_with('(') && !rest.starts_with("(t)") && !before.ends_with(|c: char| c.is_alphabetic())
+            })
+        };
+        let problem = if is_bold {
+            "vectors and matrices are not guessed"
+        } else if ["f", "g", "h", "F", "G", "H"].iter().any(|letter| is_called(letter)) {
+            "a function or a factor before a bracket is not guessed"
+        } else {
+            return None;
+        };
+        (!self.has_symbols).then(|| format!("{problem}: say the symbols by `% audit: symbols ...`"))
+    }
+
     /// The name that an equation gives, where it is the first to speak of it.
     fn defined(&self, equation: &Equation) -> Option<Name> {
         let Tree::Symbol(name, _) = &equation.left else {

@@ -105,7 +105,18 @@ impl Macros {
                     .get(end..)
                     .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_alphabetic()));
             let blank = if joins { " " } else { "" };
-            text.replace_range(start..end, &format!("{put_in}{blank}"));
+            // nor may it go on with the letters of the command before it
+            let before = text.get(..start).unwrap_or_default();
+            let is_command = before
+                .trim_end_matches(|c: char| c.is_ascii_alphabetic())
+                .ends_with('\\');
+            let is_glued = is_command && before.ends_with(|c: char| c.is_ascii_alphabetic());
+            let space = if is_glued && put_in.starts_with(|c: char| c.is_ascii_alphabetic()) {
+                " "
+            } else {
+                ""
+            };
+            text.replace_range(start..end, &format!("{space}{put_in}{blank}"));
             at = start;
         }
         Ok(text)
@@ -186,6 +197,8 @@ mod tests {
             r"\DeclareMathOperator*{\Tr}{Tr}",
             r"\renewcommand{\phi}{\varphi}",
             r"\providecommand{\vel}{wrong}",
+            r"\newcommand{\letter}{h}",
+            r"\newcommand{\id}[1]{#1}",
             r"\newcommand{\twice}[1]{\half{#1}+\half{#1}}",
         ]);
         for (tex, wanted) in [
@@ -194,6 +207,7 @@ mod tests {
             (r"\at{x} + \at[k+1]{x}", r"x_{k} + x_{k+1}"),
             (r"\half a", r"\frac{a}{2}"),
             (r"\Tr M", r"\operatorname{Tr} M"),
+            (r"\cos\letter x + \cos\id{h x}", r"\cos h x + \cos h x"),
             (r"\phi x \\ y", r"\varphi x \\ y"),
             (r"\twice{\vel}", r"\frac{\dot{x}}{2}+\frac{\dot{x}}{2}"),
         ] {

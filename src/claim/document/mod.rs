@@ -214,35 +214,108 @@ impl Said {
     }
 }
 
+/// Commands whose arguments print no number that is meant.
+const ARGUMENTS: [&str; 14] = [
+    "label",
+    "cite",
+    "ref",
+    "eqref",
+    "footnote",
+    "hspace",
+    "vspace",
+    "mathrm",
+    "text",
+    "unit",
+    "si",
+    "textrm",
+    "mbox",
+    "operatorname",
+];
+
+/// What a line prints beside its numbers left out: scripts, arguments of commands, what stands behind `\pm`.
+fn plain(line: &str) -> String {
+    let line = line
+        .replace("{,}", ".")
+        .replace(r"\,", "")
+        .replace("--", " ")
+        .replace('\u{2013}', " ");
+    let mut shown = String::new();
+    let mut at = 0;
+    while let Some(c) = line.get(at..).and_then(|rest| rest.chars().next()) {
+        let power = shown.ends_with("10") && c == '^';
+        match c {
+            '\\' => {
+                let (name, end) = tex::command(&line, at);
+                at = match name {
+                    "pm" => return shown,
+                    "\\" => tex::group(&line, end, tex::SQUARE).map_or(end, |space| space.end + 1),
+                    name if ARGUMENTS.contains(&name) => {
+                        tex::group(&line, end, tex::BRACES).map_or(end, |own| own.end + 1)
+                    }
+                    "times" | "cdot" => {
+                        shown.push_str(r"\cdot ");
+                        end
+                    }
+                    _ => end,
+                };
+                continue;
+            }
+            '_' | '^' if !power => {
+                let next = at + 1;
+                let one = line
+                    .get(next..)
+                    .and_then(|rest| rest.chars().next())
+                    .map_or(0, char::len_utf8);
+                at = tex::group(&line, next, tex::BRACES).map_or(next + one, |own| own.end + 1);
+                continue;
+            }
+            c => shown.push(c),
+        }
+        at += c.len_utf8();
+    }
+    shown
+}
+
 /// The last number that is printed before a comment on its line, else the first of the next.
 fn printed_number(comment: &Comment) -> Option<String> {
+    let line = plain(&comment.beside);
     let mut numbers = Vec::new();
-    let mut rest = comment.beside.as_str();
+    let mut rest = line.as_str();
     while let Some(at) = rest.find(|c: char| c.is_ascii_digit()) {
-        let sign = rest.get(..at).is_some_and(|before| before.ends_with(['-', '\u{2212}']));
+        let before = rest.get(..at).unwrap_or_default();
+        let (before, point) = match before.strip_suffix('.') {
+            Some(before) if !before.ends_with(|c: char| c.is_alphanumeric()) => (before, "0."),
+            _ => (before, ""),
+        };
+        let is_sign =
+            |text: &str| text.is_empty() || text.ends_with(|c: char| c.is_whitespace() || "$=({[&<>~".contains(c));
+        let sign = before.strip_suffix(['-', '\u{2212}']).is_some_and(is_sign);
         let tail = rest.get(at..).unwrap_or_default();
         let length = tail
             .find(|c: char| !c.is_ascii_digit() && c != '.')
             .unwrap_or(tail.len());
         let digits = tail.get(..length).unwrap_or_default().trim_end_matches('.');
         rest = tail.get(length..).unwrap_or_default();
-        let power = ["\\cdot", "\\times"]
-            .iter()
-            .find_map(|sign| rest.trim_start().strip_prefix(sign));
-        let power = power.and_then(|power| power.trim_start().strip_prefix("10^"));
-        let exponent = power.map(|power| {
+        let power = rest
+            .trim_start()
+            .strip_prefix(r"\cdot")
+            .and_then(|power| power.trim_start().strip_prefix("10^"));
+        let power = power
+            .map(|power| power.trim_start_matches('{'))
+            .or(rest.strip_prefix('e'));
+        let figures = |power: &str| {
             power
-                .trim_start_matches('{')
                 .chars()
                 .take_while(|c| c.is_ascii_digit() || *c == '-')
                 .collect::<String>()
-        });
+        };
+        let exponent = power.map(figures).filter(|figures| !figures.is_empty());
         if let (Some(exponent), Some(power)) = (&exponent, power) {
-            rest = power.trim_start_matches('{').get(exponent.len()..).unwrap_or_default();
+            rest = power.get(exponent.len()..).unwrap_or_default();
         }
         let sign = if sign { "-" } else { "" };
         let exponent = exponent.map_or(String::new(), |exponent| format!("e{exponent}"));
-        numbers.push(format!("{sign}{digits}{exponent}"));
+        numbers.push(format!("{sign}{point}{digits}{exponent}"));
     }
     if comment.is_beside {
         numbers.pop()
@@ -279,15 +352,14 @@ fn entries(
             (None, Some((_, role))) => (*role, role.is_none()),
             (role, _) => (role, false),
         };
-        let states = tex::outside(&tex, 0..tex.len())
-            .iter()
-            .any(|found| matches!(found, tex::Outside::Relation(_)));
+        let states = tex::relates(&tex);
         if own.skip || is_skipped || (own.role.is_none() && !states && formula.tex.is_ok()) {
             continue;
         }
         let here = |text: String| Spanned::new(formula.part.clone(), text);
         let guessed = guess.of(at, label, role, own.follows_from.is_some());
         let mut unread = formula.tex.clone().err();
+        unread = unread.or_else(|| guess.problem(&tex));
         let mut follows_from = guessed.follows_from;
         for asked in own.follows_from.iter().flatten() {
             match labels.find(asked) {
@@ -385,4 +457,37 @@ fn labels(formulas: &[Formula], said: &[Said], line: &dyn Fn(usize) -> usize) ->
         start += length;
     }
     labels
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_number_beside_a_comment_is_the_one_that_prints() {
+        for (line, wanted) in [
+            ("$v_0 = 0.68$, $v_1$", "0.68"),
+            ("0{,}68", "0.68"),
+            ("is .68", "0.68"),
+            (r"0.677\,448", "0.677448"),
+            (r"$6.8\cdot 10^{-1}$", "6.8e-1"),
+            (r"$-6.8 \times 10^{4}$ V", "-6.8e4"),
+            ("6.8e-1", "6.8e-1"),
+            ("0.5--0.68", "0.68"),
+            ("$a-0.68$", "0.68"),
+            (r"$-0.68\,\mathrm{m/s^2}$", "-0.68"),
+            (r"0.68 \pm 0.01", "0.68"),
+            (r"x & 0.68 \\[2pt]", "0.68"),
+            (r"0.68~\cite{x2010} \label{eq3}", "0.68"),
+        ] {
+            let comment = Comment {
+                part: 0..0,
+                text: String::new(),
+                beside: line.to_owned(),
+                is_beside: true,
+                after: 0,
+            };
+            assert_eq!(printed_number(&comment).as_deref(), Some(wanted), "{line}");
+        }
+    }
 }

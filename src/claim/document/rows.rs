@@ -12,14 +12,14 @@ pub(super) struct Row {
     pub line_end: usize,
     pub labels: Vec<String>,
     pub tag: Option<String>,
-    /// Whether it may have a number of its own.
-    pub is_numbered: bool,
+    /// How many numbers it prints, where each row prints one.
+    pub numbers: usize,
     /// The last side of the row before, where this one starts with a relation and continues it.
     pub continues: Option<Range<usize>>,
 }
 
 /// Environments within a display that lay out its rows.
-const LAYERS: [&str; 7] = [
+const LAYERS: [&str; 15] = [
     "split",
     "aligned",
     "alignedat",
@@ -27,49 +27,87 @@ const LAYERS: [&str; 7] = [
     "cases",
     "array",
     "multlined",
+    "align",
+    "align*",
+    "equation",
+    "equation*",
+    "gather",
+    "gather*",
+    "multline",
+    "multline*",
 ];
 
-/// Takes a display apart: `text` is what it stands in, `body` where; labels, tags and column signs become blanks.
-pub(super) fn rows(text: &mut String, body: Range<usize>) -> Vec<Row> {
+/// Those whose columns are equations beside each other, in pairs of two sides.
+const PAIRED: [&str; 11] = [
+    "align",
+    "align*",
+    "aligned",
+    "alignedat",
+    "alignat",
+    "alignat*",
+    "flalign",
+    "flalign*",
+    "xalignat",
+    "xalignat*",
+    "split",
+];
+
+/// Takes a display apart: `text` is what it stands in, `body` where, `name` the environment. Labels, tags and column signs become
+/// blanks, but for a comma between columns that are equations of their own.
+pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row> {
     let line_end = |text: &str, at: usize| {
         text.get(at..)
             .and_then(|rest| rest.find('\n'))
             .map_or(text.len(), |end| at + end)
     };
-    let mut whole = Row {
-        part: body.clone(),
-        line_end: line_end(text, body.end),
-        labels: Vec::new(),
-        tag: None,
-        is_numbered: true,
-        continues: None,
-    };
+    let mut whole = Row::new(body.clone(), line_end(text, body.end));
     // what is said outside a layer is said of all of it
-    whole.take_names(text, body.clone());
-    let inner = layer(text, body);
-    let mut pieces: Vec<Range<usize>> = Vec::new();
+    let mut own = text.get(body.clone()).unwrap_or_default().to_owned();
+    let length = own.len();
+    whole.take_names(&mut own, 0..length);
+    let (inner, name) = match layer(&own) {
+        Some((name, inner)) => {
+            let name = name.to_owned();
+            text.replace_range(body.clone(), &own);
+            (body.start + inner.start..body.start + inner.end, name)
+        }
+        None => {
+            whole = Row::new(body.clone(), whole.line_end);
+            (body, name.to_owned())
+        }
+    };
+    let mut pieces: Vec<(Range<usize>, bool)> = Vec::new();
     let mut start = inner.start;
+    let mut columns: Vec<usize> = Vec::new();
+    let mut end_of_row = |text: &mut String, part: Range<usize>, columns: &mut Vec<usize>| {
+        let starts = text
+            .get(part.clone())
+            .is_some_and(|row| row.trim_start().starts_with('&'));
+        for (place, at) in std::mem::take(columns).into_iter().enumerate() {
+            let has = |side: Range<usize>| {
+                text.get(side)
+                    .is_some_and(|side| !side.replace('&', "").trim().is_empty())
+            };
+            let parts =
+                place % 2 == 1 && PAIRED.contains(&name.as_str()) && has(part.start..at) && has(at + 1..part.end);
+            text.replace_range(at..=at, if parts { "," } else { " " });
+        }
+        pieces.push((part, starts));
+    };
     for found in outside(text, inner.clone()) {
         match found {
             Outside::Row(at) => {
-                pieces.push(start..at.start);
+                end_of_row(text, start..at.start, &mut columns);
                 start = at.end;
             }
-            Outside::Column(at) => text.replace_range(at..=at, " "),
+            Outside::Column(at) => columns.push(at),
             _ => {}
         }
     }
-    pieces.push(start..inner.end);
+    end_of_row(text, start..inner.end, &mut columns);
     let mut rows: Vec<Row> = Vec::new();
-    for piece in pieces {
-        let mut row = Row {
-            part: piece.clone(),
-            line_end: line_end(text, piece.end),
-            labels: Vec::new(),
-            tag: None,
-            is_numbered: true,
-            continues: None,
-        };
+    for (piece, is_aligned) in pieces {
+        let mut row = Row::new(piece.clone(), line_end(text, piece.end));
         row.take_names(text, piece.clone());
         row.part = trimmed(text, piece);
         if row.part.is_empty() {
@@ -77,7 +115,7 @@ pub(super) fn rows(text: &mut String, body: Range<usize>) -> Vec<Row> {
         }
         let starts = starts_with_relation(text, &row.part);
         match rows.last_mut() {
-            Some(last) if goes_on(text, &last.part, &row.part, starts) => {
+            Some(last) if goes_on(text, &last.part, &row.part, starts, is_aligned) => {
                 // one formula of two rows is read as one row, without the blanks that indent the second
                 let shown = text.get(row.part.clone()).unwrap_or_default();
                 let indent = shown.find(printed(text, &row.part)).unwrap_or(0);
@@ -94,7 +132,7 @@ pub(super) fn rows(text: &mut String, body: Range<usize>) -> Vec<Row> {
     if let Some(first) = rows.first_mut() {
         first.labels.splice(0..0, whole.labels);
         first.tag = whole.tag.or(first.tag.take());
-        first.is_numbered &= whole.is_numbered;
+        first.numbers *= whole.numbers;
     }
     if let Some(last) = rows.last_mut() {
         last.line_end = whole.line_end;
@@ -103,6 +141,17 @@ pub(super) fn rows(text: &mut String, body: Range<usize>) -> Vec<Row> {
 }
 
 impl Row {
+    fn new(part: Range<usize>, line_end: usize) -> Self {
+        Self {
+            part,
+            line_end,
+            labels: Vec::new(),
+            tag: None,
+            numbers: 1,
+            continues: None,
+        }
+    }
+
     /// Takes the labels, the tag and the like out of a part of the text.
     fn take_names(&mut self, text: &mut String, part: Range<usize>) {
         let commands: Vec<Range<usize>> = outside(text, part)
@@ -136,7 +185,7 @@ impl Row {
                 // words between rows
                 "intertext" | "shortintertext" => {}
                 "nonumber" | "notag" => {
-                    self.is_numbered = false;
+                    self.numbers = 0;
                     blank(text, at);
                     continue;
                 }
@@ -149,6 +198,7 @@ impl Row {
     fn join(&mut self, more: Self) {
         self.part.end = more.part.end;
         self.line_end = more.line_end;
+        self.numbers += more.numbers;
         self.labels.extend(more.labels);
         self.tag = self.tag.take().or(more.tag);
     }
@@ -171,36 +221,38 @@ pub(super) fn blank(text: &mut String, part: Range<usize>) {
     text.replace_range(part, &blanks);
 }
 
-/// What an environment that is all there is lays out, or one behind a brace.
-fn layer(text: &str, body: Range<usize>) -> Range<usize> {
-    let own = trimmed(text, body.clone());
-    let rest = text.get(own.clone()).unwrap_or_default();
+/// What an environment that is all there is lays out, or one behind a brace; its name.
+fn layer(text: &str) -> Option<(&str, Range<usize>)> {
+    let own = trimmed(text, 0..text.len());
+    let rest = text.get(own.clone())?;
     let braced = [r"\left\{", r"\left \{", r"\left\lbrace"]
         .iter()
         .find_map(|brace| rest.strip_prefix(brace));
-    let start = own.end - braced.unwrap_or(rest).len();
-    let start = after_blanks(text, start);
-    if !text.get(start..own.end).is_some_and(|rest| rest.starts_with(r"\begin")) {
-        return body;
+    let start = after_blanks(text, own.end - braced.unwrap_or(rest).len());
+    if !text.get(start..own.end)?.starts_with(r"\begin") {
+        return None;
     }
-    let Some((name, inner, end)) = environment(text, start) else {
-        return body;
-    };
-    let behind = text.get(end..own.end).unwrap_or_default();
+    let (name, inner, end) = environment(text, start)?;
+    let behind = text.get(end..own.end)?;
     let behind = if braced.is_some() {
         behind.trim_start().trim_start_matches(r"\right.")
     } else {
         behind
     };
     let is_all = behind.chars().all(|c| c.is_whitespace() || ",.;".contains(c));
-    let is_layer = LAYERS.contains(&name) && (braced.is_some() || !matches!(name, "array"));
-    if !(is_all && is_layer) {
-        return body;
+    let states = || {
+        outside(text, inner.clone())
+            .iter()
+            .any(|found| matches!(found, Outside::Relation(_)))
+    };
+    if !is_all || !LAYERS.contains(&name) || (name == "array" && !states()) {
+        return None;
     }
     let columns = matches!(name, "array" | "alignedat")
         .then(|| group(text, inner.start, BRACES))
         .flatten();
-    columns.map_or(inner.start, |columns| columns.end + 1)..inner.end
+    let start = columns.map_or(inner.start, |columns| columns.end + 1);
+    Some((name, start..inner.end))
 }
 
 /// What prints a blank alone, or nothing.
@@ -255,12 +307,18 @@ fn starts_with_relation(text: &str, part: &Range<usize>) -> bool {
 const OPERATORS: [&str; 8] = ["+", "-", "−", r"\pm", r"\mp", r"\cdot", r"\times", "/"];
 
 /// Whether a row is the same formula as the one before it: that one cannot end where it does, or states nothing yet, or this one
-/// starts with an operator and states nothing itself.
-fn goes_on(text: &str, before: &Range<usize>, part: &Range<usize>, starts_with_relation: bool) -> bool {
+/// starts with an operator, behind a column sign or stating nothing itself.
+fn goes_on(
+    text: &str,
+    before: &Range<usize>,
+    part: &Range<usize>,
+    starts_with_relation: bool,
+    is_aligned: bool,
+) -> bool {
     let own = printed(text, part);
     let starts = OPERATORS.iter().any(|operator| own.starts_with(operator)) || own.starts_with(r"\right");
     let is_left_side = starts_with_relation && relations(printed(text, before)).is_empty();
-    is_left_side || is_continued(text, before) || (starts && relations(own).is_empty())
+    is_left_side || is_continued(text, before) || (starts && (is_aligned || relations(own).is_empty()))
 }
 
 /// Whether a row cannot end where it does: behind an operator or a relation.
@@ -270,11 +328,33 @@ fn is_continued(text: &str, part: &Range<usize>) -> bool {
     related || OPERATORS.iter().any(|operator| own.ends_with(operator))
 }
 
-/// What stands behind the last relation of a row.
+/// What stands behind the last relation of what a row states first, without the conditions behind it.
 fn last_side(text: &str, part: &Range<usize>) -> Option<Range<usize>> {
-    let own = text.get(part.clone())?;
-    let last = relations(own).pop()?;
-    let side = trimmed(text, part.start + last.end..part.end);
+    let mut side: Option<usize> = None;
+    let mut end = part.end;
+    for found in outside(text, part.clone()) {
+        let ends = match &found {
+            Outside::Relation(at) => {
+                side = Some(at.end);
+                None
+            }
+            Outside::Comma(at) => Some(*at),
+            Outside::Command(at) => {
+                let name = text.get(at.clone()).unwrap_or_default();
+                [r"\quad", r"\qquad", r"\text", r"\mbox", r"\textrm"]
+                    .contains(&name)
+                    .then_some(at.start)
+            }
+            _ => None,
+        };
+        if let (Some(at), Some(start)) = (ends, side)
+            && text.get(start..at).is_some_and(|side| !side.trim().is_empty())
+        {
+            end = at;
+            break;
+        }
+    }
+    let side = trimmed(text, side?..end);
     let printed = text.get(side.clone())?.trim_end_matches([',', '.', ';']).trim_end();
     Some(side.start..side.start + printed.len())
 }
@@ -286,7 +366,7 @@ mod tests {
     fn shown(tex: &str) -> Vec<(String, Option<String>, Vec<String>, bool)> {
         let mut text = tex.to_owned();
         let length = text.len();
-        let rows = rows(&mut text, 0..length);
+        let rows = rows(&mut text, 0..length, "align");
         let show = |row: &Row| {
             let side = row
                 .continues
@@ -294,7 +374,7 @@ mod tests {
                 .map(|side| text[side].split_whitespace().collect::<Vec<_>>().join(" "));
             let own = text[row.part.clone()].split_whitespace().collect::<Vec<_>>().join(" ");
             let names = row.tag.iter().chain(&row.labels).cloned().collect();
-            (own, side, names, row.is_numbered)
+            (own, side, names, row.numbers == 1)
         };
         rows.iter().map(show).collect()
     }
@@ -306,7 +386,7 @@ mod tests {
         assert_eq!(
             found,
             [
-                (r"a = b + c - d".into(), None, vec!["one".into()], true),
+                (r"a = b + c - d".into(), None, vec!["one".into()], false),
                 (
                     r"= \left(e = f\right),".into(),
                     Some(r"b + c - d".into()),
@@ -316,6 +396,20 @@ mod tests {
                 (r"-g \le h".into(), None, vec!["7".into()], true),
             ]
         );
+    }
+
+    #[test]
+    fn columns_are_equations_and_conditions_are_no_sides() {
+        let found =
+            shown(r"a &= 1 & b &= 2 \\ c &= d, \qquad d > 0 \\ &= e \quad\text{for } x > 0 \\ &= f \\ &\quad - g = h");
+        let own: Vec<(&str, Option<&str>)> = found.iter().map(|row| (row.0.as_str(), row.1.as_deref())).collect();
+        let wanted = [
+            ("a = 1 , b = 2", None),
+            (r"c = d, \qquad d > 0", None),
+            (r"= e \quad\text{for } x > 0", Some("d")),
+            ("= f - g = h", Some("e")),
+        ];
+        assert_eq!(own, wanted);
     }
 
     #[test]

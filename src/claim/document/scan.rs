@@ -70,7 +70,7 @@ fn numbers_of(environment: &str) -> Option<Numbers> {
     let plain = environment.trim_end_matches('*');
     let numbers = match plain {
         "equation" | "multline" | "dmath" => Numbers::One,
-        "align" | "gather" | "eqnarray" | "alignat" | "flalign" | "xalignat" => Numbers::Rows,
+        "align" | "gather" | "eqnarray" | "alignat" | "flalign" | "xalignat" | "IEEEeqnarray" => Numbers::Rows,
         "displaymath" => Numbers::None,
         _ => return None,
     };
@@ -285,7 +285,7 @@ impl<'a> Scan<'a> {
         };
         let is_math = fence.len() >= 3 && self.text.get(body..close).is_some_and(|text| text.starts_with("math"));
         if is_math {
-            self.display(body + 4..close, Numbers::None);
+            self.display(body + 4..close, Numbers::None, "math");
         }
         close + fence.len()
     }
@@ -322,7 +322,7 @@ impl<'a> Scan<'a> {
                 return start;
             }
             if is_display {
-                self.display(body, Numbers::None);
+                self.display(body, Numbers::None, "$$");
             }
             return found + sign.len();
         }
@@ -354,10 +354,10 @@ impl<'a> Scan<'a> {
                     return inside;
                 };
                 if let Some(numbers) = numbers {
-                    if own.contains("alignat") {
+                    if own.contains("alignat") || own.contains("IEEE") {
                         body.start = group(&self.text, body.start, BRACES).map_or(body.start, |count| count.end + 1);
                     }
-                    self.display(body, numbers);
+                    self.display(body, numbers, &own);
                 }
                 close
             }
@@ -382,7 +382,7 @@ impl<'a> Scan<'a> {
                         .push((here, r"this display does not end: there is no `\]`".to_owned()));
                     return next;
                 };
-                self.display(next..close, Numbers::None);
+                self.display(next..close, Numbers::None, "[");
                 close + 2
             }
             "verb" => {
@@ -399,7 +399,23 @@ impl<'a> Scan<'a> {
                 if close.is_none() {
                     self.faults.push((here, format!(r"this `\{name}` cannot be read")));
                 }
+                let holds_environment = close
+                    .and_then(|close| self.text.get(next..close))
+                    .is_some_and(|text| text.contains(r"\begin{") || text.contains(r"\end{"));
+                if holds_environment {
+                    self.faults.push((
+                        here,
+                        "a macro that opens or ends an environment is not read: write the environment out".to_owned(),
+                    ));
+                }
                 close.unwrap_or(next)
+            }
+            "newenvironment" => {
+                self.faults.push((
+                    here,
+                    "an environment of your own is not read: write the display out".to_owned(),
+                ));
+                next
             }
             "iffalse" => {
                 let close = self.text.get(next..end).and_then(|rest| rest.find(r"\fi"));
@@ -457,17 +473,23 @@ impl<'a> Scan<'a> {
         self.faults.push((here, problem));
     }
 
-    fn display(&mut self, body: Range<usize>, numbers: Numbers) {
+    fn display(&mut self, body: Range<usize>, numbers: Numbers, name: &str) {
         let first = self.formulas.len();
         let end = body.end;
-        for (place, row) in rows(&mut self.text, body).into_iter().enumerate() {
+        for (place, row) in rows(&mut self.text, body, name).into_iter().enumerate() {
             let is_own = match numbers {
-                Numbers::Rows => row.is_numbered,
+                Numbers::Rows => row.numbers > 0,
                 // one number of several rows is that of the first
-                Numbers::One => row.is_numbered && place == 0,
+                Numbers::One => row.numbers > 0 && place == 0,
                 Numbers::None => false,
             };
             let number = row.tag.clone().or_else(|| is_own.then(|| self.count()));
+            if numbers == Numbers::Rows && number.is_some() {
+                // the other numbers of a formula of several rows
+                for _ in 1..row.numbers {
+                    self.count();
+                }
+            }
             let is_beside = place > 0 && (row.continues.is_some() || numbers != Numbers::Rows);
             self.formula(row, number, is_beside, end);
         }
@@ -479,6 +501,16 @@ impl<'a> Scan<'a> {
             .map_or(self.text.len(), |found| end + found);
         let last = self.formulas.len().wrapping_sub(1);
         let formula = if numbers == Numbers::Rows { last } else { first };
+        let behind = self.text.get(end..line).unwrap_or_default();
+        let closing = ["$$", r"\]", "```"]
+            .iter()
+            .find(|sign| behind.starts_with(**sign))
+            .map_or(0, |sign| sign.len());
+        let next = ["$$", r"\[", r"\begin"]
+            .iter()
+            .filter_map(|sign| behind.get(closing..)?.find(sign))
+            .min();
+        let line = next.map_or(line, |next| end + closing + next);
         if self.formulas.len() > first {
             self.take_comments(line, Some(formula));
         }

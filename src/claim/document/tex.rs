@@ -74,6 +74,8 @@ pub(super) enum Outside {
     Row(Range<usize>),
     /// `&`.
     Column(usize),
+    /// `,` or `;`.
+    Comma(usize),
     /// A relation.
     Relation(Range<usize>),
     /// Any other command with what it is called.
@@ -108,6 +110,12 @@ const RELATING: [&str; 22] = [
     "Leftrightarrow",
     "in",
 ];
+
+/// Whether a relation stands anywhere in a formula, be it within brackets.
+pub(super) fn relates(tex: &str) -> bool {
+    let is_relating = |at: usize| RELATING.contains(&command(tex, at).0);
+    RELATIONS.iter().any(|relation| tex.contains(relation)) || tex.match_indices('\\').any(|(at, _)| is_relating(at))
+}
 
 /// What stands outside all brackets in part of a text.
 pub(super) fn outside(text: &str, part: Range<usize>) -> Vec<Outside> {
@@ -149,6 +157,7 @@ pub(super) fn outside(text: &str, part: Range<usize>) -> Vec<Outside> {
             ')' | ']' => depth = depth.saturating_sub(1),
             _ if depth > 0 => {}
             '&' => found.push(Outside::Column(here)),
+            ',' | ';' => found.push(Outside::Comma(here)),
             _ => {
                 if let Some(relation) = relation {
                     next = here + relation.len();
@@ -199,7 +208,7 @@ mod tests {
             .iter()
             .map(|found| match found {
                 Outside::Row(at) | Outside::Relation(at) | Outside::Command(at) => &text[at.clone()],
-                Outside::Column(at) => &text[*at..=*at],
+                Outside::Column(at) | Outside::Comma(at) => &text[*at..=*at],
             })
             .collect();
         assert_eq!(shown, ["&", "=", r"\\[2pt]", r"\le"]);
