@@ -264,7 +264,10 @@ fn vocabularies_that_name_what_they_do_not_declare() {
 #[test]
 fn the_motion_law_holds_at_each_impact_and_on_each_flight() {
     let motion = &[r"\ddot{Z}(t) = f(t) + \overline{g}"];
-    proved(motion, r"\ddot{Z}(t_k) = f(t_k) + \overline{g}", &[]);
+    // an acceleration has two values at an impact, which agree here alone
+    let found = decide(motion, r"\ddot{Z}(t_k) = f(t_k) + \overline{g}", &[]);
+    assert_ne!(found, Ok(Verdict::Refuted));
+    assert_ne!(found, Ok(Verdict::Proved));
     proved(
         motion,
         r"\dot{Z}_{k+2} - \dot{Z}_{k+1}^+ + \dot{Z}_{k+1} - \dot{Z}_k^+ = \overline{g}(T_1 + T_2) + F_1(t_{k+2}) - F_1(t_k)",
