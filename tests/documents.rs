@@ -231,6 +231,24 @@ $$ f(t) = 1 $$
 }
 
 #[test]
+fn a_claim_that_its_author_rests_on_a_guess_is_not_refuted() {
+    let text = format!(
+        r"{SYMBOLS}
+\begin{{equation}} E = a b \end{{equation}}
+\begin{{equation}} F = E \end{{equation}} % audit: definition
+\begin{{equation}} F = 2 a b \end{{equation}} % audit: claim; follows from (2)
+\begin{{equation}} a = 2 a \end{{equation}} % audit: claim
+"
+    );
+    let rows = decisions(&document(&text, &[]));
+    assert_eq!(
+        (rows[0].verdict, rows[1].verdict),
+        (Verdict::Undecided, Verdict::Refuted)
+    );
+    assert!(rows[0].reason.contains("(1) is a definition"), "{}", rows[0].reason);
+}
+
+#[test]
 fn a_draft_is_a_sheet_with_the_same_entries() {
     for text in [
         include_str!("../golden/paper/paper.tex").to_owned(),

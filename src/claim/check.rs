@@ -3,9 +3,9 @@
 use super::circle::circle;
 use super::definition::{Local, circular, inlined};
 use super::fault::Fault;
-use super::substitute::any_side;
+use super::substitute::any;
 use super::vocabulary::{Map, Vocabulary};
-use crate::tex::{At, Equation, Name, Tree};
+use crate::tex::{Name, Tree};
 use std::collections::HashMap;
 
 impl Vocabulary {
@@ -133,10 +133,9 @@ impl Vocabulary {
             .iter()
             .filter(|(name, _)| self.generic.contains(name))
         {
-            let symbol = Tree::Symbol(name.clone(), At::default());
-            let written = self.expanded(&Equation::between(symbol.clone(), symbol));
             let mut is_bound = |node: &Tree| matches!(node, Tree::Symbol(inner, _) if self.parameters.contains(inner) && !self.generic.contains(inner));
-            if any_side(&written, &mut is_bound) {
+            let meaning = self.meaning(name, &|_| false);
+            if meaning.is_some_and(|tree| any(&tree, &mut is_bound)) {
                 let problem = "stands for symbols that are not generic: list these";
                 return Err(Fault::new(format!("`{name}` in `generic` {problem}")));
             }

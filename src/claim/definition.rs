@@ -84,6 +84,16 @@ pub(super) fn inlined(tree: &Tree, own: &[Local]) -> Option<Tree> {
     Some(tree)
 }
 
+/// The equation with definitions put in; `None` where it would become too large.
+pub(super) fn inlined_in(equation: &Equation, own: &[Local]) -> Option<Equation> {
+    let (left, right) = (inlined(&equation.left, own)?, inlined(&equation.right, own)?);
+    Some(Equation {
+        left,
+        right,
+        ..equation.clone()
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,14 +1,14 @@
 //! One `[[equation]]` of a sheet: what it states, what it defines, and whether it can be read.
 
 use super::declared::is_defined;
-use super::definition::{Local, circular, inlined};
+use super::definition::{Local, circular, inlined_in};
 use super::fault::{Fault, Source, Text};
 use super::nearest::nearest;
-use super::substitute::{any, any_side, flies, number_of, rewrite_equation, tree_runs};
+use super::substitute::{any, any_side, flies, number_of, tree_runs};
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::number::{Field, Rational};
-use crate::tex::{At, Condition, Equation, Name, Relation, Tree, read, read_conditions};
+use crate::tex::{Condition, Equation, Name, Relation, Tree, read, read_conditions};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashSet};
 use toml::Spanned;
@@ -23,6 +23,16 @@ pub enum Role {
     Premise,
     /// Kept as printed; read only where something follows from it.
     Definition,
+}
+
+impl std::fmt::Display for Role {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Claim => "claim",
+            Self::Premise => "premise",
+            Self::Definition => "definition",
+        })
+    }
 }
 
 /// One `[[equation]]`.
@@ -269,7 +279,7 @@ impl Entry {
             .map(|(name, _)| format!("{}(", name.to_string().replace(' ', "")))
             .collect();
         let mut sources: Vec<&Source> = self.trees(vocabulary).into_iter().map(|(_, source)| source).collect();
-        sources.dedup_by_key(|source| source.place());
+        sources.dedup_by(|one, other| one.tex == other.tex);
         for source in sources {
             let shown = source.tex.replace(r"\left", "").replace(char::is_whitespace, "");
             let called = |name: &&String| {
@@ -335,10 +345,10 @@ impl Entry {
         let Some((equation, source, impact)) = at_impact else {
             return Ok(());
         };
-        let written = rewrite_equation(law, &|name| {
-            let local = locals.iter().find(|local| local.name == *name)?;
-            inlined(&local.tree, locals)
-        });
+        let Some(written) = inlined_in(law, locals) else {
+            let problem = "what this is put into is too large once its definitions are put in";
+            return Err(source.fault(equation.at.0, problem).of(&self.label));
+        };
         let symbols = self.with.iter().filter_map(|(other, _)| match &other.left {
             Tree::Symbol(name, _) if vocabulary.running.as_ref() != Some(name) => {
                 Some((name.clone(), other.right.clone()))
@@ -579,12 +589,10 @@ impl Vocabulary {
             .abbreviations
             .iter()
             .filter(|(own, _)| own != name && !self.lists_of(own).is_empty());
+        let is_inner = |node: &Tree| matches!(node, Tree::Symbol(inner, _) if inner == name);
         let mut holding = meant.filter(|(own, _)| {
-            let symbol = Tree::Symbol(own.clone(), At::default());
-            any_side(
-                &self.expanded(&Equation::between(symbol.clone(), symbol)),
-                &mut |node| matches!(node, Tree::Symbol(inner, _) if inner == name),
-            )
+            let meaning = self.meaning(own, &|_| false);
+            meaning.is_some_and(|tree| any(&tree, &mut |node| is_inner(node)))
         });
         holding.next().map(|(own, _)| own)
     }

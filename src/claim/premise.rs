@@ -1,11 +1,11 @@
 //! What a claim rests on: its premises with their substitutions made, and its definitions.
 
 use super::declared::is_defined;
-use super::definition::{Local, circular, inlined};
+use super::definition::{Local, circular, inlined, inlined_in};
 use super::entry::{Entry, Role};
 use super::fault::{Fault, Source};
 use super::sheet::Sheet;
-use super::substitute::{any, flies, rewrite_alone, rewrite_condition, rewrite_equation, runs, tree_runs};
+use super::substitute::{any, flies, rewrite_alone, rewrite_condition, runs, tree_runs};
 use super::vocabulary::{Map, Vocabulary, index_of};
 use crate::tex::{At, Condition, Equation, Name, Tree};
 use std::collections::BTreeSet;
@@ -240,11 +240,10 @@ impl Statements {
                 Condition::Relation(relation) => (relation.clone(), Vec::new()),
                 Condition::Integer(tree) => (Equation::between(tree.clone(), tree.clone()), vec![condition.clone()]),
             };
-            let written = rewrite_equation(&equation, &|name| {
-                let local = locals.iter().find(|local| local.name == *name)?;
-                inlined(&local.tree, locals)
-            });
-            if !vocabulary.is_law(&written) && vocabulary.impacts(&written).is_empty() {
+            // what is too large to be written out may run
+            let is_constant =
+                |written: Equation| !vocabulary.is_law(&written) && vocabulary.impacts(&written).is_empty();
+            if inlined_in(&equation, locals).is_some_and(is_constant) {
                 self.push(entry, &equation, source, locals.to_vec());
                 if let Some(premise) = self.premises.last_mut() {
                     premise.assume = assume;

@@ -174,7 +174,7 @@ impl Vocabulary {
     }
 
     /// What an abbreviation stands for, those within it written out too, but for names that are `kept`.
-    fn meaning(&self, name: &Name, kept: &dyn Fn(&Name) -> bool) -> Option<Tree> {
+    pub(super) fn meaning(&self, name: &Name, kept: &dyn Fn(&Name) -> bool) -> Option<Tree> {
         let meant = self.abbreviated(name).filter(|_| !kept(name))?;
         Some(rewrite(meant, &|inner| self.meaning(inner, kept)))
     }

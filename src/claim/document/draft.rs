@@ -1,6 +1,6 @@
 //! A document as a sheet to edit.
 
-use super::super::entry::{RawEntry, Role};
+use super::super::entry::RawEntry;
 use super::super::sheet::RawSheet;
 use super::super::symbols::{MapEntry, Pairs, Symbols};
 use super::super::verdict::Verdict;
@@ -27,12 +27,12 @@ pub(super) fn toml(raw: &RawSheet, guesses: &[String], name: &str) -> String {
 
 fn of_entry(entry: &RawEntry) -> String {
     let mut text = format!("\n[[equation]]\nlabel = {}\n", word(entry.label.get_ref()));
-    let role = match entry.role {
-        Role::Claim => "claim",
-        Role::Premise => "premise",
-        Role::Definition => "definition",
-    };
-    let _ = writeln!(text, "role = \"{role}\"\ntex = {}", formula(entry.tex.get_ref()));
+    let _ = writeln!(
+        text,
+        "role = \"{}\"\ntex = {}",
+        entry.role,
+        formula(entry.tex.get_ref())
+    );
     for (key, list) in [
         ("where", &entry.local),
         ("with", &entry.with),

@@ -30,17 +30,21 @@ pub(super) struct Guess {
     vocabulary: Vocabulary,
     /// The names met so far.
     met: HashSet<Name>,
-    /// Which formula defines a name, and what that rests on.
-    definitions: HashMap<Name, (String, Vec<String>)>,
+    /// Which formula defines a name.
+    definitions: HashMap<Name, String>,
     /// The premises so far: laws that are guessed, and what is said to be one.
     premises: Vec<String>,
     /// All names that need a declaration.
     names: BTreeSet<Name>,
-    guessed_definitions: BTreeSet<String>,
+    /// The formulas of which nobody says what they are.
+    guessed: HashMap<String, Role>,
 }
 
 /// The running time of a document that does not say it.
 const TIME: &str = "t";
+
+/// Guesses that a verdict tells one by one.
+const MOST_TOLD: usize = 6;
 
 impl Guess {
     /// `symbols` are those that the document declares, `of_the_pair` whether they are those of the impact pair.
@@ -83,7 +87,7 @@ impl Guess {
             definitions: HashMap::new(),
             premises: Vec::new(),
             names: BTreeSet::new(),
-            guessed_definitions: BTreeSet::new(),
+            guessed: HashMap::new(),
         }
     }
 
@@ -134,16 +138,14 @@ impl Guess {
         let follows_from: Vec<String> = if is_said { Vec::new() } else { below };
         match role {
             Role::Definition => {
-                if is_guess {
-                    self.guessed_definitions.insert(label.to_owned());
-                }
-                if let Some(name) = &new {
-                    self.definitions
-                        .insert(name.clone(), (label.to_owned(), follows_from.clone()));
-                }
+                self.definitions
+                    .extend(new.clone().map(|name| (name, label.to_owned())));
             }
             Role::Premise => self.premises.push(label.to_owned()),
             Role::Claim => {}
+        }
+        if is_guess {
+            self.guessed.insert(label.to_owned(), role);
         }
         self.met.extend(names.iter().cloned());
         names.retain(|name| role != Role::Definition || Some(name) != new.as_ref());
@@ -157,6 +159,9 @@ impl Guess {
 
     /// Why what a formula speaks of cannot be guessed.
     pub fn problem(&self, tex: &str) -> Option<String> {
+        if self.has_symbols {
+            return None;
+        }
         let is_bold = [r"\vec", r"\mathbf", r"\boldsymbol", r"\bm"]
             .iter()
             .any(|command| tex.contains(command));
@@ -176,7 +181,7 @@ impl Guess {
         } else {
             return None;
         };
-        (!self.has_symbols).then(|| format!("{problem}: say the symbols by `% audit: symbols ...`"))
+        Some(format!("{problem}: say the symbols by `% audit: symbols ...`"))
     }
 
     /// The name that an equation gives, where it is the first to speak of it.
@@ -204,17 +209,34 @@ impl Guess {
         equation.relation == Relation::Equal && is_time && is_new
     }
 
-    /// The definitions of these names, and those that they use.
+    /// The definitions of these names.
     fn definitions_of(&self, names: &BTreeSet<Name>) -> Vec<String> {
-        let mut found: Vec<String> = Vec::new();
-        for (label, below) in names.iter().filter_map(|name| self.definitions.get(name)) {
-            for one in below.iter().chain([label]) {
-                if !found.contains(one) {
-                    found.push(one.clone());
-                }
+        names
+            .iter()
+            .filter_map(|name| self.definitions.get(name))
+            .cloned()
+            .collect()
+    }
+
+    /// What of the formulas that a claim rests on nobody says, a part of a sentence each; `below` says what each follows from.
+    pub fn beneath(&self, label: &str, below: &HashMap<String, Vec<String>>) -> Vec<String> {
+        let of = |label: &str| below.get(label).into_iter().flatten();
+        let (mut met, mut open): (HashSet<&String>, Vec<&String>) = (HashSet::new(), of(label).collect());
+        let mut guessed: Vec<(&String, Role)> = Vec::new();
+        while let Some(next) = open.pop() {
+            if met.insert(next) {
+                guessed.extend(self.guessed.get(next).map(|role| (next, *role)));
+                open.extend(of(next));
             }
         }
-        found
+        guessed.sort_by_key(|(label, _)| *label);
+        let told = guessed
+            .iter()
+            .take(MOST_TOLD)
+            .map(|(label, role)| format!("({label}) is a {role}"));
+        let more = guessed.len().saturating_sub(MOST_TOLD);
+        let more = (more > 0).then(|| format!("{more} more are what they are taken for"));
+        told.chain(more).collect()
     }
 
     /// The symbols that occur, where the document declares none.
@@ -254,12 +276,10 @@ impl Guess {
     /// What is guessed of the document as a whole.
     pub fn told(&self) -> Vec<String> {
         let mut told = Vec::new();
-        if !self.guessed_definitions.is_empty() {
-            let labels: Vec<String> = self
-                .guessed_definitions
-                .iter()
-                .map(|label| format!("({label})"))
-                .collect();
+        let definitions = self.guessed.iter().filter(|(_, role)| **role == Role::Definition);
+        let mut labels: Vec<String> = definitions.map(|(label, _)| format!("({label})")).collect();
+        labels.sort_unstable();
+        if !labels.is_empty() {
             told.push(format!("definitions are guessed: {}", labels.join(", ")));
         }
         if let Some(symbols) = self.symbols() {

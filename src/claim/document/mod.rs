@@ -160,12 +160,10 @@ impl Document {
     /// # Errors
     /// As [`Sheet::read`].
     pub fn sheet(&self, pair: &Vocabulary) -> Result<Sheet, Fault> {
+        if !self.raw.equation.iter().any(|entry| entry.role == Role::Claim) {
+            return Err(Fault::new("nothing is to be decided here: no formula is a claim"));
+        }
         Sheet::from_raw(&self.raw, &Text::of_files(&self.text, &self.files), pair)
-    }
-
-    /// Whether there is a formula to be decided.
-    pub fn has_claims(&self) -> bool {
-        self.raw.equation.iter().any(|entry| entry.role == Role::Claim)
     }
 
     /// The same sheet as TOML, to be edited; `name` is the document's.
@@ -278,7 +276,7 @@ fn plain(line: &str) -> String {
 
 /// The last number that is printed before a comment on its line, else the first of the next.
 fn printed_number(comment: &Comment) -> Option<String> {
-    let line = plain(&comment.beside);
+    let line = plain(&comment.line);
     let mut numbers = Vec::new();
     let mut rest = line.as_str();
     while let Some(at) = rest.find(|c: char| c.is_ascii_digit()) {
@@ -317,7 +315,7 @@ fn printed_number(comment: &Comment) -> Option<String> {
         let exponent = exponent.map_or(String::new(), |exponent| format!("e{exponent}"));
         numbers.push(format!("{sign}{point}{digits}{exponent}"));
     }
-    if comment.is_beside {
+    if comment.is_on_line {
         numbers.pop()
     } else {
         numbers.into_iter().next()
@@ -335,7 +333,7 @@ fn entries(
 ) -> Vec<String> {
     let mut said: Vec<Said> = said;
     for at in 1..said.len() {
-        if let Some(formula) = formulas.get(at).filter(|formula| formula.is_beside)
+        if let Some(formula) = formulas.get(at).filter(|formula| formula.goes_with_last)
             && let Some(before) = said.get(at - 1).cloned()
             && let Some(own) = said.get_mut(at)
         {
@@ -380,6 +378,23 @@ fn entries(
             unread,
         });
     }
+    // a claim rests on what is guessed of all that it follows from
+    let labels = |entry: &RawEntry| {
+        entry
+            .follows_from
+            .iter()
+            .flatten()
+            .map(|own| own.get_ref().clone())
+            .collect()
+    };
+    let below: HashMap<String, Vec<String>> = raw
+        .equation
+        .iter()
+        .map(|entry| (entry.label.get_ref().clone(), labels(entry)))
+        .collect();
+    for entry in raw.equation.iter_mut().filter(|entry| entry.role == Role::Claim) {
+        entry.guessed.extend(guess.beneath(entry.label.get_ref(), &below));
+    }
     if let Some(symbols) = guess.symbols() {
         raw.symbols = Some(Spanned::new(0..0, symbols));
     }
@@ -409,7 +424,7 @@ fn labels(formulas: &[Formula], said: &[Said], line: &dyn Fn(usize) -> usize) ->
         let length = 1 + formulas
             .iter()
             .skip(start + 1)
-            .take_while(|formula| formula.is_beside)
+            .take_while(|formula| formula.goes_with_last)
             .count();
         let chain: Vec<&Formula> = formulas.iter().skip(start).take(length).collect();
         let mut numbers: Vec<Option<String>> = chain.iter().map(|formula| formula.number.clone()).collect();
@@ -483,8 +498,8 @@ mod tests {
             let comment = Comment {
                 part: 0..0,
                 text: String::new(),
-                beside: line.to_owned(),
-                is_beside: true,
+                line: line.to_owned(),
+                is_on_line: true,
                 after: 0,
             };
             assert_eq!(printed_number(&comment).as_deref(), Some(wanted), "{line}");

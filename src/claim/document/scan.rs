@@ -11,6 +11,9 @@ use std::ops::Range;
 const MOST_FILES: usize = 100;
 const DEEPEST: usize = 16;
 
+/// The longest document, files that it includes taken together, in bytes.
+const LONGEST: usize = 16 << 20;
+
 /// The most formulas of a document.
 const MOST_FORMULAS: usize = 20_000;
 
@@ -45,7 +48,7 @@ pub(super) struct Formula {
     /// Whether it continues the formula before it.
     pub is_link: bool,
     /// Whether it goes with the formula before it: as a link, or as another row of a display with one number or none.
-    pub is_beside: bool,
+    pub goes_with_last: bool,
     /// The comments that are about it, by number.
     pub comments: Vec<usize>,
 }
@@ -58,9 +61,9 @@ pub(super) struct Comment {
     /// What it says, without `audit:`.
     pub text: String,
     /// The printed text around it: of its line before it, else the next line.
-    pub beside: String,
+    pub line: String,
     /// Whether that is the line that it stands on.
-    pub is_beside: bool,
+    pub is_on_line: bool,
     /// How many formulas stand before it.
     pub after: usize,
 }
@@ -214,10 +217,10 @@ impl<'a> Scan<'a> {
             .strip_prefix("audit:")?
             .trim()
             .to_owned();
-        let line = self.text.get(..start)?.rfind('\n').map_or(0, |end| end + 1);
-        let before = self.text.get(line..start)?.trim();
-        let is_beside = !before.is_empty();
-        let beside = match before {
+        let from = self.text.get(..start)?.rfind('\n').map_or(0, |end| end + 1);
+        let before = self.text.get(from..start)?.trim();
+        let is_on_line = !before.is_empty();
+        let line = match before {
             "" => self
                 .text
                 .get(part.end..)?
@@ -225,12 +228,12 @@ impl<'a> Scan<'a> {
                 .find(|line| !line.trim().is_empty() && !line.contains("-->"))?,
             before => before,
         };
-        let beside = beside.to_owned();
+        let line = line.to_owned();
         self.comments.push(Comment {
             part,
             text,
-            beside,
-            is_beside,
+            line,
+            is_on_line,
             after: 0,
         });
         Some(self.comments.len() - 1)
@@ -255,7 +258,15 @@ impl<'a> Scan<'a> {
 
     fn displays(&mut self, part: Range<usize>) {
         let mut at = part.start;
-        while at < part.end && !self.ended && self.formulas.len() < MOST_FORMULAS {
+        while at < part.end && !self.ended {
+            if self.formulas.len() >= MOST_FORMULAS {
+                self.faults.push((
+                    at,
+                    format!("more than {MOST_FORMULAS} formulas: what follows is not read"),
+                ));
+                self.ended = true;
+                break;
+            }
             let rest = self.text.get(at..part.end).unwrap_or_default();
             let Some(found) = rest.find(['\\', '$', '`']) else {
                 break;
@@ -461,6 +472,12 @@ impl<'a> Scan<'a> {
             format!("`{name}` is not included: the files are too many, or too deep in each other")
         } else {
             match (self.include)(&name) {
+                Ok(text) if self.text.len() + text.len() > LONGEST => {
+                    format!(
+                        "`{name}` is not included: all together is more than {} MB",
+                        LONGEST >> 20
+                    )
+                }
                 Ok(text) => {
                     self.open.push(name.clone());
                     self.file(Some(name), &text);
@@ -490,8 +507,8 @@ impl<'a> Scan<'a> {
                     self.count();
                 }
             }
-            let is_beside = place > 0 && (row.continues.is_some() || numbers != Numbers::Rows);
-            self.formula(row, number, is_beside, end);
+            let goes_with_last = place > 0 && (row.continues.is_some() || numbers != Numbers::Rows);
+            self.formula(row, number, goes_with_last, end);
         }
         // what is said behind a display of one number is said of all of it
         let line = self
@@ -542,7 +559,7 @@ impl<'a> Scan<'a> {
     }
 
     /// Adds a formula of a display that ends at byte `end`.
-    fn formula(&mut self, row: Row, number: Option<String>, is_beside: bool, end: usize) {
+    fn formula(&mut self, row: Row, number: Option<String>, goes_with_last: bool, end: usize) {
         let own = self.text.get(row.part.clone()).unwrap_or_default();
         let side = row
             .continues
@@ -560,7 +577,7 @@ impl<'a> Scan<'a> {
             number,
             labels: row.labels,
             is_link: row.continues.is_some(),
-            is_beside,
+            goes_with_last,
             comments: Vec::new(),
         });
         self.take_comments(row.line_end.min(end), Some(self.formulas.len() - 1));
