@@ -2,7 +2,7 @@
 
 use super::definition::{Local, pair_of};
 use super::nearest::nearest;
-use super::substitute::{any, any_side, below};
+use super::substitute::{any_side, below};
 use super::vocabulary::{Map, Vocabulary, index_of};
 use crate::tex::{Name, Tree};
 use std::collections::{BTreeSet, HashSet};
@@ -96,7 +96,7 @@ impl Vocabulary {
     pub(super) fn undeclared(&self, tree: &Tree, extra: &dyn Fn(&Name) -> bool) -> Vec<Undeclared> {
         let mut found: Vec<Undeclared> = Vec::new();
         let mut reported: HashSet<Name> = HashSet::new();
-        any(tree, &mut |node| {
+        self.each_unbound(tree, &mut Vec::new(), &mut |node| {
             if matches!(node, Tree::Symbol(name, _) if reported.contains(name)) {
                 return false;
             }
@@ -111,6 +111,41 @@ impl Vocabulary {
             found.len() >= MOST_REPORTED
         });
         found
+    }
+
+    /// Whether any node passes the test, but for the letters that operations bind, names that these number, and the
+    /// `T` of a transpose.
+    fn each_unbound(&self, tree: &Tree, bound: &mut Vec<Name>, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
+        let is_bound = |name: &Name| {
+            bound
+                .iter()
+                .any(|letter| letter == name || index_of(&name.subscript, &letter.to_string()).is_some())
+        };
+        if matches!(tree, Tree::Symbol(name, _) if is_bound(name)) {
+            return false;
+        }
+        match tree {
+            Tree::Operation(operation, _) => {
+                let letter = operation.letter();
+                operation.parts().into_iter().any(|(part, is_inside)| {
+                    let own = letter.filter(|_| is_inside);
+                    bound.extend(own.cloned());
+                    let passes = self.each_unbound(part, bound, test);
+                    if own.is_some() {
+                        bound.pop();
+                    }
+                    passes
+                })
+            }
+            Tree::RealPower(base, exponent, _) if self.transposes(exponent) => self.each_unbound(base, bound, test),
+            tree => test(tree) || below(tree, &mut |part| self.each_unbound(part, bound, test).then_some(())).is_some(),
+        }
+    }
+
+    /// Whether an exponent is that of a transpose.
+    pub(super) fn transposes(&self, exponent: &Tree) -> bool {
+        matches!(exponent, Tree::Symbol(name, _)
+            if matches!(name.base.as_str(), "T" | r"\top") && *name == base_alone(name) && !self.knows(name))
     }
 
     fn undeclared_here(&self, node: &Tree, extra: &dyn Fn(&Name) -> bool) -> Option<Undeclared> {

@@ -4,6 +4,7 @@ use super::declared::is_defined;
 use super::definition::{Local, circular, inlined_in};
 use super::fault::{Fault, Source, Text};
 use super::nearest::nearest;
+use super::reduce::{holds_indefinite, is_constant_of_integration};
 use super::substitute::{any, any_side, flies, number_of, tree_runs};
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
@@ -157,6 +158,7 @@ impl Entry {
         let (mut borrowed, mut faults, mut messages) = (Vec::new(), Vec::new(), HashSet::new());
         let mine = |name: &Name| is_defined(name, &self.own) || is_defined(name, shared);
         let borrows = self.role != Role::Claim;
+        let is_antiderivative = self.equations.iter().any(holds_indefinite);
         for (tree, source) in self.trees(vocabulary) {
             if let Some((name, at)) = called_with_itself(tree) {
                 let problem = format!(
@@ -164,7 +166,11 @@ impl Entry {
                 );
                 return Err(source.fault(at, problem).of(&self.label));
             }
-            let extra = |name: &Name| mine(name) || (borrows && elsewhere.contains(name));
+            let extra = |name: &Name| {
+                mine(name)
+                    || (borrows && elsewhere.contains(name))
+                    || (is_antiderivative && is_constant_of_integration(name))
+            };
             for found in vocabulary.undeclared(tree, &extra) {
                 if messages.insert(found.message.clone()) {
                     // The names that are known are the same for all.

@@ -351,7 +351,7 @@ impl Statements {
         named
     }
 
-    fn with_overview(mut self, vocabulary: &Vocabulary) -> Self {
+    pub(super) fn with_overview(mut self, vocabulary: &Vocabulary) -> Self {
         for premise in &mut self.premises {
             premise.first = vocabulary.impacts(&premise.equation).first().copied();
         }

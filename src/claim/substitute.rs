@@ -2,7 +2,7 @@
 
 use super::vocabulary::{Vocabulary, index_of, subscript_of};
 use crate::number::{Field, Rational};
-use crate::tex::{At, Condition, Equation, Name, Tree, evaluate};
+use crate::tex::{At, Condition, Equation, Name, Operation, Tree, evaluate};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The tree with each symbol for which `new` has a tree replaced by it.
@@ -32,6 +32,60 @@ pub fn rewrite(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
         Tree::Root(inner, index, at) => Tree::Root(boxed(inner), *index, *at),
         Tree::PlusMinus(inner) => Tree::PlusMinus(boxed(inner)),
         Tree::MinusPlus(inner) => Tree::MinusPlus(boxed(inner)),
+        Tree::Operation(operation, at) => {
+            let operation = out_of_the_way(operation, new);
+            let letter = operation.letter().cloned();
+            let operation = operation.map(&mut |part, is_bound| match &letter {
+                Some(letter) if is_bound => rewrite(part, &|name| new(name).filter(|_| name != letter)),
+                _ => again(part),
+            });
+            Tree::Operation(Box::new(operation), *at)
+        }
+    }
+}
+
+/// The operation with a letter bound that nothing speaks of which is put in where it is bound.
+fn out_of_the_way(operation: &Operation, new: &dyn Fn(&Name) -> Option<Tree>) -> Operation {
+    let Some(letter) = operation.letter() else {
+        return operation.clone();
+    };
+    let mut met: Vec<Name> = Vec::new();
+    for (part, _) in operation.parts().into_iter().filter(|(_, is_bound)| *is_bound) {
+        any(part, &mut |node| {
+            if let Tree::Symbol(name, _) = node {
+                match new(name).filter(|_| name != letter) {
+                    Some(tree) => {
+                        any(&tree, &mut |node| {
+                            met.extend(name_of(node));
+                            false
+                        });
+                    }
+                    None => met.extend((name != letter).then(|| name.clone())),
+                }
+            }
+            false
+        });
+    }
+    if !met.contains(letter) {
+        return operation.clone();
+    }
+    let mut other = letter.clone();
+    while met.contains(&other) || other == *letter {
+        other.primes = other.primes.saturating_add(1);
+    }
+    let renamed = operation.map(&mut |part, is_bound| match is_bound {
+        true => rewrite(part, &|name| {
+            (name == letter).then(|| Tree::Symbol(other.clone(), At::default()))
+        }),
+        false => part.clone(),
+    });
+    renamed.with_letter(other)
+}
+
+fn name_of(tree: &Tree) -> Option<Name> {
+    match tree {
+        Tree::Symbol(name, _) => Some(name.clone()),
+        _ => None,
     }
 }
 
@@ -61,6 +115,7 @@ pub(super) fn below<'t, T>(tree: &'t Tree, test: &mut dyn FnMut(&'t Tree) -> Opt
         | Tree::MinusPlus(inner) => test(inner),
         Tree::Sum(parts) | Tree::Product(parts) => parts.iter().find_map(test),
         Tree::Quotient(above, below, _) | Tree::RealPower(above, below, _) => test(above).or_else(|| test(below)),
+        Tree::Operation(operation, _) => operation.parts().into_iter().find_map(|(part, _)| test(part)),
     }
 }
 

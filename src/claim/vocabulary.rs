@@ -212,6 +212,7 @@ impl Vocabulary {
             // One letter with perhaps an offset numbers the impacts.
             let letter: String = name.subscript.chars().take_while(char::is_ascii_lowercase).collect();
             if name.subscript.is_empty() {
+                self.names.running = Some(name.clone());
                 self.running = Some(name);
             } else if letter.chars().count() == 1 && index_of(&name.subscript, &letter).is_some() {
                 if self.index.is_empty() {
@@ -313,6 +314,15 @@ impl Vocabulary {
         Ok(())
     }
 
+    /// Declares one more parameter, real or positive.
+    pub(super) fn let_be_parameter(&mut self, name: &Name, is_positive: bool) {
+        self.parameters.push(name.clone());
+        self.singles.insert(name.clone());
+        if is_positive {
+            self.positive.push(name.clone());
+        }
+    }
+
     fn list(&self, texts: &[String]) -> Result<Vec<Name>, Fault> {
         texts.iter().map(|text| self.name(text)).collect()
     }
@@ -361,7 +371,12 @@ fn first_names(symbols: &Symbols) -> Result<Names, Fault> {
     texts.extend(symbols.maps.keys().cloned());
     let word = |text: &String| -> String { text.trim().chars().take_while(char::is_ascii_alphabetic).collect() };
     let words = texts.iter().map(word).filter(|word| word.len() > 1).collect();
+    let letter = |text: &String| -> Option<String> {
+        let text = text.trim();
+        (text.len() == 1).then(|| text.to_owned())
+    };
     Ok(Names {
+        letters: texts.iter().filter_map(letter).collect(),
         words,
         ..Names::default()
     })

@@ -98,6 +98,7 @@ impl<'a> Compiler<'a> {
             }
             Tree::PlusMinus(body) => self.signed(body, self.upper)?,
             Tree::MinusPlus(body) => self.signed(body, !self.upper)?,
+            Tree::Operation(..) => return Err(Unwitnessed::Kind("an operation stands where it is not read")),
         })
     }
 

@@ -12,7 +12,7 @@ use super::tolerance::{
     APART_EXACT, APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE, ROUNDED_AWAY, STEADY,
 };
 use super::value::{Complexes, Function, Numbers, Real, Reals, Value};
-use crate::claim::{Fault, Sheet, Statements, Verdict};
+use crate::claim::{Fault, Goal, Sheet, Statements, Verdict, Vocabulary, reduced};
 use crate::number::{Sequence, Wide};
 use crate::tex::{Equation, Relation, Tree};
 use std::collections::BTreeMap;
@@ -58,21 +58,62 @@ const PROBE_WORK: u64 = 20_000;
 /// The [`Fault`] of a claim or premise that makes no sense.
 pub fn witness(sheet: &Sheet, position: usize, verdict: Verdict, points: usize) -> Result<Evidence, Fault> {
     let statements = Statements::gather(sheet, position)?;
-    let system = match System::new(&statements, &sheet.vocabulary, Forcing::Any) {
+    let goals = match reduced(&statements, &sheet.vocabulary) {
+        Ok(None) => return Ok(of_goal(&statements, &sheet.vocabulary, verdict, points)),
+        Ok(Some(reduced)) if reduced.is_equivalent => reduced.sufficient,
+        Ok(Some(reduced)) => reduced.necessary,
+        Err(reason) => return Ok(without_points(format!("no witness: {reason}"))),
+    };
+    let of_goal = |goal: &Goal| {
+        let mut evidence = of_goal(&goal.statements, &goal.vocabulary, verdict, points);
+        if !goal.part.is_empty() && !evidence.worst.is_empty() {
+            evidence.worst = format!("{}: {}", goal.part, evidence.worst);
+        }
+        evidence
+    };
+    let all: Vec<Evidence> = goals.iter().take(MOST_GOALS).map(of_goal).collect();
+    Ok(together(all, verdict))
+}
+
+/// Goals of one claim that are evaluated.
+const MOST_GOALS: usize = 12;
+
+/// What the goals of a claim say together: a proof is of all of them, a refutation of one.
+fn together(mut all: Vec<Evidence>, verdict: Verdict) -> Evidence {
+    let points = all.iter().map(|evidence| evidence.points).sum();
+    let digits = |evidence: &Evidence| evidence.digits.unwrap_or(f64::INFINITY);
+    let agrees = all.iter().any(|evidence| evidence.against.is_none());
+    all.sort_by(|one, other| {
+        let is_first = |evidence: &Evidence| evidence.against.is_none();
+        is_first(one)
+            .cmp(&is_first(other))
+            .then(digits(one).total_cmp(&digits(other)))
+    });
+    if verdict == Verdict::Refuted && agrees {
+        all.retain(|evidence| evidence.against.is_none());
+    }
+    match all.into_iter().next() {
+        Some(worst) => Evidence { points, ..worst },
+        None => without_points("no witness: there is nothing to evaluate".to_owned()),
+    }
+}
+
+fn of_goal(statements: &Statements, vocabulary: &Vocabulary, verdict: Verdict, points: usize) -> Evidence {
+    let system = match System::new(statements, vocabulary, Forcing::Any) {
         Ok(system) => system,
-        Err(reason) => return Ok(without_points(no_witness(&reason))),
+        Err(reason) => return without_points(no_witness(&reason)),
     };
     let over = Witness {
-        sheet,
-        statements: &statements,
+        vocabulary,
+        statements,
         system,
         verdict,
     };
-    Ok(if over.system.is_complex {
+    if over.system.is_complex {
         over.evidence::<Complexes>(points)
     } else {
         over.evidence::<Reals>(points)
-    })
+    }
 }
 
 fn without_points(note: String) -> Evidence {
@@ -88,7 +129,7 @@ fn no_witness(reason: &Unwitnessed) -> String {
 
 /// A claim with its verdict.
 struct Witness<'a> {
-    sheet: &'a Sheet,
+    vocabulary: &'a Vocabulary,
     statements: &'a Statements,
     system: System,
     verdict: Verdict,
@@ -516,7 +557,7 @@ impl Witness<'_> {
         if !is_forced(&self.system) {
             return false;
         }
-        let Ok(system) = System::new(self.statements, &self.sheet.vocabulary, Forcing::Cosine) else {
+        let Ok(system) = System::new(self.statements, self.vocabulary, Forcing::Cosine) else {
             return false;
         };
         let other = Witness { system, ..*self };

@@ -787,17 +787,7 @@ fn speaks_of_matrix(equation: &Equation) -> bool {
 
 /// Whether any node of an equation passes the test.
 pub fn any(equation: &Equation, test: &dyn Fn(&Tree) -> bool) -> bool {
-    fn below(tree: &Tree, test: &dyn Fn(&Tree) -> bool) -> bool {
-        test(tree)
-            || match tree {
-                Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => false,
-                Tree::Call(_, body, _) | Tree::Negate(body) | Tree::Power(body, ..) | Tree::Root(body, ..) => {
-                    below(body, test)
-                }
-                Tree::PlusMinus(body) | Tree::MinusPlus(body) => below(body, test),
-                Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| below(part, test)),
-                Tree::Quotient(a, b, _) | Tree::RealPower(a, b, _) => below(a, test) || below(b, test),
-            }
-    }
-    below(&equation.left, test) || below(&equation.right, test)
+    [&equation.left, &equation.right]
+        .into_iter()
+        .any(|side| crate::claim::any(side, &mut |node| test(node)))
 }

@@ -881,6 +881,7 @@ impl<'a> Builder<'a> {
             }
             Tree::PlusMinus(body) => self.signed(body, true)?,
             Tree::MinusPlus(body) => self.signed(body, false)?,
+            Tree::Operation(_, at) => return Err(unreadable(at.0, "this operation stands where it is not read")),
         })
     }
 

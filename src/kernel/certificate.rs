@@ -172,7 +172,7 @@ pub enum Axiom {
     },
     /// x^y = exp(y ln x) for x > 0.
     RealPower(Term),
-    /// x^(a + b) = x^a x^b for x other than 0 and integers a and b.
+    /// x^(a + b) = x^a x^b for integers a and b, neither of them negative unless x is not 0; 0^0 is 1.
     IntegerPowerOfSum {
         power: Term,
         parts: [Term; 2],

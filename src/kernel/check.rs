@@ -992,9 +992,11 @@ impl<'a> Checker<'a> {
                 };
                 self.same(exponent, &[*a, *b])?;
                 self.defined(&[base])?;
-                self.need(Nonzero, base)?;
                 self.need(Property::Integer, *a)?;
                 self.need(Property::Integer, *b)?;
+                if !(self.knows(NonNegative, *a)? && self.knows(NonNegative, *b)?) {
+                    self.need(Nonzero, base)?;
+                }
                 let [a, b] = [a, b].map(|part| terms!().add(Node::RealPower(base, *part)));
                 let product = terms!().product(vec![a, b]);
                 let difference = terms!().difference(*power, product);

@@ -1101,9 +1101,10 @@ class Proof:
         _, base, exponent = self.argument(term, "realpower")
         self.same(exponent, [a, b])
         self.defined(base)
-        self.need(NONZERO, base)
         for part in (a, b):
             self.need(INTEGER, part)
+        if not all(self.knows(NONNEGATIVE, part) for part in (a, b)):
+            self.need(NONZERO, base)
         a, b = (self.s.add(("realpower", base, part)) for part in (a, b))
         self.equal(term, self.s.product([a, b]))
 

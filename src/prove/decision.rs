@@ -19,6 +19,8 @@ pub struct Decision {
     pub failed: Option<Equation>,
     /// The file that the formula stands in, where it is one that the document includes.
     pub file: Option<String>,
+    /// Whether nothing is left to decide: what is given contradicts itself, or the claim is nowhere defined.
+    pub is_vacuous: bool,
     /// Line and column in the file: of what cannot be read, else of the formula.
     pub place: Option<(usize, usize)>,
 }
@@ -42,11 +44,19 @@ impl Decision {
         }
     }
 
+    /// The decision on a part of a claim as that on the claim.
+    pub(super) fn in_part(mut self, part: &str) -> Self {
+        if !part.is_empty() {
+            self.reason = format!("{part}: {}", self.reason);
+        }
+        self
+    }
+
     /// Says what the verdict rests on that nobody said. A formula is not refuted on a guess of what it follows from.
-    pub(super) fn on_guesses(&mut self, sheet: &Sheet, position: usize) {
+    pub(super) fn on_guesses(mut self, sheet: &Sheet, position: usize) -> Self {
         let guessed = sheet.entries.get(position).map_or(&[][..], |entry| &entry.guessed);
         if guessed.is_empty() {
-            return;
+            return self;
         }
         let guessed = guessed.join("; ");
         self.reason = match (self.verdict, self.counterexample.take()) {
@@ -57,6 +67,7 @@ impl Decision {
         if self.verdict == Verdict::Refuted {
             self.verdict = Verdict::Undecided;
         }
+        self
     }
 
     /// What bears on the claim at a position, where there is anything to search for.

@@ -270,6 +270,7 @@ impl Within<'_> {
             Tree::PlusMinus(body) if self.upper => of(body),
             Tree::MinusPlus(body) if !self.upper => of(body),
             Tree::PlusMinus(body) | Tree::MinusPlus(body) => format!("(-{})", of(body)),
+            Tree::Operation(..) => "v.operation()".to_owned(),
         }
     }
 

@@ -24,7 +24,7 @@ pub use decision::{Decision, mention_refuted};
 pub use explanation::explain;
 pub use script::{CHECKER, Decided, Found, decided, scripts};
 
-use crate::claim::{Sheet, Verdict};
+use crate::claim::{Goal, Reduced, Sheet, Verdict, reduced};
 use crate::kernel;
 
 /// How far the search goes.
@@ -43,12 +43,98 @@ impl Default for Options {
 /// Decides the claim at a position of the sheet. What cannot be read is `unread`; what follows from such is
 /// `undecided`.
 pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
-    let statements = match Decision::without_search(sheet, position) {
-        Ok(statements) => statements,
+    let goals = match goals(sheet, position) {
+        Ok(goals) => goals,
         Err(decision) => return *decision,
     };
     let mut decision = Decision::of(sheet, position);
-    let questions = match crate::kernel::questions(&statements, &sheet.vocabulary) {
+    let start = decision.clone();
+    let settle = |goal: &Goal| settled(goal, &start, options);
+    for lemma in &goals.lemmas {
+        let found = settle(lemma);
+        if found.verdict != Verdict::Proved {
+            decision.reason = format!("{} is not shown: {}", lemma.part, found.reason);
+            return decision;
+        }
+    }
+    decision.verdict = Verdict::Proved;
+    decision.reason = follows_from(sheet, position);
+    if !goals.is_equivalent {
+        for goal in &goals.necessary {
+            let found = settle(goal);
+            if matches!(found.verdict, Verdict::Refuted | Verdict::Unread) && !found.is_vacuous {
+                return found.in_part(&goal.part).on_guesses(sheet, position);
+            }
+        }
+    }
+    let (mut met, mut vacuous) = (0, None);
+    for goal in &goals.sufficient {
+        let found = settle(goal);
+        match found.verdict {
+            // a case that nothing is in says nothing, where another one holds
+            Verdict::Undecided | Verdict::Refuted if found.is_vacuous && goals.sufficient.len() > 1 => {
+                vacuous = Some(found.in_part(&goal.part));
+            }
+            Verdict::Proved => {
+                met += 1;
+                for provided in found.provided {
+                    if !decision.provided.contains(&provided) {
+                        decision.provided.push(provided);
+                    }
+                }
+            }
+            // what is enough for the claim may fail where the claim holds
+            Verdict::Refuted if !goals.is_equivalent => {
+                decision = start.clone();
+                decision.reason = format!("no counterexample is found, nor a proof: {} fails", goal.part);
+                break;
+            }
+            Verdict::Refuted | Verdict::Unread => {
+                return found.in_part(&goal.part).on_guesses(sheet, position);
+            }
+            Verdict::Undecided => decision = found.in_part(&goal.part),
+        }
+    }
+    match vacuous {
+        Some(found) if (met == 0 || !goals.is_equivalent) && decision.verdict == Verdict::Proved => {
+            decision = Decision {
+                verdict: Verdict::Undecided,
+                ..found
+            };
+        }
+        _ if goals.sufficient.is_empty() => {
+            decision = start;
+            decision.reason = format!("no counterexample is found, nor a proof: {}", goals.reason);
+        }
+        _ => {}
+    }
+    decision.on_guesses(sheet, position)
+}
+
+/// The goals that a claim comes to; itself, where it is about numbers.
+fn goals(sheet: &Sheet, position: usize) -> Result<Reduced, Box<Decision>> {
+    let statements = Decision::without_search(sheet, position)?;
+    match reduced(&statements, &sheet.vocabulary) {
+        Ok(Some(reduced)) => Ok(reduced),
+        Ok(None) => {
+            let goal = Goal {
+                statements,
+                vocabulary: sheet.vocabulary.clone(),
+                part: String::new(),
+            };
+            Ok(Reduced::itself(goal))
+        }
+        Err(reason) => Err(Box::new(Decision {
+            reason,
+            ..Decision::of(sheet, position)
+        })),
+    }
+}
+
+/// Decides one goal of a claim; `start` is the decision on it before anything is known.
+fn settled(goal: &Goal, start: &Decision, options: &Options) -> Decision {
+    let mut decision = start.clone();
+    let questions = match crate::kernel::questions(&goal.statements, &goal.vocabulary) {
         Ok(questions) => questions,
         Err(fault) => {
             decision.verdict = Verdict::Unread;
@@ -57,7 +143,6 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
         }
     };
     decision.verdict = Verdict::Proved;
-    decision.reason = follows_from(sheet, position);
     for question in questions {
         let search = std::panic::AssertUnwindSafe(|| outcome(&question.statement, options.effort));
         // a fault of the search costs its own claim a verdict, and no other
@@ -66,13 +151,7 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
             Outcome::Proved(proof, certificate, _) => {
                 let terms = certificate.statement.terms();
                 let excluded = proof.excluded().iter();
-                let excluded = excluded.map(|&term| {
-                    format!(
-                        r"{} 
-eq 0",
-                        print::tex(terms, term)
-                    )
-                });
+                let excluded = excluded.map(|&term| format!(r"{} \neq 0", print::tex(terms, term)));
                 for provided in proof.provided().iter().cloned().chain(excluded) {
                     if !decision.provided.contains(&provided) {
                         decision.provided.push(provided);
@@ -81,6 +160,7 @@ eq 0",
             }
             Outcome::Refuted(refuted, witness) => {
                 decision.verdict = Verdict::Refuted;
+                decision.is_vacuous = refuted.is_nowhere_defined();
                 decision.reason = match refuted.is_nowhere_defined() {
                     true => "nowhere defined".into(),
                     false => "does not follow from its premises".into(),
@@ -94,6 +174,7 @@ eq 0",
             Outcome::Contradictory(labels) => {
                 let labels: Vec<String> = labels.iter().map(|label| format!("({label})")).collect();
                 decision.verdict = Verdict::Undecided;
+                decision.is_vacuous = true;
                 decision.reason = match labels.as_slice() {
                     [single] => format!("the premise {single} contradicts itself"),
                     _ => format!("the premises {} contradict each other", labels.join(", ")),
@@ -107,7 +188,6 @@ eq 0",
             }
         }
     }
-    decision.on_guesses(sheet, position);
     decision
 }
 
@@ -278,14 +358,14 @@ fn smallest_contradiction(premises: &kernel::Statement, budget: u64) -> Option<V
 
 /// The certificates that the search finds for the questions of the claim at a position, each with its statement.
 pub fn certificates(sheet: &Sheet, position: usize) -> Vec<kernel::With<kernel::Certificate>> {
-    let Ok(statements) = Decision::without_search(sheet, position) else {
+    let Ok(goals) = goals(sheet, position) else {
         return Vec::new();
     };
-    let questions = kernel::questions(&statements, &sheet.vocabulary).unwrap_or_default();
-    let found = questions
-        .iter()
-        .map(|question| proof::search(&question.statement, PROOF_STEPS));
-    found.flatten().collect()
+    let of = |goal: &Goal| kernel::questions(&goal.statements, &goal.vocabulary).unwrap_or_default();
+    let questions = goals.lemmas.iter().chain(&goals.sufficient).flat_map(of);
+    questions
+        .filter_map(|question| proof::search(&question.statement, PROOF_STEPS))
+        .collect()
 }
 
 /// Decides each claim, in the order of the sheet. What cannot be read has a row too, whatever its role.

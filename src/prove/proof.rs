@@ -376,6 +376,67 @@ fn single_functions(session: &mut Session, met: &BTreeSet<Term>) {
             _ => {}
         }
     }
+    powers_of_one_base(session, met);
+}
+
+/// The furthest that two integer exponents of one base may be apart for x^(n + d) = x^n x^d to be brought in.
+const FURTHEST: i64 = 64;
+
+/// Integer powers of one base, by the lowest of those that are a number apart, or by one that is half of another.
+fn powers_of_one_base(session: &mut Session, met: &BTreeSet<Term>) {
+    let mut powers: Vec<(Term, Term, Term, Polynomial)> = Vec::new();
+    for &power in met {
+        if let Node::RealPower(base, exponent) = session.node(power)
+            && let Some(polynomial) = session.numerator_of_polynomial(exponent)
+            && session.checker.knows_polynomial(Property::Integer, &polynomial)
+        {
+            powers.push((power, base, exponent, polynomial));
+        }
+    }
+    for (power, base, _, exponent) in &powers {
+        let others = powers.iter().filter(|(other, same, ..)| other != power && same == base);
+        let apart = |other: &Polynomial| exponent.minus(other).as_constant().and_then(|apart| apart.to_integer());
+        let lower = others
+            .clone()
+            .filter_map(|(of, _, term, other)| Some((apart(other)?, *of, *term)));
+        // of two spellings of one exponent the first is the lower
+        let is_lower = |(apart, of, _): &(i64, Term, Term)| match apart {
+            0 => of < power,
+            apart => (1..=FURTHEST).contains(apart),
+        };
+        let lowest = lower
+            .filter(is_lower)
+            .max_by_key(|(apart, of, _)| (*apart, std::cmp::Reverse(*of)));
+        if let Some((apart, _, lowest)) = lowest {
+            let step = session.terms().integer(apart);
+            let parts = [lowest, step];
+            let is_new = session.checker.knows(Property::Nonzero, *base) != Ok(true);
+            if is_new && session.show_all(vec![(Property::Nonzero, *base)]).is_none() {
+                let _ = session.show_all(vec![(Property::NonNegative, lowest), (Property::NonNegative, step)]);
+            }
+            session.axiom(Axiom::IntegerPowerOfSum { power: *power, parts });
+            let raised = session.terms().add(Node::RealPower(*base, step));
+            let exponent = i32::try_from(apart).unwrap_or_default();
+            session.axiom(Axiom::IntegerPower {
+                power: raised,
+                exponent,
+            });
+            continue;
+        }
+        let mut halves = others.filter(|(_, _, _, other)| {
+            let rest = exponent.minus(other).minus(other);
+            rest.as_constant().is_some() && other.as_constant().is_none()
+        });
+        if let Some((_, _, half, _)) = halves.next() {
+            let rest = {
+                let whole = session.node(*power);
+                let Node::RealPower(_, whole) = whole else { continue };
+                session.terms().difference(whole, *half)
+            };
+            let parts = [*half, rest];
+            session.axiom(Axiom::IntegerPowerOfSum { power: *power, parts });
+        }
+    }
 }
 
 /// Powers of -1 are cosines, those of products are products, for exponents that are integers.

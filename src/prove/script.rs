@@ -4,8 +4,8 @@
 //! more, by another printer, to be compared with the statement at random points; and the checker, `check.py`.
 
 use super::formula::{Formulas, list, quoted};
-use super::{Decision, Options, Outcome, outcome};
-use crate::claim::{Sheet, Statements};
+use super::{Options, Outcome, goals, outcome};
+use crate::claim::{Goal, Sheet};
 use crate::kernel::{
     Axiom, Certificate, Elementary, FunctionOf, Given, Inference, LawSource, Node, Polynomial, Property, Quantity,
     Question, Statement, Summand, Symbol, Term, Terms, With, Witness,
@@ -34,20 +34,23 @@ pub struct Decided {
     pub label: String,
     pub question: Question,
     pub found: Found,
-    statements: Statements,
+    goal: Goal,
 }
 
 /// What decides the questions of the claim at a position: nothing for those that stay undecided.
 pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided> {
-    let Ok(statements) = Decision::without_search(sheet, position) else {
+    let Ok(goals) = goals(sheet, position) else {
         return Vec::new();
     };
-    let Ok(questions) = crate::kernel::questions(&statements, &sheet.vocabulary) else {
-        return Vec::new();
-    };
+    let more = goals.necessary.iter().filter(|_| !goals.is_equivalent);
+    let goals = goals.lemmas.iter().chain(&goals.sufficient).chain(more);
+    let questions = goals.flat_map(|goal| {
+        let questions = crate::kernel::questions(&goal.statements, &goal.vocabulary).unwrap_or_default();
+        questions.into_iter().map(move |question| (goal, question))
+    });
     let label = sheet.entries.get(position).map_or("", |entry| entry.label.as_str());
     let mut all = Vec::new();
-    for question in questions {
+    for (goal, question) in questions {
         let found = match outcome(&question.statement, options.effort) {
             Outcome::Proved(_, certificate, point) => Found::Proved { certificate, point },
             Outcome::Refuted(refuted, witness) if !refuted.is_nowhere_defined() => Found::Refuted { witness },
@@ -57,7 +60,7 @@ pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided
             label: label.to_string(),
             question,
             found,
-            statements: statements.clone(),
+            goal: goal.clone(),
         });
     }
     all
@@ -75,15 +78,15 @@ pub fn scripts(sheet: &Sheet, position: usize, options: &Options) -> Vec<(String
             0 => format!("{label}.py"),
             _ => format!("{label}-{}.py", number + 1),
         };
-        (name, decided.script(sheet))
+        (name, decided.script())
     });
     named.collect()
 }
 
 impl Decided {
     /// The script that checks this.
-    pub fn script(&self, sheet: &Sheet) -> String {
-        let formulas = Formulas::new(&self.statements, &sheet.vocabulary, &self.question);
+    pub fn script(&self) -> String {
+        let formulas = Formulas::new(&self.goal.statements, &self.goal.vocabulary, &self.question);
         let verdict = match self.found {
             Found::Proved { .. } => "proved",
             Found::Refuted { .. } => "refuted",
@@ -95,7 +98,7 @@ impl Decided {
             "# it exits with 0 where it accepts, with 1 where it does not, and says which step fails.".into(),
             "#".into(),
         ];
-        for premise in &self.statements.premises {
+        for premise in &self.goal.statements.premises {
             let label = one_line(&premise.label);
             lines.push(format!(
                 "# given ({label}):  {}",
@@ -107,7 +110,7 @@ impl Decided {
             }
         }
         lines.push(format!("# claim:  {}", one_line(&self.question.equation.to_string())));
-        for local in &self.statements.locals {
+        for local in &self.goal.statements.locals {
             let tree = one_line(&local.tree.to_string());
             lines.push(format!("#     where {} = {tree}", one_line(&local.name.to_string())));
         }

@@ -23,6 +23,9 @@ impl<'a> Reader<'a> {
         let Some(token) = self.peek() else {
             return Err(self.instead_of("a factor"));
         };
+        if let Some(differential) = self.differential()? {
+            return Ok(differential);
+        }
         match token.kind {
             Kind::Letter | Kind::Word | Kind::Accent => self.named(token),
             Kind::BraceOpen => self.group(token.at),
@@ -37,9 +40,21 @@ impl<'a> Reader<'a> {
                 let tree = self.absolute_value(token)?;
                 self.carried(tree, Form::Bracketed)
             }
+            Kind::Open(Bracket::Rows(rows)) => {
+                let tree = self.rows(token, rows)?;
+                self.carried(tree, Form::Bracketed)
+            }
+            Kind::Series(kind) => self.series(token, kind),
+            Kind::Integral => self.integral(token),
             Kind::Open(_) => {
                 let tree = self.bracketed()?;
-                self.carried(tree, Form::Bracketed)
+                match self.peek_kind() {
+                    Some(Kind::Prime) => {
+                        let tree = self.primed(tree, token.at)?;
+                        self.carried(tree, Form::Bracketed)
+                    }
+                    _ => self.carried(tree, Form::Bracketed),
+                }
             }
             Kind::Fraction => self.fraction(token),
             Kind::Root => self.root(token),
@@ -137,7 +152,7 @@ impl<'a> Reader<'a> {
     }
 
     /// What a command such as `\sqrt` takes: a group, a digit or a letter.
-    fn argument(&mut self) -> Result<Box<Tree>, Fault> {
+    pub(super) fn argument(&mut self) -> Result<Box<Tree>, Fault> {
         let Some(token) = self.peek() else {
             return Err(self.instead_of("an argument in { }"));
         };
@@ -169,9 +184,25 @@ impl<'a> Reader<'a> {
 
     fn fraction(&mut self, token: Token<'a>) -> Result<Part, Fault> {
         self.next += 1;
-        let partial = self.look(1).is_some_and(|token| token.kind == Kind::Partial);
-        if partial && self.peek_kind() == Some(Kind::BraceOpen) {
-            let tree = self.stacked_partial(token.at)?;
+        let before = self.mark();
+        let is_partial =
+            self.peek_kind() == Some(Kind::BraceOpen) && self.look(1).is_some_and(|token| token.kind == Kind::Partial);
+        // of one name by another it may be along a map
+        let partial = match is_partial {
+            true => Some(self.stacked_partial(token.at)),
+            false => None,
+        };
+        let tree = match partial {
+            Some(Ok(tree)) => Some(tree),
+            partial => {
+                self.reset(before);
+                match (self.derivative(token.at)?, partial) {
+                    (None, Some(Err(fault))) => return Err(fault),
+                    (tree, _) => tree,
+                }
+            }
+        };
+        if let Some(tree) = tree {
             return self.carried(Box::new(tree), Form::Fraction);
         }
         let above = self.argument()?;
@@ -372,12 +403,12 @@ mod tests {
                 r"(* d(\dot{Z}_{k+1})/d(\dot{Z}_k) (+ <f t> a))",
             ),
             (r"(\frac{\partial a}{\partial b})^2", "(^ d(a)/d(b) 2)"),
+            (r"\frac{\partial^2 a}{\partial b^2}", r"[\frac{d^2}{db^2} (a)]"),
+            (r"\frac{\partial f(t)}{\partial t}", r"[\frac{d}{dt} [f(t)]]"),
         ]);
         refuse(&[
-            (r"\frac{\partial^2 a}{\partial b^2}", "higher order"),
-            (r"\frac{\partial a}{\partial b \partial c}", "second derivative"),
-            (r"\frac{\partial a}{\partial b^2}", "a power here"),
-            (r"\frac{\partial f(t)}{\partial t}", "`}`"),
+            (r"\frac{\partial^2 a}{\partial b \partial c}", "its order above differs"),
+            (r"\frac{\partial a}{\partial b^2}", "its order above differs"),
             (r"\frac{a}{\partial t}", r"\partial alone"),
             (r"\partial a", r"\partial alone"),
             (r"\frac{\partial a}{b}", r"\partial"),

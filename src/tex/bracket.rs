@@ -25,13 +25,13 @@ impl<'a> Reader<'a> {
         Ok(Box::new(Tree::Call(base(ABSOLUTE), argument, At(open.at))))
     }
 
-    /// Takes an opening bracket of any kind but a bar.
+    /// Takes an opening bracket of any kind but a bar or what holds rows.
     pub(super) fn open(&mut self) -> Option<(Token<'a>, Bracket)> {
         let token = self.peek()?;
         let Kind::Open(kind) = token.kind else {
             return None;
         };
-        if kind == Bracket::Bar {
+        if matches!(kind, Bracket::Bar | Bracket::Rows(_)) {
             return None;
         }
         self.next += 1;

@@ -222,6 +222,10 @@ impl<'a> Reader<'a> {
             Some(Kind::Sup | Kind::Sub | Kind::Prime) => self.power()?,
             _ => None,
         };
+        if self.rows_follow() {
+            let tree = self.invariant_of(kind, at)?;
+            return self.call(tree, power);
+        }
         let of = match self.open() {
             Some((open, bracket)) => {
                 let name = self.matrix()?;

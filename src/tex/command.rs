@@ -1,7 +1,7 @@
 //! The TeX commands and characters that are known, and what each does to the reading.
 
 use super::token::{Bracket, Kind};
-use super::{Invariant, Relation};
+use super::{Invariant, Relation, Series};
 
 /// Which end of a pair of brackets.
 #[derive(Clone, Copy)]
@@ -82,6 +82,7 @@ const LETTERS: &[&str] = &[
     "\\hbar",
     "\\imath",
     "\\jmath",
+    "\\top",
 ];
 
 /// The name of the absolute value as a function.
@@ -187,6 +188,9 @@ fn structure(text: &str) -> Option<Command> {
         "\\frac" | "\\dfrac" | "\\tfrac" | "\\cfrac" => Command::Token(Kind::Fraction),
         "\\sqrt" => Command::Token(Kind::Root),
         "\\partial" => Command::Token(Kind::Partial),
+        "\\sum" => Command::Token(Kind::Series(Series::Sum)),
+        "\\prod" => Command::Token(Kind::Series(Series::Product)),
+        "\\int" => Command::Token(Kind::Integral),
         "\\dot" | "\\ddot" | "\\hat" | "\\tilde" | "\\vec" | "\\overline" => Command::Token(Kind::Accent),
         "\\bar" => Command::Spelled(Kind::Accent, "\\overline"),
         "\\widehat" => Command::Spelled(Kind::Accent, "\\hat"),
@@ -213,6 +217,7 @@ fn sign(text: &str) -> Option<Command> {
         "\\gt" => Kind::Relation(Relation::Greater),
         "\\le" | "\\leq" | "\\leqslant" | "\\leqq" => Kind::Relation(Relation::LessOrEqual),
         "\\ge" | "\\geq" | "\\geqslant" | "\\geqq" => Kind::Relation(Relation::GreaterOrEqual),
+        "\\approx" => Kind::Approximately,
         "\\in" => Kind::Element,
         "\\infty" => Kind::Infinity,
         "\\vert" | "\\mid" => Kind::Bar,
@@ -268,7 +273,7 @@ fn hint(text: &str) -> &'static str {
         "\\over" => ": write \\frac{..}{..}",
         "\\bigg/" | "\\middle" => ": write / alone",
         "\\|" | "\\Vert" | "\\lVert" | "\\rVert" => ": norms are not supported; an absolute value has single bars",
-        "\\approx" | "\\sim" | "\\simeq" | "\\cong" | "\\propto" | "\\ll" | "\\gg" => {
+        "\\sim" | "\\simeq" | "\\cong" | "\\propto" | "\\ll" | "\\gg" => {
             ": it has no exact meaning; write =, \\neq, <, >, \\leq or \\geq"
         }
         "\\mapsto" | "\\longmapsto" | "\\to" | "\\rightarrow" | "\\longrightarrow" => {

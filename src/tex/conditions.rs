@@ -25,6 +25,10 @@ pub fn read_conditions(tex: &str, names: &Names) -> Result<Vec<Condition>, ReadE
 
 impl Reader<'_> {
     fn condition(&mut self, conditions: &mut Vec<Condition>) -> Result<(), Fault> {
+        if let Some(about) = self.tokens.iter().find(|token| token.kind == Kind::Approximately) {
+            let instead = ": it has no exact meaning in a condition; write the bounds";
+            return Err(Fault::unreadable(about.at, about.text, instead));
+        }
         let at = self.here();
         let left = *self.sum()?;
         if self.peek().is_none() {

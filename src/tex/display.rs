@@ -112,13 +112,38 @@ impl Reader<'_> {
     }
 
     /// What follows the first side of a chain, which starts at byte `at`.
-    pub(super) fn links(&mut self, mut at: usize, mut left: Tree, equations: &mut Vec<Equation>) -> Result<(), Fault> {
-        while let Some(Kind::Relation(relation)) = self.peek_kind() {
+    pub(super) fn links(&mut self, at: usize, left: Tree, equations: &mut Vec<Equation>) -> Result<(), Fault> {
+        self.relations(at, left, equations)?;
+        self.finish("a relation, an operator or the end of the equation")
+    }
+
+    /// The relations that follow the first side of a chain, which starts at byte `at`.
+    pub(super) fn relations(
+        &mut self,
+        mut at: usize,
+        mut left: Tree,
+        equations: &mut Vec<Equation>,
+    ) -> Result<(), Fault> {
+        // where the tokens of the left side start
+        let mut before = 0;
+        while let Some(kind) = self.peek_kind() {
+            let relation = match kind {
+                Kind::Relation(relation) => Some(relation),
+                Kind::Approximately => None,
+                _ => break,
+            };
             self.next += 1;
+            let side = self.next;
             let start = self.here();
             let right = *self.sum()?;
             let end = self.look_back();
             let left = std::mem::replace(&mut left, right.clone());
+            let Some(relation) = relation else {
+                equations.extend(self.approximately([before, side], [&left, &right], at)?);
+                (at, before) = (start, side);
+                continue;
+            };
+            before = side;
             equations.push(Equation {
                 left,
                 relation,
@@ -129,7 +154,7 @@ impl Reader<'_> {
             });
             at = start;
         }
-        self.finish("a relation, an operator or the end of the equation")
+        Ok(())
     }
 
     /// Where the token before the next one ends.
@@ -179,6 +204,7 @@ mod tests {
             "a <= b",
             "a <",
             r"a \approx b",
+            r"a \sim b",
             r"a \to b",
             r"x \in \mathbb{R}",
         ] {

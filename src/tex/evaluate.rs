@@ -80,6 +80,9 @@ pub enum Unsupported {
     /// A power with an exponent that is no integer.
     #[error("a power whose exponent is no integer has no value here")]
     RealPower,
+    /// A matrix, a derivative, an integral, a sum or product of many terms, a value by cases.
+    #[error("an operation has no value here")]
+    Operation,
     /// A number whose denominator is zero in the field.
     #[error("{0} has no value here")]
     Number(Rational),
@@ -143,6 +146,7 @@ pub fn evaluate<F: Field, S: Scope<F>>(tree: &Tree, scope: &mut S) -> Result<F, 
         Tree::Root(radicand, index, at) => root(radicand, *index, *at, scope),
         Tree::PlusMinus(body) => signed(body, true, scope),
         Tree::MinusPlus(body) => signed(body, false, scope),
+        Tree::Operation(..) => known(Err(Unsupported::Operation.into()), tree),
     }
 }
 
@@ -238,7 +242,8 @@ fn place(tree: &Tree) -> usize {
         | Tree::Quotient(_, _, at)
         | Tree::Power(_, _, at)
         | Tree::RealPower(_, _, at)
-        | Tree::Root(_, _, at) => at.0,
+        | Tree::Root(_, _, at)
+        | Tree::Operation(_, at) => at.0,
         Tree::Negate(body) | Tree::PlusMinus(body) | Tree::MinusPlus(body) => place(body),
         Tree::Sum(parts) | Tree::Product(parts) => parts
             .iter()

@@ -3,7 +3,7 @@
 use super::Relation;
 use super::command::{Command, Side, WORD_SPACE, character, character_hint, command};
 use super::error::{Fault, Reason};
-use super::token::{Bracket, Kind, Set, Token};
+use super::token::{Bracket, Kind, Rows, Set, Token};
 
 /// The least width of a blank that may part equations, in eighteenths of a quad: two spaces between words.
 const WIDE: u32 = 12;
@@ -279,6 +279,7 @@ impl<'a> Lexer<'a> {
         let word = content.trim_matches(|c: char| c.is_whitespace() || c == ',');
         match word {
             "and" | "where" | "with" => self.push_as(Kind::And, word, at, after),
+            "if" | "for" | "when" | "otherwise" | "else" | "even" | "odd" => self.push_as(Kind::Said, word, at, after),
             "" if content.contains(',') => self.push_as(Kind::Comma, ",", at, after),
             "" => {
                 self.at = after;
@@ -293,6 +294,15 @@ impl<'a> Lexer<'a> {
 
     fn begin(&mut self, end: usize) -> Result<(), Fault> {
         let (name, after) = self.group(end)?;
+        if let Some(rows) = rows(name) {
+            self.environments.push((self.at, name));
+            let after = match name {
+                "array" => self.group(after)?.1,
+                _ => after,
+            };
+            let (at, text) = (self.at, self.span(self.at, after));
+            return self.push_as(Kind::Open(Bracket::Rows(rows)), text, at, after);
+        }
         let known = [
             "equation", "align", "aligned", "split", "gather", "gathered", "multline", "eqnarray",
         ];
@@ -315,16 +325,32 @@ impl<'a> Lexer<'a> {
         let (name, after) = self.group(end)?;
         let close = self.span(self.at, after).to_owned();
         match self.environments.pop() {
-            Some((_, open)) if open == name => {
-                self.at = after;
-                Ok(())
-            }
+            Some((_, open)) if open == name => match rows(name) {
+                Some(rows) => {
+                    let (at, text) = (self.at, self.span(self.at, after));
+                    self.push_as(Kind::Close(Bracket::Rows(rows)), text, at, after)
+                }
+                None => {
+                    self.at = after;
+                    Ok(())
+                }
+            },
             Some((_, open)) => {
                 let open = format!("\\begin{{{open}}}");
                 Err(Fault::new(self.at, Reason::Mismatched { open, close }))
             }
             None => Err(Fault::new(self.at, Reason::Unopened { close })),
         }
+    }
+}
+
+/// What the rows of the environment `name` mean; `None` for any other.
+fn rows(name: &str) -> Option<Rows> {
+    match name {
+        "matrix" | "pmatrix" | "bmatrix" | "Bmatrix" | "smallmatrix" | "array" => Some(Rows::Matrix),
+        "vmatrix" => Some(Rows::Determinant),
+        "cases" | "dcases" => Some(Rows::Cases),
+        _ => None,
     }
 }
 
@@ -406,13 +432,13 @@ mod tests {
         for tex in [
             r"\left. a",
             r"\left a",
-            r"\approx",
+            r"\sim",
             r"\mathbb{N}",
             r"\mathbb",
             r"\mathbb{R",
             r"\Vert",
             r"\left",
-            r"\sum",
+            r"\oint",
             "é",
             r"\begin{cases}",
             r"\begin{align}",

@@ -18,8 +18,8 @@
 //! let mut scope = BTreeMap::from([(read_name("r_B", &names)?, half.clone()), (read_name("r_T", &names)?, half)]);
 //! assert_eq!(evaluate(&equations[0].right, &mut scope)?, Rational::from_ratio(4, 3));
 //!
-//! let error = read("a = b \\approx c", &names).unwrap_err();
-//! assert_eq!(error.caret("a = b \\approx c"), "a = b \\approx c\n      ^");
+//! let error = read("a = b \\sim c", &names).unwrap_err();
+//! assert_eq!(error.caret("a = b \\sim c"), "a = b \\sim c\n      ^");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -35,6 +35,7 @@ mod evaluate;
 mod exponent;
 mod lexer;
 mod names;
+mod operation;
 mod part;
 mod place;
 mod printer;
@@ -54,4 +55,4 @@ pub use error::{ReadError, Reason};
 pub use evaluate::{EvaluationError, Scope, Unsupported, evaluate};
 pub use names::Names;
 pub use place::{Lines, Place};
-pub use tree::{At, Condition, Equation, Invariant, Name, Relation, Tree};
+pub use tree::{At, Case, Condition, Equation, Invariant, Name, Operation, Relation, Series, Tree};

@@ -12,6 +12,10 @@ pub struct Names {
     pub words: Vec<String>,
     /// Matrices whose trace and determinant may be written: `DP`.
     pub matrices: Vec<Name>,
+    /// The declared names of one letter: where `d` or `T` is among them, it is no differential and no transpose.
+    pub letters: Vec<String>,
+    /// The symbol that functions without an argument are taken at.
+    pub running: Option<Name>,
 }
 
 impl Names {
@@ -31,6 +35,7 @@ impl Names {
             Tree::Negate(body) | Tree::Power(body, ..) | Tree::Root(body, ..) => self.has_bare_function(body),
             Tree::RealPower(base, exponent, _) => self.has_bare_function(base) || self.has_bare_function(exponent),
             Tree::Call(name, body, _) => !self.is_function(name) && self.has_bare_function(body),
+            Tree::Operation(operation, _) => operation.parts().iter().any(|(part, _)| self.has_bare_function(part)),
             _ => false,
         }
     }

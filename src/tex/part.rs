@@ -64,6 +64,8 @@ pub(super) fn starts_factor(kind: Kind) -> bool {
             | Kind::Fraction
             | Kind::Root
             | Kind::Partial
+            | Kind::Series(_)
+            | Kind::Integral
             | Kind::Open(_)
             | Kind::BraceOpen
     )

@@ -1,7 +1,7 @@
 //! Tree -> TeX that reads back to the same tree, given the same [`Names`](super::Names).
 
 use super::command::{ABSOLUTE, operator_name};
-use super::{Equation, Invariant, Name, Relation, Tree};
+use super::{Case, Condition, Equation, Invariant, Name, Operation, Relation, Series, Tree};
 use crate::number::Rational;
 use std::fmt;
 
@@ -101,8 +101,10 @@ fn signed(tree: &Tree, first: bool) -> String {
 
 /// A tree where a product may stand.
 fn term(tree: &Tree) -> String {
-    let Tree::Product(factors) = tree else {
-        return factor(tree);
+    let factors = match tree {
+        Tree::Product(factors) => factors,
+        Tree::Operation(operation, _) => return self::operation(operation),
+        tree => return factor(tree),
     };
     let mut out = String::new();
     let mut before: Option<&Tree> = None;
@@ -155,7 +157,82 @@ fn factor(tree: &Tree) -> String {
         Tree::Root(radicand, index, _) => format!("\\sqrt[{index}]{{{}}}", sum(radicand)),
         Tree::Power(base, exponent, _) => power(base, *exponent),
         Tree::RealPower(base, exponent, _) => real_power(base, exponent),
-        Tree::Negate(_) | Tree::Sum(_) | Tree::Product(_) | Tree::PlusMinus(_) | Tree::MinusPlus(_) => bracketed(tree),
+        Tree::Operation(operation, _) if matches!(**operation, Operation::Matrix(_)) => self::operation(operation),
+        Tree::Negate(_)
+        | Tree::Sum(_)
+        | Tree::Product(_)
+        | Tree::PlusMinus(_)
+        | Tree::MinusPlus(_)
+        | Tree::Operation(..) => bracketed(tree),
+    }
+}
+
+fn operation(operation: &Operation) -> String {
+    match operation {
+        Operation::Matrix(rows) => {
+            let row = |row: &Vec<Tree>| row.iter().map(sum).collect::<Vec<_>>().join(" & ");
+            let rows: Vec<String> = rows.iter().map(row).collect();
+            format!("\\begin{{pmatrix}} {} \\end{{pmatrix}}", rows.join(" \\\\ "))
+        }
+        Operation::Determinant(of) => format!("\\det({})", sum(of)),
+        Operation::Trace(of) => format!("\\operatorname{{tr}}({})", sum(of)),
+        Operation::Transpose(of) => format!("({})^{{\\top}}", sum(of)),
+        Operation::Cross(left, right) => format!("{} \\times {}", factor(left), factor(right)),
+        Operation::Dot(left, right) => format!("{} \\cdot {}", factor(left), factor(right)),
+        Operation::Derivative { of, by, order, .. } => {
+            let order = if *order == 1 {
+                String::new()
+            } else {
+                format!("^{}", script(&order.to_string()))
+            };
+            format!("\\frac{{d{order}}}{{d{by}{order}}} {}", bracketed(of))
+        }
+        Operation::Integral { of, by, limits } => {
+            let limits = limits.as_ref();
+            let limits = limits.map(|(low, high)| format!("_{{{}}}^{{{}}}", sum(low), sum(high)));
+            format!("\\int{} {} \\, d{by}", limits.unwrap_or_default(), term(of))
+        }
+        Operation::Series {
+            kind,
+            of,
+            index,
+            from,
+            to,
+        } => {
+            let sign = match kind {
+                Series::Sum => "\\sum",
+                Series::Product => "\\prod",
+            };
+            let of = match (kind, of) {
+                (Series::Product, Tree::Product(_)) => bracketed(of),
+                _ => term(of),
+            };
+            format!("{sign}_{{{index} = {}}}^{{{}}} {of}", sum(from), sum(to))
+        }
+        Operation::Cases(cases) => {
+            let cases: Vec<String> = cases.iter().map(case).collect();
+            format!("\\begin{{cases}} {} \\end{{cases}}", cases.join(" \\\\ "))
+        }
+    }
+}
+
+fn case(case: &Case) -> String {
+    let condition = |condition: &Condition| match condition {
+        Condition::Relation(relation) => relation.to_string(),
+        Condition::Integer(tree) => format!("{} \\text{{ even}}", sum(&twice(tree))),
+    };
+    let conditions: Vec<String> = case.conditions.iter().map(condition).collect();
+    match conditions.is_empty() {
+        true => format!("{} & \\text{{otherwise}}", sum(&case.value)),
+        false => format!("{} & {}", sum(&case.value), conditions.join(", ")),
+    }
+}
+
+/// What is said to be even where half of it is an integer.
+fn twice(half: &Tree) -> Tree {
+    match half {
+        Tree::Quotient(above, ..) => (**above).clone(),
+        tree => tree.clone(),
     }
 }
 

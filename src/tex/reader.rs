@@ -4,7 +4,7 @@
 use super::error::{Fault, Reason};
 use super::part::{Form, Part, readable, starts_factor};
 use super::token::{Bracket, Kind, Token};
-use super::{At, Names, Tree};
+use super::{At, Name, Names, Tree};
 
 /// The deepest nesting that is read: it bounds the stack that reading and all later walks of the tree need.
 pub(super) const DEEPEST: usize = 100;
@@ -18,6 +18,8 @@ pub(super) struct Reader<'a> {
     depth: usize,
     /// Slashes that follow a slash in their term: each deepens the tree without any nesting.
     divisions: usize,
+    /// While an integral is read, its differential once it is met.
+    pub(super) integral: Option<Option<Name>>,
     pub(super) names: &'a Names,
 }
 
@@ -30,6 +32,7 @@ impl<'a> Reader<'a> {
             end,
             depth: 0,
             divisions: 0,
+            integral: None,
             names,
         }
     }
@@ -73,6 +76,15 @@ impl<'a> Reader<'a> {
             true => Err(Fault::new(self.here(), Reason::TooDeep { most })),
             false => Ok(()),
         }
+    }
+
+    /// Where reading stands, to read again from there.
+    pub(super) fn mark(&self) -> (usize, usize) {
+        (self.next, self.depth)
+    }
+
+    pub(super) fn reset(&mut self, (next, depth): (usize, usize)) {
+        (self.next, self.depth) = (next, depth);
     }
 
     pub(super) fn rise(&mut self) {
@@ -161,7 +173,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Factors and divisors, from left to right.
-    fn term(&mut self) -> Result<Part, Fault> {
+    pub(super) fn term(&mut self) -> Result<Part, Fault> {
         let first = self.factor()?;
         self.skip_empty();
         match self.peek_kind() {
@@ -176,6 +188,9 @@ impl<'a> Reader<'a> {
         let mut divided = false;
         while let Some(token) = self.peek() {
             let juxtaposed = starts_factor(token.kind);
+            if self.is_past_differential(factors.last()) {
+                break;
+            }
             if matches!(token.kind, Kind::Open(Bracket::Round | Bracket::Square)) {
                 self.no_operator(factors.last(), token.at)?;
             }
@@ -194,6 +209,11 @@ impl<'a> Reader<'a> {
             let by = factor.form;
             let tree = self.beside(factor)?;
             self.skip_empty();
+            if let Some(combined) = Self::vector_product(token, &factors, &tree) {
+                factors = vec![combined];
+                form = by;
+                continue;
+            }
             if token.kind == Kind::Slash {
                 let above = product(factors);
                 self.divisor(by, token.at, divided)?;

@@ -67,6 +67,12 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Takes the subscript that stands next into `name`.
+    pub(super) fn subscripts(&mut self, name: &mut Name) -> Result<(), Fault> {
+        name.subscript = self.subscript()?;
+        Ok(())
+    }
+
     fn subscript(&mut self) -> Result<String, Fault> {
         let (at, content) = self.script_tokens(usize::MAX)?;
         let text = subscript_text(&content)?;
@@ -359,7 +365,6 @@ mod tests {
             ("x^{2", "`{` is not closed"),
             ("(a)^-", "only a name"),
             ("(a)_k", "only a name"),
-            ("(a)'", "only a name"),
         ]);
     }
 

@@ -15,6 +15,7 @@ pub(super) fn names() -> Names {
             base,
             ..Name::default()
         }],
+        ..Names::default()
     }
 }
 
@@ -67,5 +68,6 @@ fn nested(tree: &Tree) -> String {
         Tree::Root(radicand, index, _) => format!("(root {} {index})", nested(radicand)),
         Tree::PlusMinus(body) => format!("(+- {})", nested(body)),
         Tree::MinusPlus(body) => format!("(-+ {})", nested(body)),
+        Tree::Operation(..) => format!("[{tree}]"),
     }
 }

@@ -5,7 +5,7 @@
 
 use super::Relation;
 use super::error::Fault;
-use super::token::{Kind, Token};
+use super::token::{Bracket, Kind, Token};
 
 /// The tokens of an equation, never none.
 pub(super) struct Statement<'a> {
@@ -52,10 +52,13 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
         aligned: false,
         explains: false,
     };
-    let (mut done, mut piece, mut depth) = (Vec::new(), fresh(true), 0usize);
+    // which brackets are open: true for those that hold rows
+    let (mut done, mut piece, mut open) = (Vec::new(), fresh(true), Vec::<bool>::new());
     let mut tokens = tokens.into_iter().peekable();
     while let Some(token) = tokens.next() {
+        let depth = open.len();
         match token.kind {
+            Kind::Column | Kind::Row if open.last() == Some(&true) => {}
             // a column of its own begins where an equation is complete, and no part of it follows
             Kind::Column => {
                 let next = tokens.peek().map(|next| next.kind);
@@ -68,8 +71,11 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
                 }
                 continue;
             }
-            Kind::Open(_) | Kind::BraceOpen => depth += 1,
-            Kind::Close(_) | Kind::BraceClose => depth = depth.saturating_sub(1),
+            Kind::Open(bracket) => open.push(matches!(bracket, Bracket::Rows(_))),
+            Kind::BraceOpen => open.push(false),
+            Kind::Close(_) | Kind::BraceClose => {
+                open.pop();
+            }
             // Within brackets a new row is a blank.
             Kind::Row | Kind::Quad if depth > 0 => continue,
             kind if is_relation(kind) => piece.related |= depth == 0,
@@ -158,7 +164,7 @@ fn ends_open(tokens: &[Token<'_>]) -> bool {
 }
 
 fn is_relation(kind: Kind) -> bool {
-    matches!(kind, Kind::Relation(_) | Kind::Element)
+    matches!(kind, Kind::Relation(_) | Kind::Element | Kind::Approximately)
 }
 
 fn is_operator(kind: Kind) -> bool {

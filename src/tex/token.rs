@@ -1,6 +1,6 @@
 //! What the reader sees of the source.
 
-use super::{Invariant, Relation};
+use super::{Invariant, Relation, Series};
 
 /// The kinds of visible brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,6 +10,16 @@ pub(super) enum Bracket {
     Curly,
     /// The bars of an absolute value.
     Bar,
+    /// `\begin{pmatrix}` and its like: rows and columns.
+    Rows(Rows),
+}
+
+/// What an environment of rows means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rows {
+    Matrix,
+    Determinant,
+    Cases,
 }
 
 /// The sets of numbers that a condition may name.
@@ -35,6 +45,10 @@ pub(super) enum Kind {
     Fraction,
     Root,
     Partial,
+    /// `\sum`, `\prod`.
+    Series(Series),
+    /// `\int`.
+    Integral,
     Open(Bracket),
     Close(Bracket),
     BraceOpen,
@@ -50,6 +64,8 @@ pub(super) enum Kind {
     Star,
     Slash,
     Relation(Relation),
+    /// `\approx`.
+    Approximately,
     /// A bar that does not show whether it opens or closes.
     Bar,
     /// `\in`.
@@ -62,6 +78,8 @@ pub(super) enum Kind {
     Column,
     Row,
     Quad,
+    /// `\text{if}`, `\text{even}` and other words of a case.
+    Said,
     /// `\text{and}` and its like between equations.
     And,
 }

@@ -76,6 +76,167 @@ pub enum Tree {
     PlusMinus(Box<Tree>),
     /// `\mp`.
     MinusPlus(Box<Tree>),
+    /// What is no function of numbers alone: it binds a letter, or holds rows.
+    Operation(Box<Operation>, At),
+}
+
+/// Matrices, derivatives, integrals, finite sums and products, values by cases.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Operation {
+    /// Rows of equal length, one or more.
+    Matrix(Vec<Vec<Tree>>),
+    Determinant(Tree),
+    Trace(Tree),
+    /// `A^\top`.
+    Transpose(Tree),
+    /// `\vec{a} \times \vec{b}`, `\vec{a} \cdot \vec{b}`; of numbers their product.
+    Cross(Tree, Tree),
+    Dot(Tree, Tree),
+    /// The derivative of this order of `of` by `by`, at the value `at` of it.
+    Derivative {
+        of: Tree,
+        by: Name,
+        order: u32,
+        at: Tree,
+    },
+    /// `\int_a^b of \, d by`; without limits any antiderivative.
+    Integral {
+        of: Tree,
+        by: Name,
+        limits: Option<(Tree, Tree)>,
+    },
+    /// `\sum_{index = from}^{to} of`, or `\prod`.
+    Series {
+        kind: Series,
+        of: Tree,
+        index: Name,
+        from: Tree,
+        to: Tree,
+    },
+    /// The value of the first case whose conditions hold.
+    Cases(Vec<Case>),
+}
+
+/// What a series does with its terms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Series {
+    Sum,
+    Product,
+}
+
+/// A value and the conditions under which it is meant; none for what is meant otherwise.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Case {
+    pub value: Tree,
+    pub conditions: Vec<Condition>,
+}
+
+impl Operation {
+    /// The letter that it binds in some of its [`parts`](Self::parts).
+    pub fn letter(&self) -> Option<&Name> {
+        match self {
+            Self::Derivative { by, .. } | Self::Integral { by, .. } => Some(by),
+            Self::Series { index, .. } => Some(index),
+            _ => None,
+        }
+    }
+
+    /// Its parts in the order of writing, and whether the letter that it binds is its own there.
+    pub fn parts(&self) -> Vec<(&Tree, bool)> {
+        let free = |tree| (tree, false);
+        match self {
+            Self::Matrix(rows) => rows.iter().flatten().map(free).collect(),
+            Self::Determinant(of) | Self::Trace(of) | Self::Transpose(of) => vec![free(of)],
+            Self::Cross(left, right) | Self::Dot(left, right) => vec![free(left), free(right)],
+            Self::Derivative { of, at, .. } => vec![(of, true), free(at)],
+            Self::Integral { of, limits, .. } => {
+                let limits = limits.iter().flat_map(|(low, high)| [free(low), free(high)]);
+                limits.chain([(of, true)]).collect()
+            }
+            Self::Series { of, from, to, .. } => vec![free(from), free(to), (of, true)],
+            Self::Cases(cases) => cases.iter().flat_map(Case::parts).map(free).collect(),
+        }
+    }
+
+    /// The operation with each of its parts replaced; the second argument is whether the letter is bound there.
+    #[must_use]
+    pub fn map(&self, new: &mut dyn FnMut(&Tree, bool) -> Tree) -> Self {
+        match self {
+            Self::Matrix(rows) => Self::Matrix(
+                rows.iter()
+                    .map(|row| row.iter().map(|part| new(part, false)).collect())
+                    .collect(),
+            ),
+            Self::Determinant(of) => Self::Determinant(new(of, false)),
+            Self::Trace(of) => Self::Trace(new(of, false)),
+            Self::Transpose(of) => Self::Transpose(new(of, false)),
+            Self::Cross(left, right) => Self::Cross(new(left, false), new(right, false)),
+            Self::Dot(left, right) => Self::Dot(new(left, false), new(right, false)),
+            Self::Derivative { of, by, order, at } => Self::Derivative {
+                of: new(of, true),
+                by: by.clone(),
+                order: *order,
+                at: new(at, false),
+            },
+            Self::Integral { of, by, limits } => Self::Integral {
+                limits: limits.as_ref().map(|(low, high)| (new(low, false), new(high, false))),
+                of: new(of, true),
+                by: by.clone(),
+            },
+            Self::Series {
+                kind,
+                of,
+                index,
+                from,
+                to,
+            } => Self::Series {
+                kind: *kind,
+                from: new(from, false),
+                to: new(to, false),
+                of: new(of, true),
+                index: index.clone(),
+            },
+            Self::Cases(cases) => Self::Cases(cases.iter().map(|case| case.map(new)).collect()),
+        }
+    }
+
+    /// The operation with another letter bound, in what stands there too.
+    #[must_use]
+    pub(crate) fn with_letter(&self, letter: Name) -> Self {
+        let mut renamed = self.clone();
+        match &mut renamed {
+            Self::Derivative { by, .. } | Self::Integral { by, .. } => *by = letter,
+            Self::Series { index, .. } => *index = letter,
+            _ => {}
+        }
+        renamed
+    }
+}
+
+impl Case {
+    fn parts(&self) -> Vec<&Tree> {
+        let sides = |condition| match condition {
+            &Condition::Relation(ref relation) => vec![&relation.left, &relation.right],
+            Condition::Integer(tree) => vec![tree],
+        };
+        let conditions = self.conditions.iter().flat_map(sides);
+        std::iter::once(&self.value).chain(conditions).collect()
+    }
+
+    fn map(&self, new: &mut dyn FnMut(&Tree, bool) -> Tree) -> Self {
+        let mut condition = |condition: &Condition| match condition {
+            Condition::Relation(relation) => Condition::Relation(Equation {
+                left: new(&relation.left, false),
+                right: new(&relation.right, false),
+                ..relation.clone()
+            }),
+            Condition::Integer(tree) => Condition::Integer(new(tree, false)),
+        };
+        Self {
+            conditions: self.conditions.iter().map(&mut condition).collect(),
+            value: new(&self.value, false),
+        }
+    }
 }
 
 /// How the two sides of an [`Equation`] compare.

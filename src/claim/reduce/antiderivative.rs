@@ -1,0 +1,279 @@
+//! A search for antiderivatives: polynomials, and these times exponentials, sines and cosines of linear arguments.
+//!
+//! Nothing rests on what is found: it is shown to be one.
+
+use super::super::substitute::number_of;
+use super::super::vocabulary::Vocabulary;
+use super::build::{call, difference, integer, is_zero, negative, plain, power, product, quotient, root, sum, symbol};
+use super::derivative::{By, mentions};
+use crate::number::{Field, Rational};
+use crate::tex::{Name, Tree};
+
+/// The highest degree of a polynomial.
+const HIGHEST: usize = 24;
+
+/// An antiderivative of `of` by `by`.
+pub(super) fn antiderivative(of: &Tree, by: &Name, vocabulary: &Vocabulary) -> Option<Tree> {
+    let search = Search { by, vocabulary };
+    search.of(of)
+}
+
+struct Search<'a> {
+    by: &'a Name,
+    vocabulary: &'a Vocabulary,
+}
+
+impl Search<'_> {
+    fn of(&self, tree: &Tree) -> Option<Tree> {
+        if let Some(coefficients) = self.polynomial(tree) {
+            let terms = coefficients.into_iter().enumerate().map(|(degree, coefficient)| {
+                let next = i32::try_from(degree).unwrap_or(i32::MAX).saturating_add(1);
+                quotient(
+                    product(vec![coefficient, power(symbol(self.by), next)]),
+                    integer(i64::from(next)),
+                )
+            });
+            return Some(sum(terms.collect()));
+        }
+        match tree {
+            Tree::Sum(terms) => Some(sum(terms.iter().map(|term| self.of(term)).collect::<Option<_>>()?)),
+            Tree::Negate(inner) => Some(negative(self.of(inner)?)),
+            Tree::Quotient(above, below, _) if !mentions(below, self.by) => {
+                Some(quotient(self.of(above)?, (**below).clone()))
+            }
+            Tree::Quotient(above, below, _) if !mentions(above, self.by) => {
+                Some(product(vec![(**above).clone(), self.reciprocal(below)?]))
+            }
+            Tree::Product(factors) => self.product(factors),
+            Tree::Power(base, 2, _) => match &**base {
+                Tree::Call(name, argument, _) if matches!(name.base.as_str(), "\\sin" | "\\cos") => {
+                    let (_, slope) = self.linear(argument)?;
+                    let double = product(vec![integer(2), (**argument).clone()]);
+                    let wave = quotient(call("\\sin", double), product(vec![integer(4), slope]));
+                    let half = quotient(symbol(self.by), integer(2));
+                    Some(match name.base.as_str() {
+                        "\\sin" => difference(half, wave),
+                        _ => sum(vec![half, wave]),
+                    })
+                }
+                _ => None,
+            },
+            tree => self.product(std::slice::from_ref(tree)),
+        }
+    }
+
+    /// `1/below`.
+    fn reciprocal(&self, below: &Tree) -> Option<Tree> {
+        let coefficients = self.polynomial(below)?;
+        match coefficients.as_slice() {
+            [_, slope] => Some(quotient(call("\\ln", call("\\abs", below.clone())), slope.clone())),
+            [constant, linear, square] if is_zero(linear) => {
+                // 1/(p^2 + q^2 x^2) = arctan(q x/p)/(p q)
+                let (p, q) = (side(constant), side(square));
+                let angle = quotient(product(vec![q.clone(), symbol(self.by)]), p.clone());
+                Some(quotient(call("\\arctan", angle), product(vec![p, q])))
+            }
+            _ => None,
+        }
+    }
+
+    /// A polynomial times one exponential, sine or cosine, or an exponential times one of these.
+    fn product(&self, factors: &[Tree]) -> Option<Tree> {
+        let (mut free, mut rest) = (Vec::new(), Vec::new());
+        for factor in factors {
+            match mentions(factor, self.by) {
+                true => rest.push(factor.clone()),
+                false => free.push(factor.clone()),
+            }
+        }
+        if !free.is_empty() {
+            let rest = match rest.len() {
+                1 => rest.remove(0),
+                _ => Tree::Product(rest),
+            };
+            free.push(self.of(&rest)?);
+            return Some(product(free));
+        }
+        let (mut polynomial, mut waves) = (Vec::new(), Vec::new());
+        for factor in rest {
+            match self.polynomial(&factor) {
+                Some(_) => polynomial.push(factor),
+                None => waves.push(factor),
+            }
+        }
+        match waves.as_slice() {
+            [wave] => self.by_parts(&product(polynomial), wave),
+            [one, other] if polynomial.is_empty() => self.damped(one, other).or_else(|| self.damped(other, one)),
+            _ => None,
+        }
+    }
+
+    /// `p w` for a polynomial p and an exponential, sine or cosine w, whose antiderivatives repeat.
+    fn by_parts(&self, polynomial: &Tree, wave: &Tree) -> Option<Tree> {
+        let (mut slope, mut wave) = (polynomial.clone(), wave.clone());
+        let mut terms = Vec::new();
+        let by = By {
+            vocabulary: self.vocabulary,
+            name: self.by,
+        };
+        for place in 0..HIGHEST {
+            wave = self.wave(&wave)?;
+            let term = product(vec![slope.clone(), wave.clone()]);
+            terms.push(if place % 2 == 0 { term } else { negative(term) });
+            let coefficients = self.polynomial(&by.of(&slope).ok()?)?;
+            if coefficients.iter().all(is_zero) {
+                return Some(sum(terms));
+            }
+            let powers = coefficients.into_iter().enumerate().map(|(degree, coefficient)| {
+                product(vec![
+                    coefficient,
+                    power(symbol(self.by), i32::try_from(degree).unwrap_or(0)),
+                ])
+            });
+            slope = sum(powers.collect());
+        }
+        None
+    }
+
+    /// `e^u sin v` and `e^u cos v`.
+    fn damped(&self, exponential: &Tree, wave: &Tree) -> Option<Tree> {
+        let exponent = self.exponent(exponential)?;
+        let (_, a) = self.linear(&exponent)?;
+        let Tree::Call(name, argument, _) = wave else {
+            return None;
+        };
+        let (_, b) = self.linear(argument)?;
+        let at = |function: &str| call(function, (**argument).clone());
+        let (one, other) = match name.base.as_str() {
+            "\\sin" => (at("\\sin"), negative(at("\\cos"))),
+            "\\cos" => (at("\\cos"), at("\\sin")),
+            _ => return None,
+        };
+        let above = sum(vec![product(vec![a.clone(), one]), product(vec![b.clone(), other])]);
+        let below = sum(vec![power(a, 2), power(b, 2)]);
+        Some(quotient(product(vec![exponential.clone(), above]), below))
+    }
+
+    /// The antiderivative of an exponential, a sine or a cosine of a linear argument, perhaps over a constant.
+    fn wave(&self, tree: &Tree) -> Option<Tree> {
+        match tree {
+            Tree::Negate(inner) => return Some(negative(self.wave(inner)?)),
+            Tree::Quotient(above, below, _) if !mentions(below, self.by) => {
+                return Some(quotient(self.wave(above)?, (**below).clone()));
+            }
+            _ => {}
+        }
+        if let Some(exponent) = self.exponent(tree) {
+            let (_, slope) = self.linear(&exponent)?;
+            return Some(quotient(tree.clone(), slope));
+        }
+        let Tree::Call(name, argument, _) = tree else {
+            return None;
+        };
+        let (_, slope) = self.linear(argument)?;
+        let at = |function: &str| call(function, (**argument).clone());
+        let whole = match name.base.as_str() {
+            "\\sin" => negative(at("\\cos")),
+            "\\cos" => at("\\sin"),
+            "\\sinh" => at("\\cosh"),
+            "\\cosh" => at("\\sinh"),
+            _ => return None,
+        };
+        Some(quotient(whole, slope))
+    }
+
+    fn exponent(&self, tree: &Tree) -> Option<Tree> {
+        let euler = plain("e");
+        match tree {
+            Tree::RealPower(base, exponent, _) => {
+                let is_euler = matches!(&**base, Tree::Symbol(name, _) if *name == euler);
+                (is_euler && !self.vocabulary.declares(&euler)).then(|| (**exponent).clone())
+            }
+            // e^2 and the like are read as integer powers
+            Tree::Call(name, argument, _) if name.base == "\\exp" => Some((**argument).clone()),
+            _ => None,
+        }
+    }
+
+    /// The constant and the slope of a linear tree that is not constant.
+    fn linear(&self, tree: &Tree) -> Option<(Tree, Tree)> {
+        match self.polynomial(tree)?.as_slice() {
+            [constant, slope] => Some((constant.clone(), slope.clone())),
+            _ => None,
+        }
+    }
+
+    /// The coefficients of a polynomial, from the constant on, the last one not written as 0.
+    fn polynomial(&self, tree: &Tree) -> Option<Vec<Tree>> {
+        let mut coefficients = match tree {
+            tree if !mentions(tree, self.by) => vec![tree.clone()],
+            Tree::Symbol(..) => vec![integer(0), integer(1)],
+            Tree::Negate(inner) => self.polynomial(inner)?.into_iter().map(negative).collect(),
+            Tree::Sum(terms) => {
+                let mut total: Vec<Vec<Tree>> = Vec::new();
+                for term in terms {
+                    for (degree, coefficient) in self.polynomial(term)?.into_iter().enumerate() {
+                        if total.len() <= degree {
+                            total.resize(degree + 1, Vec::new());
+                        }
+                        if let Some(sum) = total.get_mut(degree) {
+                            sum.push(coefficient);
+                        }
+                    }
+                }
+                total.into_iter().map(sum).collect()
+            }
+            Tree::Product(factors) => {
+                let mut total = vec![integer(1)];
+                for factor in factors {
+                    total = times(&total, &self.polynomial(factor)?)?;
+                }
+                total
+            }
+            Tree::Quotient(above, below, _) if !mentions(below, self.by) => {
+                let above = self.polynomial(above)?.into_iter();
+                above
+                    .map(|coefficient| quotient(coefficient, (**below).clone()))
+                    .collect()
+            }
+            Tree::Power(base, exponent, _) if (0..=12).contains(exponent) => {
+                let base = self.polynomial(base)?;
+                let mut total = vec![integer(1)];
+                for _ in 0..*exponent {
+                    total = times(&total, &base)?;
+                }
+                total
+            }
+            _ => return None,
+        };
+        while coefficients.len() > 1 && coefficients.last().is_some_and(is_zero) {
+            coefficients.pop();
+        }
+        Some(coefficients)
+    }
+}
+
+/// What the tree is the square of.
+fn side(square: &Tree) -> Tree {
+    match square {
+        Tree::Power(base, 2, _) => (**base).clone(),
+        one if number_of(one) == Some(Rational::from_integer(1)) => integer(1),
+        other => root(other.clone()),
+    }
+}
+
+fn times(left: &[Tree], right: &[Tree]) -> Option<Vec<Tree>> {
+    let length = (left.len() + right.len()).saturating_sub(1);
+    if length > HIGHEST {
+        return None;
+    }
+    let mut total: Vec<Vec<Tree>> = vec![Vec::new(); length];
+    for (one, left) in left.iter().enumerate() {
+        for (other, right) in right.iter().enumerate() {
+            if let Some(terms) = total.get_mut(one + other) {
+                terms.push(product(vec![left.clone(), right.clone()]));
+            }
+        }
+    }
+    Some(total.into_iter().map(sum).collect())
+}

@@ -1,0 +1,105 @@
+//! What must hold for a formula to have a value.
+
+use super::super::vocabulary::Vocabulary;
+use super::build::{call, difference, integer, plain};
+use crate::number::{Field, Rational};
+use crate::tex::{Equation, Relation, Tree};
+
+fn relation(left: Tree, relation: Relation, right: Tree) -> Equation {
+    Equation {
+        relation,
+        ..Equation::between(left, right)
+    }
+}
+
+/// The conditions, together sufficient, under which a tree of real numbers has a value.
+pub(super) fn conditions(tree: &Tree, vocabulary: &Vocabulary) -> Result<Vec<Equation>, String> {
+    let mut found = Vec::new();
+    collect(tree, vocabulary, &mut found)?;
+    found.dedup();
+    Ok(found)
+}
+
+fn collect(tree: &Tree, vocabulary: &Vocabulary, found: &mut Vec<Equation>) -> Result<(), String> {
+    let zero = || integer(0);
+    match tree {
+        Tree::Number(_) | Tree::Symbol(..) => {}
+        Tree::Sum(parts) | Tree::Product(parts) => {
+            for part in parts {
+                collect(part, vocabulary, found)?;
+            }
+        }
+        Tree::Negate(inner) => collect(inner, vocabulary, found)?,
+        Tree::Quotient(above, below, _) => {
+            collect(above, vocabulary, found)?;
+            collect(below, vocabulary, found)?;
+            if !matches!(**below, Tree::Number(_)) {
+                found.push(relation((**below).clone(), Relation::NotEqual, zero()));
+            }
+        }
+        Tree::Power(base, exponent, _) => {
+            collect(base, vocabulary, found)?;
+            if *exponent < 0 {
+                found.push(relation((**base).clone(), Relation::NotEqual, zero()));
+            }
+        }
+        Tree::Root(radicand, index, _) => {
+            collect(radicand, vocabulary, found)?;
+            if index % 2 == 0 {
+                found.push(relation((**radicand).clone(), Relation::GreaterOrEqual, zero()));
+            }
+        }
+        Tree::RealPower(base, exponent, _) => {
+            collect(base, vocabulary, found)?;
+            collect(exponent, vocabulary, found)?;
+            let euler = plain("e");
+            let is_positive = match &**base {
+                Tree::Number(value) => *value != Rational::from_integer(0),
+                Tree::Symbol(name, _) => {
+                    (*name == euler && !vocabulary.declares(&euler)) || vocabulary.positive.contains(name)
+                }
+                _ => false,
+            };
+            let is_whole = super::factorial::is_integer(exponent, vocabulary);
+            let is_nonzero = match &**base {
+                Tree::Symbol(name, _) => vocabulary.nonzero.contains(name),
+                base => {
+                    super::super::substitute::number_of(base).is_some_and(|value| value != Rational::from_integer(0))
+                }
+            };
+            if is_whole && !is_positive && !is_nonzero {
+                found.push(relation((**exponent).clone(), Relation::GreaterOrEqual, zero()));
+            } else if !is_whole && !is_positive {
+                found.push(relation((**base).clone(), Relation::Greater, zero()));
+            }
+        }
+        Tree::Call(name, argument, _) => {
+            collect(argument, vocabulary, found)?;
+            let at = (**argument).clone();
+            match name.base.as_str() {
+                "\\sin" | "\\cos" | "\\sinh" | "\\cosh" | "\\tanh" | "\\exp" | "\\arctan" | "\\arsinh" | "\\abs" => {}
+                "\\factorial" | "\\doublefactorial" => found.push(relation(at, Relation::GreaterOrEqual, zero())),
+                "\\tan" | "\\sec" => found.push(relation(call("\\cos", at), Relation::NotEqual, zero())),
+                "\\cot" | "\\csc" => found.push(relation(call("\\sin", at), Relation::NotEqual, zero())),
+                "\\coth" => found.push(relation(at, Relation::NotEqual, zero())),
+                "\\ln" | "\\log" => found.push(relation(at, Relation::Greater, zero())),
+                "\\arcsin" | "\\arccos" => {
+                    let square = super::build::power(at, 2);
+                    found.push(relation(
+                        difference(integer(1), square),
+                        Relation::GreaterOrEqual,
+                        zero(),
+                    ));
+                }
+                "\\arcosh" => found.push(relation(at, Relation::GreaterOrEqual, integer(1))),
+                "\\artanh" => {
+                    let square = super::build::power(at, 2);
+                    found.push(relation(difference(integer(1), square), Relation::Greater, zero()));
+                }
+                _ => return Err(format!("where `{name}` has a value is not known")),
+            }
+        }
+        _ => return Err(format!("where `{tree}` has a value is not known")),
+    }
+    Ok(())
+}

@@ -1,0 +1,338 @@
+//! Operations whose value is written out at once: matrices, derivatives, sums and products of known length.
+
+use super::super::premise::Statements;
+use super::super::substitute::{nodes_of, number_of, rewrite};
+use super::super::vocabulary::{Vocabulary, index_of};
+use super::build::{integer, symbol};
+use super::derivative::{By, mentions};
+use super::factorial;
+use super::matrix::{self, Value};
+use crate::number::Rational;
+use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
+
+/// The most terms of a sum that is written out, and the largest tree.
+const MOST_TERMS: i64 = 200;
+const LARGEST: usize = 400_000;
+
+/// The tree with each node replaced for which `new` has another.
+pub(super) fn mapped(tree: &Tree, new: &dyn Fn(&Tree) -> Option<Tree>) -> Tree {
+    if let Some(tree) = new(tree) {
+        return tree;
+    }
+    let again = |tree: &Tree| mapped(tree, new);
+    let boxed = |tree: &Tree| Box::new(mapped(tree, new));
+    match tree {
+        Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => tree.clone(),
+        Tree::Call(name, argument, at) => Tree::Call(name.clone(), boxed(argument), *at),
+        Tree::Negate(inner) => Tree::Negate(boxed(inner)),
+        Tree::Sum(terms) => Tree::Sum(terms.iter().map(again).collect()),
+        Tree::Product(factors) => Tree::Product(factors.iter().map(again).collect()),
+        Tree::Quotient(above, below, at) => Tree::Quotient(boxed(above), boxed(below), *at),
+        Tree::Power(base, exponent, at) => Tree::Power(boxed(base), *exponent, *at),
+        Tree::RealPower(base, exponent, at) => Tree::RealPower(boxed(base), boxed(exponent), *at),
+        Tree::Root(inner, index, at) => Tree::Root(boxed(inner), *index, *at),
+        Tree::PlusMinus(inner) => Tree::PlusMinus(boxed(inner)),
+        Tree::MinusPlus(inner) => Tree::MinusPlus(boxed(inner)),
+        Tree::Operation(operation, at) => {
+            Tree::Operation(Box::new(operation.map(&mut |part, _| mapped(part, new))), *at)
+        }
+    }
+}
+
+/// The statements with every operation written out.
+pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
+    let mut out = statements.clone();
+    out.claims.clear();
+    out.premises.clear();
+    let mut size = 0;
+    for claim in &statements.claims {
+        let mut over = Over::new(statements, vocabulary);
+        let claims = over.equation(claim)?;
+        out.claims.extend(claims);
+        // what is differentiated must have a value
+        let beside = over.beside.into_iter();
+        out.claims
+            .extend(beside.map(|tree| Equation::between(tree.clone(), tree)));
+    }
+    for premise in &statements.premises {
+        let mut over = Over::new(statements, vocabulary);
+        let equations = over.equation(&premise.equation)?;
+        let beside = over.beside.into_iter();
+        let beside = beside.map(|tree| Equation::between(tree.clone(), tree));
+        for equation in equations.into_iter().chain(beside) {
+            let mut premise = premise.clone();
+            premise.equation = equation;
+            out.premises.push(premise);
+        }
+    }
+    for condition in &mut out.assume {
+        let mut over = Over::new(statements, vocabulary);
+        if let Condition::Relation(relation) = condition {
+            let mut relations = over.equation(relation)?;
+            if relations.len() != 1 || !over.beside.is_empty() {
+                return Err("an operation in a condition".to_owned());
+            }
+            *relation = relations.remove(0);
+        }
+    }
+    for claim in &out.claims {
+        size += nodes_of(&claim.left) + nodes_of(&claim.right);
+    }
+    match size > LARGEST {
+        true => Err("what is written out is too large".to_owned()),
+        false => Ok(out),
+    }
+}
+
+/// One equation in the midst of being written out.
+struct Over<'a> {
+    statements: &'a Statements,
+    vocabulary: &'a Vocabulary,
+    /// What was differentiated.
+    beside: Vec<Tree>,
+}
+
+impl<'a> Over<'a> {
+    fn new(statements: &'a Statements, vocabulary: &'a Vocabulary) -> Self {
+        Self {
+            statements,
+            vocabulary,
+            beside: Vec::new(),
+        }
+    }
+
+    /// The equations between the entries of both sides.
+    fn equation(&mut self, equation: &Equation) -> Result<Vec<Equation>, String> {
+        let (left, right) = (self.value(&equation.left)?, self.value(&equation.right)?);
+        let between = |left: Tree, right: Tree| Equation {
+            left,
+            right,
+            ..equation.clone()
+        };
+        let (left, right) = match (left, right) {
+            (Value::Number(left), Value::Number(right)) => return Ok(vec![between(left, right)]),
+            (Value::Matrix(left), Value::Matrix(right)) => (left, right),
+            // 0 is the matrix of zeros
+            (Value::Matrix(rows), Value::Number(zero)) if super::build::is_zero(&zero) => {
+                let zeros = rows
+                    .iter()
+                    .map(|row| row.iter().map(|_| integer(0)).collect())
+                    .collect();
+                (rows, zeros)
+            }
+            _ => return Err("a matrix is compared with a number".to_owned()),
+        };
+        let shape = |rows: &Vec<Vec<Tree>>| (rows.len(), rows.first().map(Vec::len));
+        if shape(&left) != shape(&right) {
+            return Err("matrices of different shapes are compared".to_owned());
+        }
+        if equation.relation != Relation::Equal {
+            return Err("matrices are compared by equality alone".to_owned());
+        }
+        let entries = left.into_iter().flatten().zip(right.into_iter().flatten());
+        Ok(entries.map(|(left, right)| between(left, right)).collect())
+    }
+
+    fn number(&mut self, tree: &Tree) -> Result<Tree, String> {
+        match self.value(tree)? {
+            Value::Number(tree) => Ok(tree),
+            Value::Matrix(_) => Err("a matrix stands where a number must".to_owned()),
+        }
+    }
+
+    fn boxed(&mut self, tree: &Tree) -> Result<Box<Tree>, String> {
+        self.number(tree).map(Box::new)
+    }
+
+    fn values(&mut self, trees: &[Tree]) -> Result<Vec<Value>, String> {
+        trees.iter().map(|tree| self.value(tree)).collect()
+    }
+
+    fn value(&mut self, tree: &Tree) -> Result<Value, String> {
+        Ok(Value::Number(match tree {
+            Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => tree.clone(),
+            Tree::Sum(terms) => return matrix::added(self.values(terms)?),
+            Tree::Product(factors) => return matrix::multiplied(self.values(factors)?),
+            Tree::Negate(inner) => match self.value(inner)? {
+                Value::Number(inner) => Tree::Negate(Box::new(inner)),
+                value => return Ok(matrix::negated(value)),
+            },
+            Tree::Quotient(above, below, at) => match self.value(above)? {
+                Value::Number(above) => Tree::Quotient(Box::new(above), self.boxed(below)?, *at),
+                value => {
+                    let below = self.number(below)?;
+                    return Ok(matrix::divided(value, &below));
+                }
+            },
+            Tree::Call(name, argument, at) => match self.value(argument)? {
+                Value::Number(argument) if factorial::is_one(tree) => factorial::of_number(name, &argument)
+                    .unwrap_or_else(|| Err(format!("the factorial of {argument}")))?,
+                Value::Number(argument) => Tree::Call(name.clone(), Box::new(argument), *at),
+                Value::Matrix(rows) if name.base == r"\abs" && !self.is_complex() => matrix::norm(&rows)?,
+                Value::Matrix(_) => return Err(format!("`{name}` of a matrix")),
+            },
+            Tree::Power(base, exponent, at) => match self.value(base)? {
+                Value::Number(base) => Tree::Power(Box::new(base), *exponent, *at),
+                Value::Matrix(rows) if matrix::vector(&rows).is_some() && !matrix::is_square(&rows) => {
+                    return Err("the power of a vector: write \\cdot".to_owned());
+                }
+                Value::Matrix(rows) => return Ok(Value::Matrix(matrix::raised(&rows, *exponent)?)),
+            },
+            Tree::RealPower(base, exponent, at) => match self.value(base)? {
+                Value::Matrix(rows) if self.vocabulary.transposes(exponent) => {
+                    return Ok(Value::Matrix(matrix::transposed(&rows)));
+                }
+                Value::Matrix(rows) => {
+                    let exponent = number_of(exponent).and_then(|exponent| exponent.to_integer());
+                    let exponent = exponent.and_then(|exponent| i32::try_from(exponent).ok());
+                    let exponent = exponent.ok_or("a symbolic power of a matrix")?;
+                    return Ok(Value::Matrix(matrix::raised(&rows, exponent)?));
+                }
+                Value::Number(_) if self.vocabulary.transposes(exponent) => {
+                    return Err(format!("the transpose of a number, or an unknown symbol `{exponent}`"));
+                }
+                Value::Number(base) => Tree::RealPower(Box::new(base), self.boxed(exponent)?, *at),
+            },
+            Tree::Root(inner, index, at) => Tree::Root(self.boxed(inner)?, *index, *at),
+            Tree::PlusMinus(inner) => Tree::PlusMinus(self.boxed(inner)?),
+            Tree::MinusPlus(inner) => Tree::MinusPlus(self.boxed(inner)?),
+            Tree::Operation(operation, _) => return self.operation(operation),
+        }))
+    }
+
+    fn operation(&mut self, operation: &Operation) -> Result<Value, String> {
+        Ok(match operation {
+            Operation::Matrix(rows) => {
+                let mut out = Vec::new();
+                for row in rows {
+                    let row = row.iter().map(|cell| self.number(cell));
+                    out.push(row.collect::<Result<Vec<_>, _>>()?);
+                }
+                Value::Matrix(out)
+            }
+            Operation::Determinant(of) | Operation::Trace(of) => match self.value(of)? {
+                Value::Matrix(rows) if matches!(operation, Operation::Trace(_)) => Value::Number(matrix::trace(&rows)?),
+                Value::Matrix(rows) => Value::Number(matrix::determinant(&rows)?),
+                Value::Number(_) => return Err("a determinant or trace of a number".to_owned()),
+            },
+            Operation::Transpose(of) => match self.value(of)? {
+                Value::Matrix(rows) => Value::Matrix(matrix::transposed(&rows)),
+                number => number,
+            },
+            Operation::Cross(left, right) => matrix::cross(&self.value(left)?, &self.value(right)?)?,
+            Operation::Dot(left, right) => {
+                let (left, right) = (self.value(left)?, self.value(right)?);
+                if self.is_complex() && matches!((&left, &right), (Value::Matrix(_), Value::Matrix(_))) {
+                    return Err("\\cdot between complex vectors may take a conjugate: write a transpose".to_owned());
+                }
+                matrix::dot(&left, &right)?
+            }
+            Operation::Derivative { of, by, order, at } => self.derivative(of, by, *order, at)?,
+            Operation::Series {
+                kind,
+                of,
+                index,
+                from,
+                to,
+            } => {
+                let (Some(from), Some(to)) = (whole(from), whole(to)) else {
+                    return Err(format!(
+                        "the length of the {} over {index} is not a number",
+                        name_of(*kind)
+                    ));
+                };
+                if to.saturating_sub(from) >= MOST_TERMS {
+                    return Err(format!("more than {MOST_TERMS} terms"));
+                }
+                let mut terms = Vec::new();
+                for value in from..=to {
+                    terms.push(self.value(&at_index(of, index, value)?)?);
+                }
+                match (terms.is_empty(), kind) {
+                    (true, Series::Sum) => Value::Number(integer(0)),
+                    (true, Series::Product) => Value::Number(integer(1)),
+                    (false, Series::Sum) => matrix::added(terms)?,
+                    (false, Series::Product) => matrix::multiplied(terms)?,
+                }
+            }
+            Operation::Integral { .. } => return Err("an integral".to_owned()),
+            Operation::Cases(_) => return Err("cases within what is differentiated or summed".to_owned()),
+        })
+    }
+
+    /// Whether complex numbers may take part.
+    fn is_complex(&self) -> bool {
+        super::trees(self.statements)
+            .into_iter()
+            .any(|tree| self.vocabulary.may_be_complex(tree))
+    }
+
+    fn derivative(&mut self, of: &Tree, by: &Name, order: u32, at: &Tree) -> Result<Value, String> {
+        let vocabulary = self.vocabulary;
+        let of = self.value(of)?;
+        let runs = vocabulary.running.as_ref() == Some(by);
+        let premises = self.statements.premises.iter();
+        let mut spoken = premises.flat_map(|premise| [&premise.equation.left, &premise.equation.right]);
+        if !runs && spoken.any(|tree| mentions(tree, by)) {
+            return Err(format!(
+                "premises speak of `{by}`: what depends on it there is not differentiated; write it out, or let `{by}` run"
+            ));
+        }
+        if vocabulary.is_indexed(by) || vocabulary.is_index_letter(by) {
+            return Err(format!(
+                "a derivative by `{by}` is written \\frac{{\\partial a}}{{\\partial b}}"
+            ));
+        }
+        let mut each = |tree: &Tree| -> Result<Tree, String> {
+            let meant = rewrite(tree, &|name| vocabulary.meaning(name, &|_| false));
+            let slope = By { vocabulary, name: by }.of_order(&meant, order)?;
+            let there = |tree: Tree| match at {
+                Tree::Symbol(name, _) if name == by => tree,
+                at => rewrite(&tree, &|name| (name == by).then(|| at.clone())),
+            };
+            // a derivative exists where that of each order before it does
+            for before in 0..order {
+                let before = By { vocabulary, name: by }.of_order(&meant, before)?;
+                self.beside.push(there(before));
+            }
+            Ok(there(slope))
+        };
+        Ok(match of {
+            Value::Number(tree) => Value::Number(each(&tree)?),
+            Value::Matrix(rows) => {
+                let mut out = Vec::new();
+                for row in &rows {
+                    out.push(row.iter().map(&mut each).collect::<Result<Vec<_>, _>>()?);
+                }
+                Value::Matrix(out)
+            }
+        })
+    }
+}
+
+fn name_of(kind: Series) -> &'static str {
+    match kind {
+        Series::Sum => "sum",
+        Series::Product => "product",
+    }
+}
+
+/// The integer that a tree of numbers is.
+pub(super) fn whole(tree: &Tree) -> Option<i64> {
+    number_of(tree).and_then(|value: Rational| value.to_integer())
+}
+
+/// A term of a sum: its index a number, also where it numbers a name.
+pub(super) fn at_index(of: &Tree, index: &Name, value: i64) -> Result<Tree, String> {
+    let letter = index.to_string();
+    Ok(rewrite(of, &|name| {
+        if name == index {
+            return Some(integer(value));
+        }
+        let offset = index_of(&name.subscript, &letter)?;
+        Some(symbol(&Name {
+            subscript: (value + i64::from(offset)).to_string(),
+            ..name.clone()
+        }))
+    }))
+}

@@ -1,0 +1,197 @@
+//! Factorials: of numbers their values, of letters positive quantities of which n! = n (n - 1)! is known.
+
+use super::super::premise::Statements;
+use super::super::substitute::any;
+use super::super::vocabulary::Vocabulary;
+use super::build::{integer, product, quotient, real_power, sum, symbol};
+use super::evaluate::{mapped, whole};
+use super::{fresh, rewritten, trees};
+use crate::number::{Field, Rational};
+use crate::tex::{Condition, Equation, Name, Relation, Tree};
+use std::collections::BTreeMap;
+
+pub(super) const FACTORIAL: &str = "\\factorial";
+const DOUBLE: &str = "\\doublefactorial";
+
+/// The largest number whose factorial is written out.
+const LARGEST: i64 = 200;
+
+/// Whether a tree holds a factorial.
+pub(super) fn stands_in(tree: &Tree) -> bool {
+    any(tree, &mut |node| is_one(node))
+}
+
+/// Whether a node is a factorial.
+pub(super) fn is_one(node: &Tree) -> bool {
+    matches!(node, Tree::Call(name, ..) if [FACTORIAL, DOUBLE].contains(&name.base.as_str()))
+}
+
+/// The factorial of a number, simple or double; `None` where the argument is no number.
+pub(super) fn of_number(name: &Name, argument: &Tree) -> Option<Result<Tree, String>> {
+    let step = match name.base.as_str() {
+        FACTORIAL => 1,
+        DOUBLE => 2,
+        _ => return None,
+    };
+    let mut value = whole(argument)?;
+    if value < 0 || value > LARGEST {
+        return Some(Err(format!("the factorial of {value}")));
+    }
+    let mut total = Rational::from_integer(1);
+    while value > 1 {
+        total = total * Rational::from_integer(value);
+        value -= step;
+    }
+    Some(Ok(Tree::Number(total)))
+}
+
+/// Letters times integers, by their names, and an integer.
+type Linear = (BTreeMap<Name, i64>, i64);
+
+fn linear(tree: &Tree) -> Option<Linear> {
+    let scaled = |(letters, constant): Linear, by: i64| -> Option<Linear> {
+        let letters = letters
+            .into_iter()
+            .map(|(name, factor)| Some((name, factor.checked_mul(by)?)));
+        Some((letters.collect::<Option<_>>()?, constant.checked_mul(by)?))
+    };
+    Some(match tree {
+        Tree::Symbol(name, _) => (BTreeMap::from([(name.clone(), 1)]), 0),
+        Tree::Negate(inner) => scaled(linear(inner)?, -1)?,
+        Tree::Sum(terms) => {
+            let mut total: Linear = (BTreeMap::new(), 0);
+            for term in terms {
+                let (letters, constant) = linear(term)?;
+                total.1 = total.1.checked_add(constant)?;
+                for (name, factor) in letters {
+                    let known = total.0.entry(name).or_default();
+                    *known = known.checked_add(factor)?;
+                }
+            }
+            total.0.retain(|_, factor| *factor != 0);
+            total
+        }
+        Tree::Product(factors) => {
+            let mut total: Linear = (BTreeMap::new(), 1);
+            for factor in factors {
+                let (letters, constant) = linear(factor)?;
+                total = match (total.0.is_empty(), letters.is_empty()) {
+                    (_, true) => scaled(total, constant)?,
+                    (true, false) => scaled((letters, constant), total.1)?,
+                    (false, false) => return None,
+                };
+            }
+            total
+        }
+        tree => (BTreeMap::new(), whole(tree)?),
+    })
+}
+
+fn tree_of((letters, constant): &Linear) -> Tree {
+    let terms = letters
+        .iter()
+        .map(|(name, factor)| product(vec![integer(*factor), symbol(name)]));
+    sum(terms.chain([integer(*constant)]).collect())
+}
+
+/// Double factorials as simple ones: (2m)!! = 2^m m!, (2m - 1)!! = (2m)!/(2^m m!).
+fn simple(tree: &Tree) -> Tree {
+    mapped(tree, &|node| {
+        let Tree::Call(name, argument, _) = node else {
+            return None;
+        };
+        if name.base != DOUBLE {
+            return None;
+        }
+        let (letters, constant) = linear(argument)?;
+        if letters.values().any(|factor| factor % 2 != 0) {
+            return None;
+        }
+        let up = constant.rem_euclid(2);
+        let half: Linear = (
+            letters
+                .iter()
+                .map(|(name, factor)| (name.clone(), factor / 2))
+                .collect(),
+            (constant + up) / 2,
+        );
+        let of = |tree: Tree| super::build::call(FACTORIAL, tree);
+        let even = product(vec![real_power(integer(2), tree_of(&half)), of(tree_of(&half))]);
+        Some(match up {
+            0 => even,
+            _ => quotient(of(tree_of(&(letters, constant + 1))), even),
+        })
+    })
+}
+
+/// The statements with factorials as positive quantities, which is enough to prove them; and the vocabulary with these.
+pub(super) fn as_quantities(
+    statements: &Statements,
+    vocabulary: &Vocabulary,
+) -> Result<(Statements, Vocabulary), String> {
+    let statements = rewritten(statements, &|tree| simple(tree));
+    let mut groups: BTreeMap<BTreeMap<Name, i64>, Vec<i64>> = BTreeMap::new();
+    let mut unknown = None;
+    for tree in trees(&statements) {
+        any(tree, &mut |node| {
+            if let Tree::Call(name, argument, _) = node
+                && stands_in(node)
+                && [FACTORIAL, DOUBLE].contains(&name.base.as_str())
+            {
+                match linear(argument).filter(|_| name.base == FACTORIAL) {
+                    Some((letters, constant)) if !letters.is_empty() => {
+                        groups.entry(letters).or_default().push(constant);
+                    }
+                    Some(_) => {}
+                    None => unknown = Some(argument.to_string()),
+                }
+            }
+            false
+        });
+    }
+    if let Some(unknown) = unknown {
+        return Err(format!("the factorial of {unknown}"));
+    }
+    let mut vocabulary = vocabulary.clone();
+    let mut quantities: BTreeMap<BTreeMap<Name, i64>, (i64, Name)> = BTreeMap::new();
+    let mut out = statements.clone();
+    for (letters, constants) in groups {
+        let least = constants.into_iter().min().unwrap_or_default();
+        let name = fresh(&statements, &vocabulary, "N");
+        vocabulary.let_be_parameter(&name, true);
+        let condition = Equation {
+            relation: Relation::GreaterOrEqual,
+            ..Equation::between(tree_of(&(letters.clone(), least)), integer(0))
+        };
+        out.assume.push(Condition::Relation(condition));
+        quantities.insert(letters, (least, name));
+    }
+    let written = |node: &Tree| -> Option<Tree> {
+        let Tree::Call(name, argument, _) = node else {
+            return None;
+        };
+        if let Some(Ok(number)) = of_number(name, argument) {
+            return Some(number);
+        }
+        if name.base != FACTORIAL {
+            return None;
+        }
+        let (letters, constant) = linear(argument)?;
+        let (least, quantity) = quantities.get(&letters)?;
+        let rising = (least + 1..=constant).map(|more| tree_of(&(letters.clone(), more)));
+        Some(product(std::iter::once(symbol(quantity)).chain(rising).collect()))
+    };
+    let out = rewritten(&out, &|tree| mapped(tree, &written));
+    Ok((out, vocabulary))
+}
+
+/// Whether a tree is letters times integers and an integer, added up.
+pub(super) fn is_linear(tree: &Tree) -> bool {
+    linear(tree).is_some()
+}
+
+/// Whether a tree is such with letters that are integers.
+pub(super) fn is_integer(tree: &Tree, vocabulary: &Vocabulary) -> bool {
+    let letters = linear(tree).map(|(letters, _)| letters);
+    letters.is_some_and(|letters| letters.keys().all(|name| vocabulary.integers.contains(name)))
+}

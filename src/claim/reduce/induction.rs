@@ -1,0 +1,255 @@
+//! Sums and products of symbolic length by induction over an integer: the first value, the step, and that everything
+//! has a value at each.
+
+use super::super::fault::Source;
+use super::super::premise::{Premise, Statements};
+use super::super::substitute::rewrite;
+use super::super::vocabulary::Vocabulary;
+use super::build::{difference, integer, product, sum, symbol};
+use super::derivative::mentions;
+use super::evaluate::{evaluated, mapped, whole};
+use super::{Goal, defined, factorial, fresh, holds, instances, rewritten};
+use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
+
+/// A sum or product whose limits move with the integer.
+struct Moving {
+    operation: Operation,
+    /// What stands for it.
+    name: Name,
+    /// The terms that the next value has more, and those that it has no longer.
+    added: Vec<Tree>,
+    removed: Vec<Tree>,
+}
+
+/// The goals that prove the claim.
+///
+/// # Errors
+/// Why there is no induction.
+pub(super) fn goals(statements: &Statements, vocabulary: &Vocabulary) -> Result<Vec<Goal>, String> {
+    let is_series = |operation: &Operation| matches!(operation, Operation::Series { .. });
+    if !statements.claims.iter().any(|claim| holds(claim, &is_series)) {
+        let (quantities, vocabulary) = factorial::as_quantities(statements, vocabulary)?;
+        let evaluated = evaluated(&quantities, &vocabulary)?;
+        return Ok(vec![Goal::of(&evaluated, &vocabulary, String::new())]);
+    }
+    if statements
+        .premises
+        .iter()
+        .any(|premise| holds(&premise.equation, &|_| true))
+    {
+        return Err("a premise holds a sum of symbolic length".to_owned());
+    }
+    if super::trees(statements)
+        .into_iter()
+        .any(|tree| vocabulary.may_be_complex(tree))
+    {
+        return Err("sums of complex numbers have no induction here".to_owned());
+    }
+    let letters = instances::integers(statements, vocabulary);
+    let mut reason = "the length of a sum is no integer".to_owned();
+    for letter in &letters {
+        match over(statements, vocabulary, letter) {
+            Ok(goals) => return Ok(goals),
+            Err(why) => reason = why,
+        }
+    }
+    Err(reason)
+}
+
+fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Result<Vec<Goal>, String> {
+    let first = first_value(statements, vocabulary, letter)?;
+    if statements
+        .premises
+        .iter()
+        .any(|premise| mentions(&premise.equation.left, letter) || mentions(&premise.equation.right, letter))
+    {
+        return Err(format!("premises speak of {letter}"));
+    }
+    let mut vocabulary = vocabulary.clone();
+    let mut moving: Vec<Moving> = Vec::new();
+    let mut found: Vec<Operation> = Vec::new();
+    for claim in &statements.claims {
+        for side in [&claim.left, &claim.right] {
+            series_in(side, &mut found);
+        }
+    }
+    for operation in found {
+        let name = fresh(statements, &vocabulary, "S");
+        vocabulary.let_be_parameter(&name, false);
+        moving.push(moved(&operation, letter, first, name)?);
+    }
+    let named = |tree: &Tree| {
+        mapped(tree, &|node| match node {
+            Tree::Operation(operation, _) => {
+                let of = moving.iter().find(|moving| moving.operation == **operation);
+                of.map(|moving| symbol(&moving.name))
+            }
+            _ => None,
+        })
+    };
+    let now = rewritten(statements, &named);
+    // the claim at the next value, by what stands for its sums now
+    let step = |tree: &Tree| {
+        let next = rewrite(tree, &|name| {
+            (name == letter).then(|| sum(vec![symbol(letter), integer(1)]))
+        });
+        rewrite(&next, &|name| {
+            let moving = moving.iter().find(|moving| moving.name == *name)?;
+            Some(next_value(moving))
+        })
+    };
+    let mut next = now.clone();
+    let equation = |claim: &Equation| Equation {
+        left: step(&claim.left),
+        right: step(&claim.right),
+        ..claim.clone()
+    };
+    next.claims = now.claims.iter().map(equation).collect();
+    next.premises.extend(now.claims.iter().map(|claim| Premise {
+        label: format!("the claim at {letter}"),
+        equation: claim.clone(),
+        locals: Vec::new(),
+        assume: Vec::new(),
+        first: None,
+        substituted: false,
+        source: Source::unplaced(claim.to_string()),
+    }));
+    let mut goals = Vec::new();
+    let mut push = |statements: &Statements, part: String| -> Result<(), String> {
+        let (quantities, vocabulary) = factorial::as_quantities(statements, &vocabulary)?;
+        let evaluated = evaluated(&quantities, &vocabulary)?;
+        goals.push(Goal::of(&evaluated, &vocabulary, part));
+        Ok(())
+    };
+    let base = instances::at(statements, &vocabulary, &[(letter, first)]).ok_or("the first value is not admissible")?;
+    push(&base, format!("{letter} = {first}"))?;
+    push(&next, format!("the step from {letter} to {letter} + 1"))?;
+    // where the claim has no value at one integer, no step leads over it
+    let mut needed: Vec<Equation> = Vec::new();
+    for claim in &now.claims {
+        for side in [&claim.left, &claim.right] {
+            needed.extend(defined::conditions(side, &vocabulary)?);
+        }
+    }
+    for removed in moving.iter().flat_map(|moving| &moving.removed) {
+        needed.extend(defined::conditions(removed, &vocabulary)?);
+    }
+    needed.retain(|condition| mentions(&condition.left, letter));
+    needed.dedup();
+    for condition in needed {
+        let mut alone = now.clone();
+        alone.claims = vec![condition.clone()];
+        push(&alone, format!("{condition} at each {letter}"))?;
+    }
+    Ok(goals)
+}
+
+/// The first value of the integer, by its conditions.
+fn first_value(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Result<i64, String> {
+    let is_letter = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name == letter);
+    let mut first: Option<i64> = None;
+    let listed = [(&vocabulary.positive, 1), (&vocabulary.nonnegative, 0)];
+    let bounds = listed
+        .into_iter()
+        .filter(|(list, _)| list.contains(letter))
+        .map(|(_, bound)| bound);
+    let mut all: Vec<i64> = bounds.collect();
+    for condition in &statements.assume {
+        let Condition::Relation(relation) = condition else {
+            continue;
+        };
+        if !mentions(&relation.left, letter) && !mentions(&relation.right, letter) {
+            continue;
+        }
+        let bound = match (is_letter(&relation.left), is_letter(&relation.right), relation.relation) {
+            (true, false, Relation::GreaterOrEqual) => whole(&relation.right),
+            (true, false, Relation::Greater) => whole(&relation.right).map(|bound| bound + 1),
+            (false, true, Relation::LessOrEqual) => whole(&relation.left),
+            (false, true, Relation::Less) => whole(&relation.left).map(|bound| bound + 1),
+            _ => None,
+        };
+        match bound {
+            Some(bound) => all.push(bound),
+            None => return Err(format!("the condition {relation} is no lower bound")),
+        }
+    }
+    for bound in all {
+        first = Some(first.map_or(bound, |known| known.max(bound)));
+    }
+    first.ok_or_else(|| format!("{letter} has no lower bound"))
+}
+
+fn series_in(tree: &Tree, found: &mut Vec<Operation>) {
+    super::super::substitute::any(tree, &mut |node| {
+        if let Tree::Operation(operation, _) = node
+            && matches!(**operation, Operation::Series { .. })
+            && !found.contains(operation)
+        {
+            found.push((**operation).clone());
+        }
+        false
+    });
+}
+
+/// How a limit moves: its value at the first integer, and by how much with each.
+fn motion(limit: &Tree, letter: &Name, first: i64) -> Option<(i64, i64)> {
+    let at = |value: i64| whole(&rewrite(limit, &|name| (name == letter).then(|| integer(value))));
+    let (zero, one, two) = (at(first)?, at(first + 1)?, at(first + 2)?);
+    (one - zero == two - one).then_some((zero, one - zero))
+}
+
+fn moved(operation: &Operation, letter: &Name, first: i64, name: Name) -> Result<Moving, String> {
+    let Operation::Series {
+        kind,
+        of,
+        index,
+        from,
+        to,
+    } = operation
+    else {
+        return Err("no sum".to_owned());
+    };
+    if mentions(of, letter) {
+        return Err(format!("the terms of a sum depend on {letter}"));
+    }
+    let linear = |limit: &Tree| {
+        let is_linear = factorial::is_linear(limit);
+        motion(limit, letter, first)
+            .filter(|_| is_linear)
+            .ok_or_else(|| format!("the limit {limit} does not move evenly with {letter}"))
+    };
+    let ((low, lower), (high, higher)) = (linear(from)?, linear(to)?);
+    let is_whole = high - low >= -1 && higher >= lower && (0..=8).contains(&lower) && (0..=8).contains(&higher);
+    if !is_whole || (*kind == Series::Product && lower != 0) {
+        return Err("the limits of a sum move in a way that has no induction".to_owned());
+    }
+    let term = |limit: &Tree, more: i64| {
+        let at = sum(vec![limit.clone(), integer(more)]);
+        rewrite(of, &|name| (name == index).then(|| at.clone()))
+    };
+    let is_numbered = super::super::substitute::any(
+        of,
+        &mut |node| matches!(node, Tree::Symbol(name, _) if super::super::vocabulary::index_of(&name.subscript, &index.to_string()).is_some()),
+    );
+    if is_numbered {
+        return Err("the terms of a sum are numbered names".to_owned());
+    }
+    Ok(Moving {
+        operation: operation.clone(),
+        name,
+        added: (1..=higher).map(|more| term(to, more)).collect(),
+        removed: (0..lower).map(|more| term(from, more)).collect(),
+    })
+}
+
+fn next_value(moving: &Moving) -> Tree {
+    let own = symbol(&moving.name);
+    let Operation::Series { kind, .. } = &moving.operation else {
+        return own;
+    };
+    let all = std::iter::once(own).chain(moving.added.iter().cloned()).collect();
+    match kind {
+        Series::Product => product(all),
+        Series::Sum => difference(sum(all), sum(moving.removed.clone())),
+    }
+}

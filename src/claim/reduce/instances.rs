@@ -1,0 +1,135 @@
+//! A claim over integers at numbers: what must hold if the claim does.
+
+use super::super::premise::Statements;
+use super::super::substitute::{any, number_of, rewrite};
+use super::super::vocabulary::Vocabulary;
+use super::build::integer;
+use super::derivative::mentions;
+use super::evaluate::evaluated;
+use super::{Goal, rewritten, trees};
+use crate::number::Rational;
+use crate::tex::{Condition, Equation, Name, Relation, Tree};
+
+/// The highest number that is put in, the most letters, and the most goals.
+const HIGHEST: i64 = 7;
+const MOST_LETTERS: usize = 3;
+const MOST_GOALS: usize = 8;
+
+/// The letters that are integers and stand in the statements.
+pub(super) fn integers(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Name> {
+    let said = statements.assume.iter().filter_map(|condition| match condition {
+        Condition::Integer(Tree::Symbol(name, _)) => Some(name.clone()),
+        _ => None,
+    });
+    let mut found: Vec<Name> = Vec::new();
+    for name in vocabulary.integers.iter().cloned().chain(said) {
+        let is_met = trees(statements).into_iter().any(|tree| mentions(tree, &name));
+        if is_met && !found.contains(&name) && !vocabulary.is_indexed(&name) && !vocabulary.is_index_letter(&name) {
+            found.push(name);
+        }
+    }
+    found
+}
+
+/// The claim at small numbers for its integers, in all the places where they stand.
+pub(super) fn of(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Goal> {
+    let letters = integers(statements, vocabulary);
+    let mut goals = Vec::new();
+    if letters.is_empty() || letters.len() > MOST_LETTERS {
+        return goals;
+    }
+    for total in 0..=HIGHEST * 2 {
+        for values in tuples(letters.len(), total) {
+            if goals.len() >= MOST_GOALS {
+                return goals;
+            }
+            let pairs: Vec<(&Name, i64)> = letters.iter().zip(values).collect();
+            if let Some(instance) = at(statements, vocabulary, &pairs)
+                && let Ok(evaluated) = evaluated(&instance, vocabulary)
+            {
+                let part: Vec<String> = pairs.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+                goals.push(Goal::of(&evaluated, vocabulary, part.join(", ")));
+            }
+        }
+    }
+    goals
+}
+
+/// The tuples of numbers from 0 that add up to `total`.
+fn tuples(length: usize, total: i64) -> Vec<Vec<i64>> {
+    if length == 1 {
+        return if total <= HIGHEST {
+            vec![vec![total]]
+        } else {
+            Vec::new()
+        };
+    }
+    let first = 0..=total.min(HIGHEST);
+    first
+        .flat_map(|first| {
+            tuples(length - 1, total - first)
+                .into_iter()
+                .map(move |rest| std::iter::once(first).chain(rest).collect())
+        })
+        .collect()
+}
+
+/// The statements with numbers for letters; `None` where these are not admissible.
+pub(super) fn at(statements: &Statements, vocabulary: &Vocabulary, pairs: &[(&Name, i64)]) -> Option<Statements> {
+    let excluded = |name: &Name, value: i64| {
+        (value <= 0 && (vocabulary.positive.contains(name) || vocabulary.at_most_one.contains(name)))
+            || (value < 0 && vocabulary.nonnegative.contains(name))
+            || (value == 0 && vocabulary.nonzero.contains(name))
+            || (value > 1 && vocabulary.at_most_one.contains(name))
+    };
+    if pairs.iter().any(|(name, value)| excluded(name, *value)) {
+        return None;
+    }
+    let put_in = |name: &Name| {
+        let pair = pairs.iter().find(|(letter, _)| *letter == name);
+        pair.map(|(_, value)| integer(*value))
+    };
+    let mut instance = rewritten(statements, &|tree| folded(&rewrite(tree, &put_in)));
+    for condition in &instance.assume {
+        let holds = match condition {
+            Condition::Relation(relation) => relation_holds(relation),
+            Condition::Integer(tree) => number_of(tree).map(|value| value.0.is_int()),
+        };
+        if holds == Some(false) {
+            return None;
+        }
+    }
+    instance.assume.retain(|condition| match condition {
+        Condition::Relation(relation) => relation_holds(relation).is_none(),
+        Condition::Integer(tree) => number_of(tree).is_none(),
+    });
+    Some(instance)
+}
+
+/// Whether a relation between numbers holds.
+fn relation_holds(relation: &Equation) -> Option<bool> {
+    let (left, right): (Rational, Rational) = (number_of(&relation.left)?, number_of(&relation.right)?);
+    Some(match relation.relation {
+        Relation::Equal => left == right,
+        Relation::NotEqual => left != right,
+        Relation::Less => left < right,
+        Relation::LessOrEqual => left <= right,
+        Relation::Greater => left > right,
+        Relation::GreaterOrEqual => left >= right,
+    })
+}
+
+/// The tree with exponents that are integers written as such.
+fn folded(tree: &Tree) -> Tree {
+    let is_power = |node: &Tree| matches!(node, Tree::RealPower(..));
+    if !any(tree, &mut |node| is_power(node)) {
+        return tree.clone();
+    }
+    super::evaluate::mapped(tree, &|node| match node {
+        Tree::RealPower(base, exponent, at) => {
+            let exponent = i32::try_from(super::evaluate::whole(exponent)?).ok()?;
+            Some(Tree::Power(Box::new(folded(base)), exponent, *at))
+        }
+        _ => None,
+    })
+}

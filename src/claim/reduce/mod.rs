@@ -1,0 +1,246 @@
+//! Claims with matrices, derivatives, integrals, sums, products and cases, reduced to claims about numbers: goals, of
+//! which all must hold for the claim to, and goals of which none may fail.
+//!
+//! What is done here is trusted: each reduction is by definition of the operation, or by a rule that it names.
+
+mod antiderivative;
+mod build;
+mod cases;
+mod defined;
+mod derivative;
+mod evaluate;
+mod factorial;
+mod induction;
+mod instances;
+mod integral;
+mod matrix;
+
+use super::definition::{Local, inlined};
+use super::premise::Statements;
+use super::substitute::any;
+use super::vocabulary::Vocabulary;
+pub(super) use integral::{holds_indefinite, is_constant_of_integration};
+
+use crate::tex::{Condition, Equation, Name, Operation, Tree};
+
+/// A claim without operations.
+#[derive(Clone, Debug)]
+pub struct Goal {
+    pub statements: Statements,
+    pub vocabulary: Vocabulary,
+    /// What it is of the claim: the case, the value of an index, a step; empty where it is the claim itself.
+    pub part: String,
+}
+
+/// What a claim comes to.
+#[derive(Clone, Debug)]
+pub struct Reduced {
+    /// What must hold for the others to bear on the claim.
+    pub lemmas: Vec<Goal>,
+    /// The claim holds where all of these do; none where no way to prove it is known.
+    pub sufficient: Vec<Goal>,
+    /// It fails where one of these does.
+    pub necessary: Vec<Goal>,
+    /// Whether the two are the same.
+    pub is_equivalent: bool,
+    /// Why nothing is sufficient.
+    pub reason: String,
+}
+
+impl Reduced {
+    /// The claim as its own only goal.
+    pub fn itself(goal: Goal) -> Self {
+        Self {
+            lemmas: Vec::new(),
+            necessary: vec![goal.clone()],
+            sufficient: vec![goal],
+            is_equivalent: true,
+            reason: String::new(),
+        }
+    }
+}
+
+impl Goal {
+    fn of(statements: &Statements, vocabulary: &Vocabulary, part: String) -> Self {
+        Self {
+            statements: statements.clone().with_overview(vocabulary),
+            vocabulary: vocabulary.clone(),
+            part,
+        }
+    }
+}
+
+/// Whether a tree holds an operation, or a power that is a transpose.
+fn has_operation(tree: &Tree, vocabulary: &Vocabulary) -> bool {
+    any(tree, &mut |node| match node {
+        Tree::Operation(..) => true,
+        Tree::RealPower(_, exponent, _) => vocabulary.transposes(exponent),
+        node => factorial::is_one(node) || cases::is_sign(node),
+    })
+}
+
+/// All trees of the statements, definitions too.
+fn trees(statements: &Statements) -> Vec<&Tree> {
+    let claims = statements.claims.iter().flat_map(|claim| [&claim.left, &claim.right]);
+    let premises = statements.premises.iter().flat_map(|premise| {
+        let own = [&premise.equation.left, &premise.equation.right];
+        let locals = premise.locals.iter().map(|local| &local.tree);
+        own.into_iter()
+            .chain(locals)
+            .chain(premise.assume.iter().flat_map(sides_of))
+    });
+    let locals = statements.locals.iter().map(|local| &local.tree);
+    let assume = statements.assume.iter().flat_map(sides_of);
+    claims.chain(premises).chain(locals).chain(assume).collect()
+}
+
+fn sides_of(condition: &Condition) -> Vec<&Tree> {
+    match condition {
+        Condition::Relation(relation) => vec![&relation.left, &relation.right],
+        Condition::Integer(tree) => vec![tree],
+    }
+}
+
+/// What a claim comes to; `None` where it is about numbers as it stands.
+///
+/// # Errors
+/// Why an operation has no meaning here, or is not reduced.
+pub fn reduced(statements: &Statements, vocabulary: &Vocabulary) -> Result<Option<Reduced>, String> {
+    if !trees(statements)
+        .into_iter()
+        .any(|tree| has_operation(tree, vocabulary))
+    {
+        return Ok(None);
+    }
+    let statements = rewritten(&written_out(statements)?, &cases::signs);
+    let mut goals = Vec::new();
+    for (part, statements) in cases::split(&statements, vocabulary)? {
+        let by_numbers = evaluate::evaluated(&statements, vocabulary);
+        match by_numbers {
+            Ok(evaluated) => goals.push(Goal::of(&evaluated, vocabulary, part)),
+            Err(_) if integral::is_indefinite(&statements) => {
+                let differentiated = integral::differentiated(&statements, vocabulary)?;
+                let evaluated = evaluate::evaluated(&differentiated, vocabulary)?;
+                goals.push(Goal::of(&evaluated, vocabulary, part));
+            }
+            Err(reason) if part.is_empty() => {
+                return over_an_index(&statements, vocabulary, reason).map(Some);
+            }
+            Err(reason) => return Err(reason),
+        }
+    }
+    Ok(Some(Reduced {
+        lemmas: Vec::new(),
+        necessary: goals.clone(),
+        sufficient: goals,
+        is_equivalent: true,
+        reason: String::new(),
+    }))
+}
+
+/// What a claim with definite integrals, or with sums and products of symbolic length, comes to.
+fn over_an_index(statements: &Statements, vocabulary: &Vocabulary, reason: String) -> Result<Reduced, String> {
+    if let Some(found) = integral::by_antiderivatives(statements, vocabulary)? {
+        return Ok(found);
+    }
+    let necessary = instances::of(statements, vocabulary);
+    let (sufficient, why) = match induction::goals(statements, vocabulary) {
+        Ok(goals) => (goals, String::new()),
+        Err(why) => (Vec::new(), why),
+    };
+    if necessary.is_empty() && sufficient.is_empty() {
+        return Err(reason);
+    }
+    Ok(Reduced {
+        lemmas: Vec::new(),
+        sufficient,
+        necessary,
+        is_equivalent: false,
+        reason: why,
+    })
+}
+
+/// The statements with all definitions put in, each of which must have a value.
+fn written_out(statements: &Statements) -> Result<Statements, String> {
+    let too_large = || "what is defined is too large once it is put in".to_owned();
+    let put_in =
+        |equation: &Equation, locals: &[Local]| super::definition::inlined_in(equation, locals).ok_or_else(too_large);
+    let condition = |condition: &Condition, locals: &[Local]| {
+        Ok::<Condition, String>(match condition {
+            Condition::Relation(relation) => Condition::Relation(put_in(relation, locals)?),
+            Condition::Integer(tree) => Condition::Integer(inlined(tree, locals).ok_or_else(too_large)?),
+        })
+    };
+    let mut written = statements.clone();
+    let locals = std::mem::take(&mut written.locals);
+    for claim in &mut written.claims {
+        *claim = put_in(claim, &locals)?;
+    }
+    for assumed in &mut written.assume {
+        *assumed = condition(assumed, &locals)?;
+    }
+    for premise in &mut written.premises {
+        let locals = std::mem::take(&mut premise.locals);
+        premise.equation = put_in(&premise.equation, &locals)?;
+        for assumed in &mut premise.assume {
+            *assumed = condition(assumed, &locals)?;
+        }
+    }
+    // what nothing speaks of must have a value all the same
+    for local in &locals {
+        let tree = inlined(&local.tree, &locals).ok_or_else(too_large)?;
+        let is_used = trees(statements)
+            .into_iter()
+            .any(|tree| derivative::mentions(tree, &local.name));
+        if !is_used {
+            written.claims.push(Equation::between(tree.clone(), tree));
+        }
+    }
+    Ok(written)
+}
+
+/// Whether an equation holds an operation that passes the test.
+fn holds(equation: &Equation, test: &dyn Fn(&Operation) -> bool) -> bool {
+    [&equation.left, &equation.right].into_iter().any(|side| {
+        any(
+            side,
+            &mut |node| matches!(node, Tree::Operation(operation, _) if test(operation)),
+        )
+    })
+}
+
+/// The statements with each formula of claims, premises and assumptions rewritten.
+fn rewritten(statements: &Statements, new: &dyn Fn(&Tree) -> Tree) -> Statements {
+    let equation = |equation: &Equation| Equation {
+        left: new(&equation.left),
+        right: new(&equation.right),
+        ..equation.clone()
+    };
+    let condition = |condition: &Condition| match condition {
+        Condition::Relation(relation) => Condition::Relation(equation(relation)),
+        Condition::Integer(tree) => Condition::Integer(new(tree)),
+    };
+    let mut rewritten = statements.clone();
+    rewritten.claims = statements.claims.iter().map(equation).collect();
+    rewritten.assume = statements.assume.iter().map(condition).collect();
+    for premise in &mut rewritten.premises {
+        premise.equation = equation(&premise.equation);
+        premise.assume = premise.assume.iter().map(condition).collect();
+    }
+    rewritten
+}
+
+/// A name that nothing in the statements has, like `like`.
+fn fresh(statements: &Statements, vocabulary: &Vocabulary, like: &str) -> Name {
+    let mut name = build::plain(like);
+    let is_met = |name: &Name| {
+        vocabulary.knows(name)
+            || trees(statements)
+                .into_iter()
+                .any(|tree| derivative::mentions(tree, name))
+    };
+    while is_met(&name) {
+        name.primes = name.primes.saturating_add(1);
+    }
+    name
+}

@@ -1,0 +1,836 @@
+//! Matrices, values by cases, derivatives, integrals, sums and products, and `\approx`.
+
+use super::error::Fault;
+use super::part::{Form, Part, starts_factor};
+use super::reader::Reader;
+use super::symbol::base;
+use super::token::{Bracket, Kind, Rows, Token};
+use super::{At, Case, Condition, Equation, Invariant, Name, Operation, Relation, Series, Tree};
+use crate::number::{Field, Rational};
+
+/// The most rows, and columns, of a matrix.
+const LARGEST: usize = 16;
+
+/// The highest order of a derivative.
+const HIGHEST: u32 = 20;
+
+/// What stands for the differential of an integral while the integrand is read.
+const DIFFERENTIAL: &str = "\\differential";
+
+const WHAT_IS_DERIVED: &str = "write brackets around all that is differentiated";
+
+impl<'a> Reader<'a> {
+    /// A matrix, a determinant between bars, or a value by cases, whose environment stands next.
+    pub(super) fn rows(&mut self, open: Token<'a>, rows: Rows) -> Result<Box<Tree>, Fault> {
+        self.next += 1;
+        self.deepen()?;
+        let operation = match rows {
+            Rows::Cases => Operation::Cases(self.cases(open)?),
+            Rows::Matrix => Operation::Matrix(self.cells(open)?),
+            Rows::Determinant => {
+                let matrix = Operation::Matrix(self.cells(open)?);
+                Operation::Determinant(Tree::Operation(Box::new(matrix), At(open.at)))
+            }
+        };
+        self.rise();
+        self.close(open, Bracket::Rows(rows))?;
+        Ok(boxed(operation, open.at))
+    }
+
+    fn cells(&mut self, open: Token<'a>) -> Result<Vec<Vec<Tree>>, Fault> {
+        let mut cells: Vec<Vec<Tree>> = vec![Vec::new()];
+        while let Some(row) = cells.last_mut() {
+            let cell = *self.sum()?;
+            row.push(cell);
+            self.skip_empty();
+            if self.take(Kind::Column).is_some() {
+                continue;
+            }
+            if self.take(Kind::Row).is_none() || matches!(self.peek_kind(), Some(Kind::Close(_))) {
+                break;
+            }
+            cells.push(Vec::new());
+        }
+        let length = cells.first().map_or(0, Vec::len);
+        if cells.iter().any(|row| row.len() != length) {
+            return Err(Fault::unsupported(open.at, "this matrix", "its rows differ in length"));
+        }
+        if cells.len() > LARGEST || length > LARGEST {
+            return Err(Fault::unsupported(
+                open.at,
+                "so large a matrix",
+                "at most 16 rows and columns are read",
+            ));
+        }
+        Ok(cells)
+    }
+
+    fn cases(&mut self, open: Token<'a>) -> Result<Vec<Case>, Fault> {
+        let mut cases: Vec<Case> = Vec::new();
+        loop {
+            let value = *self.sum()?;
+            self.skip_punctuation();
+            self.take(Kind::Column);
+            let conditions = self.case_conditions()?;
+            cases.push(Case { value, conditions });
+            if self.take(Kind::Row).is_none() || matches!(self.peek_kind(), Some(Kind::Close(_))) {
+                break;
+            }
+        }
+        let (last, before) = cases.split_last().ok_or_else(|| self.instead_of("a case"))?;
+        if before.iter().any(|case| case.conditions.is_empty()) {
+            return Err(Fault::unsupported(
+                open.at,
+                "a case without a condition",
+                "only the last may be for all that is left",
+            ));
+        }
+        if last.conditions.is_empty() && before.iter().any(|case| case.conditions.len() > 1) {
+            return Err(Fault::unsupported(
+                open.at,
+                "a last case for all that is left",
+                "write its condition, for others have more than one",
+            ));
+        }
+        Ok(cases)
+    }
+
+    fn skip_punctuation(&mut self) {
+        while let Some(Kind::Comma | Kind::Stop) = self.peek_kind() {
+            self.next += 1;
+        }
+    }
+
+    /// `\text{if } -1 \le x \le 1`, `n \text{ even}`, `\text{otherwise}`.
+    fn case_conditions(&mut self) -> Result<Vec<Condition>, Fault> {
+        let mut conditions = Vec::new();
+        let said = |token: Option<Token<'a>>, words: &[&str]| {
+            token.is_some_and(|token| token.kind == Kind::Said && words.contains(&token.text))
+        };
+        if said(self.peek(), &["if", "for", "when"]) {
+            self.next += 1;
+        }
+        if said(self.peek(), &["otherwise", "else"]) {
+            self.next += 1;
+            self.skip_punctuation();
+            return Ok(conditions);
+        }
+        loop {
+            let at = self.here();
+            let left = *self.sum()?;
+            let word = self.take(Kind::Said);
+            match word.map(|word| word.text) {
+                Some("even") => conditions.push(Condition::Integer(half(left, 0))),
+                Some("odd") => conditions.push(Condition::Integer(half(left, 1))),
+                Some(_) => return Err(self.instead_of("a relation, `even` or `odd`")),
+                None => {
+                    let mut relations = Vec::new();
+                    self.relations(at, left, &mut relations)?;
+                    if relations.is_empty() {
+                        return Err(self.instead_of("a relation"));
+                    }
+                    conditions.extend(relations.into_iter().map(Condition::Relation));
+                }
+            }
+            if self.take(Kind::And).is_some() {
+                continue;
+            }
+            let before = self.next;
+            self.skip_punctuation();
+            if self.next == before || matches!(self.peek_kind(), Some(Kind::Row | Kind::Close(_)) | None) {
+                return Ok(conditions);
+            }
+        }
+    }
+
+    /// What a trace or determinant is of, where that is no name of a map.
+    pub(super) fn invariant_of(&mut self, kind: Invariant, at: usize) -> Result<Box<Tree>, Fault> {
+        let of = match self.open() {
+            Some((open, bracket)) => {
+                let of = self.sum()?;
+                self.close(open, bracket)?;
+                of
+            }
+            None => match self.peek() {
+                Some(token) => match token.kind {
+                    Kind::Open(Bracket::Rows(Rows::Matrix)) => self.rows(token, Rows::Matrix)?,
+                    _ => return Err(self.instead_of("a matrix")),
+                },
+                None => return Err(self.instead_of("a matrix")),
+            },
+        };
+        Ok(boxed(
+            match kind {
+                Invariant::Trace => Operation::Trace(*of),
+                Invariant::Determinant => Operation::Determinant(*of),
+            },
+            at,
+        ))
+    }
+
+    /// Whether a matrix is written out in the bracket, or the environment, that stands next.
+    pub(super) fn rows_follow(&self) -> bool {
+        let mut depth = 0_usize;
+        for token in self.tokens.iter().skip(self.next) {
+            match token.kind {
+                Kind::Open(Bracket::Rows(_)) => return true,
+                Kind::Open(_) | Kind::BraceOpen => depth += 1,
+                Kind::Close(_) | Kind::BraceClose => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            if depth == 0 {
+                return false;
+            }
+        }
+        false
+    }
+
+    /// `\sum_{k=1}^{n}` and the term behind it.
+    pub(super) fn series(&mut self, token: Token<'a>, kind: Series) -> Result<Part, Fault> {
+        self.next += 1;
+        self.deepen()?;
+        let (mut below, mut to) = (None, None);
+        loop {
+            match self.peek_kind() {
+                Some(Kind::Sub) if below.is_none() => {
+                    self.next += 1;
+                    below = Some(self.first_index()?);
+                }
+                Some(Kind::Sup) if to.is_none() => {
+                    self.next += 1;
+                    to = Some(*self.limit()?);
+                }
+                _ => break,
+            }
+        }
+        let (Some((index, from)), Some(to)) = (below, to) else {
+            let instead = "write both limits: \\sum_{k=1}^{n}";
+            return Err(Fault::unsupported(token.at, token.text, instead));
+        };
+        let of = self.term()?;
+        let is_bracketed = of.form == Form::Bracketed;
+        let of = *of.tree;
+        self.rise();
+        if let (Series::Product, false, Tree::Product(factors)) = (kind, is_bracketed, &of)
+            && !factors.iter().all(|factor| mentions(factor, &index))
+        {
+            let instead = "write brackets around what is multiplied, or around the product";
+            return Err(Fault::ambiguous(token.at, "a product of several factors", instead));
+        }
+        let operation = Operation::Series {
+            kind,
+            of,
+            index,
+            from,
+            to,
+        };
+        Ok(Part {
+            tree: boxed(operation, token.at),
+            form: Form::Knot,
+        })
+    }
+
+    /// `{k=1}`.
+    fn first_index(&mut self) -> Result<(Name, Tree), Fault> {
+        let at = self.here();
+        if self.take(Kind::BraceOpen).is_none() {
+            return Err(self.instead_of("`{k = 1}`"));
+        }
+        let index = self.full_name()?;
+        if self.take(Kind::Relation(Relation::Equal)).is_none() {
+            return Err(self.instead_of("`=` and where the index starts"));
+        }
+        let from = *self.sum()?;
+        self.close_brace(at)?;
+        Ok((index, from))
+    }
+
+    /// A limit of a sum or an integral: a letter, a digit, or what stands between braces.
+    fn limit(&mut self) -> Result<Box<Tree>, Fault> {
+        let infinite = (0..3).find(|&ahead| self.look(ahead).is_some_and(|token| token.kind == Kind::Infinity));
+        if infinite.is_some_and(|ahead| (0..ahead).all(|at| self.is_sign_or_brace(at))) {
+            let instead = "limits at infinity are not read";
+            return Err(Fault::unsupported(self.here(), "this limit", instead));
+        }
+        self.argument()
+    }
+
+    fn is_sign_or_brace(&self, ahead: usize) -> bool {
+        self.look(ahead)
+            .is_some_and(|token| matches!(token.kind, Kind::BraceOpen | Kind::Plus | Kind::Minus))
+    }
+
+    /// `\int_a^b f \, dx`, `\int \frac{dx}{x}`.
+    pub(super) fn integral(&mut self, token: Token<'a>) -> Result<Part, Fault> {
+        self.next += 1;
+        self.deepen()?;
+        if self.integral.is_some() {
+            let instead = "write the inner one as a definition of its own";
+            return Err(Fault::unsupported(token.at, "an integral within an integral", instead));
+        }
+        let (mut low, mut high) = (None, None);
+        loop {
+            match self.peek_kind() {
+                Some(Kind::Sub) if low.is_none() => {
+                    self.next += 1;
+                    low = Some(*self.limit()?);
+                }
+                Some(Kind::Sup) if high.is_none() => {
+                    self.next += 1;
+                    high = Some(*self.limit()?);
+                }
+                _ => break,
+            }
+        }
+        let limits = match (low, high) {
+            (Some(low), Some(high)) => Some((low, high)),
+            (None, None) => None,
+            _ => {
+                let instead = "write both limits, or none";
+                return Err(Fault::unsupported(token.at, "an integral with one limit", instead));
+            }
+        };
+        self.integral = Some(None);
+        let body = self.term();
+        let by = self.integral.take().flatten();
+        let body = *body?.tree;
+        self.rise();
+        let Some(by) = by else {
+            let instead = "end it with dx, or with whatever letter it is by";
+            return Err(Fault::unsupported(token.at, "an integral without its letter", instead));
+        };
+        let Some(of) = without_differential(body) else {
+            let instead = "write what is integrated, in brackets if it is a sum, and dx behind it";
+            return Err(Fault::ambiguous(token.at, "where this integral ends", instead));
+        };
+        if self.peek_kind().is_some_and(starts_factor) || self.peek_kind() == Some(Kind::Slash) {
+            let instead = "write brackets around the integral, or dx behind all that is integrated";
+            return Err(Fault::ambiguous(self.here(), "a factor behind an integral", instead));
+        }
+        let operation = Operation::Integral { of, by, limits };
+        Ok(Part {
+            tree: boxed(operation, token.at),
+            form: Form::Knot,
+        })
+    }
+
+    /// The differential of an integral that stands next, while one is read.
+    pub(super) fn differential(&mut self) -> Result<Option<Part>, Fault> {
+        if self.integral.is_none() {
+            return Ok(None);
+        }
+        let Some(length) = self.differential_sign(0) else {
+            return Ok(None);
+        };
+        let named = self
+            .look(length)
+            .is_some_and(|token| matches!(token.kind, Kind::Letter | Kind::Accent));
+        if !named {
+            return Ok(None);
+        }
+        let at = self.here();
+        self.next += length;
+        let by = self.full_name()?;
+        match self.integral.replace(Some(by)) {
+            Some(None) => Ok(Some(Part {
+                tree: Box::new(Tree::Symbol(base(DIFFERENTIAL), At(at))),
+                form: Form::Plain,
+            })),
+            _ => {
+                let instead = "one integral has one";
+                Err(Fault::unsupported(at, "a second differential", instead))
+            }
+        }
+    }
+
+    /// Whether the integral that is read ends with this factor.
+    pub(super) fn is_past_differential(&self, last: Option<&Tree>) -> bool {
+        self.integral.is_some() && last.is_some_and(is_differential)
+    }
+
+    /// The tokens of the `d` of a differential, `ahead` of the next.
+    fn differential_sign(&self, ahead: usize) -> Option<usize> {
+        let is_letter = |at: usize| {
+            self.look(at)
+                .is_some_and(|token| token.kind == Kind::Letter && token.text == "d")
+        };
+        let is = |at: usize, kind: Kind| self.look(at).is_some_and(|token| token.kind == kind);
+        match is(ahead, Kind::BraceOpen) {
+            true if is_letter(ahead + 1) && is(ahead + 2, Kind::BraceClose) => Some(3),
+            false if is_letter(ahead) => Some(1),
+            _ => None,
+        }
+    }
+
+    /// `\frac{d}{dx} f`, `\frac{d^2 f}{dx^2}`, `\frac{\partial^2}{\partial x^2} f` with what is differentiated, behind
+    /// the command of the fraction; `None` for any other fraction.
+    pub(super) fn derivative(&mut self, at: usize) -> Result<Option<Tree>, Fault> {
+        let Some(shape) = self.derivative_ahead() else {
+            return Ok(None);
+        };
+        if !shape.is_partial && self.names.letters.iter().any(|letter| letter == "d") {
+            let instead = "`d` is declared: write \\partial for a derivative, or the quotient in another way";
+            return Err(Fault::ambiguous(at, "this fraction", instead));
+        }
+        let above = self.here();
+        self.next += shape.above;
+        let of = match self.peek_kind() {
+            Some(Kind::BraceClose) => None,
+            _ => Some(self.term()?.tree),
+        };
+        self.close_brace(above)?;
+        self.next += shape.below;
+        let by = self.full_name_before_power()?;
+        let order = self.order_below()?;
+        if order != shape.order {
+            let instead = "its order above differs from that below";
+            return Err(Fault::unsupported(at, "this derivative", instead));
+        }
+        self.close_brace(above)?;
+        let of = match of {
+            Some(of) => of,
+            None => self.differentiated()?,
+        };
+        let value = Tree::Symbol(by.clone(), At(at));
+        let operation = Operation::Derivative {
+            of: *of,
+            by,
+            order,
+            at: value,
+        };
+        Ok(Some(*boxed(operation, at)))
+    }
+
+    /// What stands behind `\frac{d}{dx}`: one factor.
+    fn differentiated(&mut self) -> Result<Box<Tree>, Fault> {
+        let of = self.factor()?;
+        self.skip_empty();
+        let goes_on = matches!(of.form, Form::Bracketed)
+            || !self
+                .peek_kind()
+                .is_some_and(|kind| starts_factor(kind) || kind == Kind::Slash);
+        match goes_on {
+            true => Ok(of.tree),
+            false => Err(Fault::ambiguous(
+                self.here(),
+                "a factor behind what is differentiated",
+                WHAT_IS_DERIVED,
+            )),
+        }
+    }
+
+    /// A name, before the power that is the order of a derivative.
+    fn full_name_before_power(&mut self) -> Result<Name, Fault> {
+        let mut name = self.bare_name()?;
+        if self.peek_kind() == Some(Kind::Sub) {
+            self.subscripts(&mut name)?;
+        }
+        Ok(name)
+    }
+
+    fn order_below(&mut self) -> Result<u32, Fault> {
+        match self.take(Kind::Sup) {
+            None => Ok(1),
+            Some(_) => self.order(),
+        }
+    }
+
+    /// The order of a derivative, a number with or without braces.
+    fn order(&mut self) -> Result<u32, Fault> {
+        let at = self.here();
+        let braced = self.take(Kind::BraceOpen).is_some();
+        let order = self
+            .take(Kind::Number)
+            .and_then(|token| token.text.parse::<u32>().ok())
+            .filter(|order| (1..=HIGHEST).contains(order));
+        if braced {
+            self.close_brace(at)?;
+        }
+        order.ok_or_else(|| Fault::unsupported(at, "this order", "the order of a derivative is a number up to 20"))
+    }
+
+    /// Whether the two groups that stand next are those of a derivative.
+    fn derivative_ahead(&self) -> Option<Shape> {
+        let kind = |at: usize| self.look(at).map(|token| token.kind);
+        if kind(0) != Some(Kind::BraceOpen) {
+            return None;
+        }
+        let is_partial = kind(1) == Some(Kind::Partial);
+        let sign = |ahead: usize| match is_partial {
+            true => (kind(ahead) == Some(Kind::Partial)).then_some(1),
+            false => self.differential_sign(ahead),
+        };
+        let mut above = 1 + sign(1)?;
+        let mut order = 1;
+        if kind(above) == Some(Kind::Sup) {
+            let braced = usize::from(kind(above + 1) == Some(Kind::BraceOpen));
+            let number = self
+                .look(above + 1 + braced)
+                .filter(|token| token.kind == Kind::Number)?;
+            order = number.text.parse().ok()?;
+            above += 2 + 2 * braced;
+        }
+        // the end of the group above
+        let (mut depth, mut end) = (1_usize, above);
+        while depth > 0 {
+            match kind(end)? {
+                Kind::BraceOpen => depth += 1,
+                Kind::BraceClose => depth -= 1,
+                _ => {}
+            }
+            end += 1;
+        }
+        if kind(end) != Some(Kind::BraceOpen) {
+            return None;
+        }
+        let below = 1 + sign(end + 1)?;
+        matches!(kind(end + below), Some(Kind::Letter | Kind::Accent | Kind::BraceOpen)).then_some(Shape {
+            is_partial,
+            order,
+            above,
+            below,
+        })
+    }
+
+    /// The derivative that primes on a bracket mean, by the letter that runs or the only one there is.
+    pub(super) fn primed(&mut self, of: Box<Tree>, at: usize) -> Result<Box<Tree>, Fault> {
+        let mut order = 0;
+        while self.take(Kind::Prime).is_some() {
+            order += 1;
+        }
+        if let Some(Kind::Sup | Kind::Sub) = self.peek_kind() {
+            let instead = "put brackets around the derivative";
+            return Err(Fault::unsupported(self.here(), "a script behind primes", instead));
+        }
+        let mut met: Vec<Name> = Vec::new();
+        symbols(&of, &mut met);
+        let running = self.names.running.clone().filter(|_| self.names.has_bare_function(&of));
+        met.retain(|name| !self.names.is_function(name) && !matches!(name.base.as_str(), "e" | "\\pi"));
+        let by = match (running, met.as_slice()) {
+            (Some(running), _) => running,
+            (None, [only]) if !matches!(*of, Tree::Symbol(..)) => only.clone(),
+            _ => {
+                let instead = "write \\frac{d}{dx} and brackets";
+                return Err(Fault::ambiguous(at, "a prime on an expression", instead));
+            }
+        };
+        let value = Tree::Symbol(by.clone(), At(at));
+        let operation = Operation::Derivative {
+            of: *of,
+            by,
+            order,
+            at: value,
+        };
+        Ok(boxed(operation, at))
+    }
+
+    /// `\vec{a} \times \vec{b}` and `\vec{a} \cdot \vec{b}`, where a side is plainly no number; else `None`.
+    pub(super) fn vector_product(operator: Token<'_>, left: &[Tree], right: &Tree) -> Option<Tree> {
+        if operator.kind != Kind::Times || !(left.iter().any(is_vector) || is_vector(right)) {
+            return None;
+        }
+        let left = match left {
+            [single] => single.clone(),
+            several => Tree::Product(several.to_vec()),
+        };
+        let operation = match operator.text {
+            "\\times" => Operation::Cross(left, right.clone()),
+            _ => Operation::Dot(left, right.clone()),
+        };
+        Some(*boxed(operation, operator.at))
+    }
+
+    /// The two inequalities that `left \approx right` means, one side a printed number: the other lies within half a
+    /// unit of its last figure. The right side is what was read from token `start` on, the left one what was from
+    /// token `before` on.
+    pub(super) fn approximately(
+        &self,
+        [before, start]: [usize; 2],
+        [left, right]: [&Tree; 2],
+        at: usize,
+    ) -> Result<[Equation; 2], Fault> {
+        let side = |from: usize, to: usize, tree: &Tree| {
+            let tokens = self.tokens.get(from..to)?;
+            let mut numbers = tokens.iter().filter(|token| token.kind == Kind::Number);
+            printed_unit(tree, numbers.next()?.text)
+        };
+        let unit = match side(start, self.next, right) {
+            Some(unit) => Some(unit),
+            None => side(before, start, left),
+        };
+        let Some(unit) = unit else {
+            let instead = "one of its sides must be a printed number";
+            return Err(Fault::unsupported(at, "\\approx", instead));
+        };
+        let equation = |relation, shifted: Tree| Equation {
+            left: left.clone(),
+            relation,
+            right: Tree::Sum(vec![right.clone(), shifted]),
+            at: At(at),
+            end: At(self.look_back()),
+            explains: false,
+        };
+        Ok([
+            equation(Relation::GreaterOrEqual, Tree::Negate(Box::new(unit.clone()))),
+            equation(Relation::LessOrEqual, unit),
+        ])
+    }
+}
+
+/// The fractions that are derivatives: the tokens up to what is differentiated, and up to the letter below.
+struct Shape {
+    is_partial: bool,
+    order: u32,
+    above: usize,
+    below: usize,
+}
+
+fn boxed(operation: Operation, at: usize) -> Box<Tree> {
+    Box::new(Tree::Operation(Box::new(operation), At(at)))
+}
+
+/// `(tree + more)/2`.
+fn half(tree: Tree, more: i64) -> Tree {
+    let number = |value| Tree::Number(Rational::from_integer(value));
+    let above = match more {
+        0 => tree,
+        _ => Tree::Sum(vec![tree, number(more)]),
+    };
+    Tree::Quotient(Box::new(above), Box::new(number(2)), At::default())
+}
+
+/// Half a unit of the last figure of a printed number, times whatever stands behind it; `None` where the tree is no
+/// such number.
+fn printed_unit(tree: &Tree, text: &str) -> Option<Tree> {
+    match tree {
+        Tree::Number(value) if *value == Rational::from_decimal(text)? => {
+            let figures = text.split_once('.').map_or(0, |(_, figures)| figures.len());
+            let mut half = Rational::from_ratio(1, 2);
+            for _ in 0..figures {
+                half = half / Rational::from_integer(10);
+            }
+            Some(Tree::Number(half))
+        }
+        Tree::Negate(inner) => printed_unit(inner, text),
+        Tree::Product(factors) => {
+            let (first, rest) = factors.split_first()?;
+            let unit = printed_unit(first, text)?;
+            let constant = |tree: &Tree| {
+                let mut met = Vec::new();
+                symbols(tree, &mut met);
+                met.iter().all(|name| *name == base("\\pi"))
+            };
+            rest.iter()
+                .all(constant)
+                .then(|| Tree::Product(std::iter::once(unit).chain(rest.iter().cloned()).collect()))
+        }
+        _ => None,
+    }
+}
+
+/// Whether this is plainly no number: a matrix, a cross product, a name with an arrow.
+fn is_vector(tree: &Tree) -> bool {
+    match tree {
+        Tree::Symbol(name, _) => name.accents.iter().any(|accent| accent == "\\vec"),
+        Tree::Operation(operation, _) => matches!(
+            **operation,
+            Operation::Matrix(_) | Operation::Cross(..) | Operation::Transpose(_)
+        ),
+        Tree::Negate(inner) => is_vector(inner),
+        Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(is_vector),
+        Tree::Quotient(above, ..) => is_vector(above),
+        _ => false,
+    }
+}
+
+/// The tree without the differential that ends it, which is none of its factors elsewhere.
+fn without_differential(tree: Tree) -> Option<Tree> {
+    let one = || Tree::Number(Rational::from_integer(1));
+    match tree {
+        tree if is_differential(&tree) => Some(one()),
+        Tree::Product(mut factors) => {
+            let last = factors.pop()?;
+            if !is_differential(&last) {
+                factors.push(without_differential(last)?);
+            }
+            Some(match factors.len() {
+                1 => factors.pop()?,
+                _ => Tree::Product(factors),
+            })
+        }
+        Tree::Quotient(above, below, at) => {
+            let above = without_differential(*above)?;
+            Some(Tree::Quotient(Box::new(above), below, at))
+        }
+        _ => None,
+    }
+}
+
+fn is_differential(tree: &Tree) -> bool {
+    matches!(tree, Tree::Symbol(name, _) if *name == base(DIFFERENTIAL))
+}
+
+fn mentions(tree: &Tree, name: &Name) -> bool {
+    let mut met = Vec::new();
+    symbols(tree, &mut met);
+    met.iter()
+        .any(|other| other == name || other.subscript.starts_with(&name.base))
+}
+
+/// The names of the symbols in a tree, each once.
+fn symbols(tree: &Tree, met: &mut Vec<Name>) {
+    let mut all = |parts: &[Tree]| parts.iter().for_each(|part| symbols(part, met));
+    match tree {
+        Tree::Number(_) | Tree::Partial { .. } | Tree::Invariant { .. } => {}
+        Tree::Symbol(name, _) => {
+            if !met.contains(name) {
+                met.push(name.clone());
+            }
+        }
+        Tree::Sum(parts) | Tree::Product(parts) => all(parts),
+        Tree::Call(_, inner, _)
+        | Tree::Negate(inner)
+        | Tree::Power(inner, ..)
+        | Tree::Root(inner, ..)
+        | Tree::PlusMinus(inner)
+        | Tree::MinusPlus(inner) => symbols(inner, met),
+        Tree::Quotient(one, other, _) | Tree::RealPower(one, other, _) => {
+            symbols(one, met);
+            symbols(other, met);
+        }
+        Tree::Operation(operation, _) => {
+            for (part, _) in operation.parts() {
+                symbols(part, met);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::spelled::{check, refuse};
+    use super::super::{Names, read, read_expression};
+
+    /// What is read of `tex`, as it is printed; checks that this reads back to the same.
+    fn printed(tex: &str) -> String {
+        let names = Names::default();
+        let tree = read_expression(tex, &names).unwrap_or_else(|error| panic!("{tex}: {error}"));
+        let printed = tree.to_string();
+        assert_eq!(
+            read_expression(&printed, &names).as_ref(),
+            Ok(&tree),
+            "{tex}: {printed}"
+        );
+        printed
+    }
+
+    #[test]
+    fn operations_read_back() {
+        for (tex, wanted) in [
+            (
+                r"\begin{bmatrix} a & -b \\ c & d \\ \end{bmatrix}^{-1} x",
+                r"(\begin{pmatrix} a & -b \\ c & d \end{pmatrix})^{-1} x",
+            ),
+            (
+                r"\left(\begin{array}{cc} a & |b| \\ |c| & d \end{array}\right)",
+                r"\begin{pmatrix} a & \left|b\right| \\ \left|c\right| & d \end{pmatrix}",
+            ),
+            (
+                r"\begin{vmatrix} a & b \\ c & d \end{vmatrix}",
+                r"\det(\begin{pmatrix} a & b \\ c & d \end{pmatrix})",
+            ),
+            (
+                r"\operatorname{tr}\left[\begin{pmatrix} a & b \\ c & d \end{pmatrix} A\right]",
+                r"\operatorname{tr}(\begin{pmatrix} a & b \\ c & d \end{pmatrix} A)",
+            ),
+            (
+                r"2 \vec a\times(\vec b\times\vec c) + \vec a \cdot \vec b \, c",
+                r"(2 \vec{a}) \times (\vec{b} \times \vec{c}) + (\vec{a} \cdot \vec{b}) c",
+            ),
+            (r"\frac{d}{dx}\sin(x)", r"\frac{d}{dx} [\sin(x)]"),
+            (
+                r"\frac{\mathrm{d}^2}{\mathrm{d}x^2}(x^2 a) b",
+                r"[\frac{d^2}{dx^2} (x^2 a)] b",
+            ),
+            (r"\frac{d^{2} y}{d x^{2}}", r"\frac{d^2}{dx^2} (y)"),
+            (
+                r"\frac{\partial^2}{\partial x^2}\sqrt{x + y}",
+                r"\frac{d^2}{dx^2} (\sqrt{x + y})",
+            ),
+            (r"(\sin(x))''", r"\frac{d^2}{dx^2} [\sin(x)]"),
+            (
+                r"\int_0^1 \frac{dx}{1 + x^2} + C",
+                r"\int_{0}^{1} \frac{1}{1 + x^2} \, dx + C",
+            ),
+            (r"\int x (x + 1) \, \mathrm{d}x", r"\int x \cdot (x + 1) \, dx"),
+            (r"\sum_{k=1}^n k(k + 1) - b", r"\sum_{k = 1}^{n} k \cdot (k + 1) - b"),
+            (r"\prod\limits_{k=1}^{2n} (2k) ", r"\prod_{k = 1}^{2 n} (2 k)"),
+            (
+                r"\begin{cases} x, & \text{if } x > 0, \\ -x & x < 0 \\ 0, & \text{otherwise}. \end{cases}",
+                r"\begin{cases} x & x > 0 \\ -x & x < 0 \\ 0 & \text{otherwise} \end{cases}",
+            ),
+            (
+                r"\begin{cases} 1 & n \text{ even} \\ 2 & 0 \le x < 1, y > 0 \end{cases}",
+                r"\begin{cases} 1 & n \text{ even} \\ 2 & 0 \leq x, x < 1, y > 0 \end{cases}",
+            ),
+        ] {
+            assert_eq!(printed(tex), wanted, "{tex}");
+        }
+    }
+
+    #[test]
+    fn what_operations_are_not() {
+        check(&[(r"\frac{d}{2}", "(/ d 2)"), (r"a \cdot b \times c", "(* a b c)")]);
+        refuse(&[
+            (r"\begin{pmatrix} a & b \\ c \end{pmatrix}", "rows differ in length"),
+            (r"\begin{pmatrix} a & b", "is not closed"),
+            (r"\begin{pmatrix} & b \end{pmatrix}", "a factor"),
+            (r"\frac{d^2}{dx} x", "its order above differs"),
+            (r"\frac{d}{dx} x y", "write brackets around all that is differentiated"),
+            (r"(a x)'", r"write \frac{d}{dx}"),
+            ("(a)'", r"write \frac{d}{dx}"),
+            (r"\int x", "without its letter"),
+            (r"\int x + 1 dx", "without its letter"),
+            (r"\int (x dx + 1)", "where this integral ends"),
+            (r"\int x dx y", "a factor behind an integral"),
+            (r"\int_0 x dx", "with one limit"),
+            (r"\int_0^\infty x dx", "at infinity"),
+            (r"\int \int x dx dy", "within an integral"),
+            (r"\sum_{k=1} k", "both limits"),
+            (r"\sum_{k=1}^\infty k", "at infinity"),
+            (r"\sum_{k}^{n} k", "`=`"),
+            (r"\prod_{k=1}^{n} k a", "a product of several factors"),
+            (r"\begin{cases} 1 \\ 2 & x > 0 \end{cases}", "a factor"),
+            (
+                r"\begin{cases} 1 & \text{otherwise} \\ 2 & x > 0 \end{cases}",
+                "only the last",
+            ),
+            (
+                r"\begin{cases} 1 & 0 < x < 1 \\ 2 & \text{otherwise} \end{cases}",
+                "write its condition",
+            ),
+        ]);
+    }
+
+    #[test]
+    fn about_a_printed_number_is_within_half_a_unit_of_its_last_figure() {
+        let shown = |tex: &str| -> Vec<String> {
+            let equations = read(tex, &Names::default()).unwrap();
+            equations.iter().map(ToString::to_string).collect()
+        };
+        assert_eq!(
+            shown(r"\pi \approx 3.140"),
+            [r"\pi \geq 3.14 - 0.0005", r"\pi \leq 3.14 + 0.0005"]
+        );
+        assert_eq!(
+            shown(r"x = -2.5 \cdot 10^3 \approx y"),
+            [
+                r"x = -2.5 \cdot 10^3",
+                r"-2.5 \cdot 10^3 \geq y - 0.05 \cdot 10^3",
+                r"-2.5 \cdot 10^3 \leq y + 0.05 \cdot 10^3"
+            ]
+        );
+        assert!(read(r"x \approx y", &Names::default()).is_err());
+        assert!(read(r"x \approx 2 + y", &Names::default()).is_err());
+    }
+}
