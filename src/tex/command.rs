@@ -139,6 +139,14 @@ pub(super) fn elementary_at_start(run: &str) -> Option<&'static str> {
     FUNCTIONS.iter().find(starts).copied()
 }
 
+/// Whether a symbol before the argument of this function is a power, as in `\sin^n x`.
+pub(super) fn has_powers(function: &str) -> bool {
+    const POWERS: &[&str] = &[
+        "\\sin", "\\cos", "\\tan", "\\cot", "\\sec", "\\csc", "\\sinh", "\\cosh", "\\tanh", "\\coth", "\\ln", "\\log",
+    ];
+    POWERS.contains(&function)
+}
+
 /// The invariant that `word` names, as `Tr` or `det`.
 pub(super) fn invariant(word: &str) -> Option<Invariant> {
     match word {

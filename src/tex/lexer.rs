@@ -98,7 +98,7 @@ impl<'a> Lexer<'a> {
         }
         let styled = self.styled && kind == Kind::Letter;
         self.styled &= kind == Kind::BraceOpen;
-        self.blank = 0;
+        let spaced = std::mem::take(&mut self.blank) > 0;
         self.tokens.push(Token {
             kind,
             text,
@@ -106,6 +106,7 @@ impl<'a> Lexer<'a> {
             end,
             split: false,
             styled,
+            spaced,
         });
         self.at = end;
         Ok(())

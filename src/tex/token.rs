@@ -77,4 +77,6 @@ pub(super) struct Token<'a> {
     pub split: bool,
     /// A single letter in a font of its own, as in `\mathrm{T}`.
     pub styled: bool,
+    /// Behind a blank that prints, as `\,` does.
+    pub spaced: bool,
 }
