@@ -34,8 +34,8 @@ const ANGLES: &[&str] = &["\\alpha", "\\beta", "\\gamma", "\\delta"];
 const LENGTHS: &[&str] = &["x", "y", "z", "t", "s", "l", "L"];
 
 impl<'a> Reader<'a> {
-    /// The argument without brackets of `function`.
-    pub(super) fn bare_argument(&mut self, function: &str) -> Result<Box<Tree>, Fault> {
+    /// The argument without brackets of a function, whose value there is `value`.
+    pub(super) fn bare_argument(&mut self, value: &dyn Fn(Box<Tree>) -> Box<Tree>) -> Result<Box<Tree>, Fault> {
         self.deepen()?;
         let (at, start) = (self.here(), self.next);
         let token = match self.peek() {
@@ -60,8 +60,7 @@ impl<'a> Reader<'a> {
                 .get(start)
                 .is_some_and(|first| first.kind == Kind::BraceOpen);
             if ended || !is_symbol || !factors.last().is_some_and(is_one) {
-                let call = Tree::Call(base(function), product(factors), At(at));
-                return Err(two_arguments(&call, &next, token));
+                return Err(two_arguments(&value(product(factors)), &next, token));
             }
             factors.push(next);
         }
@@ -100,7 +99,7 @@ impl<'a> Reader<'a> {
             (Form::Plain, Tree::Call(name, ..)) => elementary(&name.base).is_some() && !self.names.is_function(name),
             (Form::Plain, Tree::Symbol(..) | Tree::Root(..)) => true,
             // an angle in degrees
-            (Form::Knot, Tree::Quotient(..)) => kind != Kind::BraceOpen,
+            (Form::Knot, Tree::Quotient(..)) => true,
             (Form::Knot, tree) => kind != Kind::Root && (is_number(tree) || symbol_of(tree).is_some()),
             _ => false,
         }
@@ -238,9 +237,7 @@ pub(super) fn parted(before: Option<&Tree>, form: Form, next: &Tree, token: Toke
                 || (is_constant(argument) && !is_constant(next))
                 || (last_call(argument).is_some() && !matches!(argument, Tree::Quotient(..)))
         }
-        _ if dotted || token.spaced || !matches!(before, Tree::Call(..) | Tree::Power(..) | Tree::RealPower(..)) => {
-            false
-        }
+        _ if dotted || token.spaced || !is_call(before) => false,
         _ => {
             let factor = match next {
                 Tree::Quotient(above, ..) => match &**above {
@@ -256,6 +253,14 @@ pub(super) fn parted(before: Option<&Tree>, form: Form, next: &Tree, token: Toke
     match unclear {
         true => Err(two_arguments(before, next, token)),
         false => Ok(()),
+    }
+}
+
+/// A function's value or a power of one.
+fn is_call(tree: &Tree) -> bool {
+    match tree {
+        Tree::Power(base, ..) | Tree::RealPower(base, ..) => matches!(**base, Tree::Call(..)),
+        tree => matches!(tree, Tree::Call(..)),
     }
 }
 

@@ -137,7 +137,7 @@ impl<'a> Reader<'a> {
     }
 
     /// What a command such as `\sqrt` takes: a group, a digit or a letter.
-    fn argument(&mut self) -> Result<Box<Tree>, Fault> {
+    pub(super) fn argument(&mut self) -> Result<Box<Tree>, Fault> {
         let Some(token) = self.peek() else {
             return Err(self.instead_of("an argument in { }"));
         };

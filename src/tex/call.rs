@@ -1,6 +1,6 @@
 //! What a bracket makes of a name: calls, elementary functions, traces and determinants.
 
-use super::command::{elementary, elementary_at_start, has_powers, invariant};
+use super::command::{DECIMAL_LOGARITHM, elementary, elementary_at_start, has_powers, invariant};
 use super::error::{Fault, Reason};
 use super::exponent::Exponent;
 use super::part::{Form, Part};
@@ -8,6 +8,7 @@ use super::reader::Reader;
 use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
 use super::{At, Invariant, Name, Tree};
+use crate::number::{Field, Rational};
 
 impl<'a> Reader<'a> {
     /// What begins with a letter, a word or an accent: a symbol, a call, a trace or an elementary function.
@@ -113,20 +114,37 @@ impl<'a> Reader<'a> {
     pub(super) fn elementary(&mut self, function: &'static str, length: usize) -> Result<Part, Fault> {
         let at = self.here();
         self.next += length;
+        let base = self.logarithm_base(function)?;
+        let value = |argument| match &base {
+            Some(base) => logarithm(base.clone(), argument, at),
+            None => elementary_call(function, argument, at),
+        };
         let power = match self.peek_kind() {
             Some(Kind::Sup | Kind::Sub | Kind::Prime) => self.power_of(function)?,
             _ => None,
         };
         match self.bracketed_argument()? {
-            Some(argument) => self.call(elementary_call(function, argument, at), power),
+            Some(argument) => self.call(value(argument), power),
             None => {
-                let argument = self.bare_argument(function)?;
+                let argument = self.bare_argument(&value)?;
                 // without brackets a power behind it would be one of the argument, even behind braces
                 Ok(Part {
                     form: Form::Bare,
-                    ..raise(elementary_call(function, argument, at), power)
+                    ..raise(value(argument), power)
                 })
             }
+        }
+    }
+
+    /// The base of a logarithm, written as in `\log_2 x` or meant as in `\lg x`.
+    fn logarithm_base(&mut self, function: &str) -> Result<Option<Box<Tree>>, Fault> {
+        match (function, self.peek_kind()) {
+            (DECIMAL_LOGARITHM, _) => Ok(Some(Box::new(Tree::Number(Rational::from_integer(10))))),
+            ("\\log", Some(Kind::Sub)) => {
+                self.next += 1;
+                self.argument().map(Some)
+            }
+            _ => Ok(None),
         }
     }
 
@@ -253,6 +271,12 @@ fn elementary_call(function: &str, argument: Box<Tree>, at: usize) -> Box<Tree> 
     Box::new(Tree::Call(base(function), argument, At(at)))
 }
 
+/// `\log_a x` = ln x / ln a.
+fn logarithm(of_base: Box<Tree>, argument: Box<Tree>, at: usize) -> Box<Tree> {
+    let [above, below] = [argument, of_base].map(|of| elementary_call("\\ln", of, at));
+    Box::new(Tree::Quotient(above, below, At(at)))
+}
+
 /// `tree` to `power`.
 pub(super) fn raise(tree: Box<Tree>, power: Option<Exponent>) -> Part {
     match power {
@@ -347,7 +371,35 @@ mod tests {
             (r"f^n(t)", "behind brackets around the call"),
             (r"f^{-a}(t)", "behind brackets around the call"),
             (r"\cos^{-1}(x)", "inverse function"),
-            (r"\log_2(x)", "only a name"),
+            (r"\ln_2(x)", "only a name"),
+            (r"\log_12 x", "write { }"),
+            (r"\log_a^{-1} x", "inverse function"),
+            ("arcsinh(x)", "a bracket behind it"),
+        ]);
+    }
+
+    #[test]
+    fn logarithms() {
+        check(&[
+            (r"\log x", r"<\log x>"),
+            (r"\log_a x", r"(/ <\ln x> <\ln a>)"),
+            (r"\log_{10} 2x", r"(/ <\ln (* 2 x)> <\ln 10>)"),
+            (r"\log_2(x)", r"(/ <\ln x> <\ln 2>)"),
+            (r"\log_\alpha^2(x)", r"(^ (/ <\ln x> <\ln \alpha>) 2)"),
+            (r"\log_{a+b}\frac{x}{y}", r"(/ <\ln (/ x y)> <\ln (+ a b)>)"),
+            (r"\log_a b \log_b c", r"(* (/ <\ln b> <\ln a>) (/ <\ln c> <\ln b>))"),
+            (r"\lg x", r"(/ <\ln x> <\ln 10>)"),
+            (r"\operatorname{lg}(x)", r"(/ <\ln x> <\ln 10>)"),
+            ("m l g(x + y)", "(* m l g (+ x y))"),
+            ("mlg(x + y)", "(* m l g (+ x y))"),
+            (
+                r"\arcsinh x + \operatorname{arccosh}(x)",
+                r"(+ <\operatorname{arsinh} x> <\operatorname{arcosh} x>)",
+            ),
+        ]);
+        refuse(&[
+            (r"\log_a x y", r"\frac{\ln(x)}{\ln(a)} y or as \frac{\ln(x y)}{\ln(a)}"),
+            (r"\lg 2 \cos x", r"or as \frac{\ln(2 \cos(x))}{\ln(10)}"),
         ]);
     }
 

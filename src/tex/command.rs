@@ -126,9 +126,18 @@ const SKIPPED: &[&str] = &[
 /// The width of the blank between two words, in eighteenths of a quad.
 pub(super) const WORD_SPACE: u32 = 6;
 
+/// The logarithm with base 10; never read from letters, which are a product as in `m l g(1 - \cos\theta)`.
+pub(super) const DECIMAL_LOGARITHM: &str = "\\lg";
+
 /// The command of the elementary function `word`, as `cos` or `\cos`.
 pub(super) fn elementary(word: &str) -> Option<&'static str> {
-    let word = word.strip_prefix('\\').unwrap_or(word);
+    let word = match word.strip_prefix('\\').unwrap_or(word) {
+        "arcsinh" => "arsinh",
+        "arccosh" => "arcosh",
+        "arctanh" => "artanh",
+        "lg" => return Some(DECIMAL_LOGARITHM),
+        word => word,
+    };
     let known = |command: &&&str| command.strip_prefix('\\') == Some(word);
     FUNCTIONS.iter().find(known).copied()
 }
@@ -142,7 +151,19 @@ pub(super) fn elementary_at_start(run: &str) -> Option<&'static str> {
 /// Whether a symbol before the argument of this function is a power, as in `\sin^n x`.
 pub(super) fn has_powers(function: &str) -> bool {
     const POWERS: &[&str] = &[
-        "\\sin", "\\cos", "\\tan", "\\cot", "\\sec", "\\csc", "\\sinh", "\\cosh", "\\tanh", "\\coth", "\\ln", "\\log",
+        "\\sin",
+        "\\cos",
+        "\\tan",
+        "\\cot",
+        "\\sec",
+        "\\csc",
+        "\\sinh",
+        "\\cosh",
+        "\\tanh",
+        "\\coth",
+        "\\ln",
+        "\\log",
+        DECIMAL_LOGARITHM,
     ];
     POWERS.contains(&function)
 }
