@@ -234,7 +234,7 @@ pub(super) fn parted(before: Option<&Tree>, form: Form, next: &Tree, token: Toke
             };
             grows
                 || (matches!(argument, Tree::Number(_)) && !calls)
-                || (is_constant(argument) && !is_constant(next))
+                || (is_constant(argument) && !is_constant(next) && !is_in_degrees(argument))
                 || (last_call(argument).is_some() && !matches!(argument, Tree::Quotient(..)))
         }
         _ if dotted || token.spaced || !is_call(before) => false,
@@ -266,6 +266,11 @@ fn is_call(tree: &Tree) -> bool {
 
 fn is_pi(name: &Name) -> bool {
     *name == base("\\pi")
+}
+
+/// Whether this is an angle as [`Reader::in_degrees`] writes it.
+fn is_in_degrees(tree: &Tree) -> bool {
+    matches!(tree, Tree::Quotient(_, below, _) if matches!(&**below, Tree::Number(half_turn) if half_turn.to_integer() == Some(180)))
 }
 
 /// Whether a tree is written with numbers and `\pi` alone.

@@ -20,6 +20,9 @@ impl<'a> Reader<'a> {
             if let Some(function) = elementary(token.text) {
                 return self.elementary(function, 1);
             }
+            if matches!(token.text, "max" | "min") && !self.names.words.iter().any(|word| word == token.text) {
+                return self.extremum(token.text);
+            }
         }
         if let Some((kind, length)) = self.plain_invariant() {
             return self.invariant(kind, length);
@@ -41,7 +44,12 @@ impl<'a> Reader<'a> {
             let power = power.map(Exponent::before_argument).transpose()?;
             return self.call(Box::new(Tree::Call(name, argument, At(at))), power);
         }
-        Ok(raise(Box::new(Tree::Symbol(name, At(at))), power))
+        let is_plain = power.is_none();
+        let symbol = raise(Box::new(Tree::Symbol(name, At(at))), power);
+        match is_plain {
+            true => self.in_degrees(symbol),
+            false => Ok(symbol),
+        }
     }
 
     /// The argument between brackets that stands next, perhaps with braces around them.

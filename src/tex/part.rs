@@ -64,6 +64,8 @@ pub(super) fn starts_factor(kind: Kind) -> bool {
             | Kind::Fraction
             | Kind::Root
             | Kind::Partial
+            | Kind::Extremum
+            | Kind::Binomial
             | Kind::Open(_)
             | Kind::BraceOpen
     )

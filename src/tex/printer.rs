@@ -1,6 +1,6 @@
 //! Tree -> TeX that reads back to the same tree, given the same [`Names`](super::Names).
 
-use super::command::{ABSOLUTE, operator_name};
+use super::command::{ABSOLUTE, DOUBLE_FACTORIAL, FACTORIAL, operator_name};
 use super::{Equation, Invariant, Name, Relation, Tree};
 use crate::number::Rational;
 use std::fmt;
@@ -146,6 +146,7 @@ fn factor(tree: &Tree) -> String {
     match tree {
         Tree::Number(value) => number(value),
         Tree::Symbol(name, _) => name.to_string(),
+        Tree::Call(name, argument, _) if is_factorial(name) => factorial(name, argument),
         Tree::Call(name, argument, _) if is_absolute(name) => format!("\\left|{}\\right|", sum(argument)),
         Tree::Call(name, argument, _) => format!("{name}({})", sum(argument)),
         Tree::Partial { of, by, .. } => format!("\\frac{{\\partial {of}}}{{\\partial {by}}}"),
@@ -168,7 +169,9 @@ fn power(base: &Tree, exponent: i32) -> String {
         Tree::Symbol(name, _) if name.mark.is_empty() && name.primes == 0 => {
             format!("{name}^{exponent}")
         }
-        Tree::Call(name, argument, _) if before_argument && name.mark.is_empty() && name.primes == 0 => {
+        Tree::Call(name, argument, _)
+            if before_argument && name.mark.is_empty() && name.primes == 0 && !is_factorial(name) =>
+        {
             format!("{name}^{exponent}({})", sum(argument))
         }
         base => format!("{}^{exponent}", bracketed(base)),
@@ -193,6 +196,20 @@ fn real_power(base: &Tree, exponent: &Tree) -> String {
 /// Whether this is the absolute value, which prints as bars.
 fn is_absolute(name: &Name) -> bool {
     name.base == ABSOLUTE
+}
+
+/// Whether this is a factorial, which prints behind its argument.
+fn is_factorial(name: &Name) -> bool {
+    name.base == FACTORIAL || name.base == DOUBLE_FACTORIAL
+}
+
+fn factorial(name: &Name, argument: &Tree) -> String {
+    let sign = if name.base == FACTORIAL { "!" } else { "!!" };
+    match argument {
+        Tree::Symbol(of, _) if of.mark.is_empty() && of.primes == 0 => format!("{of}{sign}"),
+        Tree::Number(value) if value.to_decimal().is_some() => format!("{}{sign}", number(value)),
+        argument => format!("{}{sign}", bracketed(argument)),
+    }
 }
 
 /// `tree` between brackets that differ from those within.

@@ -56,6 +56,13 @@ pub(super) enum Kind {
     Element,
     Set(Set),
     Infinity,
+    /// The sign of an angle in degrees: `\circ`, raised, or a character that prints raised.
+    Degree,
+    /// `\max` or `\min`.
+    Extremum,
+    /// `!`.
+    Factorial,
+    Binomial,
     Comma,
     Stop,
     /// `&`, which prints nothing.
