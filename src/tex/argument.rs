@@ -223,7 +223,6 @@ pub(super) fn parted(before: Option<&Tree>, form: Form, next: &Tree, token: Toke
     };
     let dotted = matches!(token.kind, Kind::Times | Kind::Star);
     let calls = last_call(next).is_some();
-    let is_variable = |name: &Name| VARIABLES.contains(&name.base.as_str());
     let unclear = match form {
         Form::Bare if dotted && calls => false,
         Form::Bare => {
@@ -237,23 +236,29 @@ pub(super) fn parted(before: Option<&Tree>, form: Form, next: &Tree, token: Toke
                 || (is_constant(argument) && !is_constant(next) && !is_in_degrees(argument))
                 || (last_call(argument).is_some() && !matches!(argument, Tree::Quotient(..)))
         }
-        _ if dotted || token.spaced || !is_call(before) => false,
-        _ => {
-            let factor = match next {
-                Tree::Quotient(above, ..) => match &**above {
-                    Tree::Product(factors) => factors.first().and_then(symbol_of),
-                    above => symbol_of(above),
-                },
-                next => symbol_of(next),
-            };
-            let is_scaled = factor.is_some_and(|name| is_variable(name) || is_pi(name));
-            is_scaled && matches!(argument, Tree::Sum(_)) && all_symbols(argument, &|name| !is_variable(name))
-        }
+        _ => !dotted && !token.spaced && may_scale(before, next),
     };
     match unclear {
         true => Err(two_arguments(before, next, token)),
         false => Ok(()),
     }
+}
+
+/// Whether `next` right behind the function's value `before` may belong to its argument, as in `\sin(n + 1) x`: a
+/// variable, behind brackets that hold a sum without one.
+pub(super) fn may_scale(before: &Tree, next: &Tree) -> bool {
+    let Some((_, argument @ Tree::Sum(_))) = last_call(before).filter(|_| is_call(before)) else {
+        return false;
+    };
+    let is_variable = |name: &Name| VARIABLES.contains(&name.base.as_str());
+    let scaled = match next {
+        Tree::Quotient(above, ..) => match &**above {
+            Tree::Product(factors) => factors.first().and_then(symbol_of),
+            above => symbol_of(above),
+        },
+        next => symbol_of(next),
+    };
+    scaled.is_some_and(|name| is_variable(name) || is_pi(name)) && all_symbols(argument, &|name| !is_variable(name))
 }
 
 /// A function's value or a power of one.

@@ -1,5 +1,6 @@
 //! Tree -> TeX that reads back to the same tree, given the same [`Names`](super::Names).
 
+use super::argument::may_scale;
 use super::command::{ABSOLUTE, DOUBLE_FACTORIAL, FACTORIAL, operator_name};
 use super::{Equation, Invariant, Name, Relation, Tree};
 use crate::number::Rational;
@@ -131,7 +132,7 @@ fn needs_dot(before: &Tree, next: &Tree, text: &str) -> bool {
         _ => false,
     };
     let mixed = matches!(before, Tree::Number(_)) && numbers(next);
-    digit || mixed || (bracket && may_call(before))
+    digit || mixed || (bracket && may_call(before)) || may_scale(before, next)
 }
 
 /// Whether a bracket behind `tree` might read as its argument: the printer does not know which names are functions.
@@ -272,6 +273,12 @@ mod tests {
             (r"(\cos(x))^{-n}", r"[\cos(x)]^{-n}"),
             ("x^n (a + b)", r"x^n \cdot (a + b)"),
             (r"\operatorname{sgn}(x)^2", r"\operatorname{sgn}^2(x)"),
+            (r"\sin(n + 1) \cdot x", r"\sin(n + 1) \cdot x"),
+            (r"\sin 18^\circ", r"\sin(\frac{18 \pi}{180})"),
+            (r"\log_a x \cdot b", r"\frac{\ln(x)}{\ln(a)} b"),
+            (r"(2n)! (n + 1)!!", r"(2 n)! (n + 1)!!"),
+            (r"\mathcal L \dddot x", r"\mathcal{L} \dddot{x}"),
+            (r"2π²", r"2 \pi^2"),
         ] {
             let tree = read_expression(tex, &names()).unwrap();
             assert_eq!(tree.to_string(), wanted, "{tex}");
