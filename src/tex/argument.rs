@@ -13,19 +13,10 @@ use super::token::{Kind, Token};
 use super::{At, Name, Tree};
 
 /// Letters that commonly are the whole argument, so that `\cos\theta F` may well be a product of two.
-const VARIABLES: &[&str] = &[
-    "x",
-    "y",
-    "z",
-    "t",
-    "A",
-    "B",
-    "C",
-    "\\theta",
-    "\\vartheta",
-    "\\phi",
-    "\\psi",
-];
+const VARIABLES: &[&str] = &["x", "y", "z", "t", "\\theta", "\\vartheta", "\\phi", "\\psi"];
+
+/// The angles of a triangle are such letters too.
+const TRIANGLE: &[&str] = &["A", "B", "C"];
 
 /// Letters of angles that are wave numbers and rates too, as in `\cos\beta x`.
 const ANGLES: &[&str] = &["\\alpha", "\\beta", "\\gamma", "\\delta"];
@@ -122,7 +113,7 @@ impl<'a> Reader<'a> {
     /// Whether `next` belongs to an argument in which `before` stands right before it.
     fn goes_on(&self, before: &Tree, next: &Tree) -> bool {
         let plain = |name: &&Name| !self.names.is_function(name);
-        let Some(next) = symbol_of(next).filter(plain) else {
+        let Some(next) = symbol_of(next).filter(|name| plain(name) || is_number(before)) else {
             return false;
         };
         // `\cos\theta\dot\theta` and `\cos\theta\hat{x}` are products of two
@@ -131,7 +122,7 @@ impl<'a> Reader<'a> {
         }
         let is_in = |name: &Name, letters: &[&str]| letters.contains(&name.base.as_str());
         match symbol_of(before) {
-            Some(before) if !plain(&before) || is_in(before, VARIABLES) => false,
+            Some(before) if !plain(&before) || is_in(before, VARIABLES) || is_in(before, TRIANGLE) => false,
             Some(before) if is_in(before, ANGLES) => is_in(next, LENGTHS),
             Some(_) => true,
             None => is_number(before),
@@ -365,6 +356,7 @@ mod tests {
             (r"e^{-\cos 2x}", r"(^^ e (- <\cos (* 2 x)>))"),
             (r"|\sin 2x|", r"<\operatorname{abs} <\sin (* 2 x)>>"),
             (r"\sin 2eta", r"<\sin (* 2 eta)>"),
+            (r"\sin 2f \cos f", r"(* <\sin (* 2 f)> <\cos f>)"),
         ]);
     }
 
@@ -440,6 +432,9 @@ mod tests {
             (r"\sin 2 \frac{x}{3}", r"\sin(2) \frac{x}{3} or as"),
             (r"\ln|x| y", r"or as \ln("),
             (r"\sin f x", r"\sin(f) x or as"),
+            (r"\sin 2f x", r"\sin(2 f) x or as"),
+            (r"\sin 2f(t)", r"\sin(2) f(t) or as"),
+            (r"\sin A b", r"\sin(A) b or as"),
             (r"\sin a f", r"\sin(a) f or as"),
             (r"\sin a f(t)", r"\sin(a) f(t) or as"),
             (r"\sin x cos(y)", r"\sin(x) \cos(y) or as"),

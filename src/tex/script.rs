@@ -110,7 +110,7 @@ impl<'a> Reader<'a> {
         self.next += length;
         let shown = part.tree.to_string();
         let is_angle = match &*part.tree {
-            Tree::Symbol(name, _) => ANGLES.contains(&name.base.as_str()),
+            Tree::Symbol(name, _) => ANGLES.iter().any(|angle| *name == base(angle)),
             tree => matches!(tree, Tree::Number(_)),
         };
         let is_unit = |token: Token<'_>| token.kind == Kind::Number || matches!(token.text, "C" | "F" | "K");
@@ -445,8 +445,8 @@ mod tests {
                 r"(+ <\sin (/ (* 18 \pi) 180)> (/ (* 1 \pi) 180))",
             ),
             (
-                r"90^\circ - \alpha_1^\circ",
-                r"(+ (/ (* 90 \pi) 180) (- (/ (* \alpha_1 \pi) 180)))",
+                r"90^\circ - \alpha^\circ",
+                r"(+ (/ (* 90 \pi) 180) (- (/ (* \alpha \pi) 180)))",
             ),
             (
                 r"\sin{18^\circ}\cos(x°)",
@@ -465,6 +465,7 @@ mod tests {
                 r"this degree sign can be read as \frac{E \pi}{180} or as E^{\text{o}}",
             ),
             (r"f^\circ", "this degree sign"),
+            (r"x_1^\circ", "this degree sign"),
             (r"20^\circ C", "temperatures"),
             (r"20^\circ\mathrm{C}", "temperatures"),
             (r"20^\circ 30", "temperatures"),
