@@ -147,6 +147,7 @@ pub(super) fn inlined_in(equation: &Equation, own: &[Local]) -> Option<Equation>
 
 #[cfg(test)]
 mod tests {
+    use super::super::symbols::Symbols;
     use super::*;
     use crate::tex::{At, Names, read};
 
@@ -166,6 +167,35 @@ mod tests {
         );
         assert_eq!(found(&["a = a"]), Some("a".to_string()));
         assert_eq!(found(&["a = b b", "b = c + c", "c = x"]), None);
+    }
+
+    #[test]
+    fn a_pair_of_declared_symbols_is_two_equations() {
+        let printed = |parameters: &[&str], tex: &str| -> Vec<String> {
+            let symbols = Symbols {
+                parameters: parameters.iter().map(ToString::to_string).collect(),
+                ..Symbols::default()
+            };
+            let vocabulary = Vocabulary::read(&symbols).unwrap();
+            let equations = read(tex, &vocabulary.names).unwrap().into_iter();
+            let two = equations.flat_map(|equation| two_of_pair(equation, &vocabulary));
+            two.map(|equation| equation.to_string()).collect()
+        };
+        let both = ["x_1", "x_2", "a"];
+        let tex = r"x_{1,2} = \frac{-a \pm b \sqrt{1 \mp c}}{2}";
+        assert_eq!(
+            printed(&both, tex),
+            [
+                r"x_1 = \frac{-a + b \sqrt{1 - c}}{2}",
+                r"x_2 = \frac{-a - b \sqrt{1 + c}}{2}"
+            ]
+        );
+        let one = ["x_{1,2} = -a \\pm b"];
+        assert_eq!(printed(&["x", "x_1", "x_2"], one[0]), one);
+        assert_eq!(printed(&["x_{1,2}", "x_1", "x_2"], one[0]), one);
+        assert_eq!(printed(&["x_1"], one[0]), one);
+        assert_eq!(printed(&both, "x_{1,2} = a"), ["x_{1,2} = a"]);
+        assert_eq!(printed(&both, r"x_{1,2} < \pm a"), [r"x_{1,2} < \pm a"]);
     }
 
     #[test]
