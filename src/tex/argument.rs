@@ -12,17 +12,15 @@ use super::symbol::base;
 use super::token::{Kind, Token};
 use super::{At, Name, Tree};
 
-/// Letters that commonly are the whole argument, so that `\cos\theta F` may well be a product of two.
+/// Letters that commonly are the factor of a variable, as in `\cos\omega t`. Any other may be the whole argument: in
+/// `v_0\cos\alpha t` and `\sin\theta F` it is.
+const COEFFICIENTS: &[&str] = &[
+    "a", "b", "c", "i", "k", "l", "m", "n", "p", "q", "\\kappa", "\\lambda", "\\mu", "\\nu", "\\pi", "\\omega",
+    "\\Omega",
+];
+
+/// Letters that commonly are what a factor before them is of.
 const VARIABLES: &[&str] = &["x", "y", "z", "t", "\\theta", "\\vartheta", "\\phi", "\\psi"];
-
-/// The angles of a triangle are such letters too.
-const TRIANGLE: &[&str] = &["A", "B", "C"];
-
-/// Letters of angles that are wave numbers and rates too, as in `\cos\beta x`.
-const ANGLES: &[&str] = &["\\alpha", "\\beta", "\\gamma", "\\delta"];
-
-/// The variables that such a rate is of.
-const LENGTHS: &[&str] = &["x", "y", "z", "t", "s", "l", "L"];
 
 impl<'a> Reader<'a> {
     /// The argument without brackets of a function, whose value there is `value`.
@@ -120,11 +118,8 @@ impl<'a> Reader<'a> {
         if !next.accents.is_empty() || !next.mark.is_empty() || next.primes > 0 {
             return false;
         }
-        let is_in = |name: &Name, letters: &[&str]| letters.contains(&name.base.as_str());
         match symbol_of(before) {
-            Some(before) if !plain(&before) || is_in(before, VARIABLES) || is_in(before, TRIANGLE) => false,
-            Some(before) if is_in(before, ANGLES) => is_in(next, LENGTHS),
-            Some(_) => true,
+            Some(before) => plain(&before) && COEFFICIENTS.contains(&before.base.as_str()),
             None => is_number(before),
         }
     }
@@ -337,8 +332,8 @@ mod tests {
             (r"\cos k_n^2 x", r"<\cos (* (^ k_n 2) x)>"),
             (r"\sin\frac12 x", r"<\sin (* (/ 1 2) x)>"),
             (
-                r"\cos\beta l \cosh\beta l",
-                r"(* <\cos (* \beta l)> <\cosh (* \beta l)>)",
+                r"\cos\lambda l \cosh\lambda l",
+                r"(* <\cos (* \lambda l)> <\cosh (* \lambda l)>)",
             ),
             (r"e^{at}\sin bx", r"(* (^^ e (* a t)) <\sin (* b x)>)"),
             (
@@ -418,7 +413,9 @@ mod tests {
             (r"\sin x y", r"\sin(x) y or as \sin(x y)"),
             (r"\sin\omega\, t", r"\sin(\omega) t or as \sin(\omega t)"),
             (r"\cos\theta F", r"\cos(\theta) F or as \cos(\theta F)"),
-            (r"\cos\alpha F", r"\cos(\alpha) F or as \cos(\alpha F)"),
+            (r"v_0\cos\alpha t", r"\cos(\alpha) t or as \cos(\alpha t)"),
+            (r"\cos\beta l \cosh\beta l", r"\cos(\beta) l or as \cos(\beta l)"),
+            (r"\sin eta x", r"\sin(eta) x or as"),
             (r"\cos\omega t F", r"\cos(\omega t) F or as"),
             (r"\cos 2\theta\dot\theta", r"\cos(2 \theta) \dot{\theta} or as"),
             (r"\sin\omega\hat x", r"\sin(\omega) \hat{x} or as"),
