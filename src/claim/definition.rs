@@ -22,6 +22,57 @@ pub fn pair_of(name: &Name) -> Option<Name> {
     })
 }
 
+/// `x_{1,2} = a \pm b` of two declared symbols as the two equations x_1 = a + b and x_2 = a - b, where neither x nor the
+/// pair itself is declared.
+pub(super) fn two_of_pair(equation: Equation, vocabulary: &Vocabulary) -> Vec<Equation> {
+    let Tree::Symbol(name, at) = &equation.left else {
+        return vec![equation];
+    };
+    let of = |subscript: &str| Name {
+        subscript: subscript.to_string(),
+        ..name.clone()
+    };
+    let is_pair = *name == of("1,2") && !vocabulary.knows(name) && equation.relation == Relation::Equal;
+    if !is_pair || !has_sign(&equation.right) || ![of("1"), of("2")].iter().all(|one| vocabulary.declares(one)) {
+        return vec![equation];
+    }
+    let one = |subscript: &str, upper: bool| Equation {
+        left: Tree::Symbol(of(subscript), *at),
+        right: with_sign(&equation.right, upper),
+        ..equation.clone()
+    };
+    let two = vec![one("1", true), one("2", false)];
+    match two.iter().any(|equation| has_sign(&equation.right)) {
+        true => vec![equation],
+        false => two,
+    }
+}
+
+fn has_sign(tree: &Tree) -> bool {
+    any(tree, &mut |node| {
+        matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_))
+    })
+}
+
+/// The tree under the upper or the lower signs.
+fn with_sign(tree: &Tree, upper: bool) -> Tree {
+    let again = |tree: &Tree| with_sign(tree, upper);
+    let boxed = |tree: &Tree| Box::new(with_sign(tree, upper));
+    match tree {
+        Tree::PlusMinus(body) if upper => again(body),
+        Tree::MinusPlus(body) if !upper => again(body),
+        Tree::PlusMinus(body) | Tree::MinusPlus(body) | Tree::Negate(body) => Tree::Negate(boxed(body)),
+        Tree::Sum(terms) => Tree::Sum(terms.iter().map(again).collect()),
+        Tree::Product(factors) => Tree::Product(factors.iter().map(again).collect()),
+        Tree::Quotient(above, below, at) => Tree::Quotient(boxed(above), boxed(below), *at),
+        Tree::Power(base, exponent, at) => Tree::Power(boxed(base), *exponent, *at),
+        Tree::RealPower(base, exponent, at) => Tree::RealPower(boxed(base), boxed(exponent), *at),
+        Tree::Root(inner, index, at) => Tree::Root(boxed(inner), *index, *at),
+        Tree::Call(name, argument, at) => Tree::Call(name.clone(), boxed(argument), *at),
+        _ => tree.clone(),
+    }
+}
+
 /// Nodes of the largest tree that definitions put into each other may make.
 const LARGEST: usize = 100_000;
 
@@ -96,6 +147,7 @@ pub(super) fn inlined_in(equation: &Equation, own: &[Local]) -> Option<Equation>
 
 #[cfg(test)]
 mod tests {
+    use super::super::symbols::Symbols;
     use super::*;
     use crate::tex::{At, Names, read};
 
@@ -115,6 +167,35 @@ mod tests {
         );
         assert_eq!(found(&["a = a"]), Some("a".to_string()));
         assert_eq!(found(&["a = b b", "b = c + c", "c = x"]), None);
+    }
+
+    #[test]
+    fn a_pair_of_declared_symbols_is_two_equations() {
+        let printed = |parameters: &[&str], tex: &str| -> Vec<String> {
+            let symbols = Symbols {
+                parameters: parameters.iter().map(ToString::to_string).collect(),
+                ..Symbols::default()
+            };
+            let vocabulary = Vocabulary::read(&symbols).unwrap();
+            let equations = read(tex, &vocabulary.names).unwrap().into_iter();
+            let two = equations.flat_map(|equation| two_of_pair(equation, &vocabulary));
+            two.map(|equation| equation.to_string()).collect()
+        };
+        let both = ["x_1", "x_2", "a"];
+        let tex = r"x_{1,2} = \frac{-a \pm b \sqrt{1 \mp c}}{2}";
+        assert_eq!(
+            printed(&both, tex),
+            [
+                r"x_1 = \frac{-a + b \sqrt{1 - c}}{2}",
+                r"x_2 = \frac{-a - b \sqrt{1 + c}}{2}"
+            ]
+        );
+        let one = ["x_{1,2} = -a \\pm b"];
+        assert_eq!(printed(&["x", "x_1", "x_2"], one[0]), one);
+        assert_eq!(printed(&["x_{1,2}", "x_1", "x_2"], one[0]), one);
+        assert_eq!(printed(&["x_1"], one[0]), one);
+        assert_eq!(printed(&both, "x_{1,2} = a"), ["x_{1,2} = a"]);
+        assert_eq!(printed(&both, r"x_{1,2} < \pm a"), [r"x_{1,2} < \pm a"]);
     }
 
     #[test]

@@ -1,15 +1,15 @@
 //! One `[[equation]]` of a sheet: what it states, what it defines, and whether it can be read.
 
 use super::declared::is_defined;
-use super::definition::{Local, circular, inlined_in};
+use super::definition::{Local, circular, inlined_in, two_of_pair};
 use super::fault::{Fault, Source, Text};
 use super::nearest::nearest;
 use super::reduce::{holds_indefinite, is_constant_of_integration};
-use super::substitute::{any, any_side, flies, number_of, tree_runs};
+use super::substitute::{any, any_side, flies, number_of, rewrite, tree_runs};
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Equation, Name, Relation, Tree, read, read_conditions};
+use crate::tex::{Condition, Equation, Name, Relation, Tree, read, read_conditions, with_commands};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashSet};
 use toml::Spanned;
@@ -193,6 +193,7 @@ impl Entry {
             return Err(fault.of(&self.label));
         }
         self.check_brackets(vocabulary, shared)?;
+        self.check_written_out(vocabulary, shared)?;
         self.check_order(vocabulary)?;
         self.check_times_of_assume(vocabulary)?;
         let mut replaced = HashSet::new();
@@ -287,7 +288,9 @@ impl Entry {
         let mut sources: Vec<&Source> = self.trees(vocabulary).into_iter().map(|(_, source)| source).collect();
         sources.dedup_by(|one, other| one.tex == other.tex);
         for source in sources {
-            let shown = source.tex.replace(r"\left", "").replace(char::is_whitespace, "");
+            let shown = with_commands(&source.tex)
+                .replace(r"\left", "")
+                .replace(char::is_whitespace, "");
             let called = |name: &&String| {
                 let before = |at: usize| shown.get(..at).and_then(|before| before.chars().next_back());
                 let mut found = shown.match_indices(name.as_str());
@@ -298,6 +301,48 @@ impl Entry {
                 let problem = format!(
                     "`{name}(...)` can be read as a value of `{name}` or as a product: write `{name} \\cdot (...)`"
                 );
+                return Err(source.fault(0, problem).of(&self.label));
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses what the reader writes out where that does not hold: degrees where `\pi` is declared to be something
+    /// else, and a maximum of values that may be complex.
+    fn check_written_out(&self, vocabulary: &Vocabulary, shared: &[Local]) -> Result<(), Fault> {
+        let pi = Name {
+            base: r"\pi".to_string(),
+            ..Name::default()
+        };
+        let has_degrees = |tex: &str| {
+            ["\\circ", "\\degree", "\\textdegree", "°"]
+                .iter()
+                .any(|sign| tex.contains(sign))
+        };
+        let complex = self.complex_definitions(vocabulary);
+        let is_defined = |name: &Name| {
+            let mut foreign = shared.iter().filter(|local| local.name == *name);
+            complex.contains(name) || foreign.any(|local| vocabulary.may_be_complex(&local.tree))
+        };
+        for (tree, source) in self.trees(vocabulary) {
+            if vocabulary.declares(&pi) && has_degrees(&source.tex) {
+                let problem = "a degree is \\pi/180, and `\\pi` is declared to be something else";
+                return Err(source.fault(0, problem).of(&self.label));
+            }
+            let mut found = None;
+            any(
+                &rewrite(tree, &|name| vocabulary.meaning(name, &|_| false)),
+                &mut |node| {
+                    let values = node.extremum_of().into_iter().flatten();
+                    found = values
+                        .filter_map(|value| vocabulary.complex_in(value, &is_defined))
+                        .next()
+                        .cloned();
+                    found.is_some()
+                },
+            );
+            if let Some(name) = found {
+                let problem = format!("`{name}` is complex, and complex values have no order");
                 return Err(source.fault(0, problem).of(&self.label));
             }
         }
@@ -709,5 +754,10 @@ fn no_label(found: &str, positions: &BTreeMap<&str, usize>) -> Fault {
 }
 
 fn read_tex(source: &Source, vocabulary: &Vocabulary) -> Result<Vec<Equation>, Fault> {
-    read(&source.tex, &vocabulary.names).map_err(|error| source.fault(error.at, error.reason.to_string()))
+    let equations = read(&source.tex, &vocabulary.names);
+    let equations = equations.map_err(|error| source.fault(error.at, error.reason.to_string()))?;
+    let one_or_two = equations
+        .into_iter()
+        .flat_map(|equation| two_of_pair(equation, vocabulary));
+    Ok(one_or_two.collect())
 }

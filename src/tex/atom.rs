@@ -17,8 +17,16 @@ const HIGHEST_INDEX: u32 = 1000;
 const PARTNER: &str = "write \\frac{\\partial a}{\\partial b} with one name above and one below";
 
 impl<'a> Reader<'a> {
-    /// One factor, with the power it carries.
+    /// One factor, with the power or the factorial sign that it carries.
     pub(super) fn factor(&mut self) -> Result<Part, Fault> {
+        let part = self.plain_factor()?;
+        match self.peek_kind() {
+            Some(Kind::Factorial) => self.factorial(part),
+            _ => Ok(part),
+        }
+    }
+
+    fn plain_factor(&mut self) -> Result<Part, Fault> {
         self.skip_empty();
         let Some(token) = self.peek() else {
             return Err(self.instead_of("a factor"));
@@ -59,12 +67,14 @@ impl<'a> Reader<'a> {
             Kind::Fraction => self.fraction(token),
             Kind::Root => self.root(token),
             Kind::Partial => self.flat_partial(token),
+            Kind::Extremum => self.extremum(token.text),
+            Kind::Binomial => self.binomial(),
             _ => Err(self.instead_of("a factor")),
         }
     }
 
     /// `tree` with the power that follows it, if `form` may carry one.
-    fn carried(&mut self, tree: Box<Tree>, form: Form) -> Result<Part, Fault> {
+    pub(super) fn carried(&mut self, tree: Box<Tree>, form: Form) -> Result<Part, Fault> {
         let at = self.here();
         let power = self.power()?;
         match (&power, form) {
@@ -85,7 +95,14 @@ impl<'a> Reader<'a> {
         self.next += 1;
         self.no_scale(token)?;
         let tree = Box::new(Tree::Number(value(token)?));
-        self.carried(tree, Form::Literal)
+        let form = Form::Literal;
+        match self.in_degrees(Part { tree, form })? {
+            Part {
+                tree,
+                form: Form::Literal,
+            } => self.carried(tree, Form::Literal),
+            angle => Ok(angle),
+        }
     }
 
     /// Refuses `1e3` and `2.5e-3`: a programmer means a power of ten, TeX prints a product or a difference. Blanks and
@@ -136,7 +153,7 @@ impl<'a> Reader<'a> {
             (tree, Form::Open) => self.carried(tree, Form::Braced),
             (tree, _) if ends_in_number => self.carried(tree, Form::Braced),
             (tree, Form::Bare) => {
-                self.argument_ends(at)?;
+                self.argument_ends(&tree)?;
                 self.carried(tree, Form::Bare)
             }
             (tree, form) => self.carried(tree, form),

@@ -72,7 +72,15 @@ fn starts_content(kind: Kind) -> bool {
 fn ends_factor(kind: Kind) -> bool {
     matches!(
         kind,
-        Kind::Number | Kind::Letter | Kind::Word | Kind::Close(_) | Kind::BraceClose | Kind::Prime | Kind::Bar
+        Kind::Number
+            | Kind::Letter
+            | Kind::Word
+            | Kind::Close(_)
+            | Kind::BraceClose
+            | Kind::Prime
+            | Kind::Bar
+            | Kind::Degree
+            | Kind::Factorial
     )
 }
 

@@ -1,13 +1,14 @@
 //! What a bracket makes of a name: calls, elementary functions, traces and determinants.
 
-use super::command::{elementary, elementary_at_start, invariant};
+use super::command::{DECIMAL_LOGARITHM, elementary, elementary_at_start, has_powers, invariant};
 use super::error::{Fault, Reason};
 use super::exponent::Exponent;
-use super::part::{Form, Part, starts_factor};
+use super::part::{Form, Part};
 use super::reader::Reader;
 use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
 use super::{At, Invariant, Name, Tree};
+use crate::number::{Field, Rational};
 
 impl<'a> Reader<'a> {
     /// What begins with a letter, a word or an accent: a symbol, a call, a trace or an elementary function.
@@ -18,6 +19,9 @@ impl<'a> Reader<'a> {
             }
             if let Some(function) = elementary(token.text) {
                 return self.elementary(function, 1);
+            }
+            if matches!(token.text, "max" | "min") && !self.names.words.iter().any(|word| word == token.text) {
+                return self.extremum(token.text);
             }
         }
         if let Some((kind, length)) = self.plain_invariant() {
@@ -34,21 +38,31 @@ impl<'a> Reader<'a> {
     /// `name` with the scripts and the argument that follow it.
     pub(super) fn symbol(&mut self, mut name: Name, at: usize) -> Result<Part, Fault> {
         let power = self.scripts(&mut name)?;
-        if self.names.is_function(&name) {
-            self.skip_empty();
-            let argument = match self.peek_kind() {
-                Some(Kind::Open(kind)) if kind != Bracket::Bar => {
-                    self.argument_bracket(kind)?;
-                    Some(self.bracketed()?)
-                }
-                Some(Kind::BraceOpen) => self.braced_argument()?,
-                _ => None,
-            };
-            if let Some(argument) = argument {
-                return self.call(Box::new(Tree::Call(name, argument, At(at))), power);
-            }
+        if self.names.is_function(&name)
+            && let Some(argument) = self.bracketed_argument()?
+        {
+            let power = power.map(Exponent::before_argument).transpose()?;
+            return self.call(Box::new(Tree::Call(name, argument, At(at))), power);
         }
-        Ok(raise(Box::new(Tree::Symbol(name, At(at))), power))
+        let is_plain = power.is_none();
+        let symbol = raise(Box::new(Tree::Symbol(name, At(at))), power);
+        match is_plain {
+            true => self.in_degrees(symbol),
+            false => Ok(symbol),
+        }
+    }
+
+    /// The argument between brackets that stands next, perhaps with braces around them.
+    fn bracketed_argument(&mut self) -> Result<Option<Box<Tree>>, Fault> {
+        self.skip_empty();
+        match self.peek_kind() {
+            Some(Kind::Open(kind)) if kind != Bracket::Bar => {
+                self.argument_bracket(kind)?;
+                self.bracketed().map(Some)
+            }
+            Some(Kind::BraceOpen) => self.braced_argument(),
+            _ => Ok(None),
+        }
     }
 
     /// The argument of `f{(x)}`, which prints as `f(x)`; `None` where the braces hold something else.
@@ -83,7 +97,6 @@ impl<'a> Reader<'a> {
 
     /// A finished call: the power before its argument, or the one behind.
     fn call(&mut self, call: Box<Tree>, before: Option<Exponent>) -> Result<Part, Fault> {
-        let before = before.map(Exponent::before_argument).transpose()?;
         let at = self.here();
         match (before, self.power()?) {
             (Some(_), Some(_)) => Err(Fault::unsupported(
@@ -109,55 +122,49 @@ impl<'a> Reader<'a> {
     pub(super) fn elementary(&mut self, function: &'static str, length: usize) -> Result<Part, Fault> {
         let at = self.here();
         self.next += length;
+        let base = self.logarithm_base(function)?;
+        let value = |argument| match &base {
+            Some(base) => logarithm(base.clone(), argument, at),
+            None => elementary_call(function, argument, at),
+        };
         let power = match self.peek_kind() {
-            Some(Kind::Sup | Kind::Sub | Kind::Prime) => self.power()?,
+            Some(Kind::Sup | Kind::Sub | Kind::Prime) => self.power_of(function)?,
             _ => None,
         };
-        match self.peek_kind() {
-            Some(Kind::Open(kind)) if kind != Bracket::Bar => {
-                self.argument_bracket(kind)?;
-                let argument = self.bracketed()?;
-                self.call(elementary_call(function, argument, at), power)
-            }
-            _ => {
-                let argument = self.bare_argument()?;
-                let power = power.map(Exponent::before_argument).transpose()?;
+        match self.bracketed_argument()? {
+            Some(argument) => self.call(value(argument), power),
+            None => {
+                let argument = self.bare_argument(&value)?;
                 // without brackets a power behind it would be one of the argument, even behind braces
                 Ok(Part {
                     form: Form::Bare,
-                    ..raise(elementary_call(function, argument, at), power)
+                    ..raise(value(argument), power)
                 })
             }
         }
     }
 
-    /// The argument of `\cos\theta`: it must be plain that it is no more than one symbol, number or fraction.
-    fn bare_argument(&mut self) -> Result<Box<Tree>, Fault> {
-        self.deepen()?;
-        let at = self.here();
-        match self.peek_kind() {
-            Some(kind) if starts_factor(kind) && kind != Kind::Function => {}
-            _ => return Err(self.instead_of("the argument of the function")),
-        }
-        let part = self.factor()?;
-        self.rise();
-        let atom = match part.form {
-            Form::Literal | Form::Fraction | Form::Bracketed => true,
-            Form::Plain => matches!(*part.tree, Tree::Symbol(..)),
-            _ => false,
-        };
-        match atom {
-            true => self.argument_ends(at).map(|()| part.tree),
-            false => Err(unclear_argument(at)),
+    /// The base of a logarithm, written as in `\log_2 x` or meant as in `\lg x`.
+    fn logarithm_base(&mut self, function: &str) -> Result<Option<Box<Tree>>, Fault> {
+        match (function, self.peek_kind()) {
+            (DECIMAL_LOGARITHM, _) => Ok(Some(Box::new(Tree::Number(Rational::from_integer(10))))),
+            ("\\log", Some(Kind::Sub)) => {
+                self.next += 1;
+                self.argument().map(Some)
+            }
+            _ => Ok(None),
         }
     }
 
-    /// Refuses what would print as more of the argument of a function that starts at `at` and has no brackets.
-    pub(super) fn argument_ends(&mut self, at: usize) -> Result<(), Fault> {
-        self.skip_empty();
-        match self.peek_kind() {
-            Some(kind) if starts_factor(kind) || kind == Kind::Slash => Err(unclear_argument(at)),
-            _ => Ok(()),
+    /// The power between an elementary function and its argument.
+    fn power_of(&mut self, function: &str) -> Result<Option<Exponent>, Fault> {
+        let is = |ahead: usize, kind: Kind| self.look(ahead).is_some_and(|token| token.kind == kind);
+        // `\sin^{(n)}` is a derivative
+        let in_brackets = is(1, Kind::BraceOpen) && matches!(self.look(2).map(|token| token.kind), Some(Kind::Open(_)));
+        let power = self.power()?;
+        match has_powers(function) && !in_brackets {
+            true => power.map(Exponent::of_function).transpose(),
+            false => power.map(Exponent::before_argument).transpose(),
         }
     }
 
@@ -239,6 +246,7 @@ impl<'a> Reader<'a> {
             None => self.matrix()?,
         };
         let at = At(at);
+        let power = power.map(Exponent::before_argument).transpose()?;
         self.call(Box::new(Tree::Invariant { kind, of, at }), power)
     }
 
@@ -271,13 +279,14 @@ const FOREIGN_FUNCTIONS: [&str; 16] = [
     "round", "gcd",
 ];
 
-fn unclear_argument(at: usize) -> Fault {
-    let instead = "write brackets around the argument";
-    Fault::ambiguous(at, "an argument without brackets", instead)
-}
-
 fn elementary_call(function: &str, argument: Box<Tree>, at: usize) -> Box<Tree> {
     Box::new(Tree::Call(base(function), argument, At(at)))
+}
+
+/// `\log_a x` = ln x / ln a.
+fn logarithm(of_base: Box<Tree>, argument: Box<Tree>, at: usize) -> Box<Tree> {
+    let [above, below] = [argument, of_base].map(|of| elementary_call("\\ln", of, at));
+    Box::new(Tree::Quotient(above, below, At(at)))
 }
 
 /// `tree` to `power`.
@@ -348,14 +357,7 @@ mod tests {
         check(&[
             (r"\cos(\pi t)", r"<\cos (* \pi t)>"),
             (r"\sin[x]", r"<\sin x>"),
-            (r"2\cos\theta", r"(* 2 <\cos \theta>)"),
-            (r"\cos\theta \cdot x", r"(* <\cos \theta> x)"),
-            (r"\cos 2 + 1", r"(+ <\cos 2> 1)"),
-            (r"\cos\frac{\pi}{2}", r"<\cos (/ \pi 2)>"),
-            (r"\cos t_k", r"<\cos t_k>"),
-            (r"\cos{\theta}", r"<\cos \theta>"),
             (r"\cos^2(x)", r"(^ <\cos x> 2)"),
-            (r"\sin^2\theta", r"(^ <\sin \theta> 2)"),
             (r"\operatorname{cos}(x)", r"<\cos x>"),
             (r"cos(\pi t + \phi)", r"<\cos (+ (* \pi t) \phi)>"),
             ("2sin^2[x]", r"(* 2 (^ <\sin x> 2))"),
@@ -375,31 +377,41 @@ mod tests {
             ),
             (r"\sin^{1/3}(x)", r"(^^ <\sin x> (/ 1 3))"),
             ("f^{2/3}(t)", "(^^ <f t> (/ 2 3))"),
-            (r"\ln|x|", r"<\ln <\operatorname{abs} x>>"),
             ("f|x|", r"(* f <\operatorname{abs} x>)"),
         ]);
-        for tex in [
-            r"\sin \pi t",
-            r"\cos\theta/2",
-            r"\cos\theta(x)",
-            r"\cos\theta^2",
-            r"\cos{a+b}",
-            r"\cos F_1(t)",
-        ] {
-            refuse(&[(tex, "write brackets around the argument")]);
-        }
         refuse(&[
-            (r"\sin^n(x)", "behind brackets around the call"),
             (r"f^n(t)", "behind brackets around the call"),
             (r"f^{-a}(t)", "behind brackets around the call"),
-            (r"\sin 2x", "write brackets around the argument"),
-            (r"\sin 2\pi t", "write brackets around the argument"),
-            (r"\cos", "the argument of the function"),
-            (r"\cos -x", "the argument of the function"),
-            (r"\cos\sin x", "the argument of the function"),
             (r"\cos^{-1}(x)", "inverse function"),
-            (r"\cos^{-1} x", "inverse function"),
-            (r"\log_2(x)", "only a name"),
+            (r"\ln_2(x)", "only a name"),
+            (r"\log_12 x", "write { }"),
+            (r"\log_a^{-1} x", "inverse function"),
+            ("arcsinh(x)", "a bracket behind it"),
+        ]);
+    }
+
+    #[test]
+    fn logarithms() {
+        check(&[
+            (r"\log x", r"<\log x>"),
+            (r"\log_a x", r"(/ <\ln x> <\ln a>)"),
+            (r"\log_{10} 2x", r"(/ <\ln (* 2 x)> <\ln 10>)"),
+            (r"\log_2(x)", r"(/ <\ln x> <\ln 2>)"),
+            (r"\log_\alpha^2(x)", r"(^ (/ <\ln x> <\ln \alpha>) 2)"),
+            (r"\log_{a+b}\frac{x}{y}", r"(/ <\ln (/ x y)> <\ln (+ a b)>)"),
+            (r"\log_a b \log_b c", r"(* (/ <\ln b> <\ln a>) (/ <\ln c> <\ln b>))"),
+            (r"\lg x", r"(/ <\ln x> <\ln 10>)"),
+            (r"\operatorname{lg}(x)", r"(/ <\ln x> <\ln 10>)"),
+            ("m l g(x + y)", "(* m l g (+ x y))"),
+            ("mlg(x + y)", "(* m l g (+ x y))"),
+            (
+                r"\arcsinh x + \operatorname{arccosh}(x)",
+                r"(+ <\operatorname{arsinh} x> <\operatorname{arcosh} x>)",
+            ),
+        ]);
+        refuse(&[
+            (r"\log_a x y", r"\frac{\ln(x)}{\ln(a)} y or as \frac{\ln(x y)}{\ln(a)}"),
+            (r"\lg 2 \cos x", r"or as \frac{\ln(2 \cos(x))}{\ln(10)}"),
         ]);
     }
 

@@ -88,6 +88,10 @@ const LETTERS: &[&str] = &[
 /// The name of the absolute value as a function.
 pub(super) const ABSOLUTE: &str = "\\abs";
 
+/// The names of the factorials as functions.
+pub(super) const FACTORIAL: &str = "\\factorial";
+pub(super) const DOUBLE_FACTORIAL: &str = "\\doublefactorial";
+
 /// Functions that are known without a declaration, longest first where one starts another.
 const FUNCTIONS: &[&str] = &[
     "\\arccos", "\\arcsin", "\\arctan", "\\arcosh", "\\arsinh", "\\artanh", "\\sinh", "\\cosh", "\\tanh", "\\coth",
@@ -127,9 +131,18 @@ const SKIPPED: &[&str] = &[
 /// The width of the blank between two words, in eighteenths of a quad.
 pub(super) const WORD_SPACE: u32 = 6;
 
+/// The logarithm with base 10; never read from letters, which are a product as in `m l g(1 - \cos\theta)`.
+pub(super) const DECIMAL_LOGARITHM: &str = "\\lg";
+
 /// The command of the elementary function `word`, as `cos` or `\cos`.
 pub(super) fn elementary(word: &str) -> Option<&'static str> {
-    let word = word.strip_prefix('\\').unwrap_or(word);
+    let word = match word.strip_prefix('\\').unwrap_or(word) {
+        "arcsinh" => "arsinh",
+        "arccosh" => "arcosh",
+        "arctanh" => "artanh",
+        "lg" => return Some(DECIMAL_LOGARITHM),
+        word => word,
+    };
     let known = |command: &&&str| command.strip_prefix('\\') == Some(word);
     FUNCTIONS.iter().find(known).copied()
 }
@@ -138,6 +151,26 @@ pub(super) fn elementary(word: &str) -> Option<&'static str> {
 pub(super) fn elementary_at_start(run: &str) -> Option<&'static str> {
     let starts = |command: &&&str| command.strip_prefix('\\').is_some_and(|name| run.starts_with(name));
     FUNCTIONS.iter().find(starts).copied()
+}
+
+/// Whether a symbol before the argument of this function is a power, as in `\sin^n x`.
+pub(super) fn has_powers(function: &str) -> bool {
+    const POWERS: &[&str] = &[
+        "\\sin",
+        "\\cos",
+        "\\tan",
+        "\\cot",
+        "\\sec",
+        "\\csc",
+        "\\sinh",
+        "\\cosh",
+        "\\tanh",
+        "\\coth",
+        "\\ln",
+        "\\log",
+        DECIMAL_LOGARITHM,
+    ];
+    POWERS.contains(&function)
 }
 
 /// The invariant that `word` names, as `Tr` or `det`.
@@ -191,7 +224,10 @@ fn structure(text: &str) -> Option<Command> {
         "\\sum" => Command::Token(Kind::Series(Series::Sum)),
         "\\prod" => Command::Token(Kind::Series(Series::Product)),
         "\\int" => Command::Token(Kind::Integral),
-        "\\dot" | "\\ddot" | "\\hat" | "\\tilde" | "\\vec" | "\\overline" => Command::Token(Kind::Accent),
+        "\\dot" | "\\ddot" | "\\dddot" | "\\ddddot" | "\\hat" | "\\tilde" | "\\vec" | "\\overline" | "\\check"
+        | "\\breve" | "\\acute" | "\\grave" | "\\mathring" => Command::Token(Kind::Accent),
+        // a letter in such a font is a symbol of its own
+        "\\mathcal" | "\\mathscr" | "\\mathfrak" => Command::Token(Kind::Accent),
         "\\bar" => Command::Spelled(Kind::Accent, "\\overline"),
         "\\widehat" => Command::Spelled(Kind::Accent, "\\hat"),
         "\\widetilde" => Command::Spelled(Kind::Accent, "\\tilde"),
@@ -220,6 +256,9 @@ fn sign(text: &str) -> Option<Command> {
         "\\approx" => Kind::Approximately,
         "\\in" => Kind::Element,
         "\\infty" => Kind::Infinity,
+        "\\circ" | "\\degree" | "\\textdegree" => Kind::Degree,
+        "\\max" | "\\min" => Kind::Extremum,
+        "\\binom" | "\\dbinom" | "\\tbinom" => Kind::Binomial,
         "\\vert" | "\\mid" => Kind::Bar,
         "\\lvert" => Kind::Open(Bracket::Bar),
         "\\rvert" => Kind::Close(Bracket::Bar),
@@ -256,8 +295,74 @@ pub(super) fn character(c: char) -> Option<Kind> {
         '_' => Kind::Sub,
         '^' => Kind::Sup,
         '\'' | '’' | '′' => Kind::Prime,
+        '!' => Kind::Factorial,
+        '°' => Kind::Degree,
+        '·' | '⋅' | '×' => Kind::Times,
+        '÷' => Kind::Slash,
+        '±' => Kind::PlusMinus,
+        '∓' => Kind::MinusPlus,
+        '∂' => Kind::Partial,
+        '∈' => Kind::Element,
+        '∞' => Kind::Infinity,
         _ => return None,
     })
+}
+
+/// What a letter outside ASCII, or a raised digit, is written as: the tokens it makes.
+pub(super) fn spelled(c: char) -> Option<&'static [(Kind, &'static str)]> {
+    let tokens: &[(Kind, &str)] = match c {
+        '²' => &[(Kind::Sup, "^"), (Kind::Number, "2")],
+        '³' => &[(Kind::Sup, "^"), (Kind::Number, "3")],
+        'α' => &[(Kind::Letter, "\\alpha")],
+        'β' => &[(Kind::Letter, "\\beta")],
+        'γ' => &[(Kind::Letter, "\\gamma")],
+        'δ' => &[(Kind::Letter, "\\delta")],
+        'ε' | 'ϵ' => &[(Kind::Letter, "\\epsilon")],
+        'ζ' => &[(Kind::Letter, "\\zeta")],
+        'η' => &[(Kind::Letter, "\\eta")],
+        'θ' => &[(Kind::Letter, "\\theta")],
+        'ϑ' => &[(Kind::Letter, "\\vartheta")],
+        'ι' => &[(Kind::Letter, "\\iota")],
+        'κ' => &[(Kind::Letter, "\\kappa")],
+        'λ' => &[(Kind::Letter, "\\lambda")],
+        'μ' | 'µ' => &[(Kind::Letter, "\\mu")],
+        'ν' => &[(Kind::Letter, "\\nu")],
+        'ξ' => &[(Kind::Letter, "\\xi")],
+        'π' => &[(Kind::Letter, "\\pi")],
+        'ρ' => &[(Kind::Letter, "\\rho")],
+        'ϱ' => &[(Kind::Letter, "\\varrho")],
+        'σ' => &[(Kind::Letter, "\\sigma")],
+        'ς' => &[(Kind::Letter, "\\varsigma")],
+        'τ' => &[(Kind::Letter, "\\tau")],
+        'υ' => &[(Kind::Letter, "\\upsilon")],
+        'φ' | 'ϕ' => &[(Kind::Letter, "\\phi")],
+        'χ' => &[(Kind::Letter, "\\chi")],
+        'ψ' => &[(Kind::Letter, "\\psi")],
+        'ω' => &[(Kind::Letter, "\\omega")],
+        'Γ' => &[(Kind::Letter, "\\Gamma")],
+        'Δ' => &[(Kind::Letter, "\\Delta")],
+        'Θ' => &[(Kind::Letter, "\\Theta")],
+        'Λ' => &[(Kind::Letter, "\\Lambda")],
+        'Ξ' => &[(Kind::Letter, "\\Xi")],
+        'Π' => &[(Kind::Letter, "\\Pi")],
+        'Σ' => &[(Kind::Letter, "\\Sigma")],
+        'Φ' => &[(Kind::Letter, "\\Phi")],
+        'Ψ' => &[(Kind::Letter, "\\Psi")],
+        'Ω' => &[(Kind::Letter, "\\Omega")],
+        'ℓ' => &[(Kind::Letter, "\\ell")],
+        'ħ' => &[(Kind::Letter, "\\hbar")],
+        _ => return None,
+    };
+    Some(tokens)
+}
+
+/// The TeX with its letters outside ASCII written as commands.
+pub(crate) fn with_commands(tex: &str) -> String {
+    let letter = |c: char| match spelled(c) {
+        Some([(Kind::Letter, text)]) => (*text).to_string(),
+        _ => c.to_string(),
+    };
+    tex.chars().map(letter).collect()
 }
 
 /// What to say of a character that is not read, beyond "cannot read".

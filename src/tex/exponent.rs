@@ -69,6 +69,24 @@ impl Exponent {
         }
     }
 
+    /// Between an elementary function and its argument a symbol is a power too, as in `\sin^n x`.
+    pub(super) fn of_function(self) -> Result<Self, Fault> {
+        let is_negative = |tree: &Tree| match tree {
+            Tree::Sum(terms) => matches!(terms.first(), Some(Tree::Negate(_))),
+            tree => matches!(tree, Tree::Negate(_)),
+        };
+        match &self.value {
+            Value::Real(exponent) if is_negative(exponent) => Err(self.inverse()),
+            Value::Real(_) => Ok(self),
+            Value::Half(_) => self.before_argument(),
+        }
+    }
+
+    fn inverse(&self) -> Fault {
+        let instead = "write the power behind brackets around the call, or the inverse function's own name";
+        Fault::ambiguous(self.at, "a negative power of a function", instead)
+    }
+
     /// Before an argument a negative power might mean the inverse function, a symbolic one an iterate.
     pub(super) fn before_argument(self) -> Result<Self, Fault> {
         let positive = |tree: &Tree| match tree {
@@ -79,10 +97,7 @@ impl Exponent {
             _ => false,
         };
         match &self.value {
-            Value::Half(twice) if *twice < 0 => {
-                let instead = "write the power behind brackets around the call, or the inverse function's own name";
-                Err(Fault::ambiguous(self.at, "a negative power of a function", instead))
-            }
+            Value::Half(twice) if *twice < 0 => Err(self.inverse()),
             Value::Real(exponent) if !positive(exponent) => {
                 let instead =
                     "write it behind brackets around the call, [f(t)]^n, if no iterate or derivative is meant";

@@ -1,7 +1,7 @@
 //! TeX source -> tokens. What does not change the meaning (blanks, sizes, fonts, alignment) ends here.
 
 use super::Relation;
-use super::command::{Command, Side, WORD_SPACE, character, character_hint, command};
+use super::command::{Command, Side, WORD_SPACE, character, character_hint, command, spelled};
 use super::error::{Fault, Reason};
 use super::token::{Bracket, Kind, Rows, Set, Token};
 
@@ -71,6 +71,12 @@ impl<'a> Lexer<'a> {
             c if c.is_ascii_alphabetic() => return self.push(Kind::Letter, 1),
             ':' if rest.starts_with(":=") => return self.push(Kind::Relation(Relation::Equal), 2),
             c => {
+                if let Some(tokens) = spelled(c) {
+                    let (at, end) = (self.at, self.at + c.len_utf8());
+                    return tokens
+                        .iter()
+                        .try_for_each(|&(kind, text)| self.push_as(kind, text, at, end));
+                }
                 let kind = character(c)
                     .ok_or_else(|| Fault::unreadable(self.at, c.encode_utf8(&mut [0; 4]), character_hint(c)))?;
                 return self.push(kind, c.len_utf8());
@@ -98,7 +104,7 @@ impl<'a> Lexer<'a> {
         }
         let styled = self.styled && kind == Kind::Letter;
         self.styled &= kind == Kind::BraceOpen;
-        self.blank = 0;
+        let spaced = std::mem::take(&mut self.blank) > 0;
         self.tokens.push(Token {
             kind,
             text,
@@ -106,6 +112,7 @@ impl<'a> Lexer<'a> {
             end,
             split: false,
             styled,
+            spaced,
         });
         self.at = end;
         Ok(())
@@ -395,6 +402,16 @@ mod tests {
     }
 
     #[test]
+    fn letters_and_signs_outside_ascii_are_those_of_commands() {
+        assert_eq!(
+            texts("πα·ϕ² ± Ω"),
+            [r"\pi", r"\alpha", "·", r"\phi", "^", "2", "±", r"\Omega"]
+        );
+        let kinds = |tex: &str| lex(tex).unwrap().iter().map(|token| token.kind).collect::<Vec<_>>();
+        assert_eq!(kinds("·×⋅∓÷∂∞°"), kinds(r"\cdot\times\cdot\mp\div\partial\infty\circ"));
+    }
+
+    #[test]
     fn the_position_of_lines_is_no_factor() {
         assert_eq!(texts(r"\begin{aligned}[b] a &= b \end{aligned}"), ["a", "&", "=", "b"]);
         assert_eq!(
@@ -440,6 +457,7 @@ mod tests {
             r"\left",
             r"\oint",
             "é",
+            "√",
             r"\begin{cases}",
             r"\begin{align}",
             r"\end{align}",

@@ -23,6 +23,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod argument;
 mod atom;
 mod bars;
 mod bracket;
@@ -33,6 +34,8 @@ mod display;
 mod error;
 mod evaluate;
 mod exponent;
+mod extremum;
+mod factorial;
 mod lexer;
 mod names;
 mod operation;
@@ -49,6 +52,7 @@ mod symbol;
 mod token;
 mod tree;
 
+pub(crate) use command::with_commands;
 pub use conditions::read_conditions;
 pub use display::{read, read_expression, read_name};
 pub use error::{ReadError, Reason};

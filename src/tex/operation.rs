@@ -316,18 +316,9 @@ impl<'a> Reader<'a> {
 
     /// The differential of an integral that stands next, while one is read.
     pub(super) fn differential(&mut self) -> Result<Option<Part>, Fault> {
-        if self.integral.is_none() {
-            return Ok(None);
-        }
-        let Some(length) = self.differential_sign(0) else {
+        let Some(length) = self.differential_ahead() else {
             return Ok(None);
         };
-        let named = self
-            .look(length)
-            .is_some_and(|token| matches!(token.kind, Kind::Letter | Kind::Accent));
-        if !named {
-            return Ok(None);
-        }
         let at = self.here();
         self.next += length;
         let by = self.full_name()?;
@@ -341,6 +332,13 @@ impl<'a> Reader<'a> {
                 Err(Fault::unsupported(at, "a second differential", instead))
             }
         }
+    }
+
+    /// The tokens of the `d` of the differential that stands next, while an integral is read.
+    pub(super) fn differential_ahead(&self) -> Option<usize> {
+        let length = self.differential_sign(0).filter(|_| self.integral.is_some())?;
+        let named = self.look(length)?;
+        matches!(named.kind, Kind::Letter | Kind::Accent).then_some(length)
     }
 
     /// Whether the integral that is read ends with this factor.

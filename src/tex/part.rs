@@ -66,6 +66,8 @@ pub(super) fn starts_factor(kind: Kind) -> bool {
             | Kind::Partial
             | Kind::Series(_)
             | Kind::Integral
+            | Kind::Extremum
+            | Kind::Binomial
             | Kind::Open(_)
             | Kind::BraceOpen
     )

@@ -1,6 +1,7 @@
 //! Tree -> TeX that reads back to the same tree, given the same [`Names`](super::Names).
 
-use super::command::{ABSOLUTE, operator_name};
+use super::argument::may_scale;
+use super::command::{ABSOLUTE, DOUBLE_FACTORIAL, FACTORIAL, operator_name};
 use super::{Case, Condition, Equation, Invariant, Name, Operation, Relation, Series, Tree};
 use crate::number::Rational;
 use std::fmt;
@@ -133,7 +134,7 @@ fn needs_dot(before: &Tree, next: &Tree, text: &str) -> bool {
         _ => false,
     };
     let mixed = matches!(before, Tree::Number(_)) && numbers(next);
-    digit || mixed || (bracket && may_call(before))
+    digit || mixed || (bracket && may_call(before)) || may_scale(before, next)
 }
 
 /// Whether a bracket behind `tree` might read as its argument: the printer does not know which names are functions.
@@ -148,6 +149,7 @@ fn factor(tree: &Tree) -> String {
     match tree {
         Tree::Number(value) => number(value),
         Tree::Symbol(name, _) => name.to_string(),
+        Tree::Call(name, argument, _) if is_factorial(name) => factorial(name, argument),
         Tree::Call(name, argument, _) if is_absolute(name) => format!("\\left|{}\\right|", sum(argument)),
         Tree::Call(name, argument, _) => format!("{name}({})", sum(argument)),
         Tree::Partial { of, by, .. } => format!("\\frac{{\\partial {of}}}{{\\partial {by}}}"),
@@ -245,7 +247,9 @@ fn power(base: &Tree, exponent: i32) -> String {
         Tree::Symbol(name, _) if name.mark.is_empty() && name.primes == 0 => {
             format!("{name}^{exponent}")
         }
-        Tree::Call(name, argument, _) if before_argument && name.mark.is_empty() && name.primes == 0 => {
+        Tree::Call(name, argument, _)
+            if before_argument && name.mark.is_empty() && name.primes == 0 && !is_factorial(name) =>
+        {
             format!("{name}^{exponent}({})", sum(argument))
         }
         base => format!("{}^{exponent}", bracketed(base)),
@@ -270,6 +274,20 @@ fn real_power(base: &Tree, exponent: &Tree) -> String {
 /// Whether this is the absolute value, which prints as bars.
 fn is_absolute(name: &Name) -> bool {
     name.base == ABSOLUTE
+}
+
+/// Whether this is a factorial, which prints behind its argument.
+fn is_factorial(name: &Name) -> bool {
+    name.base == FACTORIAL || name.base == DOUBLE_FACTORIAL
+}
+
+fn factorial(name: &Name, argument: &Tree) -> String {
+    let sign = if name.base == FACTORIAL { "!" } else { "!!" };
+    match argument {
+        Tree::Symbol(of, _) if of.mark.is_empty() && of.primes == 0 => format!("{of}{sign}"),
+        Tree::Number(value) if value.to_decimal().is_some() => format!("{}{sign}", number(value)),
+        argument => format!("{}{sign}", bracketed(argument)),
+    }
 }
 
 /// `tree` between brackets that differ from those within.
@@ -332,6 +350,12 @@ mod tests {
             (r"(\cos(x))^{-n}", r"[\cos(x)]^{-n}"),
             ("x^n (a + b)", r"x^n \cdot (a + b)"),
             (r"\operatorname{sgn}(x)^2", r"\operatorname{sgn}^2(x)"),
+            (r"\sin(n + 1) \cdot x", r"\sin(n + 1) \cdot x"),
+            (r"\sin 18^\circ", r"\sin(\frac{18 \pi}{180})"),
+            (r"\log_a x \cdot b", r"\frac{\ln(x)}{\ln(a)} b"),
+            (r"(2n)! (n + 1)!!", r"(2 n)! (n + 1)!!"),
+            (r"\mathcal L \dddot x", r"\mathcal{L} \dddot{x}"),
+            (r"2π²", r"2 \pi^2"),
         ] {
             let tree = read_expression(tex, &names()).unwrap();
             assert_eq!(tree.to_string(), wanted, "{tex}");

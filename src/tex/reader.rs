@@ -1,6 +1,7 @@
 //! TeX -> tree: sums and products. Where TeX authors mean different things by one spelling, reading
 //! fails and says what to write instead; nothing is guessed.
 
+use super::argument::parted;
 use super::error::{Fault, Reason};
 use super::part::{Form, Part, readable, starts_factor};
 use super::token::{Bracket, Kind, Token};
@@ -206,6 +207,9 @@ impl<'a> Reader<'a> {
             if juxtaposed {
                 readable(form, &factor, printed.unwrap_or(token))?;
             }
+            if token.kind != Kind::Slash {
+                parted(factors.last(), form, &factor.tree, token)?;
+            }
             let by = factor.form;
             let tree = self.beside(factor)?;
             self.skip_empty();
@@ -241,7 +245,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The next token that prints something.
-    fn first_printed(&self) -> Option<Token<'a>> {
+    pub(super) fn first_printed(&self) -> Option<Token<'a>> {
         let mut rest = self.tokens.iter().skip(self.next);
         rest.find(|token| token.kind != Kind::BraceOpen).copied()
     }
@@ -296,7 +300,7 @@ fn two_quotients(above: Box<Tree>, below: Vec<Tree>, at: usize) -> Fault {
     Fault::two_readings(at, found, &outside.to_string(), &inside.to_string())
 }
 
-fn product(mut factors: Vec<Tree>) -> Box<Tree> {
+pub(super) fn product(mut factors: Vec<Tree>) -> Box<Tree> {
     Box::new(match factors.len() {
         1 => factors.remove(0),
         _ => Tree::Product(factors),
@@ -393,8 +397,6 @@ mod tests {
             ("{a 2}^3", "write brackets around"),
             ("1/{2a}", r"\frac{1}{2} a or as \frac{1}{2 a}"),
             (r"1/{2 \cos a}", r"or as \frac{1}{2 \cos"),
-            (r"{\cos a} b", "brackets around the argument"),
-            (r"{2 \cos a}/b", "brackets around the argument"),
             (r"2\frac{1}{2}", r"write \cdot"),
             ("x.5", r"write \cdot"),
             ("a \\over b", r"write \frac"),

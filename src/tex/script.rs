@@ -1,15 +1,29 @@
 //! What hangs on a name or a bracket: subscripts, primes, marks and powers.
 
-use super::Name;
 use super::error::{Fault, Reason};
 use super::exponent::Exponent;
+use super::part::{Form, Part};
 use super::reader::Reader;
 use super::subscript::{canonical, plain, subscript_text};
 use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
+use super::{At, Name, Tree};
+use crate::number::{Field, Rational};
 
 /// The most tokens of a mark.
 const LONGEST_MARK: usize = 64;
+
+/// Symbols that a degree sign makes an angle of; behind others, as in `E^\circ`, it may be a mark.
+const ANGLES: &[&str] = &[
+    "x",
+    "\\alpha",
+    "\\beta",
+    "\\gamma",
+    "\\theta",
+    "\\vartheta",
+    "\\phi",
+    "\\psi",
+];
 
 /// What a superscript means.
 pub(super) enum Superscript {
@@ -23,6 +37,9 @@ impl<'a> Reader<'a> {
     pub(super) fn scripts(&mut self, name: &mut Name) -> Result<Option<Exponent>, Fault> {
         let mut power: Option<Exponent> = None;
         while let Some(token) = self.peek() {
+            if self.degree_sign() > 0 {
+                break;
+            }
             let raised = power.is_some() || !name.mark.is_empty();
             match token.kind {
                 Kind::Sub if name.subscript.is_empty() => name.subscript = self.subscript()?,
@@ -73,7 +90,63 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
+    /// The number of tokens of the degree sign that stands next; 0 where none does.
+    fn degree_sign(&self) -> usize {
+        let kind = |ahead: usize| self.look(ahead).map(|token| token.kind);
+        let (raised, degree) = (kind(0) == Some(Kind::Sup), Some(Kind::Degree));
+        match self.peek() {
+            Some(_) if raised && kind(1) == degree => 2,
+            Some(_)
+                if raised && [kind(1), kind(2), kind(3)] == [Some(Kind::BraceOpen), degree, Some(Kind::BraceClose)] =>
+            {
+                4
+            }
+            // this alone is the sign of a composition
+            Some(sign) if sign.text != "\\circ" => usize::from(sign.kind == Kind::Degree),
+            _ => 0,
+        }
+    }
+
+    /// A number or a symbol with the degree sign that may follow it: 18° is 18 \pi/180.
+    pub(super) fn in_degrees(&mut self, part: Part) -> Result<Part, Fault> {
+        let (at, length) = (self.here(), self.degree_sign());
+        if length == 0 {
+            return Ok(part);
+        }
+        self.next += length;
+        let shown = part.tree.to_string();
+        let is_angle = match &*part.tree {
+            Tree::Symbol(name, _) => ANGLES.iter().any(|angle| *name == base(angle)),
+            tree => matches!(tree, Tree::Number(_)),
+        };
+        let is_unit = |token: Token<'_>| token.kind == Kind::Number || matches!(token.text, "C" | "F" | "K");
+        let of = Tree::Product(vec![*part.tree, Tree::Symbol(base("\\pi"), At(at))]);
+        let half_turn = Tree::Number(Rational::from_integer(180));
+        let angle = Tree::Quotient(Box::new(of), Box::new(half_turn), At(at));
+        if self.first_printed().is_some_and(is_unit) {
+            let instead = "write \\cdot for a product; neither temperatures nor minutes of arc are read";
+            return Err(Fault::ambiguous(at, "what follows this degree sign", instead));
+        }
+        match is_angle {
+            true => Ok(Part {
+                tree: Box::new(angle),
+                form: Form::Knot,
+            }),
+            false => {
+                let mark = format!("{shown}^{{\\text{{o}}}}");
+                Err(Fault::two_readings(at, "this degree sign", &angle.to_string(), &mark))
+            }
+        }
+    }
+
     fn subscript(&mut self) -> Result<String, Fault> {
+        if let Some(sign) = self
+            .look(1)
+            .filter(|sign| matches!(sign.kind, Kind::Infinity | Kind::Extremum))
+        {
+            self.next += 2;
+            return Ok(plain(&sign).to_owned());
+        }
         let (at, content) = self.script_tokens(usize::MAX)?;
         let text = subscript_text(&content)?;
         let brackets = |open| text.matches(open).count();
@@ -365,6 +438,50 @@ mod tests {
             ("x^{2", "`{` is not closed"),
             ("(a)^-", "only a name"),
             ("(a)_k", "only a name"),
+        ]);
+    }
+
+    #[test]
+    fn degrees() {
+        check(&[
+            (r"18^\circ", r"(/ (* 18 \pi) 180)"),
+            (
+                r"\sin 18^{\circ} + 1°",
+                r"(+ <\sin (/ (* 18 \pi) 180)> (/ (* 1 \pi) 180))",
+            ),
+            (
+                r"90^\circ - \alpha^\circ",
+                r"(+ (/ (* 90 \pi) 180) (- (/ (* \alpha \pi) 180)))",
+            ),
+            (
+                r"\sin{18^\circ}\cos(x°)",
+                r"(* <\sin (/ (* 18 \pi) 180)> <\cos (/ (* x \pi) 180)>)",
+            ),
+            (
+                r"\cos 36^\circ \cos 72^\circ",
+                r"(* <\cos (/ (* 36 \pi) 180)> <\cos (/ (* 72 \pi) 180)>)",
+            ),
+            (r"22.5\degree", r"(/ (* 45/2 \pi) 180)"),
+            (r"|{-18^\circ}|", r"<\operatorname{abs} (- (/ (* 18 \pi) 180))>"),
+        ]);
+        refuse(&[
+            (
+                r"E^\circ",
+                r"this degree sign can be read as \frac{E \pi}{180} or as E^{\text{o}}",
+            ),
+            (r"f^\circ", "this degree sign"),
+            (r"x_1^\circ", "this degree sign"),
+            (r"20^\circ C", "temperatures"),
+            (r"20^\circ\mathrm{C}", "temperatures"),
+            (r"20^\circ 30", "temperatures"),
+            (r"\sin 18^\circ x", "can be read as"),
+            (r"(a + b)^\circ", r"found `\circ`"),
+            (r"(a + b)^{\circ}", r"found `\circ`"),
+            (r"\sin^\circ x", r"found `\circ`"),
+            (r"x^2°", "the end"),
+            (r"18°^2", "the end"),
+            (r"f \circ g", r"found `\circ`"),
+            (r"18 \circ g", r"found `\circ`"),
         ]);
     }
 

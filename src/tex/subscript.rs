@@ -16,6 +16,7 @@ pub(super) fn subscript_text(content: &[Token<'_>]) -> Result<String, Fault> {
             }
             Kind::Plus | Kind::Minus | Kind::Star | Kind::Comma | Kind::Slash => !nested && token.text != ";",
             Kind::Open(Bracket::Round) | Kind::Close(Bracket::Round) | Kind::Prime => !nested,
+            Kind::Infinity | Kind::Extremum => !nested,
             Kind::Sub => !nested && !scripted && before.is_some(),
             _ => false,
         };
@@ -23,7 +24,7 @@ pub(super) fn subscript_text(content: &[Token<'_>]) -> Result<String, Fault> {
             return Err(Fault::unexpected(token.at, token.text, "a plain subscript"));
         }
         // A command must not run into the letter behind it.
-        let letter = token.text.starts_with(|c: char| c.is_ascii_alphabetic());
+        let letter = plain(token).starts_with(|c: char| c.is_ascii_alphabetic());
         if letter && before.is_some_and(|before| before.text.starts_with('\\')) {
             text.push(' ');
         }
@@ -43,6 +44,8 @@ pub(super) fn plain<'a>(token: &Token<'a>) -> &'a str {
         Kind::Star => "*",
         Kind::Slash => "/",
         Kind::Prime => "'",
+        Kind::Infinity => "\\infty",
+        Kind::Extremum => token.text.trim_start_matches('\\'),
         _ => token.text,
     }
 }
@@ -114,6 +117,16 @@ mod tests {
             (r"r_\mathrm{B}", "r_B"),
             (r"U_{\text{in}}", "U_{in}"),
             (r"x_{\phi k}", r"x_{\phi k}"),
+            (r"V_{\max}", "V_{max}"),
+            (r"V_\min", "V_{min}"),
+            (r"x_{\text{max}}", "x_{max}"),
+            (r"x_{\max,1}", "x_{max,1}"),
+            (r"x_{\rm crit}", "x_{crit}"),
+            ("E_{kin}", "E_{kin}"),
+            (r"\rho_\infty", r"\rho_\infty"),
+            (r"\rho_{\infty}", r"\rho_\infty"),
+            (r"\rho_{∞}", r"\rho_\infty"),
+            (r"\rho_{\infty k}", r"\rho_{\infty k}"),
             (r"x_\varphi", r"x_\phi"),
             ("t_{k_1}", "t_{k_1}"),
             ("x_1y", "(* x_1 y)"),

@@ -134,7 +134,18 @@ mod tests {
                 r"(* \ddot{X} \hat{F} \tilde{x} \vec{v})",
             ),
         ]);
+        check(&[
+            (
+                r"\dddot{x} \ddddot x \mathring{x} \check x \breve{x}_1",
+                r"(* \dddot{x} \ddddot{x} \mathring{x} \check{x} \breve{x}_1)",
+            ),
+            (
+                r"\mathcal{L} L \mathcal L_1 \mathfrak{g} \mathscr{H} \dot{\mathcal{L}}",
+                r"(* \mathcal{L} L \mathcal{L}_1 \mathfrak{g} \mathscr{H} \dot{\mathcal{L}})",
+            ),
+        ]);
         refuse(&[
+            (r"\mathcal{LM}", "found `M` where `}`"),
             (r"\overline{g T}", "found `T` where `}`"),
             (r"\dot{x^2}", "a power here"),
             (r"\dot{2}", "a name"),

@@ -72,6 +72,13 @@ pub(super) enum Kind {
     Element,
     Set(Set),
     Infinity,
+    /// The sign of an angle in degrees: `\circ`, raised, or a character that prints raised.
+    Degree,
+    /// `\max` or `\min`.
+    Extremum,
+    /// `!`.
+    Factorial,
+    Binomial,
     Comma,
     Stop,
     /// `&`, which prints nothing.
@@ -95,4 +102,6 @@ pub(super) struct Token<'a> {
     pub split: bool,
     /// A single letter in a font of its own, as in `\mathrm{T}`.
     pub styled: bool,
+    /// Behind a blank that prints, as `\,` does.
+    pub spaced: bool,
 }

@@ -1,0 +1,474 @@
+//! The argument of an elementary function that no brackets enclose: `\sin 2\pi t`, `\ln\frac{x}{y}`, `\cos\omega t`.
+//!
+//! It is one symbol, number, fraction, root or absolute value, one function of such an argument, or a run of a number
+//! and symbols that ends in its variable. It ends before a sign, a relation, a closing bracket, `\cdot` and the next
+//! function. Whatever else follows may print as more of it, and is refused with both readings.
+
+use super::command::{ABSOLUTE, elementary};
+use super::error::Fault;
+use super::part::{Form, Part, starts_factor};
+use super::reader::{Reader, product};
+use super::symbol::base;
+use super::token::{Kind, Token};
+use super::{At, Name, Tree};
+
+/// Letters that commonly are the factor of a variable, as in `\cos\omega t`. Any other may be the whole argument: in
+/// `v_0\cos\alpha t` and `\sin\theta F` it is.
+const COEFFICIENTS: &[&str] = &[
+    "a", "b", "c", "i", "k", "l", "m", "n", "p", "q", "\\kappa", "\\lambda", "\\mu", "\\nu", "\\pi", "\\omega",
+    "\\Omega",
+];
+
+/// Letters that commonly are what a factor before them is of.
+const VARIABLES: &[&str] = &["x", "y", "z", "t", "\\theta", "\\vartheta", "\\phi", "\\psi"];
+
+impl<'a> Reader<'a> {
+    /// The argument without brackets of a function, whose value there is `value`.
+    pub(super) fn bare_argument(&mut self, value: &dyn Fn(Box<Tree>) -> Box<Tree>) -> Result<Box<Tree>, Fault> {
+        self.deepen()?;
+        let (at, start) = (self.here(), self.next);
+        let token = match self.peek() {
+            Some(token) if starts_factor(token.kind) => token,
+            _ => return Err(self.instead_of("the argument of the function")),
+        };
+        let part = self.factor()?;
+        let mut factors = match (part.form, *part.tree) {
+            (Form::Knot, Tree::Product(factors)) if self.prints_as_run(start) && self.is_run(&factors) => factors,
+            (form, tree) if self.is_argument(token.kind, form, &tree) => vec![tree],
+            _ => {
+                let instead = "write brackets around the argument";
+                return Err(Fault::ambiguous(at, "an argument without brackets", instead));
+            }
+        };
+        while let Some((next, token)) = self.more_of_argument()? {
+            let is_symbol = matches!(token.kind, Kind::Letter | Kind::Word) && !token.spaced;
+            let is_one = |before: &Tree| self.goes_on(before, &next);
+            // braces do not print, but tell where the author ends the argument
+            let ended = self
+                .tokens
+                .get(start)
+                .is_some_and(|first| first.kind == Kind::BraceOpen);
+            if ended || !is_symbol || !factors.last().is_some_and(is_one) {
+                return Err(two_arguments(&value(product(factors)), &next, token));
+            }
+            factors.push(next);
+        }
+        self.rise();
+        Ok(product(factors))
+    }
+
+    /// Refuses what would print as more of the argument that `tree` ends in, which has no brackets.
+    pub(super) fn argument_ends(&mut self, tree: &Tree) -> Result<(), Fault> {
+        match self.more_of_argument()? {
+            Some((next, token)) => Err(two_arguments(tree, &next, token)),
+            None => Ok(()),
+        }
+    }
+
+    /// The factor or divisor that follows an argument without brackets, and the token that it begins with; a function
+    /// does not.
+    fn more_of_argument(&mut self) -> Result<Option<(Tree, Token<'a>)>, Fault> {
+        self.skip_empty();
+        let Some(token) = self.peek().filter(|_| self.differential_ahead().is_none()) else {
+            return Ok(None);
+        };
+        match token.kind {
+            Kind::Slash => self.next += 1,
+            kind if starts_factor(kind) && !self.first_printed().is_some_and(is_function) => {}
+            _ => return Ok(None),
+        }
+        let Part { tree, .. } = self.factor()?;
+        Ok(Some((*tree, token)))
+    }
+
+    /// Whether what begins with a token of this kind is an argument by itself.
+    fn is_argument(&self, kind: Kind, form: Form, tree: &Tree) -> bool {
+        match (form, tree) {
+            (Form::Literal | Form::Fraction | Form::Bracketed | Form::Bare, _) => true,
+            (Form::Plain, Tree::Call(name, ..)) => elementary(&name.base).is_some() && !self.names.is_function(name),
+            (Form::Plain, Tree::Symbol(..) | Tree::Root(..)) => true,
+            // an angle in degrees
+            (Form::Knot, Tree::Quotient(..)) => true,
+            (Form::Knot, tree) => kind != Kind::Root && (is_number(tree) || symbol_of(tree).is_some()),
+            _ => false,
+        }
+    }
+
+    /// Whether no sign and no blank stands among the tokens from `start` on.
+    fn prints_as_run(&self, start: usize) -> bool {
+        let read = self.tokens.get(start + 1..self.next).unwrap_or_default();
+        !read
+            .iter()
+            .any(|token| token.spaced || matches!(token.kind, Kind::Times | Kind::Star | Kind::Slash))
+    }
+
+    fn is_run(&self, factors: &[Tree]) -> bool {
+        factors
+            .windows(2)
+            .all(|pair| matches!(pair, [before, next] if self.goes_on(before, next)))
+    }
+
+    /// Whether `next` belongs to an argument in which `before` stands right before it.
+    fn goes_on(&self, before: &Tree, next: &Tree) -> bool {
+        let plain = |name: &&Name| !self.names.is_function(name);
+        let Some(next) = symbol_of(next).filter(|name| plain(name) || is_number(before)) else {
+            return false;
+        };
+        // `\cos\theta\dot\theta` and `\cos\theta\hat{x}` are products of two
+        if !next.accents.is_empty() || !next.mark.is_empty() || next.primes > 0 {
+            return false;
+        }
+        match symbol_of(before) {
+            Some(before) => plain(&before) && COEFFICIENTS.contains(&before.base.as_str()),
+            None => is_number(before),
+        }
+    }
+}
+
+/// Whether an elementary function begins with this token.
+fn is_function(token: Token<'_>) -> bool {
+    token.kind == Kind::Function || (token.kind == Kind::Word && elementary(token.text).is_some())
+}
+
+/// A number, a power of one or a fraction of two.
+fn is_number(tree: &Tree) -> bool {
+    match tree {
+        Tree::Number(_) => true,
+        Tree::Power(base, ..) | Tree::RealPower(base, ..) => matches!(**base, Tree::Number(_)),
+        Tree::Quotient(above, below, _) => matches!((&**above, &**below), (Tree::Number(_), Tree::Number(_))),
+        _ => false,
+    }
+}
+
+/// The symbol that a tree is, or is a power of.
+fn symbol_of(tree: &Tree) -> Option<&Name> {
+    match tree {
+        Tree::Symbol(name, _) => Some(name),
+        Tree::Power(base, ..) | Tree::RealPower(base, ..) | Tree::Root(base, 2, _) => symbol_of(base),
+        _ => None,
+    }
+}
+
+/// The elementary function in whose value a tree ends, and its argument; the bars of an absolute value end it.
+fn last_call(tree: &Tree) -> Option<(&Name, &Tree)> {
+    match tree {
+        Tree::Call(name, argument, _) => {
+            let is_open = name.base != ABSOLUTE && elementary(&name.base).is_some();
+            is_open.then_some((name, &**argument))
+        }
+        Tree::Power(base, ..) | Tree::RealPower(base, ..) => last_call(base),
+        // a logarithm with a base
+        Tree::Quotient(above, ..) => last_call(above),
+        Tree::Product(factors) => factors.last().and_then(last_call),
+        _ => None,
+    }
+}
+
+/// `tree` with the argument that it ends in replaced.
+fn with_last_argument(tree: &Tree, new: &dyn Fn(&Tree) -> Tree) -> Tree {
+    let again = |tree: &Tree| Box::new(with_last_argument(tree, new));
+    match tree {
+        Tree::Call(name, argument, at) => Tree::Call(name.clone(), Box::new(new(argument)), *at),
+        Tree::Power(base, exponent, at) => Tree::Power(again(base), *exponent, *at),
+        Tree::RealPower(base, exponent, at) => Tree::RealPower(again(base), exponent.clone(), *at),
+        Tree::Quotient(above, below, at) => Tree::Quotient(again(above), below.clone(), *at),
+        Tree::Product(factors) => match factors.split_last() {
+            Some((last, rest)) => {
+                let last = with_last_argument(last, new);
+                Tree::Product(rest.iter().cloned().chain([last]).collect())
+            }
+            None => tree.clone(),
+        },
+        _ => tree.clone(),
+    }
+}
+
+/// The fault of a factor or divisor, begun by `token`, behind an argument without brackets, in which `tree` ends.
+#[inline(never)]
+fn two_arguments(tree: &Tree, next: &Tree, token: Token<'_>) -> Fault {
+    let join = |before: &Tree| match token.kind {
+        Kind::Slash => Tree::Quotient(Box::new(before.clone()), Box::new(next.clone()), At(token.at)),
+        _ => {
+            let factors = match before {
+                Tree::Product(factors) => factors.clone(),
+                before => vec![before.clone()],
+            };
+            Tree::Product(factors.into_iter().chain([next.clone()]).collect())
+        }
+    };
+    let [outside, inside] = [join(tree), with_last_argument(tree, &join)];
+    let found = "what follows an argument without brackets";
+    Fault::two_readings(token.at, found, &outside.to_string(), &inside.to_string())
+}
+
+/// Refuses a factor, begun by `token` or by the sign of a product before it, that may belong to the argument in which
+/// `before` ends: `\cos\frac{\pi}{2} \cos\theta`, `\ln 2 \cos x`, `\sin 2 \cdot x`, and `\sin(n + 1) x`.
+pub(super) fn parted(before: Option<&Tree>, form: Form, next: &Tree, token: Token<'_>) -> Result<(), Fault> {
+    let Some((before, (function, argument))) = before.and_then(|tree| Some((tree, last_call(tree)?))) else {
+        return Ok(());
+    };
+    let dotted = matches!(token.kind, Kind::Times | Kind::Star);
+    let calls = last_call(next).is_some();
+    let unclear = match form {
+        Form::Bare if dotted && calls => false,
+        Form::Bare => {
+            let grows = match function.base.as_str() {
+                "\\exp" => !dotted,
+                "\\ln" | "\\log" => matches!(argument, Tree::Product(_) | Tree::Number(_)),
+                _ => false,
+            };
+            grows
+                || (matches!(argument, Tree::Number(_)) && !calls)
+                || (is_constant(argument) && !is_constant(next) && !is_in_degrees(argument))
+                || (last_call(argument).is_some() && !matches!(argument, Tree::Quotient(..)))
+        }
+        _ => !dotted && !token.spaced && may_scale(before, next),
+    };
+    match unclear {
+        true => Err(two_arguments(before, next, token)),
+        false => Ok(()),
+    }
+}
+
+/// Whether `next` right behind the function's value `before` may belong to its argument, as in `\sin(n + 1) x`: a
+/// variable, behind brackets that hold a sum without one.
+pub(super) fn may_scale(before: &Tree, next: &Tree) -> bool {
+    let Some((_, argument @ Tree::Sum(_))) = last_call(before).filter(|_| is_call(before)) else {
+        return false;
+    };
+    let is_variable = |name: &Name| VARIABLES.contains(&name.base.as_str());
+    let scaled = match next {
+        Tree::Quotient(above, ..) => match &**above {
+            Tree::Product(factors) => factors.first().and_then(symbol_of),
+            above => symbol_of(above),
+        },
+        next => symbol_of(next),
+    };
+    scaled.is_some_and(|name| is_variable(name) || is_pi(name)) && all_symbols(argument, &|name| !is_variable(name))
+}
+
+/// A function's value or a power of one.
+fn is_call(tree: &Tree) -> bool {
+    match tree {
+        Tree::Power(base, ..) | Tree::RealPower(base, ..) => matches!(**base, Tree::Call(..)),
+        tree => matches!(tree, Tree::Call(..)),
+    }
+}
+
+fn is_pi(name: &Name) -> bool {
+    *name == base("\\pi")
+}
+
+/// Whether this is an angle as [`Reader::in_degrees`] writes it.
+fn is_in_degrees(tree: &Tree) -> bool {
+    matches!(tree, Tree::Quotient(_, below, _) if matches!(&**below, Tree::Number(half_turn) if half_turn.to_integer() == Some(180)))
+}
+
+/// Whether a tree is written with numbers and `\pi` alone.
+fn is_constant(tree: &Tree) -> bool {
+    all_symbols(tree, &is_pi)
+}
+
+/// Whether a tree is written with numbers, functions and such symbols alone.
+fn all_symbols(tree: &Tree, test: &dyn Fn(&Name) -> bool) -> bool {
+    let again = |tree: &Tree| all_symbols(tree, test);
+    match tree {
+        Tree::Number(_) => true,
+        Tree::Symbol(name, _) => test(name),
+        Tree::Call(_, inner, _) | Tree::Negate(inner) | Tree::Power(inner, ..) | Tree::Root(inner, ..) => again(inner),
+        Tree::Sum(parts) | Tree::Product(parts) => parts.iter().all(again),
+        Tree::Quotient(one, other, _) | Tree::RealPower(one, other, _) => again(one) && again(other),
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::spelled::{check, refuse};
+
+    #[test]
+    fn one_symbol_number_or_fraction() {
+        check(&[
+            (r"2\cos\theta", r"(* 2 <\cos \theta>)"),
+            (r"\cos 2 + 1", r"(+ <\cos 2> 1)"),
+            (r"\cos\frac{\pi}{2}", r"<\cos (/ \pi 2)>"),
+            (r"\cos t_k", r"<\cos t_k>"),
+            (r"\cos{\theta}", r"<\cos \theta>"),
+            (r"\sin^2\theta", r"(^ <\sin \theta> 2)"),
+            (r"\ln x^2", r"<\ln (^ x 2)>"),
+            (r"\sin\theta^2", r"<\sin (^ \theta 2)>"),
+            (r"\ln x^n", r"<\ln (^^ x n)>"),
+            (r"\ln x^{1/2}", r"<\ln (sqrt x)>"),
+            (r"\ln|x|", r"<\ln <\operatorname{abs} x>>"),
+            (
+                r"\ln\left|\tan\frac{x}{2}\right|",
+                r"<\ln <\operatorname{abs} <\tan (/ x 2)>>>",
+            ),
+            (r"\arctan\sqrt{x}", r"<\arctan (sqrt x)>"),
+            (r"\ln\sqrt[3]{x}", r"<\ln (root x 3)>"),
+            (r"\sin f + 1", r"(+ <\sin f> 1)"),
+            (r"\sin\dot Z_k", r"<\sin \dot{Z}_k>"),
+            (r"\ln\cos x", r"<\ln <\cos x>>"),
+            (r"\cos\arcsin x", r"<\cos <\arcsin x>>"),
+            (r"\ln\ln\cos(x)", r"<\ln <\ln <\cos x>>>"),
+            (r"\operatorname{arsinh} x", r"<\operatorname{arsinh} x>"),
+            (r"\operatorname{sgn} x", r"<\operatorname{sgn} x>"),
+        ]);
+    }
+
+    #[test]
+    fn runs_that_end_in_their_variable() {
+        check(&[
+            (r"\sin 2x", r"<\sin (* 2 x)>"),
+            (r"\sin 2\pi t", r"<\sin (* 2 \pi t)>"),
+            (r"\cos \omega t", r"<\cos (* \omega t)>"),
+            (r"\cos\omega_0 t + 1", r"(+ <\cos (* \omega_0 t)> 1)"),
+            (r"\sin n\pi", r"<\sin (* n \pi)>"),
+            (r"\sin \pi t", r"<\sin (* \pi t)>"),
+            (r"\cos 2^k x", r"<\cos (* (^^ 2 k) x)>"),
+            (r"\sin 2^2 x", r"<\sin (* (^ 2 2) x)>"),
+            (r"\sin a x", r"<\sin (* a x)>"),
+            (r"\sin a x^2", r"<\sin (* a (^ x 2))>"),
+            (r"\cos k_n^2 x", r"<\cos (* (^ k_n 2) x)>"),
+            (r"\sin\frac12 x", r"<\sin (* (/ 1 2) x)>"),
+            (
+                r"\cos\lambda l \cosh\lambda l",
+                r"(* <\cos (* \lambda l)> <\cosh (* \lambda l)>)",
+            ),
+            (r"e^{at}\sin bx", r"(* (^^ e (* a t)) <\sin (* b x)>)"),
+            (
+                r"\cos n\varphi + i\sin n\varphi",
+                r"(+ <\cos (* n \phi)> (* i <\sin (* n \phi)>))",
+            ),
+            (r"\cos iz - \sinh iy", r"(+ <\cos (* i z)> (- <\sinh (* i y)>))"),
+            (r"\sin{2x}", r"<\sin (* 2 x)>"),
+            (r"\sin{2x}\cos{k y}", r"(* <\sin (* 2 x)> <\cos (* k y)>)"),
+            (r"\sin\,2x", r"<\sin (* 2 x)>"),
+            (r"\sin^2 2x", r"(^ <\sin (* 2 x)> 2)"),
+            (r"\sqrt{\sin 2x}", r"(sqrt <\sin (* 2 x)>)"),
+            (r"\left(1 - \cos 2x\right) y", r"(* (+ 1 (- <\cos (* 2 x)>)) y)"),
+            (r"\frac{1 - \cos 2x}{2}", r"(/ (+ 1 (- <\cos (* 2 x)>)) 2)"),
+            (r"e^{-\cos 2x}", r"(^^ e (- <\cos (* 2 x)>))"),
+            (r"|\sin 2x|", r"<\operatorname{abs} <\sin (* 2 x)>>"),
+            (r"\sin 2eta", r"<\sin (* 2 eta)>"),
+            (r"\sin 2f \cos f", r"(* <\sin (* 2 f)> <\cos f>)"),
+        ]);
+    }
+
+    #[test]
+    fn an_argument_ends_before_the_next_function() {
+        check(&[
+            (r"\sin u \cos v", r"(* <\sin u> <\cos v>)"),
+            (r"\sin u\,\cos v", r"(* <\sin u> <\cos v>)"),
+            (r"a\cos x\cos y\cos z", r"(* a <\cos x> <\cos y> <\cos z>)"),
+            (r"\sin 2x \cos 3x", r"(* <\sin (* 2 x)> <\cos (* 3 x)>)"),
+            (r"\sin^2 x \cos^3 y", r"(* (^ <\sin x> 2) (^ <\cos y> 3))"),
+            (
+                r"\sin\frac{x+y}{2} \cos\frac{x-y}{2}",
+                r"(* <\sin (/ (+ x y) 2)> <\cos (/ (+ x (- y)) 2)>)",
+            ),
+            (r"\ln x \ln y", r"(* <\ln x> <\ln y>)"),
+            (
+                r"\cos\frac{\pi}{7} \cos\frac{2\pi}{7}",
+                r"(* <\cos (/ \pi 7)> <\cos (/ (* 2 \pi) 7)>)",
+            ),
+            (r"\cos\theta \cdot x", r"(* <\cos \theta> x)"),
+            (r"\cos\omega t \times x", r"(* <\cos (* \omega t)> x)"),
+            (r"\ln 2 \cdot \ln 3", r"(* <\ln 2> <\ln 3>)"),
+            (r"{\cos a} \sin b", r"(* <\cos a> <\sin b>)"),
+            (r"\cos x \operatorname{sgn} y", r"(* <\cos x> <\operatorname{sgn} y>)"),
+            (r"\cos(x) y", r"(* <\cos x> y)"),
+            (r"\cos{\left(x \right)} y", r"(* <\cos x> y)"),
+            (r"\sin^{2}{\left(x \right)} y", r"(* (^ <\sin x> 2) y)"),
+            (r"\sin(x + y) z", r"(* <\sin (+ x y)> z)"),
+            (r"\sin(n + 1)\,x", r"(* <\sin (+ n 1)> x)"),
+            (r"\sin(n + 1) \cdot x", r"(* <\sin (+ n 1)> x)"),
+        ]);
+        refuse(&[
+            (
+                r"\cos\frac{\pi}{2} \cos\theta",
+                r"or as \cos(\frac{\pi}{2} \cos(\theta))",
+            ),
+            (r"\ln 2 \cos x", r"\ln(2) \cos(x) or as \ln(2 \cos(x))"),
+            (r"\ln a b \cos x", r"or as \ln("),
+            (r"\ln\cos x \sin y", r"or as \ln("),
+            (r"\exp x \cos y", r"or as \exp(x \cos(y))"),
+            (r"\sin 2 \cdot 3 x", r"\sin(2) \cdot 3 or as \sin(2 \cdot 3)"),
+            (r"\ln 2a \cdot b", r"or as \ln("),
+            (r"\sin(n + \frac12)x", r"or as \sin((n + \frac{1}{2}) x)"),
+            (r"\sin(2n + 1)\pi", r"or as \sin((2 n + 1) \pi)"),
+            (r"\sin(2n + 1)\frac{\pi}{2}", r"or as \sin("),
+            (r"\cos^2(m - n)x", r"or as \cos^2("),
+        ]);
+    }
+
+    #[test]
+    fn what_may_be_more_of_the_argument_is_refused() {
+        refuse(&[
+            (r"\sin x (a + b)", r"\sin(x) (a + b) or as \sin(x \cdot (a + b))"),
+            (r"\cos\theta(x)", r"\cos(\theta) x or as \cos(\theta x)"),
+            (r"\sin 2x/3", r"\frac{\sin(2 x)}{3} or as \sin(\frac{2 x}{3})"),
+            (r"\cos\theta/2", r"\frac{\cos(\theta)}{2} or as \cos(\frac{\theta}{2})"),
+            (r"\sin x\, y", r"\sin(x) y or as \sin(x y)"),
+            (r"\sin x y", r"\sin(x) y or as \sin(x y)"),
+            (r"\sin\omega\, t", r"\sin(\omega) t or as \sin(\omega t)"),
+            (r"\cos\theta F", r"\cos(\theta) F or as \cos(\theta F)"),
+            (r"v_0\cos\alpha t", r"\cos(\alpha) t or as \cos(\alpha t)"),
+            (r"\cos\beta l \cosh\beta l", r"\cos(\beta) l or as \cos(\beta l)"),
+            (r"\sin eta x", r"\sin(eta) x or as"),
+            (r"\cos\omega t F", r"\cos(\omega t) F or as"),
+            (r"\cos 2\theta\dot\theta", r"\cos(2 \theta) \dot{\theta} or as"),
+            (r"\sin\omega\hat x", r"\sin(\omega) \hat{x} or as"),
+            (r"\sin\omega x'", r"\sin(\omega) x' or as"),
+            (r"\sin{2x} y", r"\sin(2 x) y or as \sin(2 x y)"),
+            (r"\cos{k} x", r"\cos(k) x or as \cos(k x)"),
+            (r"\sin\frac{x}{2} y", r"\sin(\frac{x}{2}) y or as"),
+            (r"\cos\frac{n\pi}{2}x", r"or as \cos(\frac{n \pi}{2} x)"),
+            (r"\sin x \frac{a}{b}", r"\sin(x) \frac{a}{b} or as"),
+            (r"\sin x \sqrt{y}", r"\sin(x) \sqrt{y} or as"),
+            (r"\sin 2 \frac{x}{3}", r"\sin(2) \frac{x}{3} or as"),
+            (r"\ln|x| y", r"or as \ln("),
+            (r"\sin f x", r"\sin(f) x or as"),
+            (r"\sin 2f x", r"\sin(2 f) x or as"),
+            (r"\sin 2f(t)", r"\sin(2) f(t) or as"),
+            (r"\sin A b", r"\sin(A) b or as"),
+            (r"\sin a f", r"\sin(a) f or as"),
+            (r"\sin a f(t)", r"\sin(a) f(t) or as"),
+            (r"\sin x cos(y)", r"\sin(x) \cos(y) or as"),
+            (r"\sin x |y|", r"or as \sin(x \left|y\right|)"),
+            (r"{\cos a} b", r"\cos(a) b or as \cos(a b)"),
+            (r"{2 \cos a}/b", r"\frac{2 \cos(a)}{b} or as 2 \cos(\frac{a}{b})"),
+            (r"\cos{a+b}", "write brackets around the argument"),
+            (r"\cos{2 \cdot x}", "write brackets around the argument"),
+            (r"\cos{2\,x}", "write brackets around the argument"),
+            (r"\cos{x y}", "write brackets around the argument"),
+            (r"\cos F_1(t)", "write brackets around the argument"),
+            (r"\sin|x|^2", "write brackets around the argument"),
+            (r"\sin\sqrt{x}^2", "write brackets around the argument"),
+            (r"\sin\det DP", "write brackets around the argument"),
+            (r"\cos", "the argument of the function"),
+            (r"\cos -x", "the argument of the function"),
+        ]);
+    }
+
+    #[test]
+    fn powers_of_functions() {
+        check(&[
+            (r"\cos^3 x", r"(^ <\cos x> 3)"),
+            (r"\sin^n x", r"(^^ <\sin x> n)"),
+            (r"\sin^{2n} x", r"(^^ <\sin x> (* 2 n))"),
+            (r"\sin^{n-1} x \cos x", r"(* (^^ <\sin x> (+ n (- 1))) <\cos x>)"),
+            (r"\ln^k 2x", r"(^^ <\ln (* 2 x)> k)"),
+            (r"\sin^n(x)", r"(^^ <\sin x> n)"),
+        ]);
+        refuse(&[
+            (r"\sin^{-1} x", "inverse function"),
+            (r"\sinh^{-1} x", "inverse function"),
+            (r"\sin^{-n} x", "inverse function"),
+            (r"\sin^{(n)} x", "behind brackets around the call"),
+            (r"\arcsin^n x", "behind brackets around the call"),
+            (r"\exp^n x", "behind brackets around the call"),
+            (r"\cos^* x", "only a name"),
+        ]);
+    }
+}
