@@ -7,7 +7,7 @@ use super::super::substitute::any;
 use super::super::symbols::{Pairs, Symbols};
 use super::super::vocabulary::Vocabulary;
 use super::scan::Formula;
-use crate::tex::{Equation, Name, Names, Relation, Tree, read, read_name};
+use crate::tex::{Equation, Name, Names, Relation, Tree, read, read_name, with_commands};
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// What is guessed of one formula.
@@ -319,7 +319,7 @@ fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
 fn called_with_time(tex: &str) -> Vec<Name> {
     let mut found = Vec::new();
     let argument = format!("({TIME})");
-    let plain = tex.replace(r"\left(", "(").replace(r"\right)", ")");
+    let plain = with_commands(tex).replace(r"\left(", "(").replace(r"\right)", ")");
     for (at, _) in plain.match_indices(&argument) {
         let before = plain.get(..at).unwrap_or_default().trim_end().trim_end_matches('\'');
         found.extend(last_name(before));
