@@ -9,7 +9,7 @@ use super::substitute::{any, any_side, flies, number_of, rewrite, tree_runs};
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Equation, Name, Relation, Tree, read, read_conditions, with_commands};
+use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree, read, read_conditions, with_commands};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashSet};
 use toml::Spanned;
@@ -158,6 +158,11 @@ impl Entry {
         let (mut borrowed, mut faults, mut messages) = (Vec::new(), Vec::new(), HashSet::new());
         let mine = |name: &Name| is_defined(name, &self.own) || is_defined(name, shared);
         let borrows = self.role != Role::Claim;
+        let approaches: Vec<Name> = self
+            .assume
+            .iter()
+            .filter_map(|(condition, _)| approached(condition))
+            .collect();
         let is_antiderivative = self.equations.iter().any(holds_indefinite);
         for (tree, source) in self.trees(vocabulary) {
             if let Some((name, at)) = called_with_itself(tree) {
@@ -168,6 +173,7 @@ impl Entry {
             }
             let extra = |name: &Name| {
                 mine(name)
+                    || approaches.contains(name)
                     || (borrows && elsewhere.contains(name))
                     || (is_antiderivative && is_constant_of_integration(name))
             };
@@ -730,6 +736,19 @@ pub(super) fn read_entry(
         given: Vec::new(),
         borrowed: Vec::new(),
     })
+}
+
+/// What a condition says to tend to something.
+fn approached(condition: &Condition) -> Option<Name> {
+    match condition {
+        Condition::Relation(relation) => match (&relation.left, &relation.right) {
+            (Tree::Symbol(name, _), Tree::Operation(operation, _)) => {
+                matches!(**operation, Operation::Approaches(_)).then(|| name.clone())
+            }
+            _ => None,
+        },
+        Condition::Integer(_) => None,
+    }
 }
 
 /// Labels shown in a message.

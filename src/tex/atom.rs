@@ -35,6 +35,7 @@ impl<'a> Reader<'a> {
             return Ok(differential);
         }
         match token.kind {
+            Kind::Letter if self.is_order(token) => self.order_of(token),
             Kind::Letter | Kind::Word | Kind::Accent => self.named(token),
             Kind::BraceOpen => self.group(token.at),
             Kind::Function => {
@@ -54,6 +55,7 @@ impl<'a> Reader<'a> {
             }
             Kind::Series(kind) => self.series(token, kind),
             Kind::Integral => self.integral(token),
+            Kind::Limit => self.limit_of(token),
             Kind::Open(_) => {
                 let tree = self.bracketed()?;
                 match self.peek_kind() {
@@ -342,7 +344,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-fn value(token: Token<'_>) -> Result<Rational, Fault> {
+pub(super) fn value(token: Token<'_>) -> Result<Rational, Fault> {
     if token.text.len() > LONGEST {
         return Err(Fault::unsupported(
             token.at,

@@ -224,6 +224,7 @@ fn structure(text: &str) -> Option<Command> {
         "\\sum" => Command::Token(Kind::Series(Series::Sum)),
         "\\prod" => Command::Token(Kind::Series(Series::Product)),
         "\\int" => Command::Token(Kind::Integral),
+        "\\lim" => Command::Token(Kind::Limit),
         "\\dot" | "\\ddot" | "\\dddot" | "\\ddddot" | "\\hat" | "\\tilde" | "\\vec" | "\\overline" | "\\check"
         | "\\breve" | "\\acute" | "\\grave" | "\\mathring" => Command::Token(Kind::Accent),
         // a letter in such a font is a symbol of its own
@@ -254,6 +255,7 @@ fn sign(text: &str) -> Option<Command> {
         "\\le" | "\\leq" | "\\leqslant" | "\\leqq" => Kind::Relation(Relation::LessOrEqual),
         "\\ge" | "\\geq" | "\\geqslant" | "\\geqq" => Kind::Relation(Relation::GreaterOrEqual),
         "\\approx" => Kind::Approximately,
+        "\\to" | "\\rightarrow" => Kind::To,
         "\\in" => Kind::Element,
         "\\infty" => Kind::Infinity,
         "\\circ" | "\\degree" | "\\textdegree" => Kind::Degree,
@@ -381,9 +383,7 @@ fn hint(text: &str) -> &'static str {
         "\\sim" | "\\simeq" | "\\cong" | "\\propto" | "\\ll" | "\\gg" => {
             ": it has no exact meaning; write =, \\neq, <, >, \\leq or \\geq"
         }
-        "\\mapsto" | "\\longmapsto" | "\\to" | "\\rightarrow" | "\\longrightarrow" => {
-            ": write what is claimed as an equation or inequality"
-        }
+        "\\mapsto" | "\\longmapsto" | "\\longrightarrow" => ": write what is claimed as an equation or inequality",
         "\\not" => ": write \\neq",
         "\\notin" | "\\subset" | "\\subseteq" => ": only \\in is read, and only in a condition",
         _ => "",

@@ -4,7 +4,7 @@ use super::display::divided;
 use super::error::{Fault, Reason};
 use super::reader::Reader;
 use super::token::{Bracket, Kind, Set};
-use super::{At, Condition, Equation, Names, ReadError, Relation, Tree};
+use super::{At, Condition, Equation, Names, Operation, ReadError, Relation, Tree};
 
 /// Reads conditions parted by commas: relations and chains of them, `n \in \mathbb{Z}`, `x \in [a, b)`. An interval
 /// gives its two inequalities, an end at infinity none; `x \in \mathbb{R}` gives nothing, for symbols are real.
@@ -33,6 +33,14 @@ impl Reader<'_> {
         let left = *self.sum()?;
         if self.peek().is_none() {
             return Err(Fault::new(at, Reason::NoCondition));
+        }
+        if self.peek_kind() == Some(Kind::To) {
+            let to = self.approached()?;
+            let right = Tree::Operation(Box::new(Operation::Approaches(to)), At(at));
+            let mut condition = Equation::between(left, right);
+            (condition.at, condition.end) = (At(at), At(self.look_back()));
+            conditions.push(Condition::Relation(condition));
+            return self.finish("the end of the condition");
         }
         if self.take(Kind::Element).is_some() {
             self.membership(at, left, conditions)?;

@@ -260,6 +260,80 @@ impl<'a> Reader<'a> {
             .is_some_and(|token| matches!(token.kind, Kind::BraceOpen | Kind::Plus | Kind::Minus))
     }
 
+    /// `\lim_{x \to 0}` and the term behind it.
+    pub(super) fn limit_of(&mut self, token: Token<'a>) -> Result<Part, Fault> {
+        self.next += 1;
+        self.deepen()?;
+        let below = self.here() + 1;
+        if self.take(Kind::Sub).is_none() || self.take(Kind::BraceOpen).is_none() {
+            return Err(self.instead_of("`_{x \\to a}`"));
+        }
+        let by = self.full_name()?;
+        let to = self.approached()?;
+        self.close_brace(below)?;
+        let of = *self.term()?.tree;
+        self.rise();
+        Ok(Part {
+            tree: boxed(Operation::Limit { of, by, to }, token.at),
+            form: Form::Knot,
+        })
+    }
+
+    /// `\to a`, `\to 0^+`, `\to -\infty`.
+    pub(super) fn approached(&mut self) -> Result<Tree, Fault> {
+        let at = self.here();
+        if self.take(Kind::To).is_none() {
+            return Err(self.instead_of("`\\to`"));
+        }
+        let is_negative = self.peek_kind() == Some(Kind::Minus);
+        let signed = usize::from(matches!(self.peek_kind(), Some(Kind::Minus | Kind::Plus)));
+        if self.look(signed).is_some_and(|token| token.kind == Kind::Infinity) {
+            self.next += signed + 1;
+            let infinity = *boxed(Operation::Infinity, at);
+            return Ok(if is_negative {
+                Tree::Negate(Box::new(infinity))
+            } else {
+                infinity
+            });
+        }
+        let start = self.mark();
+        // a sign raised behind the number says from which side
+        let single = self.next;
+        self.next += 1;
+        let raised = self.peek_kind() == Some(Kind::Sup);
+        let braced = usize::from(self.look(1).is_some_and(|token| token.kind == Kind::BraceOpen));
+        let sign = self.look(1 + braced).map(|token| token.kind);
+        if raised && matches!(sign, Some(Kind::Plus | Kind::Minus)) {
+            let value = self.tokens.get(single).copied();
+            let tree = match value.map(|token| (token.kind, token)) {
+                Some((Kind::Number, token)) => super::atom::value(token).map(Tree::Number)?,
+                Some((Kind::Letter, token)) => Tree::Symbol(base(token.text), At(token.at)),
+                _ => return Err(self.instead_of("a number or a letter")),
+            };
+            self.next += 2 + 2 * braced;
+            return Ok(*boxed(Operation::OneSided(tree, sign == Some(Kind::Plus)), at));
+        }
+        self.reset(start);
+        self.sum().map(|tree| *tree)
+    }
+
+    /// Whether `O(` stands next, and `O` is no declared letter.
+    pub(super) fn is_order(&self, token: Token<'a>) -> bool {
+        token.text == "O"
+            && !self.names.letters.iter().any(|letter| letter == "O")
+            && self.look(1).is_some_and(|next| next.kind == Kind::Open(Bracket::Round))
+    }
+
+    /// `O(x^2)`.
+    pub(super) fn order_of(&mut self, token: Token<'a>) -> Result<Part, Fault> {
+        self.next += 1;
+        let of = *self.bracketed()?;
+        Ok(Part {
+            tree: boxed(Operation::Order(of), token.at),
+            form: Form::Plain,
+        })
+    }
+
     /// `\int_a^b f \, dx`, `\int \frac{dx}{x}`.
     pub(super) fn integral(&mut self, token: Token<'a>) -> Result<Part, Fault> {
         self.next += 1;
@@ -610,6 +684,11 @@ fn printed_unit(tree: &Tree, text: &str) -> Option<Tree> {
             Some(Tree::Number(half))
         }
         Tree::Negate(inner) => printed_unit(inner, text),
+        // in degrees
+        Tree::Quotient(above, below, at) if matches!(**below, Tree::Number(_)) => {
+            let above = printed_unit(above, text)?;
+            Some(Tree::Quotient(Box::new(above), below.clone(), *at))
+        }
         Tree::Product(factors) => {
             let (first, rest) = factors.split_first()?;
             let unit = printed_unit(first, text)?;

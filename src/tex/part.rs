@@ -66,6 +66,7 @@ pub(super) fn starts_factor(kind: Kind) -> bool {
             | Kind::Partial
             | Kind::Series(_)
             | Kind::Integral
+            | Kind::Limit
             | Kind::Extremum
             | Kind::Binomial
             | Kind::Open(_)

@@ -211,6 +211,12 @@ fn operation(operation: &Operation) -> String {
             };
             format!("{sign}_{{{index} = {}}}^{{{}}} {of}", sum(from), sum(to))
         }
+        Operation::Limit { of, by, to } => format!("\\lim_{{{by} \\to {}}} {}", sum(to), term(of)),
+        Operation::Order(of) => format!("O({})", sum(of)),
+        Operation::Approaches(to) => format!("\\to {}", sum(to)),
+        Operation::OneSided(to, true) => format!("{}^+", factor(to)),
+        Operation::OneSided(to, false) => format!("{}^-", factor(to)),
+        Operation::Infinity => "\\infty".to_owned(),
         Operation::Cases(cases) => {
             let cases: Vec<String> = cases.iter().map(case).collect();
             format!("\\begin{{cases}} {} \\end{{cases}}", cases.join(" \\\\ "))

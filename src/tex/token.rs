@@ -49,6 +49,10 @@ pub(super) enum Kind {
     Series(Series),
     /// `\int`.
     Integral,
+    /// `\lim`.
+    Limit,
+    /// `\to`.
+    To,
     Open(Bracket),
     Close(Bracket),
     BraceOpen,

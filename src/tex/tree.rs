@@ -113,6 +113,20 @@ pub enum Operation {
         from: Tree,
         to: Tree,
     },
+    /// `\lim_{by \to to} of`.
+    Limit {
+        of: Tree,
+        by: Name,
+        to: Tree,
+    },
+    /// `O(x^2)`.
+    Order(Tree),
+    /// What the left side of a condition `x \to 0` tends to.
+    Approaches(Tree),
+    /// `0^+`, from above, or `0^-`.
+    OneSided(Tree, bool),
+    /// `\infty`.
+    Infinity,
     /// The value of the first case whose conditions hold.
     Cases(Vec<Case>),
 }
@@ -135,7 +149,7 @@ impl Operation {
     /// The letter that it binds in some of its [`parts`](Self::parts).
     pub fn letter(&self) -> Option<&Name> {
         match self {
-            Self::Derivative { by, .. } | Self::Integral { by, .. } => Some(by),
+            Self::Derivative { by, .. } | Self::Integral { by, .. } | Self::Limit { by, .. } => Some(by),
             Self::Series { index, .. } => Some(index),
             _ => None,
         }
@@ -146,7 +160,14 @@ impl Operation {
         let free = |tree| (tree, false);
         match self {
             Self::Matrix(rows) => rows.iter().flatten().map(free).collect(),
-            Self::Determinant(of) | Self::Trace(of) | Self::Transpose(of) => vec![free(of)],
+            Self::Determinant(of)
+            | Self::Trace(of)
+            | Self::Transpose(of)
+            | Self::Order(of)
+            | Self::Approaches(of)
+            | Self::OneSided(of, _) => vec![free(of)],
+            Self::Infinity => Vec::new(),
+            Self::Limit { of, to, .. } => vec![free(to), (of, true)],
             Self::Cross(left, right) | Self::Dot(left, right) => vec![free(left), free(right)],
             Self::Derivative { of, at, .. } => vec![(of, true), free(at)],
             Self::Integral { of, limits, .. } => {
@@ -170,6 +191,15 @@ impl Operation {
             Self::Determinant(of) => Self::Determinant(new(of, false)),
             Self::Trace(of) => Self::Trace(new(of, false)),
             Self::Transpose(of) => Self::Transpose(new(of, false)),
+            Self::Order(of) => Self::Order(new(of, false)),
+            Self::Approaches(of) => Self::Approaches(new(of, false)),
+            Self::OneSided(of, is_above) => Self::OneSided(new(of, false), *is_above),
+            Self::Infinity => Self::Infinity,
+            Self::Limit { of, by, to } => Self::Limit {
+                to: new(to, false),
+                of: new(of, true),
+                by: by.clone(),
+            },
             Self::Cross(left, right) => Self::Cross(new(left, false), new(right, false)),
             Self::Dot(left, right) => Self::Dot(new(left, false), new(right, false)),
             Self::Derivative { of, by, order, at } => Self::Derivative {
@@ -205,7 +235,7 @@ impl Operation {
     pub(crate) fn with_letter(&self, letter: Name) -> Self {
         let mut renamed = self.clone();
         match &mut renamed {
-            Self::Derivative { by, .. } | Self::Integral { by, .. } => *by = letter,
+            Self::Derivative { by, .. } | Self::Integral { by, .. } | Self::Limit { by, .. } => *by = letter,
             Self::Series { index, .. } => *index = letter,
             _ => {}
         }

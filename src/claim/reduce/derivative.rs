@@ -144,6 +144,14 @@ impl By<'_> {
         })
     }
 
+    /// The derivative of a value of a function, by its argument.
+    pub fn next(&self, value: &Tree) -> Result<Tree, String> {
+        match value {
+            Tree::Call(name, argument, _) => self.derivative_of(name, Some(argument)),
+            _ => Err(format!("`{value}` is not differentiated further")),
+        }
+    }
+
     /// Whether a name without an argument is a value at the running time.
     fn moves(&self, name: &Name) -> bool {
         let is_flying = self.vocabulary.is_in_flight(name) && name.mark.is_empty() && name.subscript.is_empty();

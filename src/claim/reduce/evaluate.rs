@@ -41,6 +41,15 @@ pub(super) fn mapped(tree: &Tree, new: &dyn Fn(&Tree) -> Option<Tree>) -> Tree {
 
 /// The statements with every operation written out.
 pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
+    let out = but_factorials(statements, vocabulary)?;
+    match super::trees(&out).into_iter().any(factorial::stands_in) {
+        true => Err("the factorial of a symbol".to_owned()),
+        false => Ok(out),
+    }
+}
+
+/// The statements with every operation written out but factorials of symbols.
+pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
     let mut out = statements.clone();
     out.claims.clear();
     out.premises.clear();
@@ -165,8 +174,10 @@ impl<'a> Over<'a> {
                 }
             },
             Tree::Call(name, argument, at) => match self.value(argument)? {
-                Value::Number(argument) if factorial::is_one(tree) => factorial::of_number(name, &argument)
-                    .unwrap_or_else(|| Err(format!("the factorial of {argument}")))?,
+                Value::Number(argument) if factorial::is_one(tree) => match factorial::of_number(name, &argument) {
+                    Some(number) => number?,
+                    None => Tree::Call(name.clone(), Box::new(argument), *at),
+                },
                 Value::Number(argument) => Tree::Call(name.clone(), Box::new(argument), *at),
                 Value::Matrix(rows) if name.base == r"\abs" && !self.is_complex() => matrix::norm(&rows)?,
                 Value::Matrix(_) => return Err(format!("`{name}` of a matrix")),
@@ -256,6 +267,11 @@ impl<'a> Over<'a> {
                 }
             }
             Operation::Integral { .. } => return Err("an integral".to_owned()),
+            Operation::Limit { .. }
+            | Operation::Order(_)
+            | Operation::Approaches(_)
+            | Operation::OneSided(..)
+            | Operation::Infinity => return Err("a limit stands where it is not read".to_owned()),
             Operation::Cases(_) => return Err("cases within what is differentiated or summed".to_owned()),
         })
     }

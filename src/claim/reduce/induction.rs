@@ -7,7 +7,7 @@ use super::super::substitute::rewrite;
 use super::super::vocabulary::Vocabulary;
 use super::build::{difference, integer, product, sum, symbol};
 use super::derivative::mentions;
-use super::evaluate::{evaluated, mapped, whole};
+use super::evaluate::{but_factorials, mapped, whole};
 use super::{Goal, defined, factorial, fresh, holds, instances, rewritten};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
 
@@ -28,9 +28,8 @@ struct Moving {
 pub(super) fn goals(statements: &Statements, vocabulary: &Vocabulary) -> Result<Vec<Goal>, String> {
     let is_series = |operation: &Operation| matches!(operation, Operation::Series { .. });
     if !statements.claims.iter().any(|claim| holds(claim, &is_series)) {
-        let (quantities, vocabulary) = factorial::as_quantities(statements, vocabulary)?;
-        let evaluated = evaluated(&quantities, &vocabulary)?;
-        return Ok(vec![Goal::of(&evaluated, &vocabulary, String::new())]);
+        let (quantities, vocabulary) = factorial::as_quantities(&but_factorials(statements, vocabulary)?, vocabulary)?;
+        return Ok(vec![Goal::of(&quantities, &vocabulary, String::new())]);
     }
     if statements
         .premises
@@ -116,9 +115,9 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
     }));
     let mut goals = Vec::new();
     let mut push = |statements: &Statements, part: String| -> Result<(), String> {
-        let (quantities, vocabulary) = factorial::as_quantities(statements, &vocabulary)?;
-        let evaluated = evaluated(&quantities, &vocabulary)?;
-        goals.push(Goal::of(&evaluated, &vocabulary, part));
+        let (quantities, vocabulary) =
+            factorial::as_quantities(&but_factorials(statements, &vocabulary)?, &vocabulary)?;
+        goals.push(Goal::of(&quantities, &vocabulary, part));
         Ok(())
     };
     let base = instances::at(statements, &vocabulary, &[(letter, first)]).ok_or("the first value is not admissible")?;

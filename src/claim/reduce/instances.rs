@@ -24,7 +24,7 @@ pub(super) fn integers(statements: &Statements, vocabulary: &Vocabulary) -> Vec<
     let mut found: Vec<Name> = Vec::new();
     for name in vocabulary.integers.iter().cloned().chain(said) {
         let is_met = trees(statements).into_iter().any(|tree| mentions(tree, &name));
-        if is_met && !found.contains(&name) && !vocabulary.is_indexed(&name) && !vocabulary.is_index_letter(&name) {
+        if is_met && !found.contains(&name) && !vocabulary.is_indexed(&name) && !vocabulary.indices.contains(&name) {
             found.push(name);
         }
     }

@@ -210,6 +210,7 @@ fn on_the_interval(
         difference(symbol(letter), high.clone()),
     ]);
     let mut alone = statements.clone();
+    alone.premises.retain(|premise| !holds(&premise.equation, &|_| true));
     alone.assume.push(Condition::Relation(Equation {
         relation: Relation::LessOrEqual,
         ..Equation::between(between, integer(0))

@@ -13,7 +13,9 @@ mod factorial;
 mod induction;
 mod instances;
 mod integral;
+mod limit;
 mod matrix;
+mod series;
 
 use super::definition::{Local, inlined};
 use super::premise::Statements;
@@ -112,7 +114,11 @@ pub fn reduced(statements: &Statements, vocabulary: &Vocabulary) -> Result<Optio
     {
         return Ok(None);
     }
-    let statements = rewritten(&written_out(statements)?, &cases::signs);
+    let mut statements = rewritten(&written_out(statements)?, &cases::signs);
+    let mut lemmas = Vec::new();
+    if limit::stands_in(&statements) {
+        (statements, lemmas) = limit::evaluated(&statements, vocabulary)?;
+    }
     let mut goals = Vec::new();
     for (part, statements) in cases::split(&statements, vocabulary)? {
         let by_numbers = evaluate::evaluated(&statements, vocabulary);
@@ -124,13 +130,15 @@ pub fn reduced(statements: &Statements, vocabulary: &Vocabulary) -> Result<Optio
                 goals.push(Goal::of(&evaluated, vocabulary, part));
             }
             Err(reason) if part.is_empty() => {
-                return over_an_index(&statements, vocabulary, reason).map(Some);
+                let mut reduced = over_an_index(&statements, vocabulary, reason)?;
+                reduced.lemmas.extend(lemmas);
+                return Ok(Some(reduced));
             }
             Err(reason) => return Err(reason),
         }
     }
     Ok(Some(Reduced {
-        lemmas: Vec::new(),
+        lemmas,
         necessary: goals.clone(),
         sufficient: goals,
         is_equivalent: true,

@@ -1,0 +1,295 @@
+//! Limits, and what is of the order of a power, by power series in what tends to 0.
+
+use super::super::premise::Statements;
+use super::super::substitute::{any, rewrite};
+use super::super::vocabulary::Vocabulary;
+use super::build::{difference, integer, sum};
+use super::derivative::mentions;
+use super::evaluate::{mapped, whole};
+use super::series::{Series, Small, is_likely_zero, with_factorials};
+use super::{Goal, holds, rewritten, trees};
+use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
+
+/// The terms of a series of a limit, and those that are taken beyond an order.
+const TERMS: usize = 10;
+const BEYOND: usize = 4;
+
+/// The highest order.
+const HIGHEST: i64 = 20;
+
+/// Whether limits or orders stand in the statements.
+pub(super) fn stands_in(statements: &Statements) -> bool {
+    trees(statements).into_iter().any(|tree| {
+        any(tree, &mut |node| {
+            matches!(node, Tree::Operation(operation, _)
+                if matches!(**operation, Operation::Limit { .. } | Operation::Order(_) | Operation::Approaches(_)))
+        })
+    })
+}
+
+/// The statements without limits and orders, and what must hold for these to be what they are.
+pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Result<(Statements, Vec<Goal>), String> {
+    let mut out = rewritten(statements, &with_factorials);
+    let approached = approached(&mut out)?;
+    let mut lemmas = Vec::new();
+    // the innermost first
+    while let Some(limit) = first_limit(&out) {
+        let Operation::Limit { of, by, to } = &limit else {
+            break;
+        };
+        let (value, needed) = of_limit(&out, vocabulary, of, by, to)?;
+        lemmas.extend(as_goals(&out, vocabulary, needed));
+        out = rewritten(&out, &|tree| {
+            mapped(tree, &|node| match node {
+                Tree::Operation(operation, _) if **operation == limit => Some(value.clone()),
+                _ => None,
+            })
+        });
+    }
+    let mut claims = Vec::new();
+    for claim in std::mem::take(&mut out.claims) {
+        if !holds(&claim, &|operation| matches!(operation, Operation::Order(_))) {
+            claims.push(claim);
+            continue;
+        }
+        let Some((by, to)) = &approached else {
+            return Err("what tends to what? write `x \\to 0` as an assumption".to_owned());
+        };
+        let (own, needed) = of_order(&out, vocabulary, &claim, by, to)?;
+        lemmas.extend(as_goals(&out, vocabulary, needed));
+        claims.extend(own);
+    }
+    out.claims = claims;
+    Ok((out, lemmas))
+}
+
+/// Takes what is assumed to tend to something out of the assumptions.
+fn approached(statements: &mut Statements) -> Result<Option<(Name, Tree)>, String> {
+    let mut found = None;
+    let mut rest = Vec::new();
+    for condition in std::mem::take(&mut statements.assume) {
+        let target = match &condition {
+            Condition::Relation(relation) => match (&relation.left, &relation.right) {
+                (Tree::Symbol(name, _), Tree::Operation(operation, _)) => match &**operation {
+                    Operation::Approaches(to) => Some((name.clone(), to.clone())),
+                    _ => None,
+                },
+                _ => None,
+            },
+            Condition::Integer(_) => None,
+        };
+        match target {
+            Some(_) if found.is_some() => return Err("two quantities tend to something".to_owned()),
+            Some(target) => found = Some(target),
+            None => rest.push(condition),
+        }
+    }
+    statements.assume = rest;
+    Ok(found)
+}
+
+fn first_limit(statements: &Statements) -> Option<Operation> {
+    let mut found = None;
+    for tree in trees(statements) {
+        any(tree, &mut |node| {
+            if let Tree::Operation(operation, _) = node
+                && matches!(**operation, Operation::Limit { .. })
+            {
+                found = Some((**operation).clone());
+            }
+            false
+        });
+    }
+    found
+}
+
+/// Each condition as a goal of its own: in one statement they would be taken to be defined together.
+fn as_goals(statements: &Statements, vocabulary: &Vocabulary, needed: Vec<Equation>) -> Vec<Goal> {
+    let goal = |condition: Equation| {
+        let mut alone = statements.clone();
+        alone.premises.retain(|premise| !holds(&premise.equation, &|_| true));
+        let part = format!("the series: {condition}");
+        alone.claims = vec![condition];
+        Goal::of(&alone, vocabulary, part)
+    };
+    needed.into_iter().map(goal).collect()
+}
+
+/// A series in what tends to 0 when `by` tends to `to`.
+fn small<'a>(
+    statements: &Statements,
+    vocabulary: &'a Vocabulary,
+    by: &'a Name,
+    to: &Tree,
+    length: usize,
+) -> Result<Small<'a>, String> {
+    let is_spoken_of = statements
+        .premises
+        .iter()
+        .any(|premise| mentions(&premise.equation.left, by) || mentions(&premise.equation.right, by));
+    let in_relations = vocabulary
+        .relations
+        .iter()
+        .any(|relation| mentions(&relation.left, by) || mentions(&relation.right, by));
+    if is_spoken_of || in_relations || vocabulary.running.as_ref() == Some(by) {
+        return Err(format!(
+            "premises speak of `{by}`: what depends on it there is not followed"
+        ));
+    }
+    if trees(statements)
+        .into_iter()
+        .any(|tree| vocabulary.may_be_complex(tree))
+    {
+        return Err("limits of complex numbers are not read".to_owned());
+    }
+    let infinite =
+        |tree: &Tree| matches!(tree, Tree::Operation(operation, _) if matches!(**operation, Operation::Infinity));
+    let (to, side) = match to {
+        Tree::Operation(operation, _) => match &**operation {
+            Operation::OneSided(to, is_above) => (to, Some(*is_above)),
+            _ => (to, None),
+        },
+        to => (to, None),
+    };
+    let (value, is_positive) = match to {
+        to if infinite(to) => (Series::small(-1, length), true),
+        Tree::Negate(inner) if infinite(inner) => {
+            let mut value = Series::small(-1, length);
+            if let Some(term) = value.terms.first_mut() {
+                *term = integer(-1);
+            }
+            (value, true)
+        }
+        to => {
+            let sign = integer(if side == Some(false) { -1 } else { 1 });
+            let mut value = match super::build::is_zero(to) {
+                true => Series::small(1, length),
+                false => Series::constant(to.clone(), length),
+            };
+            let first = usize::from(value.low == 0);
+            if let Some(term) = value.terms.get_mut(first) {
+                *term = sign;
+            }
+            (value, side.is_some())
+        }
+    };
+    Ok(Small {
+        vocabulary,
+        name: by,
+        value,
+        is_positive,
+        length,
+        needed: Vec::new(),
+    })
+}
+
+fn of_limit(
+    statements: &Statements,
+    vocabulary: &Vocabulary,
+    of: &Tree,
+    by: &Name,
+    to: &Tree,
+) -> Result<(Tree, Vec<Equation>), String> {
+    let of = rewrite(of, &|name| vocabulary.meaning(name, &|_| false));
+    let mut small = small(statements, vocabulary, by, to, TERMS)?;
+    let series = small.of(&of)?;
+    let mut needed = small.needed;
+    for exponent in series.low..0 {
+        let term = series.at(exponent).ok_or("a series that is not followed far enough")?;
+        if !is_likely_zero(&term) {
+            return Err("this limit does not exist, as far as it is followed".to_owned());
+        }
+        if !super::build::is_zero(&term) {
+            needed.push(Equation::between(term, integer(0)));
+        }
+    }
+    let value = series.at(0).ok_or("a series that is not followed far enough")?;
+    Ok((value, needed))
+}
+
+/// The claim that both sides differ by what is of an order: each coefficient below it vanishes.
+fn of_order(
+    statements: &Statements,
+    vocabulary: &Vocabulary,
+    claim: &Equation,
+    by: &Name,
+    to: &Tree,
+) -> Result<(Vec<Equation>, Vec<Equation>), String> {
+    if claim.relation != Relation::Equal {
+        return Err("an order in an inequality".to_owned());
+    }
+    let mut orders = Vec::new();
+    let mut sides = Vec::new();
+    for side in [&claim.left, &claim.right] {
+        let terms = match side {
+            Tree::Sum(terms) => terms.clone(),
+            side => vec![side.clone()],
+        };
+        let mut rest = Vec::new();
+        for term in terms {
+            let inner = match &term {
+                Tree::Negate(inner) => inner,
+                term => term,
+            };
+            match inner {
+                Tree::Operation(operation, _) => match &**operation {
+                    Operation::Order(of) => orders.push(of.clone()),
+                    _ => rest.push(term.clone()),
+                },
+                _ => rest.push(term.clone()),
+            }
+        }
+        sides.push(sum(rest));
+    }
+    let all = difference(sides.remove(0), sides.remove(0));
+    if any(
+        &all,
+        &mut |node| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(_))),
+    ) {
+        return Err("an order within a product or a function".to_owned());
+    }
+    let all = rewrite(&all, &|name| vocabulary.meaning(name, &|_| false));
+    let mut least: Option<i32> = None;
+    for order in orders {
+        let mut small = small(statements, vocabulary, by, to, 3)?;
+        let series = small.of(&order)?;
+        let is_power = small.needed.is_empty() && series.terms.iter().skip(1).all(super::build::is_zero);
+        let first = series.terms.first().and_then(whole);
+        if !is_power || !first.is_some_and(|first| first != 0) {
+            // O(x) at 0 has the first term 0
+            let mut powers = series
+                .terms
+                .iter()
+                .enumerate()
+                .filter(|(_, term)| !super::build::is_zero(term));
+            let (Some((place, term)), None) = (powers.next(), powers.next()) else {
+                return Err(format!("the order {order} is no power of {by}"));
+            };
+            if whole(term).is_none() || !small.needed.is_empty() {
+                return Err(format!("the order {order} is no power of {by}"));
+            }
+            let exponent = series.low.saturating_add(i32::try_from(place).unwrap_or(i32::MAX));
+            least = Some(least.map_or(exponent, |known| known.min(exponent)));
+            continue;
+        }
+        least = Some(least.map_or(series.low, |known| known.min(series.low)));
+    }
+    let order = least.filter(|order| (1..=i32::try_from(HIGHEST).unwrap_or(20)).contains(order));
+    let order = order.ok_or("an order is a positive power of what tends to 0")?;
+    let length = usize::try_from(order).unwrap_or(0) + BEYOND;
+    let mut small = small(statements, vocabulary, by, to, length)?;
+    let series = small.of(&all)?;
+    let mut claims = Vec::new();
+    for exponent in series.low..order {
+        let term = series.at(exponent).ok_or("a series that is not followed far enough")?;
+        claims.push(Equation {
+            left: term,
+            right: integer(0),
+            ..claim.clone()
+        });
+    }
+    if claims.is_empty() {
+        claims.push(Equation::between(integer(0), integer(0)));
+    }
+    Ok((claims, small.needed))
+}
