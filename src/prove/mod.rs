@@ -24,7 +24,7 @@ pub use decision::{Decision, mention_refuted};
 pub use explanation::explain;
 pub use script::{CHECKER, Decided, Found, decided, scripts};
 
-use crate::claim::{Goal, Reduced, Sheet, Verdict, reduced};
+use crate::claim::{Goal, Reduced, Sheet, Verdict, reduced, reduced_by_cases};
 use crate::kernel;
 
 /// How far the search goes.
@@ -47,9 +47,27 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
         Ok(goals) => goals,
         Err(decision) => return *decision,
     };
-    let mut decision = Decision::of(sheet, position);
-    let start = decision.clone();
-    let settle = |goal: &Goal| settled(goal, &start, options);
+    let start = Decision::of(sheet, position);
+    let decision = together(&goals, &start, &follows_from(sheet, position), options);
+    let is_plain = goals.lemmas.is_empty() && goals.sufficient.iter().all(|goal| goal.part.is_empty());
+    let further = match (decision.verdict, goals.sufficient.as_slice()) {
+        (Verdict::Undecided, [goal]) if is_plain && !decision.is_vacuous => {
+            reduced_by_cases(&goal.statements, &goal.vocabulary)
+        }
+        _ => None,
+    };
+    let further = further.map(|goals| together(&goals, &start, &follows_from(sheet, position), options));
+    let decision = match further {
+        Some(further) if further.verdict != Verdict::Undecided => further,
+        _ => decision,
+    };
+    decision.on_guesses(sheet, position)
+}
+
+/// What the goals of a claim come to together; `reason` is that of a proof.
+fn together(goals: &Reduced, start: &Decision, reason: &str, options: &Options) -> Decision {
+    let mut decision = start.clone();
+    let settle = |goal: &Goal| settled(goal, start, options);
     for lemma in &goals.lemmas {
         let found = settle(lemma);
         if found.verdict != Verdict::Proved {
@@ -58,13 +76,11 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
         }
     }
     decision.verdict = Verdict::Proved;
-    decision.reason = follows_from(sheet, position);
-    if !goals.is_equivalent {
-        for goal in &goals.necessary {
-            let found = settle(goal);
-            if matches!(found.verdict, Verdict::Refuted | Verdict::Unread) && !found.is_vacuous {
-                return found.in_part(&goal.part).on_guesses(sheet, position);
-            }
+    decision.reason = reason.to_owned();
+    for goal in &goals.necessary {
+        let found = settle(goal);
+        if matches!(found.verdict, Verdict::Refuted | Verdict::Unread) && !found.is_vacuous {
+            return found.in_part(&goal.part);
         }
     }
     let (mut met, mut vacuous) = (0, None);
@@ -90,7 +106,7 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
                 break;
             }
             Verdict::Refuted | Verdict::Unread => {
-                return found.in_part(&goal.part).on_guesses(sheet, position);
+                return found.in_part(&goal.part);
             }
             Verdict::Undecided => decision = found.in_part(&goal.part),
         }
@@ -103,12 +119,12 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
             };
         }
         _ if goals.sufficient.is_empty() => {
-            decision = start;
+            decision = start.clone();
             decision.reason = format!("no counterexample is found, nor a proof: {}", goals.reason);
         }
         _ => {}
     }
-    decision.on_guesses(sheet, position)
+    decision
 }
 
 /// The goals that a claim comes to; itself, where it is about numbers.

@@ -42,8 +42,7 @@ pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided
     let Ok(goals) = goals(sheet, position) else {
         return Vec::new();
     };
-    let more = goals.necessary.iter().filter(|_| !goals.is_equivalent);
-    let goals = goals.lemmas.iter().chain(&goals.sufficient).chain(more);
+    let goals = goals.lemmas.iter().chain(&goals.sufficient).chain(&goals.necessary);
     let questions = goals.flat_map(|goal| {
         let questions = crate::kernel::questions(&goal.statements, &goal.vocabulary).unwrap_or_default();
         questions.into_iter().map(move |question| (goal, question))

@@ -3,7 +3,7 @@
 use super::super::premise::Statements;
 use super::super::substitute::{any, runs};
 use super::super::vocabulary::Vocabulary;
-use super::build::integer;
+use super::build::{integer, negative};
 use super::{holds, rewritten, trees};
 use crate::tex::{Case, Condition, Equation, Operation, Relation, Tree};
 
@@ -31,6 +31,37 @@ pub(super) fn signs(tree: &Tree) -> Tree {
         let cases = cases.map(|(relation, value)| case(relation, value)).to_vec();
         Some(Tree::Operation(Box::new(Operation::Cases(cases)), *at))
     })
+}
+
+/// Absolute values of real numbers by cases.
+pub(super) fn absolute_values(tree: &Tree) -> Tree {
+    super::evaluate::mapped(tree, &|node| {
+        let Tree::Call(_, argument, at) = node else {
+            return None;
+        };
+        if !is_absolute(node) {
+            return None;
+        }
+        let argument = absolute_values(argument);
+        let case = |relation, value| Case {
+            value,
+            conditions: vec![Condition::Relation(Equation {
+                relation,
+                ..Equation::between(argument.clone(), integer(0))
+            })],
+        };
+        let negative = negative(argument.clone());
+        let cases = vec![
+            case(Relation::GreaterOrEqual, argument.clone()),
+            case(Relation::Less, negative),
+        ];
+        Some(Tree::Operation(Box::new(Operation::Cases(cases)), *at))
+    })
+}
+
+/// Whether a node is the absolute value of something.
+pub(super) fn is_absolute(node: &Tree) -> bool {
+    matches!(node, Tree::Call(name, ..) if name.base == r"\abs")
 }
 
 /// Whether a node is the sign of something.

@@ -257,7 +257,7 @@ impl<'a> Over<'a> {
                 }
                 let mut terms = Vec::new();
                 for value in from..=to {
-                    terms.push(self.value(&at_index(of, index, value)?)?);
+                    terms.push(self.value(&at_index(of, index, value))?);
                 }
                 match (terms.is_empty(), kind) {
                     (true, Series::Sum) => Value::Number(integer(0)),
@@ -339,9 +339,9 @@ pub(super) fn whole(tree: &Tree) -> Option<i64> {
 }
 
 /// A term of a sum: its index a number, also where it numbers a name.
-pub(super) fn at_index(of: &Tree, index: &Name, value: i64) -> Result<Tree, String> {
+pub(super) fn at_index(of: &Tree, index: &Name, value: i64) -> Tree {
     let letter = index.to_string();
-    Ok(rewrite(of, &|name| {
+    rewrite(of, &|name| {
         if name == index {
             return Some(integer(value));
         }
@@ -350,5 +350,5 @@ pub(super) fn at_index(of: &Tree, index: &Name, value: i64) -> Result<Tree, Stri
             subscript: (value + i64::from(offset)).to_string(),
             ..name.clone()
         }))
-    }))
+    })
 }

@@ -183,8 +183,8 @@ pub(super) fn by_antiderivatives(statements: &Statements, vocabulary: &Vocabular
     let goal = Goal::of(&evaluated(&without, vocabulary)?, vocabulary, String::new());
     Ok(Some(Reduced {
         lemmas,
-        sufficient: vec![goal.clone()],
-        necessary: vec![goal],
+        sufficient: vec![goal],
+        necessary: Vec::new(),
         is_equivalent: true,
         reason: String::new(),
     }))

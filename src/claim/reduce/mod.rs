@@ -41,10 +41,10 @@ pub struct Reduced {
     pub lemmas: Vec<Goal>,
     /// The claim holds where all of these do; none where no way to prove it is known.
     pub sufficient: Vec<Goal>,
-    /// It fails where one of these does.
-    pub necessary: Vec<Goal>,
-    /// Whether the two are the same.
+    /// Whether it fails where one of these does.
     pub is_equivalent: bool,
+    /// It fails where one of these others does.
+    pub necessary: Vec<Goal>,
     /// Why nothing is sufficient.
     pub reason: String,
 }
@@ -54,7 +54,7 @@ impl Reduced {
     pub fn itself(goal: Goal) -> Self {
         Self {
             lemmas: Vec::new(),
-            necessary: vec![goal.clone()],
+            necessary: Vec::new(),
             sufficient: vec![goal],
             is_equivalent: true,
             reason: String::new(),
@@ -139,11 +139,34 @@ pub fn reduced(statements: &Statements, vocabulary: &Vocabulary) -> Result<Optio
     }
     Ok(Some(Reduced {
         lemmas,
-        necessary: goals.clone(),
+        necessary: Vec::new(),
         sufficient: goals,
         is_equivalent: true,
         reason: String::new(),
     }))
+}
+
+/// What a claim without operations comes to once it is not decided as it stands: the signs of what stands between bars,
+/// and numbers for its integers. `None` where it has neither.
+pub fn reduced_by_cases(statements: &Statements, vocabulary: &Vocabulary) -> Option<Reduced> {
+    let written = written_out(statements).ok()?;
+    let necessary = instances::of(&written, vocabulary);
+    let is_real = !trees(&written).into_iter().any(|tree| vocabulary.may_be_complex(tree));
+    let has_bars = trees(&written)
+        .into_iter()
+        .any(|tree| any(tree, &mut cases::is_absolute));
+    let with_cases = (is_real && has_bars).then(|| rewritten(&written, &cases::absolute_values));
+    let split = with_cases.and_then(|with_cases| cases::split(&with_cases, vocabulary).ok());
+    let goal = |(part, own): (String, Statements)| Goal::of(&own, vocabulary, part);
+    let sufficient: Vec<Goal> = split.into_iter().flatten().map(goal).collect();
+    let is_any = !(necessary.is_empty() && sufficient.is_empty());
+    is_any.then_some(Reduced {
+        lemmas: Vec::new(),
+        is_equivalent: !sufficient.is_empty(),
+        sufficient,
+        necessary,
+        reason: String::new(),
+    })
 }
 
 /// What a claim with definite integrals, or with sums and products of symbolic length, comes to.

@@ -451,9 +451,32 @@ impl Small<'_> {
                     by,
                     limits: Some((low, high)),
                 } if !mentions(of, self.name) => self.of_integral(of, by, low, high),
+                Operation::Series {
+                    kind: crate::tex::Series::Sum,
+                    of,
+                    index,
+                    from,
+                    to,
+                } => self.of_sum(of, index, from, to),
                 _ => Err("an operation within a limit".to_owned()),
             },
             _ => Err(format!("the series of `{tree}`")),
+        }
+    }
+
+    /// A sum of known length.
+    fn of_sum(&mut self, of: &Tree, index: &Name, from: &Tree, to: &Tree) -> Found {
+        let (Some(from), Some(to)) = (super::evaluate::whole(from), super::evaluate::whole(to)) else {
+            return Err("a sum of unknown length within a limit".to_owned());
+        };
+        let mut total = Series::constant(integer(0), self.length);
+        for value in from..=to.min(from.saturating_add(100)) {
+            let term = with_factorials(&super::evaluate::at_index(of, index, value));
+            total = total.plus(&self.of(&term)?);
+        }
+        match to.saturating_sub(from) > 100 {
+            true => Err("so long a sum within a limit".to_owned()),
+            false => Ok(total),
         }
     }
 
