@@ -105,6 +105,13 @@ impl Entry {
                     let problem = format!("`{}` is defined twice", local.name);
                     return Err(source.fault(equation.at.0, problem).of(&self.label));
                 }
+                Some(local) if vocabulary.uses(&local.name) => {
+                    let problem = format!(
+                        "`{0}` is the number {0} in [symbols]: give this another name",
+                        local.name
+                    );
+                    return Err(source.fault(equation.at.0, problem).of(&self.label));
+                }
                 Some(local) => own.push(local),
                 None => given.push((equation.clone(), source.clone())),
             }
@@ -191,6 +198,11 @@ impl Entry {
         self.check_times_of_assume(vocabulary)?;
         let mut replaced = HashSet::new();
         for (equation, source) in &self.with {
+            let is_mine = |node: &Tree| matches!(node, Tree::Symbol(name, _) if mine(name));
+            if any(&equation.right, &mut |node| is_mine(node)) {
+                let problem = "what `with` puts in stands in the premises, which do not know the names of this entry: write it out";
+                return Err(source.fault(equation.at.0, problem).of(&self.label));
+            }
             if equation.relation != Relation::Equal {
                 let problem = "`with` puts one thing in for another: write what is no equation in `assume`";
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
@@ -227,11 +239,6 @@ impl Entry {
             if let Some(listed) = vocabulary.listed_with(name).filter(|_| is_replaced) {
                 let problem =
                     format!("`{name}` stands in `{listed}`, of which [symbols] says what it may be: write a premise");
-                return Err(source.fault(equation.at.0, problem).of(&self.label));
-            }
-            let is_own = |node: &Tree| matches!(node, Tree::Symbol(name, _) if is_defined(name, &self.own));
-            if any(&equation.right, &mut |node| is_own(node)) {
-                let problem = "what `with` puts in stands in the premises, which do not know the names of this entry: write it out";
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
             }
             if !replaced.insert(name) {
