@@ -1,7 +1,7 @@
 //! One `[[equation]]` of a sheet: what it states, what it defines, and whether it can be read.
 
 use super::declared::is_defined;
-use super::definition::{Local, circular, inlined_in};
+use super::definition::{Local, circular, inlined_in, speaks_of};
 use super::fault::{Fault, Source, Text};
 use super::nearest::nearest;
 use super::substitute::{any, any_side, flies, number_of, tree_runs};
@@ -270,6 +270,13 @@ impl Entry {
             let problem = "a definition says what a name stands for: write what else holds as a premise";
             return Err(source.fault(0, problem).of(&self.label));
         }
+        if let Some(local) = self.unused().first().filter(|_| self.role == Role::Definition) {
+            let problem = format!(
+                "`{}` is not used in what this definition gives: leave it out",
+                local.name
+            );
+            return Err(self.tex.fault(0, problem).of(&self.label));
+        }
         let declared = self.declared_of_with(vocabulary)?;
         self.assume.extend(declared);
         self.borrowed = borrowed;
@@ -487,6 +494,44 @@ impl Entry {
                 None => return complex,
             };
         }
+    }
+
+    /// What the entry states or assumes, side by side.
+    pub(super) fn said(&self) -> Vec<&Tree> {
+        let given = self.given.iter().map(|(equation, _)| equation);
+        let mut said: Vec<&Tree> = Vec::new();
+        for equation in self.stated.iter().chain(given) {
+            said.extend([&equation.left, &equation.right]);
+        }
+        for (condition, _) in &self.assume {
+            match condition {
+                Condition::Relation(equation) => said.extend([&equation.left, &equation.right]),
+                Condition::Integer(tree) => said.push(tree),
+            }
+        }
+        said
+    }
+
+    /// The names of its own that the entry does not use, over others neither; those that a definition gives are used.
+    pub(super) fn unused(&self) -> Vec<&Local> {
+        let beside = |name: &Name| {
+            self.local
+                .iter()
+                .any(|(equation, _)| matches!(&equation.left, Tree::Symbol(own, _) if own == name))
+        };
+        let (mut unused, given): (Vec<&Local>, Vec<&Local>) = self
+            .own
+            .iter()
+            .partition(|local| self.role != Role::Definition || beside(&local.name));
+        let mut open = self.said();
+        open.extend(given.iter().map(|local| &local.tree));
+        while let Some(tree) = open.pop() {
+            let (used, rest): (Vec<&Local>, Vec<&Local>) =
+                unused.into_iter().partition(|local| speaks_of(tree, &local.name));
+            open.extend(used.iter().map(|local| &local.tree));
+            unused = rest;
+        }
+        unused
     }
 
     /// The names that a definition gives to whatever follows from it.

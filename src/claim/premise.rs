@@ -2,10 +2,10 @@
 
 use super::declared::is_defined;
 use super::definition::{Local, circular, clash, inlined, inlined_in, joined, means_the_same, speaks_of};
-use super::entry::Entry;
+use super::entry::{Entry, Role};
 use super::fault::{Fault, Source};
 use super::sheet::Sheet;
-use super::substitute::{any, flies, rewrite_alone, rewrite_condition, runs, tree_runs};
+use super::substitute::{any, any_side, flies, rewrite_alone, rewrite_condition, runs, tree_runs};
 use super::vocabulary::{Map, Vocabulary, index_of};
 use crate::tex::{At, Condition, Equation, Name, Tree};
 use std::collections::{BTreeSet, HashMap};
@@ -222,11 +222,43 @@ impl Statements {
         for equation in &entry.stated {
             self.push(entry, equation, &entry.tex, locals.clone());
         }
-        if entry.stated.iter().any(|equation| sheet.vocabulary.is_law(equation)) {
+        // what is too large to be written out may run
+        let is_law =
+            |equation: &Equation| inlined_in(equation, &locals).is_none_or(|written| sheet.vocabulary.is_law(&written));
+        let has_law = entry.stated.iter().any(is_law);
+        if has_law {
             self.assume_outright(entry, &locals, &sheet.vocabulary);
         }
+        self.define_beside(entry, has_law, &locals, &sheet.vocabulary)?;
         for (equation, source) in &entry.given {
             self.push(entry, equation, source, locals.clone());
+        }
+        Ok(())
+    }
+
+    /// What an entry defines and does not use is written all the same: it has a value.
+    fn define_beside(
+        &mut self,
+        entry: &Entry,
+        has_law: bool,
+        locals: &[Local],
+        vocabulary: &Vocabulary,
+    ) -> Result<(), Fault> {
+        for local in entry.unused().into_iter().filter(|_| entry.role != Role::Definition) {
+            let equation = Equation::between(local.tree.clone(), local.tree.clone());
+            let of_map = |node: &Tree| matches!(node, Tree::Partial { .. } | Tree::Invariant { .. });
+            let is_constant = |written: Equation| {
+                let moves = vocabulary.is_law(&written) || !vocabulary.impacts(&written).is_empty();
+                !moves && !any_side(&written, &mut |node| of_map(node))
+            };
+            if !inlined_in(&equation, locals).is_some_and(is_constant) {
+                let problem = format!("`{}` is used nowhere here and is no constant: leave it out", local.name);
+                return Err(entry.tex.fault(0, problem).of(&entry.label));
+            }
+            self.push(entry, &equation, &entry.tex, locals.to_vec());
+            if let Some(premise) = self.premises.last_mut().filter(|_| has_law) {
+                premise.assume = Vec::new();
+            }
         }
         Ok(())
     }
@@ -400,16 +432,8 @@ const RENAME: &str = "give one of them another name";
 impl Entry {
     /// Whether what the entry says, with its definitions, speaks of names that only those of `others` give.
     fn borrows(&self, known: &[Local], others: &[Local]) -> bool {
-        let sides = |equation: &'_ Equation| [equation.left.clone(), equation.right.clone()];
-        let mut said: Vec<Tree> = self.stated.iter().flat_map(sides).collect();
-        said.extend(self.given.iter().flat_map(|(equation, _)| sides(equation)));
-        for (condition, _) in &self.assume {
-            match condition {
-                Condition::Relation(equation) => said.extend(sides(equation)),
-                Condition::Integer(tree) => said.push(tree.clone()),
-            }
-        }
-        said.extend(known.iter().map(|local| local.tree.clone()));
+        let mut said = self.said();
+        said.extend(known.iter().map(|local| &local.tree));
         let mut others = others.iter().filter(|other| !is_defined(&other.name, known));
         others.any(|other| said.iter().any(|tree| speaks_of(tree, &other.name)))
     }
