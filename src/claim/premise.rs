@@ -198,6 +198,13 @@ impl Statements {
                 return Err(entry.tex.fault(*at, problem).of(&entry.label));
             }
         }
+        if let Some((equation, source)) = entry.put_into(&brought, &sheet.vocabulary) {
+            let problem = format!(
+                "({}) puts something in for `{}` in a definition, which stands for something else in ({}): write it as a premise",
+                entry.label, equation.left, claim.label
+            );
+            return Err(source.fault(equation.at.0, problem).of(&entry.label));
+        }
         let known = joined(entry.own.clone(), &brought);
         let locals = if entry.borrows(&known, shared) {
             if let Some(name) = clash(&known, shared) {
@@ -430,6 +437,24 @@ impl Statements {
 const RENAME: &str = "give one of them another name";
 
 impl Entry {
+    /// What `with` puts in for something of which these definitions speak: outside this entry they stand for something else.
+    fn put_into(&self, definitions: &[Local], vocabulary: &Vocabulary) -> Option<&(Equation, Source)> {
+        let is_put_in = |equation: &Equation, tree: &Tree| {
+            let written = Equation::between(tree.clone(), tree.clone());
+            let replaced = match &equation.left {
+                Tree::Symbol(name, _) if vocabulary.is_index_letter(name) => return false,
+                Tree::Symbol(name, _) => {
+                    let pairs = [(name.clone(), equation.right.clone())];
+                    vocabulary.substituted(&written, &pairs) != vocabulary.substituted(&written, &[])
+                }
+                _ => false,
+            };
+            replaced || any_side(&vocabulary.expanded(&written), &mut |node| *node == equation.left)
+        };
+        let mut with = self.with.iter();
+        with.find(|(equation, _)| definitions.iter().any(|local| is_put_in(equation, &local.tree)))
+    }
+
     /// Whether what the entry says, with its definitions, speaks of names that only those of `others` give.
     fn borrows(&self, known: &[Local], others: &[Local]) -> bool {
         let mut said = self.said();
