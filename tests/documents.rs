@@ -163,6 +163,177 @@ fn equations_are_numbered_as_they_print() {
     );
 }
 
+/// Faults of a document with these symbols, and its verdicts.
+fn read(text: &str) -> (String, String) {
+    let found = document(&format!("{SYMBOLS}{text}"), &[]);
+    (faults(&found), verdicts(&found).join(", "))
+}
+
+/// A display with one number that is an identity.
+fn numbered(letter: &str) -> String {
+    format!(r"\begin{{equation}} {letter} = {letter} \end{{equation}} % audit: claim")
+}
+
+#[test]
+fn counters_are_followed() {
+    let sum = numbered("a");
+    for (before, label) in [
+        (r"\setcounter{equation}{6}", "7"),
+        (r"\addtocounter{equation}{-1}", "1"),
+        (r"\addtocounter{equation}{2}", "4"),
+        (r"\stepcounter{equation}", "3"),
+        (r"\refstepcounter{equation}\label{by-hand}", "3"),
+        (
+            r"\numberwithin{equation}{section}\setcounter{section}{4}\section{Five}",
+            "5.1",
+        ),
+        (r"\section{One}\section{Two}\numberwithin{equation}{section}", "2.2"),
+        (r"\begin{subequations}\setcounter{equation}{2}", "2c"),
+        (r"\setcounter{page}{9}", "2"),
+    ] {
+        let found = read(&format!("{sum}\n{before}\n{sum}\n"));
+        let wanted = (String::new(), format!("1 proved, {label} proved"));
+        let again = format!("1 proved, {label} (line 4) proved");
+        assert!(
+            found == wanted || (found.0.is_empty() && found.1 == again),
+            "{before}: {found:?}"
+        );
+    }
+    for before in [
+        r"\setcounter{equation}{\value{section}}",
+        r"\addtocounter{equation}{-5}",
+        r"\setcounter{parentequation}{2}",
+        r"\newcommand{\again}{\setcounter{equation}{0}}",
+        r"\newcommand{\nn}{\nonumber}",
+    ] {
+        let (faults, rows) = read(&format!("{sum}\n{before}\n{sum}\n"));
+        assert!(
+            faults.contains("line 3") && rows.ends_with("2 proved"),
+            "{before}: {faults} {rows}"
+        );
+    }
+    let (faults, _) = read(r"\begin{equation} a = a \setcounter{equation}{4} \end{equation} % audit: claim");
+    assert!(faults.contains("within a display"), "{faults}");
+}
+
+#[test]
+fn a_reference_to_two_formulas_is_unread_and_names_both() {
+    let claim = r"\[ a = 1 \] % audit: claim; follows from \eqref{1}";
+    for (text, lines) in [
+        (
+            r"\begin{equation} a = 1 \label{x} \end{equation} % audit: premise
+\begin{equation} a = 2 \label{1} \end{equation} % audit: premise",
+            "line 2 and line 3",
+        ),
+        (
+            r"\[ a = 2 \tag{1} \] % audit: premise
+\begin{equation} a = 1 \end{equation} % audit: premise",
+            "line 2 and line 3",
+        ),
+        (
+            r"\[ a = 2 \label{1} \] % audit: premise
+\[ a = 1 \label{1} \] % audit: premise",
+            "line 2 and line 3",
+        ),
+        (
+            r"\begin{equation} a = 1 \end{equation} % audit: premise
+\setcounter{equation}{0}
+\begin{equation} a = 2 \end{equation} % audit: premise",
+            "line 2 and line 4",
+        ),
+    ] {
+        let rows = decisions(&document(&format!("{SYMBOLS}{text}\n{claim}"), &[]));
+        let last = rows.last().unwrap();
+        assert!(
+            last.verdict == Verdict::Unread && last.reason.contains(lines),
+            "{text}: {rows:?}"
+        );
+    }
+    let (_, rows) = read(&format!(
+        "\\begin{{equation}} a = 1 \\label{{1}} \\end{{equation}} % audit: premise\n{claim}"
+    ));
+    assert!(rows.ends_with(" proved"), "{rows}");
+}
+
+#[test]
+fn a_macro_of_a_group_is_a_fault_and_so_is_what_an_unknown_conditional_decides() {
+    let claim = r"\begin{equation} \q = a \end{equation} % audit: claim";
+    let q = r"\newcommand{\q}{a}";
+    for (text, fault, rows) in [
+        (r"{\renewcommand{\q}{b}}", "within a group", "1 unread"),
+        (r"\begingroup\def\q{b}\endgroup", "within a group", "1 unread"),
+        (
+            r"\begin{center}\renewcommand{\q}{b}\end{center}",
+            "within a group",
+            "1 unread",
+        ),
+        (r"{\gdef\q{b}}", "", "1 refuted"),
+        (r"{\global\def\q{b}}", "", "1 refuted"),
+        (
+            r"{\bf x} \begin{document} \emph{y} \renewcommand{\q}{b}",
+            "",
+            "1 refuted",
+        ),
+        (r"\iftrue\else\renewcommand{\q}{b}\fi", "", "1 proved"),
+        (r"\iftrue\renewcommand{\q}{b}\else\[ a = 2 \]\fi", "", "1 refuted"),
+        (r"\iffalse\ifx\a\b\else\fi\renewcommand{\q}{b}\else\fi", "", "1 proved"),
+        (r"\iffalse\else\renewcommand{\q}{b}\fi", "", "1 refuted"),
+        (
+            r"\newif\iflong \longfalse \iflong\renewcommand{\q}{b}\fi",
+            r"`\iflong` prints",
+            "1 unread",
+        ),
+        (
+            r"\newif\iflong \iflong\begin{equation} a = 1 \end{equation}\else\fi",
+            r"`\iflong` prints",
+            "2 proved",
+        ),
+        (
+            r"\ifthenelse{x}{\setcounter{equation}{7}}{}",
+            r"`\ifthenelse` prints",
+            "8 proved",
+        ),
+        (r"\ifpdf\usepackage{x}\else\usepackage{y}\fi $a \iff b$", "", "1 proved"),
+    ] {
+        let (faults, found) = read(&format!("{q}\n{text}\n{claim}"));
+        let is_fault = if fault.is_empty() {
+            faults.is_empty()
+        } else {
+            faults.contains(fault) && faults.contains("line 3")
+        };
+        assert!(is_fault && found.ends_with(rows), "{text}: {faults} {found}");
+    }
+    let (faults, rows) = read(&format!(
+        "{q}\n\\iffalse\n\\[ a = 1 \\] % audit: claim; follows from (9)\n\\fi\n{claim}"
+    ));
+    assert_eq!((faults, rows), (String::new(), "1 proved".to_owned()));
+}
+
+#[test]
+fn macros_that_are_a_display_are_followed() {
+    let (faults, rows) = read(
+        r"\def\be{\begin{equation}} \def\ee{ \end{equation} }
+\newcommand{\bea}{\begin{eqnarray}} \newcommand\eea{\end{eqnarray}} \newcommand{\beq}{\begin{equation*}} \newcommand{\eeq}{\end{equation*}}
+% audit: default claim
+\be a + b = b + a \ee
+\bea a &=& a \\ b &=& c \eea
+\beq x = x \eeq
+\be y = y \end{equation}
+\begin{equation} y = x \ee
+",
+    );
+    assert_eq!(faults, "");
+    assert_eq!(
+        rows,
+        "1 proved, 2 proved, 3 refuted, line 7 proved, 4 proved, 5 refuted"
+    );
+    let (faults, _) = read(&format!(
+        r"\newcommand{{\beq}}[1]{{\begin{{equation}}\label{{#1}}}} {}",
+        numbered("a")
+    ));
+    assert!(faults.contains("write it out"), "{faults}");
+}
+
 #[test]
 fn columns_labels_and_conditions_of_rows_are_their_own() {
     let text = format!(

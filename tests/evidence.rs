@@ -287,6 +287,16 @@ fn a_branch_that_a_proof_may_exclude_is_no_alarm() {
 }
 
 #[test]
+fn a_cosine_is_named_only_where_the_claim_holds_for_every_one() {
+    let text = "[symbols]\nfunctions = ['g']\ntimes = ['t']\n[[equation]]\nlabel = '1'\nrole = 'claim'\ntex = '|g(t)| = g(t)'\n[[equation]]\n\
+                label = '2'\nrole = 'claim'\ntex = 'g(t+2) = g(t)'\n";
+    let sheet = read(text);
+    let notes = |position: usize| evidence(&sheet, position, Verdict::Refuted).notes.join(" ");
+    assert!(!notes(0).contains("cosine alone"), "{}", notes(0));
+    assert!(notes(1).contains("cosine alone"), "{}", notes(1));
+}
+
+#[test]
 fn inequalities_are_checked_as_such() {
     let cases = [
         ("x^2 + y^2 \\ge 2 x y", true),

@@ -1,7 +1,7 @@
 //! Symbols that a formula defines for itself.
 
 use super::circle::circle;
-use super::declared::is_constant;
+use super::declared::{is_constant, is_defined};
 use super::substitute::{any, nodes_of, rewrite};
 use super::vocabulary::Vocabulary;
 use crate::tex::{Equation, Name, Relation, Tree};
@@ -111,6 +111,42 @@ pub(super) fn circular(locals: &[Local]) -> Option<&Name> {
     };
     let uses: Vec<Vec<usize>> = locals.iter().map(used).collect();
     circle(&uses).and_then(|n| locals.get(n)).map(|local| &local.name)
+}
+
+/// Whether a name stands anywhere in a tree.
+pub(super) fn speaks_of(tree: &Tree, name: &Name) -> bool {
+    any(tree, &mut |node| match node {
+        Tree::Symbol(other, _) => other == name,
+        Tree::Partial { of, by, .. } => of == name || by == name,
+        _ => false,
+    })
+}
+
+/// Whether two trees are the same once definitions are put in.
+pub(super) fn means_the_same(one: &Tree, other: &Tree, locals: &[Local]) -> bool {
+    one == other || inlined(one, locals).is_some_and(|one| inlined(other, locals) == Some(one))
+}
+
+/// A name of `inner` that means something else in `outer`, which gives it another meaning or speaks of it and gives it none:
+/// together these could be taken for each other.
+pub(super) fn clash<'l>(inner: &'l [Local], outer: &[Local]) -> Option<&'l Name> {
+    let all = joined(inner.to_vec(), outer);
+    let differs = |local: &&Local| match outer.iter().find(|other| other.name == local.name) {
+        Some(other) => !means_the_same(&local.tree, &other.tree, &all),
+        None => outer.iter().any(|other| speaks_of(&other.tree, &local.name)),
+    };
+    inner.iter().find(differs).map(|local| &local.name)
+}
+
+/// The definitions, and those of `more` whose names are not among them.
+pub(super) fn joined(mut locals: Vec<Local>, more: &[Local]) -> Vec<Local> {
+    let new: Vec<Local> = more
+        .iter()
+        .filter(|local| !is_defined(&local.name, &locals))
+        .cloned()
+        .collect();
+    locals.extend(new);
+    locals
 }
 
 /// The tree with definitions put in, which must not be circular; `None` where it would become too large.

@@ -1,7 +1,7 @@
 //! One `[[equation]]` of a sheet: what it states, what it defines, and whether it can be read.
 
 use super::declared::is_defined;
-use super::definition::{Local, circular, inlined_in, two_of_pair};
+use super::definition::{Local, circular, inlined_in, speaks_of, two_of_pair};
 use super::fault::{Fault, Source, Text};
 use super::nearest::nearest;
 use super::reduce::{holds_indefinite, is_constant_of_integration};
@@ -106,6 +106,13 @@ impl Entry {
                     let problem = format!("`{}` is defined twice", local.name);
                     return Err(source.fault(equation.at.0, problem).of(&self.label));
                 }
+                Some(local) if vocabulary.uses(&local.name) => {
+                    let problem = format!(
+                        "`{0}` is the number {0} in [symbols]: give this another name",
+                        local.name
+                    );
+                    return Err(source.fault(equation.at.0, problem).of(&self.label));
+                }
                 Some(local) => own.push(local),
                 None => given.push((equation.clone(), source.clone())),
             }
@@ -204,6 +211,11 @@ impl Entry {
         self.check_times_of_assume(vocabulary)?;
         let mut replaced = HashSet::new();
         for (equation, source) in &self.with {
+            let is_mine = |node: &Tree| matches!(node, Tree::Symbol(name, _) if mine(name));
+            if any(&equation.right, &mut |node| is_mine(node)) {
+                let problem = "what `with` puts in stands in the premises, which do not know the names of this entry: write it out";
+                return Err(source.fault(equation.at.0, problem).of(&self.label));
+            }
             if equation.relation != Relation::Equal {
                 let problem = "`with` puts one thing in for another: write what is no equation in `assume`";
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
@@ -242,11 +254,6 @@ impl Entry {
                     format!("`{name}` stands in `{listed}`, of which [symbols] says what it may be: write a premise");
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
             }
-            let is_own = |node: &Tree| matches!(node, Tree::Symbol(name, _) if is_defined(name, &self.own));
-            if any(&equation.right, &mut |node| is_own(node)) {
-                let problem = "what `with` puts in stands in the premises, which do not know the names of this entry: write it out";
-                return Err(source.fault(equation.at.0, problem).of(&self.label));
-            }
             if !replaced.insert(name) {
                 let problem = format!("`{name}` is replaced twice");
                 return Err(source.fault(equation.at.0, problem).of(&self.label));
@@ -275,6 +282,13 @@ impl Entry {
         if let Some((_, source)) = self.assume.first().filter(|_| self.role == Role::Definition) {
             let problem = "a definition says what a name stands for: write what else holds as a premise";
             return Err(source.fault(0, problem).of(&self.label));
+        }
+        if let Some(local) = self.unused().first().filter(|_| self.role == Role::Definition) {
+            let problem = format!(
+                "`{}` is not used in what this definition gives: leave it out",
+                local.name
+            );
+            return Err(self.tex.fault(0, problem).of(&self.label));
         }
         let declared = self.declared_of_with(vocabulary)?;
         self.assume.extend(declared);
@@ -537,6 +551,44 @@ impl Entry {
                 None => return complex,
             };
         }
+    }
+
+    /// What the entry states or assumes, side by side.
+    pub(super) fn said(&self) -> Vec<&Tree> {
+        let given = self.given.iter().map(|(equation, _)| equation);
+        let mut said: Vec<&Tree> = Vec::new();
+        for equation in self.stated.iter().chain(given) {
+            said.extend([&equation.left, &equation.right]);
+        }
+        for (condition, _) in &self.assume {
+            match condition {
+                Condition::Relation(equation) => said.extend([&equation.left, &equation.right]),
+                Condition::Integer(tree) => said.push(tree),
+            }
+        }
+        said
+    }
+
+    /// The names of its own that the entry does not use, over others neither; those that a definition gives are used.
+    pub(super) fn unused(&self) -> Vec<&Local> {
+        let beside = |name: &Name| {
+            self.local
+                .iter()
+                .any(|(equation, _)| matches!(&equation.left, Tree::Symbol(own, _) if own == name))
+        };
+        let (mut unused, given): (Vec<&Local>, Vec<&Local>) = self
+            .own
+            .iter()
+            .partition(|local| self.role != Role::Definition || beside(&local.name));
+        let mut open = self.said();
+        open.extend(given.iter().map(|local| &local.tree));
+        while let Some(tree) = open.pop() {
+            let (used, rest): (Vec<&Local>, Vec<&Local>) =
+                unused.into_iter().partition(|local| speaks_of(tree, &local.name));
+            open.extend(used.iter().map(|local| &local.tree));
+            unused = rest;
+        }
+        unused
     }
 
     /// The names that a definition gives to whatever follows from it.

@@ -1,14 +1,14 @@
 //! What a claim rests on: its premises with their substitutions made, and its definitions.
 
 use super::declared::is_defined;
-use super::definition::{Local, circular, inlined, inlined_in};
+use super::definition::{Local, circular, clash, inlined, inlined_in, joined, means_the_same, speaks_of};
 use super::entry::{Entry, Role};
 use super::fault::{Fault, Source};
 use super::sheet::Sheet;
-use super::substitute::{any, flies, rewrite_alone, rewrite_condition, runs, tree_runs};
+use super::substitute::{any, any_side, flies, rewrite_alone, rewrite_condition, runs, tree_runs};
 use super::vocabulary::{Map, Vocabulary, index_of};
 use crate::tex::{At, Condition, Equation, Name, Tree};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 /// One equation that is taken as true.
 #[derive(Clone, Debug)]
@@ -198,7 +198,26 @@ impl Statements {
                 return Err(entry.tex.fault(*at, problem).of(&entry.label));
             }
         }
-        let locals = joined(joined(entry.own.clone(), &brought), shared);
+        if let Some((equation, source)) = entry.put_into(&brought, &sheet.vocabulary) {
+            let problem = format!(
+                "({}) puts something in for `{}` in a definition, which stands for something else in ({}): write it as a premise",
+                entry.label, equation.left, claim.label
+            );
+            return Err(source.fault(equation.at.0, problem).of(&entry.label));
+        }
+        let known = joined(entry.own.clone(), &brought);
+        let locals = if entry.borrows(&known, shared) {
+            if let Some(name) = clash(&known, shared) {
+                let problem = format!(
+                    "`{name}` means one thing here and another in what ({}) follows from: {RENAME}",
+                    claim.label
+                );
+                return Err(entry.tex.fault(0, problem).of(&entry.label));
+            }
+            joined(known, shared)
+        } else {
+            known
+        };
         if !(brought.is_empty() && shared.is_empty())
             && let Some(name) = circular(&locals)
         {
@@ -210,24 +229,43 @@ impl Statements {
         for equation in &entry.stated {
             self.push(entry, equation, &entry.tex, locals.clone());
         }
-        if entry.stated.iter().any(|equation| sheet.vocabulary.is_law(equation)) {
+        // what is too large to be written out may run
+        let is_law =
+            |equation: &Equation| inlined_in(equation, &locals).is_none_or(|written| sheet.vocabulary.is_law(&written));
+        let has_law = entry.stated.iter().any(is_law);
+        if has_law {
             self.assume_outright(entry, &locals, &sheet.vocabulary);
         }
-        // What another definition gave already is a premise here.
-        let below = sheet.definitions_below(claim);
-        for equation in entry.equations.iter().filter(|_| entry.role == Role::Definition) {
-            let new = entry
-                .own
-                .iter()
-                .find(|local| Some(&local.name) == alone(&equation.left));
-            let first = new.and_then(|local| below.iter().find(|other| is_defined(&local.name, &other.own)));
-            if first.is_some_and(|first| first.label != entry.label) {
-                // the name is what the other one says
-                self.push(entry, equation, &entry.tex, joined(shared.to_vec(), &locals));
-            }
-        }
+        self.define_beside(entry, has_law, &locals, &sheet.vocabulary)?;
         for (equation, source) in &entry.given {
             self.push(entry, equation, source, locals.clone());
+        }
+        Ok(())
+    }
+
+    /// What an entry defines and does not use is written all the same: it has a value.
+    fn define_beside(
+        &mut self,
+        entry: &Entry,
+        has_law: bool,
+        locals: &[Local],
+        vocabulary: &Vocabulary,
+    ) -> Result<(), Fault> {
+        for local in entry.unused().into_iter().filter(|_| entry.role != Role::Definition) {
+            let equation = Equation::between(local.tree.clone(), local.tree.clone());
+            let of_map = |node: &Tree| matches!(node, Tree::Partial { .. } | Tree::Invariant { .. });
+            let is_constant = |written: Equation| {
+                let moves = vocabulary.is_law(&written) || !vocabulary.impacts(&written).is_empty();
+                !moves && !any_side(&written, &mut |node| of_map(node))
+            };
+            if !inlined_in(&equation, locals).is_some_and(is_constant) {
+                let problem = format!("`{}` is used nowhere here and is no constant: leave it out", local.name);
+                return Err(entry.tex.fault(0, problem).of(&entry.label));
+            }
+            self.push(entry, &equation, &entry.tex, locals.to_vec());
+            if let Some(premise) = self.premises.last_mut().filter(|_| has_law) {
+                premise.assume = Vec::new();
+            }
         }
         Ok(())
     }
@@ -284,6 +322,14 @@ impl Statements {
         }
         if shift != 0 || !pairs.is_empty() {
             for premise in &mut self.premises {
+                let is_other = |local: &&Local| pairs.iter().any(|(_, tree)| speaks_of(tree, &local.name));
+                if let Some(local) = premise.locals.iter().find(is_other) {
+                    let problem = format!(
+                        "`{}` is put in, which is something else in ({}): {RENAME}",
+                        local.name, premise.label
+                    );
+                    return Err(claim.tex.fault(0, problem).of(&claim.label));
+                }
                 let shifted = premise.shifted(shift, vocabulary);
                 claim.check_time_put_in(&shifted.equation, &shifted.locals, vocabulary)?;
                 let put_in = shifted.rewritten(&|equation| vocabulary.substituted(equation, &pairs));
@@ -387,9 +433,66 @@ impl Statements {
     }
 }
 
+/// What to do where one name has two meanings.
+const RENAME: &str = "give one of them another name";
+
+impl Entry {
+    /// What `with` puts in for something of which these definitions speak: outside this entry they stand for something else.
+    fn put_into(&self, definitions: &[Local], vocabulary: &Vocabulary) -> Option<&(Equation, Source)> {
+        let is_put_in = |equation: &Equation, tree: &Tree| {
+            let written = Equation::between(tree.clone(), tree.clone());
+            let replaced = match &equation.left {
+                Tree::Symbol(name, _) if vocabulary.is_index_letter(name) => return false,
+                Tree::Symbol(name, _) => {
+                    let pairs = [(name.clone(), equation.right.clone())];
+                    vocabulary.substituted(&written, &pairs) != vocabulary.substituted(&written, &[])
+                }
+                _ => false,
+            };
+            replaced || any_side(&vocabulary.expanded(&written), &mut |node| *node == equation.left)
+        };
+        let mut with = self.with.iter();
+        with.find(|(equation, _)| definitions.iter().any(|local| is_put_in(equation, &local.tree)))
+    }
+
+    /// Whether what the entry says, with its definitions, speaks of names that only those of `others` give.
+    fn borrows(&self, known: &[Local], others: &[Local]) -> bool {
+        let mut said = self.said();
+        said.extend(known.iter().map(|local| &local.tree));
+        let mut others = others.iter().filter(|other| !is_defined(&other.name, known));
+        others.any(|other| said.iter().any(|tree| speaks_of(tree, &other.name)))
+    }
+}
+
+/// Refuses a name of an entry's own that means something else in a definition that the entry follows from.
+///
+/// # Errors
+/// The [`Fault`] with the label of that definition.
+pub(super) fn refuse_two_meanings(sheet: &Sheet, entry: &Entry, shared: &[Local]) -> Result<(), Fault> {
+    let Some(name) = clash(&entry.own, shared) else {
+        return Ok(());
+    };
+    let below = sheet.definitions_below(entry);
+    let gives = below.iter().find(|below| is_defined(name, &below.own));
+    let uses = || {
+        let speaks = |below: &&&Entry| below.own.iter().any(|local| speaks_of(&local.tree, name));
+        below.iter().find(speaks)
+    };
+    let other = gives.or_else(uses).map(|below| below.label.clone()).unwrap_or_default();
+    let problem = format!(
+        "`{name}` means one thing in ({}) and another in ({other}): {RENAME}",
+        entry.label
+    );
+    Err(entry.tex.fault(0, problem).of(&entry.label))
+}
+
 /// The definitions that an entry may use because it follows from them, each with what its own `where` defines put in.
+///
+/// # Errors
+/// The [`Fault`] of two definitions that give one name different meanings, or of one that is too large.
 pub(super) fn shared(sheet: &Sheet, entry: &Entry) -> Result<Vec<Local>, Fault> {
     let mut found: Vec<Local> = Vec::new();
+    let (mut givers, mut again) = (HashMap::new(), Vec::new());
     for definition in sheet.definitions_below(entry) {
         let beside: Vec<Name> = definition
             .local
@@ -406,29 +509,26 @@ pub(super) fn shared(sheet: &Sheet, entry: &Entry) -> Result<Vec<Local>, Fault> 
                 let problem = format!("`{}` is too large once its definitions are put in", local.name);
                 return Err(definition.tex.fault(0, problem).of(&definition.label));
             };
-            if !is_defined(&local.name, &found) {
-                found.push(Local { tree, ..local });
+            let local = Local { tree, ..local };
+            match givers.get(&local.name) {
+                Some(_) => again.push((local, definition)),
+                None => {
+                    givers.insert(local.name.clone(), definition);
+                    found.push(local);
+                }
             }
         }
     }
-    Ok(found)
-}
-
-/// The definitions, and those of `more` whose names are not among them.
-fn joined(mut locals: Vec<Local>, more: &[Local]) -> Vec<Local> {
-    let new: Vec<Local> = more
-        .iter()
-        .filter(|local| !is_defined(&local.name, &locals))
-        .cloned()
-        .collect();
-    locals.extend(new);
-    locals
-}
-
-/// The name that a side is.
-fn alone(tree: &Tree) -> Option<&Name> {
-    match tree {
-        Tree::Symbol(name, _) => Some(name),
-        _ => None,
+    for (local, definition) in again {
+        let first = found.iter().find(|first| first.name == local.name);
+        if first.is_some_and(|first| !means_the_same(&first.tree, &local.tree, &found)) {
+            let first = givers.get(&local.name).map_or("", |first| first.label.as_str());
+            let problem = format!(
+                "`{}` means one thing in ({first}) and another in ({}): {RENAME}",
+                local.name, definition.label
+            );
+            return Err(entry.tex.fault(0, problem).of(&entry.label));
+        }
     }
+    Ok(found)
 }

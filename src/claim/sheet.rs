@@ -4,7 +4,7 @@ use super::circle::circle;
 use super::declared::is_defined;
 use super::entry::{Entry, RawEntry, Role, read_entry};
 use super::fault::{Fault, Source, Text};
-use super::premise::shared;
+use super::premise::{refuse_two_meanings, shared};
 use super::symbols::{MapEntry, Symbols};
 use super::vocabulary::Vocabulary;
 use crate::tex::Name;
@@ -141,6 +141,7 @@ impl Sheet {
                 continue;
             }
             let shared = shared(self, entry);
+            let shared = shared.and_then(|shared| refuse_two_meanings(self, entry, &shared).map(|()| shared));
             let vocabulary = &self.vocabulary;
             if let Some(entry) = self.entries.get_mut(position) {
                 let checked = shared.and_then(|shared| entry.check(vocabulary, &shared, &elsewhere));

@@ -1,5 +1,6 @@
 //! What the names of a sheet stand for: its `[symbols]`.
 
+use super::definition::speaks_of;
 use super::fault::Fault;
 use super::symbols::{MapEntry, Symbols};
 use crate::tex::{At, Equation, Name, Names, Relation, Tree, read, read_expression};
@@ -342,6 +343,19 @@ impl Vocabulary {
             true => Ok(equations),
             false => Err(Fault::new(format!("`{tex}`: an equation must stand here"))),
         }
+    }
+
+    /// Whether anything that `[symbols]` says speaks of a name.
+    pub(super) fn uses(&self, name: &Name) -> bool {
+        let pairs = self.abbreviations.iter().chain(&self.periods).map(|(_, tree)| tree);
+        let derivatives = self.functions.iter().filter_map(|(_, derivative)| derivative.as_ref());
+        let of_maps = self.maps.iter().flat_map(|(_, map)| match map {
+            Map::Equations(equations) => equations.as_slice(),
+            _ => &[],
+        });
+        let equations = self.relations.iter().chain(&self.laws).chain(of_maps);
+        let sides = equations.flat_map(|equation| [&equation.left, &equation.right]);
+        pairs.chain(derivatives).chain(sides).any(|tree| speaks_of(tree, name))
     }
 
     /// Whether a name stands for one value throughout, for an expression, or for an index.

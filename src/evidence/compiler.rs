@@ -220,10 +220,10 @@ impl<'a> Compiler<'a> {
         }
         if super::domain::is_index(self.vocabulary, name) {
             let slot = self.space.slot(Slot::Parameter(name.clone()));
-            let (index, shift) = (
-                self.formulas.slot(slot),
-                self.formulas.integer(i64::from(self.index_shift)),
-            );
+            // the letter that numbers members moves with them as it is
+            let is_moved = name.to_string() == self.vocabulary.index;
+            let shift = if is_moved { 0 } else { i64::from(self.index_shift) };
+            let (index, shift) = (self.formulas.slot(slot), self.formulas.integer(shift));
             return Ok(self.formulas.add(index, shift));
         }
         if self.is_constant(name, r"\pi") {

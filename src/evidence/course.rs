@@ -141,6 +141,8 @@ impl System {
                 .get(course)
                 .is_some_and(|course| course.law.is_none());
             if open && !used.contains(&law) && !self.is_circular(course, level, body) {
+                // where the law is undefined, it says nothing
+                self.divides |= self.divides_by_what_runs(body);
                 if let Some(course) = self.space.courses.get_mut(course) {
                     course.law = Some((level, body));
                 }
@@ -231,11 +233,32 @@ impl System {
                     .rewrite(residual, &mut |_, op| (op == target).then_some(value))
             });
             let slope = self.formulas.subtract(at_zero, at_one);
+            // where it vanishes, the law says something else or nothing
+            self.divides |= self.varies(slope);
             self.formulas.divide(at_zero, slope)
         };
         // Its own value at a fixed time would have to be known before.
         let own = |op: Op| matches!(op, Op::Value { course: other, level: l, .. } if other == course && l >= level);
         (!self.formulas.any(body, own)).then_some((level, body))
+    }
+
+    /// Whether a formula is no number.
+    fn varies(&self, formula: Formula) -> bool {
+        self.formulas.any(formula, |op| {
+            matches!(op, Op::Slot(_) | Op::Running | Op::Value { .. } | Op::Flow { .. })
+        })
+    }
+
+    /// Whether what is divided by in a formula runs.
+    fn divides_by_what_runs(&self, formula: Formula) -> bool {
+        let is_running = |op: Op| matches!(op, Op::Running | Op::Value { .. } | Op::Flow { .. });
+        self.formulas
+            .parts(&[formula])
+            .into_iter()
+            .any(|part| match self.formulas.op(part) {
+                Op::Divide(_, below) | Op::Power(below, i32::MIN..0) => self.formulas.any(below, is_running),
+                _ => false,
+            })
     }
 
     /// Whether the formula is of the first degree in a part of it.

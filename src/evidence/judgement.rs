@@ -497,7 +497,7 @@ impl Witness<'_> {
 
     /// Whether a claim can fail where no random point sees it: where inequalities become equalities, by numbers and
     /// powers so large or small that one side drowns the other, on a jump or a branch cut, on a part of the premises'
-    /// solutions that is thinner than the rest, for functions of another shape, or because a condition takes one of the
+    /// solutions that is thinner than the rest or another factor of a product that vanishes, for functions of another shape, or because a condition takes one of the
     /// values of a pair away, or another premise ties them to something else.
     fn hides_from_points(&self) -> bool {
         let system = &self.system;
@@ -511,6 +511,7 @@ impl Witness<'_> {
                 .iter()
                 .any(|premise| is_extreme(&premise.equation))
             || system.shaped
+            || system.divides
             || system.kinds.iter().any(|kind| kind.integer)
             || system
                 .questions
@@ -561,8 +562,12 @@ impl Witness<'_> {
             return false;
         };
         let other = Witness { system, ..*self };
+        // what is in pieces may hold on one of them at a few points
+        let is_plain = |claim: &Equation| claim.relation == Relation::Equal;
+        let is_smooth = !other.system.has_pieces() && self.statements.claims.iter().all(is_plain);
+        let enough = if is_smooth { FEW } else { MANY_PIECES };
         let mut found = 0;
-        for start in 0..MOST_STARTS as u64 {
+        for start in 0..(enough * MOST_STARTS) as u64 {
             let Ok(point) = other.system.point::<N>(1000 + start, Style::Moderate) else {
                 continue;
             };
@@ -571,7 +576,7 @@ impl Witness<'_> {
                 Some(_) => return false,
                 None => {}
             }
-            if found == 3 {
+            if found == enough {
                 return true;
             }
         }

@@ -57,6 +57,8 @@ pub struct System {
     pub runs: bool,
     /// Whether a premise restricts functions of which it does not say what they are.
     pub shaped: bool,
+    /// Whether a law gives a function by dividing by what may vanish, as u in f u = 0.
+    pub divides: bool,
     /// Whether anything is complex.
     pub is_complex: bool,
     /// The letter that numbers impacts.
@@ -110,6 +112,7 @@ impl System {
             start: None,
             runs: statements.claim_runs,
             shaped: false,
+            divides: false,
             is_complex: false,
             letter: vocabulary.index.clone(),
             rows_program: Program::default(),

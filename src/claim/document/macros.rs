@@ -14,6 +14,8 @@ struct Macro {
     /// What the first parameter is where it is left out.
     default: Option<String>,
     body: String,
+    /// Why it cannot be used.
+    problem: Option<&'static str>,
 }
 
 /// The commands that a document has defined so far.
@@ -21,9 +23,16 @@ struct Macro {
 pub(super) struct Macros(HashMap<String, Macro>);
 
 impl Macros {
-    /// Reads the definition at byte `at`, by the command that ends at byte `end`; says where the definition ends.
-    /// What is no definition of a kind that is known is passed over.
-    pub(super) fn read(&mut self, text: &str, name: &str, end: usize) -> Option<usize> {
+    /// Reads the definition by the command that ends at byte `end`; says what it defines, and where it ends. What is no
+    /// definition of a kind that is known is passed over. With a `problem` it cannot be used.
+    pub(super) fn read(
+        &mut self,
+        text: &str,
+        name: &str,
+        end: usize,
+        problem: Option<&'static str>,
+    ) -> Option<(String, usize)> {
+        let name = if name == "gdef" { "def" } else { name };
         let star = usize::from(text.as_bytes().get(end) == Some(&b'*'));
         let start = after_blanks(text, end + star);
         // \newcommand{\x} or \newcommand\x
@@ -45,7 +54,7 @@ impl Macros {
                 // only #1#2 in their order
                 let plain: String = (1..=parameters.len() / 2).map(|n| format!("#{n}")).collect();
                 if parameters != plain {
-                    return Some(group(text, open, BRACES)?.end + 1);
+                    return Some((defined, group(text, open, BRACES)?.end + 1));
                 }
                 (parameters.len() / 2, None, group(text, open, BRACES)?)
             }
@@ -73,10 +82,24 @@ impl Macros {
                 parameters,
                 default,
                 body,
+                problem,
             };
-            self.0.insert(defined, known);
+            self.0.insert(defined.clone(), known);
         }
-        Some(end)
+        Some((defined, end))
+    }
+
+    /// Whether a macro is the beginning of an environment, or its end, and nothing else; and of which.
+    pub(super) fn layout(&self, name: &str) -> Option<(bool, &str)> {
+        let known = self
+            .0
+            .get(name)
+            .filter(|known| known.problem.is_none() && known.parameters == 0)?;
+        let body = known.body.trim();
+        let (word, next) = command(body, 0);
+        let own = group(body, next, BRACES).filter(|own| own.end + 1 == body.len())?;
+        let is_layout = body.starts_with('\\') && matches!(word, "begin" | "end");
+        is_layout.then_some((word == "begin", body.get(own)?.trim()))
     }
 
     /// The formula with every macro replaced.
@@ -92,6 +115,9 @@ impl Macros {
                 at = end;
                 continue;
             };
+            if let Some(problem) = known.problem {
+                return Err(format!(r"the macro `\{name}` {problem}"));
+            }
             replaced += 1;
             if replaced > MOST_REPLACED || text.len() > LONGEST {
                 return Err(format!(r"the macro `\{name}` goes on for ever"));
@@ -182,7 +208,8 @@ mod tests {
         let mut macros = Macros::default();
         for text in definitions {
             let (name, end) = command(text, 0);
-            assert_eq!(macros.read(text, name, end), Some(text.len()), "{text}");
+            let read = macros.read(text, name, end, None);
+            assert_eq!(read.map(|(_, end)| end), Some(text.len()), "{text}");
         }
         macros
     }

@@ -18,7 +18,7 @@ use super::vocabulary::Vocabulary;
 use comment::{Key, keys};
 use guess::Guess;
 use scan::{Comment, Formula, Scan};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use toml::Spanned;
 
 pub use scan::{Include, Markup};
@@ -361,8 +361,8 @@ fn entries(
         let mut follows_from = guessed.follows_from;
         for asked in own.follows_from.iter().flatten() {
             match labels.find(asked) {
-                [] => unread = Some(format!("follows from `{asked}`, which is no label here")),
-                found => follows_from.extend(found.iter().cloned()),
+                Ok(found) => follows_from.extend(found),
+                Err(problem) => unread = Some(format!("follows from `{asked}`, which is {problem}")),
             }
         }
         raw.equation.push(RawEntry {
@@ -404,12 +404,27 @@ fn entries(
 /// The labels of the formulas, and what else they are called.
 struct Labels {
     own: Vec<String>,
-    known: HashMap<String, Vec<String>>,
+    /// The formulas that are called by a name: where their display or row starts, on which line, and their label.
+    known: HashMap<String, Vec<((usize, usize), String)>>,
 }
 
 impl Labels {
-    fn find(&self, asked: &str) -> &[String] {
-        self.known.get(asked).map_or(&[], Vec::as_slice)
+    /// The labels of what is called by a name.
+    ///
+    /// # Errors
+    /// What to say of a name that is none, or that of more displays or rows than one.
+    fn find(&self, asked: &str) -> Result<Vec<String>, String> {
+        let found = self.known.get(asked).map_or(&[][..], Vec::as_slice);
+        let places: BTreeSet<(usize, usize)> = found.iter().map(|(place, _)| *place).collect();
+        let shown: Vec<String> = places.iter().map(|(_, line)| format!("line {line}")).collect();
+        match shown.len() {
+            0 => Err("no label here".to_owned()),
+            1 => Ok(found.iter().map(|(_, label)| label.clone()).collect()),
+            _ => Err(format!(
+                "the name of more than one formula, at {}: call one of them by another label",
+                shown.join(" and ")
+            )),
+        }
     }
 }
 
@@ -465,7 +480,8 @@ fn labels(formulas: &[Formula], said: &[Said], line: &dyn Fn(usize) -> usize) ->
             called.extend((*base != label).then_some(base));
             called.extend(formula.labels.iter().filter(|name| **name != label && **name != *base));
             for name in called {
-                labels.known.entry(name.clone()).or_default().push(label.clone());
+                let known = labels.known.entry(name.clone()).or_default();
+                known.push(((head, line(head)), label.clone()));
             }
             labels.own.push(label);
         }

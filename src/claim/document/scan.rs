@@ -3,7 +3,7 @@
 use super::super::fault::File;
 use super::macros::Macros;
 use super::rows::{Row, blank, rows};
-use super::tex::{BRACES, command, environment, group};
+use super::tex::{BRACES, after_blanks, command, environment, group};
 use std::collections::VecDeque;
 use std::ops::Range;
 
@@ -91,6 +91,59 @@ const VERBATIM: [&str; 7] = [
     "tikzpicture",
 ];
 
+/// What lays out displays or names them, and is not looked for in macros.
+const LAYOUT: [&str; 12] = [
+    "begin",
+    "end",
+    "[",
+    "]",
+    "label",
+    "tag",
+    "notag",
+    "nonumber",
+    "setcounter",
+    "addtocounter",
+    "stepcounter",
+    "refstepcounter",
+];
+
+/// What a conditional must not decide, beside displays and counters.
+const DECIDED: [&str; 13] = [
+    "[",
+    "label",
+    "tag",
+    "newcommand",
+    "renewcommand",
+    "providecommand",
+    "DeclareMathOperator",
+    "def",
+    "gdef",
+    "input",
+    "include",
+    "subfile",
+    "appendix",
+];
+
+/// Conditionals whose branches stand in braces.
+const BRACED: [&str; 10] = [
+    "ifthenelse",
+    "ifdef",
+    "ifundef",
+    "ifcsdef",
+    "ifdefempty",
+    "ifblank",
+    "ifstrequal",
+    "ifboolexpr",
+    "ifbool",
+    "iftoggle",
+];
+
+/// How far ends of conditionals are looked for, taken together, in bytes.
+const MOST_SEARCHED: usize = 64 * LONGEST;
+
+/// The last letter of a group of equations.
+const MOST_LETTERS: u32 = 25;
+
 pub(super) struct Scan<'a> {
     markup: Markup,
     include: Include<'a>,
@@ -107,8 +160,18 @@ pub(super) struct Scan<'a> {
     /// The last number, that of a group of equations, and the letter within it.
     counted: usize,
     group: Option<(usize, u32)>,
-    /// The number of the section, where equations are numbered within sections, and whether it is an appendix.
-    sections: Option<(usize, bool)>,
+    /// The number of the section, whether it is an appendix, and whether equations are numbered within sections.
+    section: usize,
+    is_appendix: bool,
+    within_sections: bool,
+    /// How many groups are open: braces, and environments other than the document.
+    groups: usize,
+    /// The conditionals that are open: whether what stands behind `\\else` is left out.
+    conditionals: Vec<bool>,
+    /// Where a conditional ends of which nobody knows which branch prints.
+    unknown_until: usize,
+    /// How far ends of conditionals were looked for.
+    searched: usize,
     open: Vec<String>,
     ended: bool,
 }
@@ -128,7 +191,13 @@ impl<'a> Scan<'a> {
             waiting: VecDeque::new(),
             counted: 0,
             group: None,
-            sections: None,
+            section: 0,
+            is_appendix: false,
+            within_sections: false,
+            groups: 0,
+            conditionals: Vec::new(),
+            unknown_until: 0,
+            searched: 0,
             open: Vec::new(),
             ended: false,
         };
@@ -268,11 +337,19 @@ impl<'a> Scan<'a> {
                 break;
             }
             let rest = self.text.get(at..part.end).unwrap_or_default();
-            let Some(found) = rest.find(['\\', '$', '`']) else {
+            let Some(found) = rest.find(['\\', '$', '`', '{', '}']) else {
                 break;
             };
             let here = at + found;
             at = match self.text.as_bytes().get(here) {
+                Some(b'{') if self.markup == Markup::Tex => {
+                    self.groups += 1;
+                    here + 1
+                }
+                Some(b'}') => {
+                    self.groups = self.groups.saturating_sub(1);
+                    here + 1
+                }
                 Some(b'`') if self.markup == Markup::Markdown => self.code(here, part.end),
                 Some(b'$') => self.dollars(here, part.end),
                 Some(b'\\') => self.command(here, part.end),
@@ -342,6 +419,12 @@ impl<'a> Scan<'a> {
     fn command(&mut self, here: usize, end: usize) -> usize {
         let (name, next) = command(&self.text, here);
         let name = name.to_owned();
+        if let Some((opens, own)) = self.macros.layout(&name).map(|(opens, own)| (opens, own.to_owned())) {
+            return match numbers_of(&own).filter(|_| opens) {
+                Some(numbers) => self.environment(here, next, end, &own, numbers),
+                None => next,
+            };
+        }
         match name.as_str() {
             "begin" => {
                 let Some(environment_name) = group(&self.text, next, BRACES) else {
@@ -349,37 +432,43 @@ impl<'a> Scan<'a> {
                 };
                 let inside = environment_name.end + 1;
                 let own = self.text.get(environment_name).unwrap_or_default().to_owned();
+                if let Some(numbers) = numbers_of(&own) {
+                    return self.environment(here, inside, end, &own, numbers);
+                }
+                if VERBATIM.contains(&own.as_str()) {
+                    let close = environment(&self.text, here).map(|(.., close)| close);
+                    return match close.filter(|close| *close <= end) {
+                        Some(close) => self.leave_out(here, close),
+                        None => self.without_end(here, inside, &own),
+                    };
+                }
                 if own == "subequations" {
                     self.counted += 1;
                     self.group = Some((self.counted, 0));
-                    return inside;
                 }
-                let numbers = numbers_of(&own);
-                if numbers.is_none() && !VERBATIM.contains(&own.as_str()) {
-                    return inside;
-                }
-                let Some((_, mut body, close)) = environment(&self.text, here).filter(|(.., close)| *close <= end)
-                else {
-                    self.faults
-                        .push((here, format!(r"`\begin{{{own}}}` has no `\end{{{own}}}`")));
-                    return inside;
-                };
-                if let Some(numbers) = numbers {
-                    if own.contains("alignat") || own.contains("IEEE") {
-                        body.start = group(&self.text, body.start, BRACES).map_or(body.start, |count| count.end + 1);
-                    }
-                    self.display(body, numbers, &own);
-                }
-                close
+                self.groups += usize::from(own != "document");
+                inside
             }
             "end" => {
-                let own = group(&self.text, next, BRACES)
-                    .and_then(|own| self.text.get(own))
-                    .unwrap_or_default();
-                self.ended |= own == "document";
+                let own = group(&self.text, next, BRACES);
+                let close = own.as_ref().map_or(next, |own| own.end + 1);
+                let own = own.and_then(|own| self.text.get(own)).unwrap_or_default();
+                if own == "document" {
+                    self.ended = true;
+                } else {
+                    self.groups = self.groups.saturating_sub(1);
+                }
                 if own == "subequations" {
                     self.group = None;
                 }
+                close
+            }
+            "begingroup" | "bgroup" => {
+                self.groups += 1;
+                next
+            }
+            "endgroup" | "egroup" => {
+                self.groups = self.groups.saturating_sub(1);
                 next
             }
             "[" => {
@@ -405,21 +494,8 @@ impl<'a> Scan<'a> {
                 });
                 close.unwrap_or(next)
             }
-            "newcommand" | "renewcommand" | "providecommand" | "DeclareMathOperator" | "def" => {
-                let close = self.macros.read(&self.text, &name, next);
-                if close.is_none() {
-                    self.faults.push((here, format!(r"this `\{name}` cannot be read")));
-                }
-                let holds_environment = close
-                    .and_then(|close| self.text.get(next..close))
-                    .is_some_and(|text| text.contains(r"\begin{") || text.contains(r"\end{"));
-                if holds_environment {
-                    self.faults.push((
-                        here,
-                        "a macro that opens or ends an environment is not read: write the environment out".to_owned(),
-                    ));
-                }
-                close.unwrap_or(next)
+            "newcommand" | "renewcommand" | "providecommand" | "DeclareMathOperator" | "def" | "gdef" => {
+                self.definition(here, &name, next)
             }
             "newenvironment" => {
                 self.faults.push((
@@ -428,26 +504,46 @@ impl<'a> Scan<'a> {
                 ));
                 next
             }
-            "iffalse" => {
-                let close = self.text.get(next..end).and_then(|rest| rest.find(r"\fi"));
-                close.map_or(next, |found| next + found)
+            "newif" => command(&self.text, after_blanks(&self.text, next)).1,
+            "iftrue" => {
+                self.conditionals.push(true);
+                next
             }
+            "iffalse" => match self.branches(next, end) {
+                Some((Some(other), _)) => {
+                    self.conditionals.push(false);
+                    self.leave_out(here, other + r"\else".len())
+                }
+                Some((None, close)) => self.leave_out(here, close + r"\fi".len()),
+                None => {
+                    self.faults.push((here, r"this `\iffalse` has no `\fi`".to_owned()));
+                    next
+                }
+            },
+            "else" if self.conditionals.last() == Some(&true) => {
+                let close = self.branches(next, end).map_or(next, |(_, close)| close);
+                self.leave_out(here, close)
+            }
+            "fi" => {
+                self.conditionals.pop();
+                next
+            }
+            name if name.starts_with("if") && name != "iff" => self.conditional(here, name, next, end),
+            "setcounter" | "addtocounter" | "stepcounter" | "refstepcounter" => self.counter(here, &name, next),
             "numberwithin" | "counterwithin" => {
                 let own = self.text.get(next..).unwrap_or_default();
-                self.sections = self
-                    .sections
-                    .or(own.starts_with("{equation}{section}").then_some((0, false)));
+                self.within_sections |= own.starts_with("{equation}{section}");
                 next
             }
             "section" if self.text.as_bytes().get(next) != Some(&b'*') => {
-                if let Some((section, _)) = &mut self.sections {
-                    *section += 1;
+                self.section += 1;
+                if self.within_sections {
                     self.counted = 0;
                 }
                 next
             }
             "appendix" => {
-                self.sections = self.sections.map(|_| (0, true));
+                (self.section, self.is_appendix) = (0, true);
                 next
             }
             "input" | "include" | "subfile" => {
@@ -463,6 +559,182 @@ impl<'a> Scan<'a> {
             }
             _ => next,
         }
+    }
+
+    /// Reads the display that an environment is, whose body starts at byte `inside`; says where it ends.
+    fn environment(&mut self, here: usize, inside: usize, end: usize, own: &str, numbers: Numbers) -> usize {
+        let Some((body, close)) = self.ending(inside, end, own) else {
+            return self.without_end(here, inside, own);
+        };
+        let mut body = inside..body;
+        if own.contains("alignat") || own.contains("IEEE") {
+            body.start = group(&self.text, body.start, BRACES).map_or(body.start, |count| count.end + 1);
+        }
+        let shown = self.text.get(body.clone()).unwrap_or_default();
+        if words(shown).any(|(word, next)| is_counter(shown, word, next)) {
+            let problem = "a counter is changed within a display: do it before or behind";
+            self.faults.push((here, problem.to_owned()));
+        }
+        self.display(body, numbers, own);
+        close
+    }
+
+    fn without_end(&mut self, here: usize, inside: usize, own: &str) -> usize {
+        self.faults
+            .push((here, format!(r"`\begin{{{own}}}` has no `\end{{{own}}}`")));
+        inside
+    }
+
+    /// Where the body of an environment ends that starts at byte `start`, and where its end does.
+    fn ending(&self, start: usize, end: usize, own: &str) -> Option<(usize, usize)> {
+        let mut depth = 1_usize;
+        for (word, next) in words(self.text.get(start..end)?) {
+            let next = start + next;
+            let here = next - word.len() - 1;
+            let (opens, name, close) = match word {
+                "begin" | "end" => {
+                    let Some(name) = group(&self.text, next, BRACES) else {
+                        continue;
+                    };
+                    (word == "begin", self.text.get(name.clone())?, name.end + 1)
+                }
+                word => match self.macros.layout(word) {
+                    Some((opens, name)) => (opens, name, next),
+                    None => continue,
+                },
+            };
+            if name == own {
+                depth = if opens { depth + 1 } else { depth - 1 };
+            }
+            if depth == 0 {
+                return Some((here, close)).filter(|(_, close)| *close <= end);
+            }
+        }
+        None
+    }
+
+    /// Reads the definition of a macro; says where it ends.
+    fn definition(&mut self, here: usize, name: &str, next: usize) -> usize {
+        let before = self.text.get(..here).unwrap_or_default().trim_end();
+        let is_global = name == "gdef" || before.ends_with(r"\global");
+        let problem = if here < self.unknown_until {
+            Some("is defined where a conditional decides: write `\\iftrue` or `\\iffalse`")
+        } else if self.groups > 0 && !is_global {
+            Some("is defined within a group: define it outside")
+        } else {
+            None
+        };
+        let Some((defined, close)) = self.macros.read(&self.text, name, next, problem) else {
+            self.faults.push((here, format!(r"this `\{name}` cannot be read")));
+            return next;
+        };
+        if let Some(problem) = problem {
+            self.faults.push((here, format!(r"the macro `\{defined}` {problem}")));
+        }
+        let is_display = |(_, own): (bool, &str)| numbers_of(own).is_some();
+        let own = self.text.get(next..close).unwrap_or_default();
+        if !self.macros.layout(&defined).is_some_and(is_display) && words(own).any(|(word, _)| LAYOUT.contains(&word)) {
+            let problem =
+                "a macro that opens or ends an environment, or that numbers or labels, is not read: write it out";
+            self.faults.push((here, problem.to_owned()));
+        }
+        close
+    }
+
+    /// Where the `\\else` and the `\\fi` of a conditional stand that begins at byte `start`.
+    fn branches(&mut self, start: usize, end: usize) -> Option<(Option<usize>, usize)> {
+        let found = (self.searched < MOST_SEARCHED)
+            .then(|| branches(&self.text, start, end))
+            .flatten();
+        self.searched += found.map_or(end, |(_, close)| close) - start;
+        found
+    }
+
+    /// Passes over what does not print, with its comments.
+    fn leave_out(&mut self, start: usize, end: usize) -> usize {
+        let is_within = |comment: &&mut Comment| (start..end).contains(&comment.part.start);
+        for comment in self.comments.iter_mut().filter(is_within) {
+            comment.text.clear();
+        }
+        let comments = &self.comments;
+        self.waiting
+            .retain(|number| comments.get(*number).is_some_and(|comment| !comment.text.is_empty()));
+        end
+    }
+
+    /// A conditional of which nobody says which branch prints: both are read, and what would matter is a fault.
+    fn conditional(&mut self, here: usize, name: &str, next: usize, end: usize) -> usize {
+        let close = match self.branches(next, end).filter(|_| !BRACED.contains(&name)) {
+            Some((_, close)) => {
+                self.conditionals.push(false);
+                close
+            }
+            None => {
+                let mut close = next;
+                while let Some(own) = group(&self.text, close, BRACES) {
+                    close = own.end + 1;
+                }
+                close
+            }
+        };
+        let own = self.text.get(next..close).unwrap_or_default();
+        let matters = |(word, next): (&str, usize)| {
+            let opens = || {
+                let name = group(own, next, BRACES).and_then(|name| own.get(name));
+                name.is_some_and(|name| name == "subequations" || numbers_of(name).is_some())
+            };
+            DECIDED.contains(&word)
+                || (word == "begin" && opens())
+                || is_counter(own, word, next)
+                || self.macros.layout(word).is_some()
+        };
+        if here >= self.unknown_until && (own.contains("$$") || words(own).any(matters)) {
+            let problem = format!(r"nobody says which branch of `\{name}` prints: write `\iftrue` or `\iffalse`");
+            self.faults.push((here, problem));
+            self.unknown_until = close;
+        }
+        next
+    }
+
+    /// Follows what changes the number of equations, or of sections.
+    fn counter(&mut self, here: usize, name: &str, next: usize) -> usize {
+        if !is_counter(&self.text, name, next) {
+            return next;
+        }
+        let own = group(&self.text, next, BRACES);
+        let inside = own.as_ref().map_or(next, |own| own.end + 1);
+        let own = own.and_then(|own| self.text.get(own)).unwrap_or_default().to_owned();
+        let written = group(&self.text, inside, BRACES).and_then(|value| self.text.get(value));
+        let written = written.and_then(|value| value.trim().parse::<i64>().ok());
+        let steps = matches!(name, "stepcounter" | "refstepcounter");
+        let count = match (&self.group, own.as_str()) {
+            (Some((_, letter)), "equation") => i64::from(*letter),
+            (None, "equation") => i64::try_from(self.counted).unwrap_or(i64::MAX),
+            _ => i64::try_from(self.section).unwrap_or(i64::MAX),
+        };
+        let count = match written {
+            _ if steps => count.checked_add(1),
+            Some(value) if name == "addtocounter" => count.checked_add(value),
+            value => value,
+        };
+        let is_known = matches!(own.as_str(), "equation" | "section");
+        match count.filter(|_| is_known).and_then(|count| u32::try_from(count).ok()) {
+            Some(count) => match (&mut self.group, own.as_str()) {
+                (Some((_, letter)), "equation") => *letter = count.min(MOST_LETTERS),
+                (None, "equation") => self.counted = count as usize,
+                _ => {
+                    self.section = count as usize;
+                    if steps && self.within_sections {
+                        self.counted = 0;
+                    }
+                }
+            },
+            None => {
+                let problem = format!(r"this `\{name}` of `{own}` is not followed: write a number");
+                self.faults.push((here, problem));
+            }
+        }
+        inside
     }
 
     fn included(&mut self, here: usize, name: String) {
@@ -539,10 +811,10 @@ impl<'a> Scan<'a> {
                 .ok()
                 .and_then(|number| char::from_u32(64 + number))
         };
-        let section = match self.sections {
-            Some((section, true)) => letter(section).map_or(String::new(), |letter| format!("{letter}.")),
-            Some((section, false)) => format!("{section}."),
-            None => String::new(),
+        let section = match (self.within_sections, self.is_appendix) {
+            (true, true) => letter(self.section).map_or(String::new(), |letter| format!("{letter}.")),
+            (true, false) => format!("{}.", self.section),
+            (false, _) => String::new(),
         };
         let number = match &mut self.group {
             Some((number, letter)) => {
@@ -582,6 +854,44 @@ impl<'a> Scan<'a> {
         });
         self.take_comments(row.line_end.min(end), Some(self.formulas.len() - 1));
     }
+}
+
+/// The commands of a text, each with where it ends.
+fn words(text: &str) -> impl Iterator<Item = (&str, usize)> {
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        let here = at + text.get(at..)?.find('\\')?;
+        let (word, next) = command(text, here);
+        at = next;
+        Some((word, next))
+    })
+}
+
+/// Where the `\else` and the `\fi` of a conditional stand that begins at byte `start`.
+fn branches(text: &str, start: usize, end: usize) -> Option<(Option<usize>, usize)> {
+    let own = text.get(start..end)?;
+    let (mut depth, mut other, mut is_name) = (0_usize, None, false);
+    for (word, next) in words(own) {
+        let here = start + next - word.len() - 1;
+        match word {
+            _ if is_name => is_name = false,
+            "newif" => is_name = true,
+            "else" if depth == 0 => other = other.or(Some(here)),
+            "fi" if depth == 0 => return Some((other, here)),
+            "fi" => depth -= 1,
+            "iff" => {}
+            word if word.starts_with("if") && !BRACED.contains(&word) => depth += 1,
+            _ => {}
+        }
+    }
+    None
+}
+
+/// Whether a command changes the number of equations or sections.
+fn is_counter(text: &str, word: &str, next: usize) -> bool {
+    let own = group(text, next, BRACES).and_then(|own| text.get(own));
+    matches!(word, "setcounter" | "addtocounter" | "stepcounter" | "refstepcounter")
+        && own.is_some_and(|own| matches!(own, "equation" | "parentequation" | "section"))
 }
 
 /// Whether a line between the first and the last holds nothing.
