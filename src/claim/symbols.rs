@@ -28,6 +28,37 @@ pub struct Symbols {
 }
 
 impl Symbols {
+    /// These and more.
+    ///
+    /// # Errors
+    /// A [`Fault`] where a pair has more than one `=`.
+    pub(super) fn and(self, more: Self) -> Result<Self, Fault> {
+        let list = |one: Vec<String>, other: Vec<String>| [one, other].concat();
+        let pairs = |one: Pairs, other: Pairs| -> Result<Pairs, Fault> {
+            let all = [one.pairs()?, other.pairs()?].concat().into_iter();
+            Ok(Pairs::List(all.map(|(left, right)| format!("{left} = {right}")).collect()))
+        };
+        Ok(Self {
+            parameters: list(self.parameters, more.parameters),
+            generic: list(self.generic, more.generic),
+            positive: list(self.positive, more.positive),
+            at_most_one: list(self.at_most_one, more.at_most_one),
+            nonnegative: list(self.nonnegative, more.nonnegative),
+            nonzero: list(self.nonzero, more.nonzero),
+            integers: list(self.integers, more.integers),
+            complex: list(self.complex, more.complex),
+            indices: list(self.indices, more.indices),
+            times: list(self.times, more.times),
+            states: list(self.states, more.states),
+            continuous: list(self.continuous, more.continuous),
+            functions: pairs(self.functions, more.functions)?,
+            periods: pairs(self.periods, more.periods)?,
+            abbreviations: pairs(self.abbreviations, more.abbreviations)?,
+            relations: pairs(self.relations, more.relations)?,
+            maps: self.maps.into_iter().chain(more.maps).collect(),
+        })
+    }
+
     /// The lists of `nonnegative`, `nonzero`, `integers` and `complex`: what stands in one of these need not stand among
     /// the parameters too.
     pub(super) fn kinds(&self) -> [&[String]; 4] {

@@ -249,13 +249,31 @@ impl Vocabulary {
                 .extend([state.clone(), state.dotted(), state.dotted().dotted()]);
         }
         for (name, (_, derivative)) in functions.into_iter().zip(&pairs) {
-            let derivative = match derivative.trim() {
-                "" => None,
-                tex => Some(self.expression(tex)?),
-            };
-            self.functions.push((name, derivative));
+            match derivative.trim() {
+                "" => self.declare_with_dots(name),
+                tex => {
+                    let derivative = self.expression(tex)?;
+                    self.functions.push((name, Some(derivative)));
+                }
+            }
         }
         Ok(())
+    }
+
+    /// A function whose derivative has no name of its own: of time it has dots, where nothing else is called so.
+    fn declare_with_dots(&mut self, name: Name) {
+        let (dot, dots) = (name.dotted(), name.dotted().dotted());
+        let is_taken = |other: &Name| self.names.functions.contains(other) || self.parameters.contains(other);
+        let is_dotted = name.accents.iter().any(|accent| accent.ends_with("dot"));
+        if self.running.is_none() || is_dotted || is_taken(&dot) || is_taken(&dots) {
+            self.functions.push((name, None));
+            return;
+        }
+        self.names.functions.extend([dot.clone(), dots.clone()]);
+        let named = |name: &Name| Some(Tree::Symbol(name.clone(), At::default()));
+        self.functions.push((name, named(&dot)));
+        self.functions.push((dot, named(&dots)));
+        self.functions.push((dots, None));
     }
 
     fn read_maps(&mut self, symbols: &Symbols) -> Result<(), Fault> {

@@ -190,8 +190,17 @@ fn symbols(parts: &[&str]) -> Result<Symbols, String> {
         };
         list.extend(names);
     }
-    // what is a derivative is a function too
+    Ok(symbols)
+}
+
+/// What all the comments on symbols declare together, with what goes without saying.
+pub(super) fn completed(mut symbols: Symbols) -> Result<Symbols, String> {
+    // functions are of time, where nothing else is said to run
     let functions = symbols.functions.pairs().map_err(|fault| fault.message)?;
+    if !functions.is_empty() && symbols.times.is_empty() && !symbols.parameters.iter().any(|name| name == "t") {
+        symbols.times.push("t".to_owned());
+    }
+    // what is a derivative is a function too
     let derivatives = functions.iter().map(|(_, derivative)| derivative.clone());
     let is_name = |text: &String| !text.is_empty() && !text.contains([' ', '+', '-', '*', '/', '^', '(']);
     let undeclared = derivatives.filter(|name| is_name(name) && functions.iter().all(|(known, _)| known != name));

@@ -15,7 +15,7 @@ use super::sheet::{RawSheet, Sheet};
 use super::symbols::Symbols;
 use super::verdict::Verdict;
 use super::vocabulary::Vocabulary;
-use comment::{Key, keys};
+use comment::{Key, completed, keys};
 use guess::Guess;
 use scan::{Comment, Formula, Scan};
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -100,11 +100,23 @@ impl Document {
             });
             for key in keys {
                 let problem = match key {
-                    Key::Symbols(symbols) if whole.symbols.is_none() => {
-                        whole.symbols = Some((symbols, comment.part.clone()));
-                        None
-                    }
-                    Key::Symbols(_) => Some("the symbols are said a second time: say them in one comment"),
+                    Key::Symbols(symbols) => match (whole.symbols.take(), symbols) {
+                        (None, symbols) => {
+                            whole.symbols = Some((symbols, comment.part.clone()));
+                            None
+                        }
+                        (Some((Some(before), at)), Some(symbols)) => match before.and(*symbols) {
+                            Ok(all) => {
+                                whole.symbols = Some((Some(Box::new(all)), at));
+                                None
+                            }
+                            Err(_) => Some("a declaration with more than one `=`"),
+                        },
+                        (before, _) => {
+                            whole.symbols = before;
+                            Some("symbols of the impact pair beside others: say which are meant")
+                        }
+                    },
                     Key::Default(role) => {
                         whole.defaults.push((comment.after, role));
                         None
@@ -138,10 +150,17 @@ impl Document {
         }
         let symbols = whole.symbols.take();
         let of_the_pair = matches!(&symbols, Some((None, _)));
+        let symbols = symbols.and_then(|(symbols, at)| match completed(*symbols?) {
+            Ok(symbols) => Some(Spanned::new(at, symbols)),
+            Err(problem) => {
+                faults.push(fault(at.start, problem));
+                None
+            }
+        });
         let line = |at: usize| source(at).place().0;
         let mut raw = RawSheet {
             title: None,
-            symbols: symbols.and_then(|(symbols, at)| Some(Spanned::new(at, *symbols?))),
+            symbols,
             equation: Vec::new(),
         };
         let guesses = entries(&scan.formulas, said, &whole, of_the_pair, &mut raw, &line);
