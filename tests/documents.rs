@@ -463,7 +463,7 @@ fn what_is_wrong_is_said_with_its_place_and_the_rest_is_decided() {
         ),
         (r"\input{self}", "`self` includes itself", 1),
         ("% audit: clam\n", "`clam` says nothing here", 2),
-        ("% audit: symbols d\n", "a second time", 2),
+        ("% audit: symbols impact pair\n", "impact pair beside others", 2),
         ("% audit: value orbits.d, scene fig02\n\n", "no number is printed", 2),
     ] {
         let text = format!("{SYMBOLS}{bad}\n{good}\n");

@@ -31,9 +31,35 @@ impl Vocabulary {
     /// Whether a name needs no definition: a parameter, an abbreviation, an index, a time or a state at an impact, the
     /// running time, a function or one of its derivatives, a state in flight or one of its derivatives, a matrix,
     /// `\pi`, and `e` and `i` where nothing else is declared by that name. A pair such as `\lambda_{1,2}` is known
-    /// where `\lambda` is.
+    /// where `\lambda` is, the conjugate `\bar z` where `z` is declared complex.
     pub fn knows(&self, name: &Name) -> bool {
-        self.declares(name) || is_constant(name) || pair_of(name).is_some_and(|single| self.declares(&single))
+        self.declares(name)
+            || is_constant(name)
+            || pair_of(name).is_some_and(|single| self.declares(&single))
+            || self.conjugated(name).is_some()
+    }
+
+    /// The complex symbol, or the imaginary unit, of which a name that is not declared itself is the conjugate, as
+    /// `\bar z` and `z^*` are, and whether it is so an odd number of times.
+    pub(super) fn conjugated(&self, name: &Name) -> Option<(Name, bool)> {
+        let mut plain = name.clone();
+        if self.declares(name) {
+            return None;
+        }
+        if plain.mark == "*" {
+            plain.mark.clear();
+        } else if plain.accents.pop()? != r"\overline" {
+            return None;
+        }
+        match self.complex.contains(&plain) || self.is_unit(&plain) {
+            true => Some((plain, true)),
+            false => self.conjugated(&plain).map(|(plain, is_odd)| (plain, !is_odd)),
+        }
+    }
+
+    /// Whether a name is the imaginary unit.
+    pub(super) fn is_unit(&self, name: &Name) -> bool {
+        name.base == "i" && is_constant(name) && !self.declares(name)
     }
 
     /// Whether the vocabulary declares this name.
@@ -195,23 +221,25 @@ impl Vocabulary {
         self.times.contains(&name.bare()) && self.is_indexed(name)
     }
 
-    /// The first symbol of the formula that may be complex, absolute values left out; `extra` are complex besides.
+    /// The first symbol of the formula that may be complex, left out what stands in absolute values, real and imaginary
+    /// parts and arguments, which are real; `extra` are complex besides.
     pub(super) fn complex_in<'t>(&self, tree: &'t Tree, extra: &dyn Fn(&Name) -> bool) -> Option<&'t Name> {
-        let is_unit = |name: &Name| name.base == "i" && is_constant(name) && !self.declares(name);
         match tree {
             Tree::Symbol(name, _) => {
                 let single = pair_of(name);
                 let listed = self.complex.contains(single.as_ref().unwrap_or(name));
                 let mut abbreviated = self.abbreviations.iter().filter(|(known, _)| known == name);
                 let is_complex = abbreviated.any(|(_, meaning)| self.complex_in(meaning, extra).is_some());
-                (listed || is_complex || is_unit(name) || extra(name)).then_some(name)
+                let is_complex = listed || is_complex || self.is_unit(name) || self.conjugated(name).is_some();
+                (is_complex || extra(name)).then_some(name)
             }
-            Tree::Call(name, ..) if name.base == r"\abs" => None,
+            Tree::Call(name, ..) if matches!(name.base.as_str(), r"\abs" | r"\Re" | r"\Im" | r"\arg") => None,
             _ => below(tree, &mut |part| self.complex_in(part, extra)),
         }
     }
 
-    /// Whether a complex symbol or the imaginary unit stands in a formula, absolute values left out.
+    /// Whether a complex symbol or the imaginary unit stands in a formula, left out what is real whatever stands
+    /// in it.
     pub fn may_be_complex(&self, tree: &Tree) -> bool {
         self.complex_in(tree, &|_| false).is_some()
     }

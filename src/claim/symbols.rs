@@ -36,7 +36,9 @@ impl Symbols {
         let list = |one: Vec<String>, other: Vec<String>| [one, other].concat();
         let pairs = |one: Pairs, other: Pairs| -> Result<Pairs, Fault> {
             let all = [one.pairs()?, other.pairs()?].concat().into_iter();
-            Ok(Pairs::List(all.map(|(left, right)| format!("{left} = {right}")).collect()))
+            Ok(Pairs::List(
+                all.map(|(left, right)| format!("{left} = {right}")).collect(),
+            ))
         };
         Ok(Self {
             parameters: list(self.parameters, more.parameters),

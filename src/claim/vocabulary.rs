@@ -4,7 +4,7 @@ use super::definition::speaks_of;
 use super::fault::Fault;
 use super::symbols::{MapEntry, Symbols};
 use crate::tex::{At, Equation, Name, Names, Relation, Tree, read, read_expression};
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 
 /// A matrix of partial derivatives.
 #[derive(Clone, Debug)]
@@ -183,6 +183,7 @@ impl Vocabulary {
         self.at_most_one = self.list(&symbols.at_most_one)?;
         self.positive = self.list(&symbols.positive)?;
         self.positive.extend(self.at_most_one.iter().cloned());
+        self.names.complex.clone_from(&self.complex);
         let real: HashSet<&Name> = self
             .positive
             .iter()
@@ -340,6 +341,25 @@ impl Vocabulary {
         if is_positive {
             self.positive.push(name.clone());
         }
+    }
+
+    /// The vocabulary with each complex symbol replaced by its real and its imaginary part.
+    pub(super) fn with_parts(&self, parts: &BTreeMap<Name, [Name; 2]>) -> Self {
+        let mut real = self.clone();
+        let Self {
+            parameters,
+            nonzero,
+            complex,
+            ..
+        } = &mut real;
+        for list in [parameters, nonzero, complex] {
+            list.retain(|name| !parts.contains_key(name));
+        }
+        real.singles.retain(|name| !parts.contains_key(name));
+        for part in parts.values().flatten() {
+            real.let_be_parameter(part, false);
+        }
+        real
     }
 
     fn list(&self, texts: &[String]) -> Result<Vec<Name>, Fault> {

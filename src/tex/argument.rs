@@ -4,7 +4,7 @@
 //! and symbols that ends in its variable. It ends before a sign, a relation, a closing bracket, `\cdot` and the next
 //! function. Whatever else follows may print as more of it, and is refused with both readings.
 
-use super::command::{ABSOLUTE, elementary};
+use super::command::{ABSOLUTE, elementary, is_part};
 use super::error::Fault;
 use super::part::{Form, Part, starts_factor};
 use super::reader::{Reader, product};
@@ -23,8 +23,12 @@ const COEFFICIENTS: &[&str] = &[
 const VARIABLES: &[&str] = &["x", "y", "z", "t", "\\theta", "\\vartheta", "\\phi", "\\psi"];
 
 impl<'a> Reader<'a> {
-    /// The argument without brackets of a function, whose value there is `value`.
-    pub(super) fn bare_argument(&mut self, value: &dyn Fn(Box<Tree>) -> Box<Tree>) -> Result<Box<Tree>, Fault> {
+    /// The argument without brackets of `function`, whose value there is `value`.
+    pub(super) fn bare_argument(
+        &mut self,
+        function: &str,
+        value: &dyn Fn(Box<Tree>) -> Box<Tree>,
+    ) -> Result<Box<Tree>, Fault> {
         self.deepen()?;
         let (at, start) = (self.here(), self.next);
         let token = match self.peek() {
@@ -35,6 +39,8 @@ impl<'a> Reader<'a> {
         let mut factors = match (part.form, *part.tree) {
             (Form::Knot, Tree::Product(factors)) if self.prints_as_run(start) && self.is_run(&factors) => factors,
             (form, tree) if self.is_argument(token.kind, form, &tree) => vec![tree],
+            // `\arg G(x)` has one reading
+            (Form::Plain, tree @ Tree::Call(..)) if is_part(function) => vec![tree],
             _ => {
                 let instead = "write brackets around the argument";
                 return Err(Fault::ambiguous(at, "an argument without brackets", instead));
@@ -74,11 +80,16 @@ impl<'a> Reader<'a> {
         };
         match token.kind {
             Kind::Slash => self.next += 1,
-            kind if starts_factor(kind) && !self.first_printed().is_some_and(is_function) => {}
+            kind if starts_factor(kind) && !self.first_printed().is_some_and(|token| self.is_function(token)) => {}
             _ => return Ok(None),
         }
         let Part { tree, .. } = self.factor()?;
         Ok(Some((*tree, token)))
+    }
+
+    /// Whether an elementary function begins with this token.
+    fn is_function(&self, token: Token<'_>) -> bool {
+        token.kind == Kind::Function || (token.kind == Kind::Word && self.function_word(token.text).is_some())
     }
 
     /// Whether what begins with a token of this kind is an argument by itself.
@@ -123,11 +134,6 @@ impl<'a> Reader<'a> {
             None => is_number(before),
         }
     }
-}
-
-/// Whether an elementary function begins with this token.
-fn is_function(token: Token<'_>) -> bool {
-    token.kind == Kind::Function || (token.kind == Kind::Word && elementary(token.text).is_some())
 }
 
 /// A number, a power of one or a fraction of two.

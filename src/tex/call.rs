@@ -1,6 +1,6 @@
 //! What a bracket makes of a name: calls, elementary functions, traces and determinants.
 
-use super::command::{DECIMAL_LOGARITHM, elementary, elementary_at_start, has_powers, invariant};
+use super::command::{CONJUGATE, DECIMAL_LOGARITHM, elementary, elementary_at_start, has_powers, invariant, is_part};
 use super::error::{Fault, Reason};
 use super::exponent::Exponent;
 use super::part::{Form, Part};
@@ -17,7 +17,7 @@ impl<'a> Reader<'a> {
             if let Some(kind) = invariant(token.text) {
                 return self.invariant(kind, 1);
             }
-            if let Some(function) = elementary(token.text) {
+            if let Some(function) = self.function_word(token.text) {
                 return self.elementary(function, 1);
             }
             if matches!(token.text, "max" | "min") && !self.names.words.iter().any(|word| word == token.text) {
@@ -31,8 +31,36 @@ impl<'a> Reader<'a> {
             return self.elementary(function, length);
         }
         self.no_foreign_function(token.at)?;
+        let line = token.kind == Kind::Accent && token.text == "\\overline";
+        if line && self.look(1).is_some_and(|next| next.kind == Kind::BraceOpen) {
+            return self.conjugate(token.at);
+        }
         let name = self.bare_name()?;
         self.symbol(name, token.at)
+    }
+
+    /// The elementary function that an upright word names; `Re` may be declared to be something else.
+    pub(super) fn function_word(&self, word: &str) -> Option<&'static str> {
+        let is_declared = self.names.words.iter().any(|declared| declared == word);
+        elementary(word).filter(|function| !(is_declared && is_part(function)))
+    }
+
+    /// `\overline{..}`: over a symbol an accent, over any other formula its conjugate.
+    fn conjugate(&mut self, at: usize) -> Result<Part, Fault> {
+        self.next += 1;
+        let open = self.here();
+        self.next += 1;
+        self.deepen()?;
+        let tree = self.sum()?;
+        self.close_brace(open)?;
+        self.rise();
+        match *tree {
+            Tree::Symbol(mut name, _) => {
+                name.accents.push("\\overline".to_owned());
+                self.symbol(name, at)
+            }
+            _ => self.carried(Box::new(Tree::Call(base(CONJUGATE), tree, At(at))), Form::Bracketed),
+        }
     }
 
     /// `name` with the scripts and the argument that follow it.
@@ -134,7 +162,7 @@ impl<'a> Reader<'a> {
         match self.bracketed_argument()? {
             Some(argument) => self.call(value(argument), power),
             None => {
-                let argument = self.bare_argument(&value)?;
+                let argument = self.bare_argument(function, &value)?;
                 // without brackets a power behind it would be one of the argument, even behind braces
                 Ok(Part {
                     form: Form::Bare,
@@ -274,9 +302,9 @@ impl<'a> Reader<'a> {
 }
 
 /// Functions that programs spell in letters and this reader does not know under that name.
-const FOREIGN_FUNCTIONS: [&str; 16] = [
+const FOREIGN_FUNCTIONS: [&str; 19] = [
     "sqrt", "cbrt", "asinh", "acosh", "atanh", "asin", "acos", "atan", "max", "min", "mod", "sign", "floor", "ceil",
-    "round", "gcd",
+    "round", "gcd", "Re", "Im", "arg",
 ];
 
 fn elementary_call(function: &str, argument: Box<Tree>, at: usize) -> Box<Tree> {

@@ -92,6 +92,18 @@ pub(super) const ABSOLUTE: &str = "\\abs";
 pub(super) const FACTORIAL: &str = "\\factorial";
 pub(super) const DOUBLE_FACTORIAL: &str = "\\doublefactorial";
 
+/// The name of the conjugate as a function: a line over its argument.
+pub(super) const CONJUGATE: &str = "\\conjugate";
+
+/// The real and the imaginary part and the argument of a complex number; never read from letters, as `Re` may be the
+/// Reynolds number.
+const PARTS: [&str; 3] = ["\\Re", "\\Im", "\\arg"];
+
+/// Whether a function is the real or the imaginary part of its argument, or the argument of it as a complex number.
+pub(super) fn is_part(function: &str) -> bool {
+    PARTS.contains(&function)
+}
+
 /// Functions that are known without a declaration, longest first where one starts another.
 const FUNCTIONS: &[&str] = &[
     "\\arccos", "\\arcsin", "\\arctan", "\\arcosh", "\\arsinh", "\\artanh", "\\sinh", "\\cosh", "\\tanh", "\\coth",
@@ -144,7 +156,7 @@ pub(super) fn elementary(word: &str) -> Option<&'static str> {
         word => word,
     };
     let known = |command: &&&str| command.strip_prefix('\\') == Some(word);
-    FUNCTIONS.iter().find(known).copied()
+    FUNCTIONS.iter().chain(&PARTS).find(known).copied()
 }
 
 /// The elementary function that a run of letters starts with.

@@ -4,10 +4,11 @@ use super::display::divided;
 use super::error::{Fault, Reason};
 use super::reader::Reader;
 use super::token::{Bracket, Kind, Set};
-use super::{At, Condition, Equation, Names, Operation, ReadError, Relation, Tree};
+use super::{At, Condition, Equation, Name, Names, Operation, ReadError, Relation, Tree};
 
 /// Reads conditions parted by commas: relations and chains of them, `n \in \mathbb{Z}`, `x \in [a, b)`. An interval
-/// gives its two inequalities, an end at infinity none; `x \in \mathbb{R}` gives nothing, for symbols are real.
+/// gives its two inequalities, an end at infinity none; `x \in \mathbb{R}` gives nothing, for symbols are real, and
+/// `z \in \mathbb{C}` nothing where `z` is declared complex.
 pub fn read_conditions(tex: &str, names: &Names) -> Result<Vec<Condition>, ReadError> {
     let read = || {
         let statements = divided(tex)?;
@@ -61,6 +62,7 @@ impl Reader<'_> {
                     let instead = "write the bound as an inequality";
                     return Err(Fault::unsupported(self.here(), "a set with a script", instead));
                 }
+                self.is_in(at, set, &element)?;
                 if set == Set::Integer {
                     conditions.push(Condition::Integer(element));
                 }
@@ -68,6 +70,23 @@ impl Reader<'_> {
             }
             Some(Kind::Open(Bracket::Round | Bracket::Square)) => self.interval(at, element, conditions),
             _ => Err(self.instead_of("an interval, \\mathbb{Z} or \\mathbb{R}")),
+        }
+    }
+
+    /// Refuses a set of which the symbols say something else: what is in it is declared.
+    fn is_in(&self, at: usize, set: Set, element: &Tree) -> Result<(), Fault> {
+        let complex = &self.names.complex;
+        let is_complex = |name: &Name| complex.contains(name);
+        let (agrees, instead) = match (set, element) {
+            (Set::Complex, Tree::Symbol(name, _)) => (is_complex(name), "declare the symbol in `complex`"),
+            (Set::Complex, _) => (false, "only a symbol may stand here"),
+            (Set::Real, Tree::Symbol(name, _)) => (!is_complex(name), "the symbol is declared complex"),
+            (Set::Real, _) => (complex.is_empty(), "write that the imaginary part is 0"),
+            (Set::Integer, _) => (true, ""),
+        };
+        match agrees {
+            true => Ok(()),
+            false => Err(Fault::unsupported(at, "this condition", instead)),
         }
     }
 
@@ -204,7 +223,8 @@ mod tests {
             (r"x \in \mathbb{R}^+", "write the bound as an inequality"),
             (r"x \in \mathbb{R}_{> 0}", "write the bound as an inequality"),
             (r"n \in \mathbb{N}", "some authors count 0 in"),
-            (r"x \in \mathbb{C}", r"only \mathbb{Z} and \mathbb{R}"),
+            (r"x \in \mathbb{C}", "declare the symbol in `complex`"),
+            (r"x \in \mathbb{Q}", r"only \mathbb{Z}, \mathbb{R} and"),
             (r"x \in [0, \infty]", "open at infinity"),
             (r"x \in (\infty, 1)", "infinity at this end"),
             (r"x \in (0, -\infty)", "infinity at this end"),

@@ -273,8 +273,9 @@ impl<'a> Lexer<'a> {
         let instead = match name.trim() {
             "R" => return self.push_as(Kind::Set(Set::Real), text, at, after),
             "Z" => return self.push_as(Kind::Set(Set::Integer), text, at, after),
+            "C" => return self.push_as(Kind::Set(Set::Complex), text, at, after),
             "N" => ": some authors count 0 in, others do not; write n \\in \\mathbb{Z} and a bound",
-            _ => ": only \\mathbb{Z} and \\mathbb{R} are",
+            _ => ": only \\mathbb{Z}, \\mathbb{R} and \\mathbb{C} are",
         };
         Err(Fault::unreadable(at, text, instead))
     }

@@ -14,6 +14,8 @@ pub struct Names {
     pub matrices: Vec<Name>,
     /// The declared names of one letter: where `d` or `T` is among them, it is no differential and no transpose.
     pub letters: Vec<String>,
+    /// The symbols that are complex.
+    pub complex: Vec<Name>,
     /// The symbol that functions without an argument are taken at.
     pub running: Option<Name>,
 }

@@ -1,7 +1,7 @@
 //! Tree -> TeX that reads back to the same tree, given the same [`Names`](super::Names).
 
 use super::argument::may_scale;
-use super::command::{ABSOLUTE, DOUBLE_FACTORIAL, FACTORIAL, operator_name};
+use super::command::{ABSOLUTE, CONJUGATE, DOUBLE_FACTORIAL, FACTORIAL, operator_name};
 use super::{Case, Condition, Equation, Invariant, Name, Operation, Relation, Series, Tree};
 use crate::number::Rational;
 use std::fmt;
@@ -151,6 +151,7 @@ fn factor(tree: &Tree) -> String {
         Tree::Symbol(name, _) => name.to_string(),
         Tree::Call(name, argument, _) if is_factorial(name) => factorial(name, argument),
         Tree::Call(name, argument, _) if is_absolute(name) => format!("\\left|{}\\right|", sum(argument)),
+        Tree::Call(name, argument, _) if is_conjugate(name) => format!("\\overline{{{}}}", sum(argument)),
         Tree::Call(name, argument, _) => format!("{name}({})", sum(argument)),
         Tree::Partial { of, by, .. } => format!("\\frac{{\\partial {of}}}{{\\partial {by}}}"),
         Tree::Invariant { kind, of, .. } => format!("{}({of})", invariant(*kind)),
@@ -249,7 +250,7 @@ fn power(base: &Tree, exponent: i32) -> String {
     let before_argument = !exponent.starts_with("{-");
     match base {
         Tree::Number(_) | Tree::Root(..) => format!("{}^{exponent}", factor(base)),
-        Tree::Call(name, ..) if is_absolute(name) => format!("{}^{exponent}", factor(base)),
+        Tree::Call(name, ..) if is_absolute(name) || is_conjugate(name) => format!("{}^{exponent}", factor(base)),
         Tree::Symbol(name, _) if name.mark.is_empty() && name.primes == 0 => {
             format!("{name}^{exponent}")
         }
@@ -271,7 +272,7 @@ fn real_power(base: &Tree, exponent: &Tree) -> String {
     let exponent = script(&text);
     match base {
         Tree::Number(_) | Tree::Root(..) => format!("{}^{exponent}", factor(base)),
-        Tree::Call(name, ..) if is_absolute(name) => format!("{}^{exponent}", factor(base)),
+        Tree::Call(name, ..) if is_absolute(name) || is_conjugate(name) => format!("{}^{exponent}", factor(base)),
         Tree::Symbol(name, _) if name.mark.is_empty() && name.primes == 0 => format!("{name}^{exponent}"),
         base => format!("{}^{exponent}", bracketed(base)),
     }
@@ -280,6 +281,11 @@ fn real_power(base: &Tree, exponent: &Tree) -> String {
 /// Whether this is the absolute value, which prints as bars.
 fn is_absolute(name: &Name) -> bool {
     name.base == ABSOLUTE
+}
+
+/// Whether this is the conjugate, which prints as a line.
+fn is_conjugate(name: &Name) -> bool {
+    name.base == CONJUGATE
 }
 
 /// Whether this is a factorial, which prints behind its argument.

@@ -146,7 +146,6 @@ mod tests {
         ]);
         refuse(&[
             (r"\mathcal{LM}", "found `M` where `}`"),
-            (r"\overline{g T}", "found `T` where `}`"),
             (r"\dot{x^2}", "a power here"),
             (r"\dot{2}", "a name"),
             (r"\dot", "a name"),

@@ -27,6 +27,7 @@ pub(super) enum Rows {
 pub(super) enum Set {
     Real,
     Integer,
+    Complex,
 }
 
 /// What a token is.

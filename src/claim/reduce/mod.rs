@@ -1,11 +1,12 @@
-//! Claims with matrices, derivatives, integrals, sums, products and cases, reduced to claims about numbers: goals, of
-//! which all must hold for the claim to, and goals of which none may fail.
+//! Claims with matrices, derivatives, integrals, sums, products, cases, and with conjugates and moduli of complex numbers,
+//! reduced to claims about numbers: goals, of which all must hold for the claim to, and goals of which none may fail.
 //!
 //! What is done here is trusted: each reduction is by definition of the operation, or by a rule that it names.
 
 mod antiderivative;
 mod build;
 mod cases;
+mod complex;
 mod defined;
 mod derivative;
 mod evaluate;
@@ -108,6 +109,20 @@ fn sides_of(condition: &Condition) -> Vec<&Tree> {
 /// # Errors
 /// Why an operation has no meaning here, or is not reduced.
 pub fn reduced(statements: &Statements, vocabulary: &Vocabulary) -> Result<Option<Reduced>, String> {
+    if !complex::takes_part(statements, vocabulary) {
+        return without_operations(statements, vocabulary);
+    }
+    let written = written_out(statements)?;
+    complex::refuse_inside(&written, vocabulary)?;
+    let reduced = match without_operations(&written, vocabulary)? {
+        Some(reduced) => reduced,
+        None => Reduced::itself(Goal::of(&written, vocabulary, String::new())),
+    };
+    complex::as_real(reduced, vocabulary).map(Some)
+}
+
+/// What a claim with operations comes to, of real or of complex numbers.
+fn without_operations(statements: &Statements, vocabulary: &Vocabulary) -> Result<Option<Reduced>, String> {
     if !trees(statements)
         .into_iter()
         .any(|tree| has_operation(tree, vocabulary))
@@ -263,7 +278,10 @@ fn rewritten(statements: &Statements, new: &dyn Fn(&Tree) -> Tree) -> Statements
 
 /// A name that nothing in the statements has, like `like`.
 fn fresh(statements: &Statements, vocabulary: &Vocabulary, like: &str) -> Name {
-    let mut name = build::plain(like);
+    fresh_like(statements, vocabulary, build::plain(like))
+}
+
+fn fresh_like(statements: &Statements, vocabulary: &Vocabulary, mut name: Name) -> Name {
     let is_met = |name: &Name| {
         vocabulary.knows(name)
             || trees(statements)
