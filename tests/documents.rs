@@ -402,6 +402,40 @@ $$ f(t) = 1 $$
 }
 
 #[test]
+fn the_label_of_a_display_with_one_number_is_that_of_all_its_rows() {
+    let text = format!(
+        r"{SYMBOLS}
+\begin{{equation}} \begin{{split}} a &= c , \\ b &= 2 c \end{{split}} \label{{both}} \end{{equation}} % audit: premise
+\begin{{equation}} a + b = 3 c \end{{equation}} % audit: claim; follows from \eqref{{both}}
+"
+    );
+    let rows = decisions(&document(&text, &[]));
+    assert_eq!(rows.len(), 1);
+    assert_eq!(rows[0].verdict, Verdict::Proved, "{}", rows[0].reason);
+}
+
+#[test]
+fn what_is_said_before_a_display_is_said_of_its_rows_that_say_nothing() {
+    let text = format!(
+        r"{SYMBOLS}
+\begin{{align}} % audit: premise
+  a &= c \\
+  b &= 2 c
+\end{{align}}
+% audit: claim; follows from (1), (2)
+\begin{{align}}
+  a + b &= 3 c \\
+  a - b &= c \\
+  b &= a % audit: definition
+\end{{align}}
+"
+    );
+    let rows = decisions(&document(&text, &[]));
+    let verdicts: Vec<Verdict> = rows.iter().map(|row| row.verdict).collect();
+    assert_eq!(verdicts[..2], [Verdict::Proved, Verdict::Refuted]);
+}
+
+#[test]
 fn a_claim_that_its_author_rests_on_a_guess_is_not_refuted() {
     let text = format!(
         r"{SYMBOLS}

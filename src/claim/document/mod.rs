@@ -63,6 +63,19 @@ struct Said {
     expect: Option<Verdict>,
 }
 
+impl Said {
+    /// Whether nothing is said.
+    fn is_nothing(&self) -> bool {
+        let lists = [&self.with, &self.local, &self.assume];
+        self.role.is_none()
+            && !self.skip
+            && self.follows_from.is_none()
+            && self.label.is_none()
+            && self.expect.is_none()
+            && lists.iter().all(|list| list.is_empty())
+    }
+}
+
 /// What comments say of the whole document.
 #[derive(Default)]
 struct Whole {
@@ -163,7 +176,13 @@ impl Document {
             symbols,
             equation: Vec::new(),
         };
-        let guesses = entries(&scan.formulas, said, &whole, of_the_pair, &mut raw, &line);
+        let before = |formula: &Formula| {
+            let comments = formula.comments.iter().filter_map(|&number| scan.comments.get(number));
+            let ends: Vec<usize> = comments.map(|comment| comment.part.end).collect();
+            !ends.is_empty() && ends.iter().all(|end| *end <= formula.part.start)
+        };
+        let of_displays: Vec<bool> = scan.formulas.iter().map(before).collect();
+        let guesses = entries(&scan.formulas, said, &of_displays, &whole, of_the_pair, &mut raw, &line);
         Self {
             raw,
             faults,
@@ -345,6 +364,7 @@ fn printed_number(comment: &Comment) -> Option<String> {
 fn entries(
     formulas: &[Formula],
     said: Vec<Said>,
+    of_displays: &[bool],
     whole: &Whole,
     of_the_pair: bool,
     raw: &mut RawSheet,
@@ -352,6 +372,21 @@ fn entries(
 ) -> Vec<String> {
     let mut said: Vec<Said> = said;
     for at in 1..said.len() {
+        // what stands before a display is said of each of its rows that says nothing of its own
+        if let Some(formula) = formulas
+            .get(at)
+            .filter(|formula| formula.first < at && !formula.goes_with_last)
+            && of_displays.get(formula.first) == Some(&true)
+            && said.get(at).is_some_and(Said::is_nothing)
+            && let Some(head) = said.get(formula.first).cloned()
+            && let Some(own) = said.get_mut(at)
+        {
+            *own = Said {
+                label: None,
+                expect: None,
+                ..head
+            };
+        }
         if let Some(formula) = formulas.get(at).filter(|formula| formula.goes_with_last)
             && let Some(before) = said.get(at - 1).cloned()
             && let Some(own) = said.get_mut(at)
@@ -497,7 +532,11 @@ fn labels(formulas: &[Formula], said: &[Said], line: &dyn Fn(usize) -> usize) ->
             }
             let mut called: Vec<&String> = vec![&label];
             called.extend((*base != label).then_some(base));
-            called.extend(formula.labels.iter().filter(|name| **name != label && **name != *base));
+            // what stands under one number has its labels together
+            let beside = chain.iter().zip(&bases).filter(|(_, other)| *other == base);
+            let names = beside.flat_map(|(formula, _)| &formula.labels);
+            called.extend(names.filter(|name| **name != label && **name != *base));
+            called.dedup();
             for name in called {
                 let known = labels.known.entry(name.clone()).or_default();
                 known.push(((head, line(head)), label.clone()));

@@ -49,6 +49,8 @@ pub(super) struct Formula {
     pub is_link: bool,
     /// Whether it goes with the formula before it: as a link, or as another row of a display with one number or none.
     pub goes_with_last: bool,
+    /// The number of the first formula of its display.
+    pub first: usize,
     /// The comments that are about it, by number.
     pub comments: Vec<usize>,
 }
@@ -765,6 +767,7 @@ impl<'a> Scan<'a> {
     fn display(&mut self, body: Range<usize>, numbers: Numbers, name: &str) {
         let first = self.formulas.len();
         let end = body.end;
+        let mut last_has_number = true;
         for (place, row) in rows(&mut self.text, body, name).into_iter().enumerate() {
             let is_own = match numbers {
                 Numbers::Rows => row.numbers > 0,
@@ -779,8 +782,11 @@ impl<'a> Scan<'a> {
                     self.count();
                 }
             }
-            let goes_with_last = place > 0 && (row.continues.is_some() || numbers != Numbers::Rows);
-            self.formula(row, number, goes_with_last, end);
+            // a row without a number has that of the next
+            let shares = row.continues.is_some() || numbers != Numbers::Rows || !last_has_number;
+            let goes_with_last = place > 0 && shares;
+            last_has_number = number.is_some();
+            self.formula(row, number, goes_with_last, first, end);
         }
         // what is said behind a display of one number is said of all of it
         let line = self
@@ -831,7 +837,7 @@ impl<'a> Scan<'a> {
     }
 
     /// Adds a formula of a display that ends at byte `end`.
-    fn formula(&mut self, row: Row, number: Option<String>, goes_with_last: bool, end: usize) {
+    fn formula(&mut self, row: Row, number: Option<String>, goes_with_last: bool, first: usize, end: usize) {
         let own = self.text.get(row.part.clone()).unwrap_or_default();
         let side = row
             .continues
@@ -850,6 +856,7 @@ impl<'a> Scan<'a> {
             labels: row.labels,
             is_link: row.continues.is_some(),
             goes_with_last,
+            first,
             comments: Vec::new(),
         });
         self.take_comments(row.line_end.min(end), Some(self.formulas.len() - 1));
