@@ -24,7 +24,11 @@ const VARIABLES: &[&str] = &["x", "y", "z", "t", "\\theta", "\\vartheta", "\\phi
 
 impl<'a> Reader<'a> {
     /// The argument without brackets of `function`, whose value there is `value`.
-    pub(super) fn bare_argument(&mut self, function: &str, value: &dyn Fn(Box<Tree>) -> Box<Tree>) -> Result<Box<Tree>, Fault> {
+    pub(super) fn bare_argument(
+        &mut self,
+        function: &str,
+        value: &dyn Fn(Box<Tree>) -> Box<Tree>,
+    ) -> Result<Box<Tree>, Fault> {
         self.deepen()?;
         let (at, start) = (self.here(), self.next);
         let token = match self.peek() {

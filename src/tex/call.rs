@@ -1,8 +1,6 @@
 //! What a bracket makes of a name: calls, elementary functions, traces and determinants.
 
-use super::command::{
-    CONJUGATE, DECIMAL_LOGARITHM, elementary, elementary_at_start, has_powers, invariant, is_part,
-};
+use super::command::{CONJUGATE, DECIMAL_LOGARITHM, elementary, elementary_at_start, has_powers, invariant, is_part};
 use super::error::{Fault, Reason};
 use super::exponent::Exponent;
 use super::part::{Form, Part};
@@ -370,6 +368,29 @@ mod tests {
             ("f(t", "`(` is not closed"),
             ("sqrt(4)", r"`sqrt(` can be read as \operatorname{sqrt} or as s q r t"),
             ("a asin[t]", "`asin(` can be read"),
+        ]);
+    }
+
+    #[test]
+    fn parts_of_complex_numbers() {
+        check(&[
+            (r"\operatorname{Re} z", r"<\Re z>"),
+            (r"\Re z + w", r"(+ <\Re z> w)"),
+            (r"\mathrm{Im}(z w)", r"<\Im (* z w)>"),
+            (r"2\operatorname{Im}\frac{1}{z}", r"(* 2 <\Im (/ 1 z)>)"),
+            (r"\arg z", r"<\arg z>"),
+            (r"\arg f(t)", r"<\arg <f t>>"),
+            (r"\overline{z w}", r"<\conjugate (* z w)>"),
+            (r"\overline{z + w}^2", r"(^ <\conjugate (+ z w)> 2)"),
+            (r"\overline{z_1} \bar w", r"(* \overline{z}_1 \overline{w})"),
+            (r"\operatorname{Re}\overline{z w}", r"<\Re <\conjugate (* z w)>>"),
+            ("R e z", "(* R e z)"),
+        ]);
+        refuse(&[
+            (r"\operatorname{Re} z w", "can be read as"),
+            ("Im(z)", "`Im(` can be read"),
+            (r"\overline{z w", "is not closed"),
+            (r"\overline{}", "found `}`"),
         ]);
     }
 
