@@ -57,6 +57,19 @@ pub struct Statements {
 }
 
 impl Premise {
+    /// What is true whatever the sheet says.
+    pub(super) fn known(label: &str, equation: Equation) -> Self {
+        Self {
+            label: label.to_string(),
+            source: Source::unplaced(equation.to_string()),
+            equation,
+            locals: Vec::new(),
+            assume: Vec::new(),
+            first: None,
+            substituted: false,
+        }
+    }
+
     /// A fault in this premise.
     pub fn fault(&self, at: usize, message: String) -> Fault {
         self.source.fault(at, message).of(&self.label)
@@ -152,16 +165,7 @@ impl Statements {
         found.assume = claim.assume.iter().map(|(condition, _)| condition.clone()).collect();
         found.substitute(claim, &sheet.vocabulary)?;
         for law in &sheet.vocabulary.laws {
-            let printed = law.to_string();
-            found.premises.push(Premise {
-                label: printed.clone(),
-                equation: law.clone(),
-                locals: Vec::new(),
-                assume: Vec::new(),
-                first: None,
-                substituted: false,
-                source: Source::unplaced(printed),
-            });
+            found.premises.push(Premise::known(&law.to_string(), law.clone()));
         }
         Ok(found.with_overview(&sheet.vocabulary))
     }

@@ -372,6 +372,29 @@ mod tests {
     }
 
     #[test]
+    fn parts_of_complex_numbers() {
+        check(&[
+            (r"\operatorname{Re} z", r"<\Re z>"),
+            (r"\Re z + w", r"(+ <\Re z> w)"),
+            (r"\mathrm{Im}(z w)", r"<\Im (* z w)>"),
+            (r"2\operatorname{Im}\frac{1}{z}", r"(* 2 <\Im (/ 1 z)>)"),
+            (r"\arg z", r"<\arg z>"),
+            (r"\arg f(t)", r"<\arg <f t>>"),
+            (r"\overline{z w}", r"<\conjugate (* z w)>"),
+            (r"\overline{z + w}^2", r"(^ <\conjugate (+ z w)> 2)"),
+            (r"\overline{z_1} \bar w", r"(* \overline{z}_1 \overline{w})"),
+            (r"\operatorname{Re}\overline{z w}", r"<\Re <\conjugate (* z w)>>"),
+            ("R e z", "(* R e z)"),
+        ]);
+        refuse(&[
+            (r"\operatorname{Re} z w", "can be read as"),
+            ("Im(z)", "`Im(` can be read"),
+            (r"\overline{z w", "is not closed"),
+            (r"\overline{}", "found `}`"),
+        ]);
+    }
+
+    #[test]
     fn braces_behind_a_function_are_read_once_at_each_depth() {
         let nested = |depth: usize| (0..depth).fold("a".to_owned(), |inner, _| format!("f{{({inner} + b)}}"));
         let spelled = |depth: usize| (0..depth).fold("a".to_owned(), |inner, _| format!("<f (+ {inner} b)>"));

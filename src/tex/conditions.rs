@@ -213,6 +213,24 @@ mod tests {
     }
 
     #[test]
+    fn sets_agree_with_what_is_declared() {
+        let names = Names {
+            complex: vec![super::super::symbol::base("z")],
+            ..names()
+        };
+        let read = |tex: &str| read_conditions(tex, &names).map(|conditions| conditions.len());
+        assert_eq!((read(r"z \in \mathbb{C}"), read(r"x \in \mathbb{R}")), (Ok(0), Ok(0)));
+        for tex in [
+            r"z \in \mathbb{R}",
+            r"x \in \mathbb{C}",
+            r"z x \in \mathbb{R}",
+            r"z x \in \mathbb{C}",
+        ] {
+            assert!(read(tex).is_err(), "{tex}");
+        }
+    }
+
+    #[test]
     fn what_is_no_condition() {
         for (tex, wanted) in [
             ("", "no condition"),

@@ -8,7 +8,7 @@
 
 use super::super::definition::pair_of;
 use super::super::premise::{Premise, Statements};
-use super::super::substitute::{any, any_side, nodes_of, rewrite};
+use super::super::substitute::{any, any_side, nodes_of, number_of, rewrite};
 use super::super::vocabulary::{Map, Vocabulary};
 use super::build::{
     call, difference, integer, is_zero, negative, plain, power, product, quotient, real_power, root, sum, symbol,
@@ -24,6 +24,9 @@ const LARGEST: usize = 20_000;
 
 /// The highest power that is multiplied out.
 const HIGHEST: i32 = 16;
+
+/// The most moduli of an inequality that are compared with each other.
+const MOST_MODULI: usize = 3;
 
 /// The deepest values of functions within each other.
 const DEEPEST: usize = 20;
@@ -194,6 +197,7 @@ fn in_parts(goal: &Goal) -> Result<(Goal, Vec<Goal>), String> {
             return Err("a pair of complex values: write one equation for each".to_owned());
         }
         out.claims.extend(splitter.equations(claim)?);
+        out.premises.extend(splitter.cauchy_schwarz(claim)?);
     }
     let written_out = std::mem::take(&mut splitter.written_out);
     for statements in [&mut out, &mut plain_ones] {
@@ -491,6 +495,43 @@ impl Splitter<'_> {
         })
     }
 
+    /// |u| |v| is no less than the real part of u times the conjugate of v, nor than its opposite, for the moduli that an
+    /// inequality speaks of: what triangle inequalities rest on.
+    fn cauchy_schwarz(&mut self, equation: &Equation) -> Result<Vec<Premise>, String> {
+        let vocabulary = self.vocabulary;
+        let mut met: Vec<Tree> = Vec::new();
+        any_side(equation, &mut |node| {
+            if let Tree::Call(_, inner, _) = node
+                && is_modulus(node)
+                && any(inner, &mut |node| is_complex(node, vocabulary))
+                && !has_part(inner, vocabulary)
+                && !met.contains(inner)
+            {
+                met.push((**inner).clone());
+            }
+            false
+        });
+        let is_order = !matches!(equation.relation, Relation::Equal | Relation::NotEqual);
+        if !is_order || !(2..=MOST_MODULI).contains(&met.len()) {
+            return Ok(Vec::new());
+        }
+        let mut facts = Vec::new();
+        for (place, one) in met.iter().enumerate() {
+            for other in met.iter().skip(place + 1) {
+                let moduli = product(vec![self.modulus(one)?, self.modulus(other)?]);
+                let Pair { re, .. } = self.pair(one)?.times(self.pair(other)?.conjugate());
+                for bound in [re.clone(), negative(re)] {
+                    let equation = Equation {
+                        relation: Relation::GreaterOrEqual,
+                        ..Equation::between(moduli.clone(), bound)
+                    };
+                    facts.push(Premise::known("the Cauchy-Schwarz inequality", equation));
+                }
+            }
+        }
+        Ok(facts)
+    }
+
     /// Notes that a tree must have a value.
     fn noted(&mut self, tree: Tree) -> Tree {
         self.written.push(tree.clone());
@@ -664,12 +705,12 @@ impl Splitter<'_> {
         let (mut re, mut im): (Vec<Tree>, Vec<Tree>) = (Vec::new(), Vec::new());
         let mut factor: i64 = 1;
         for k in 0..=exponent {
-            let sign = if k % 4 >= 2 { -factor } else { factor };
             let term = product(vec![
-                integer(sign),
+                integer(factor),
                 power(pair.re.clone(), exponent - k),
                 power(pair.im.clone(), k),
             ]);
+            let term = if k % 4 >= 2 { negative(term) } else { term };
             match k % 2 {
                 0 => re.push(term),
                 _ => im.push(term),
@@ -700,9 +741,16 @@ impl Splitter<'_> {
         }
         if is_integer(exponent, self.vocabulary) {
             let pair = self.pair(base)?;
-            return match is_zero(&pair.im) && !is_zero(&pair.re) {
+            let nonzero = |name: &Name| self.vocabulary.nonzero.contains(name);
+            let is_nonzero = match &pair.re {
+                Tree::Symbol(name, _) if nonzero(name) => true,
+                re => {
+                    self.sign(re) == Some(true) || number_of(re).is_some_and(|value| value != Rational::from_integer(0))
+                }
+            };
+            return match is_zero(&pair.im) && is_nonzero {
                 true => Ok(Pair::real(self.noted(real_power(pair.re, exponent.clone())))),
-                false => Err(format!("a symbolic power of the complex number `{base}`")),
+                false => Err(format!("a symbolic power of `{base}`, which may be complex or 0")),
             };
         }
         let base = self.positive(base)?;
@@ -907,10 +955,10 @@ impl Splitter<'_> {
                 let whole = power(self.modulus(base)?, *exponent);
                 self.raised(whole, *exponent)
             }
-            Tree::RealPower(base, exponent, _) if self.is_euler(base) => call(r"\exp", self.pair(exponent)?.re),
+            Tree::RealPower(base, exponent, _) if self.is_euler(base) => growth(self.pair(exponent)?.re),
             Tree::Call(name, inner, _) => match name.base.as_str() {
                 r"\abs" | CONJUGATE => self.modulus(inner)?,
-                r"\exp" => call(r"\exp", self.pair(inner)?.re),
+                r"\exp" => growth(self.pair(inner)?.re),
                 _ => self.plain_modulus(tree)?,
             },
             tree => self.plain_modulus(tree)?,
@@ -952,12 +1000,17 @@ impl Splitter<'_> {
     }
 }
 
+/// e^x.
+fn growth(exponent: Tree) -> Tree {
+    match is_zero(&exponent) {
+        true => integer(1),
+        false => call(r"\exp", exponent),
+    }
+}
+
 /// e^(x + i y) = e^x (cos y + i sin y).
 fn exponential(Pair { re, im }: Pair) -> Pair {
-    let size = match is_zero(&re) {
-        true => integer(1),
-        false => call(r"\exp", re),
-    };
+    let size = growth(re);
     if is_zero(&im) {
         return Pair::real(size);
     }
@@ -992,5 +1045,71 @@ fn circular(function: &str, Pair { re, im }: Pair) -> Pair {
     Pair {
         re: product(vec![value(function, &re), im.0]),
         im: product(vec![value(other, &re), im.1]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claim::symbols::Symbols;
+
+    /// What an equation comes to, and what must hold for it to.
+    fn shown(tex: &str) -> Result<[Vec<String>; 2], String> {
+        let list = |names: &[&str]| names.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let symbols = Symbols {
+            parameters: list(&["x", "y"]),
+            complex: list(&["z"]),
+            ..Symbols::default()
+        };
+        let vocabulary = Vocabulary::read(&symbols).unwrap();
+        let statements = Statements {
+            claims: crate::tex::read(tex, &vocabulary.names).unwrap(),
+            ..Statements::default()
+        };
+        let goal = Goal::of(&statements, &vocabulary, String::new());
+        let (goal, lemmas) = in_parts(&goal)?;
+        let claims = goal.statements.claims.iter().map(ToString::to_string).collect();
+        Ok([claims, lemmas.into_iter().map(|lemma| lemma.part).collect()])
+    }
+
+    #[test]
+    fn an_equation_is_one_of_each_part() {
+        for (tex, wanted) in [
+            (r"z = x + i y", vec!["x_z = x", "y_z = y"]),
+            (r"\operatorname{Re} z = x", vec!["x_z = x"]),
+            (r"|z|^2 = x", vec!["x_z^2 + y_z^2 = x"]),
+            (r"|z| = 2", vec!["x_z^2 + y_z^2 = 2^2"]),
+            (r"\bar z \neq x", vec!["(x_z - x)^2 + (-y_z)^2 \\neq 0"]),
+            (r"|e^{i x}| > 0", vec!["1^2 > 0"]),
+            (
+                r"\overline{\cos z} = 0",
+                vec![r"\cos(x_z) \cosh(y_z) = 0", r"-\sin(x_z) [-\sinh(y_z)] = 0"],
+            ),
+            // where z is 0 it has no value
+            (
+                r"\operatorname{Re}\frac{0}{z} = 0",
+                vec![r"0 = 0", r"\frac{1}{x_z^2 + y_z^2} = \frac{1}{x_z^2 + y_z^2}"],
+            ),
+        ] {
+            assert_eq!(shown(tex).unwrap()[0], wanted, "{tex}");
+        }
+    }
+
+    #[test]
+    fn what_differs_over_complex_numbers_needs_a_lemma() {
+        assert_eq!(shown(r"|z| = \sqrt{x}").unwrap()[1], [r"x \geq 0"]);
+        assert_eq!(shown(r"|z| = \sqrt{2}").unwrap()[1], [""; 0]);
+        assert_eq!(shown(r"|z| = \ln z").unwrap()[1], ["y_z = 0", "x_z > 0"]);
+        assert_eq!(shown(r"\arg z = x").unwrap()[1], ["x_z > 0"]);
+        for tex in [r"z < \bar z", r"\overline{x y} = x y + z", r"|z| = z^x"] {
+            let refused = shown(tex).map_or(true, |[_, lemmas]| !lemmas.is_empty());
+            assert!(refused, "{tex}");
+        }
+    }
+
+    #[test]
+    fn i_and_its_conjugate() {
+        assert_eq!(shown(r"\bar i = -i").unwrap()[0], ["-1 = -1"]);
+        assert_eq!(shown(r"\overline{z^2} = x").unwrap()[0][0], "x_z^2 - y_z^2 = x");
     }
 }
