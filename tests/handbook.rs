@@ -143,3 +143,38 @@ fn no_formula_of_the_handbooks_is_decided_wrongly_and_most_are_decided() {
     println!("in all {right} of {}", formulas.len());
     assert!(right >= RIGHT, "{right} are decided rightly");
 }
+
+/// The examples of the guide: a line `true: TEX; assume CONDITION` or `false: ...` each.
+#[test]
+fn each_example_of_the_guide_is_decided_as_it_says() {
+    let guide = include_str!("../doc/operations.md");
+    let examples = guide.lines().filter_map(|line| {
+        let truth = line.strip_prefix("true:").map(|rest| (Verdict::Proved, rest));
+        truth.or_else(|| line.strip_prefix("false:").map(|rest| (Verdict::Refuted, rest)))
+    });
+    let mut count = 0;
+    for (wanted, example) in examples {
+        let (tex, assume) = example.split_once("; assume").unwrap_or((example, ""));
+        let assume = Some(assume.trim().to_owned()).filter(|assume| !assume.is_empty());
+        let sheet = format!(
+            "[symbols]\nparameters = ['a', 'b', 'c', 'd', 'x', 'y', 'p']\npositive = ['p']\nintegers = ['n']\n\
+             complex = ['z', 'w']\ntimes = ['t']\nfunctions = ['f', 'g']\n\
+             [[equation]]\nlabel = \"c\"\nrole = \"claim\"\ntex = '''{}'''\nassume = {}",
+            tex.trim(),
+            list(assume)
+        )
+        .replace(
+            "'d', ",
+            if tex.contains("{d}{d") || tex.contains("{d^2}") || tex.contains("\\, d") {
+                ""
+            } else {
+                "'d', "
+            },
+        );
+        let sheet = Sheet::read(&sheet, &Vocabulary::default()).unwrap_or_else(|fault| panic!("{tex}: {fault}"));
+        let decision = prove::decide(&sheet, 0, &Options::default());
+        assert_eq!(decision.verdict, wanted, "{tex}: {}", decision.reason);
+        count += 1;
+    }
+    assert!(count >= 26, "{count} examples");
+}
