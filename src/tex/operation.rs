@@ -679,7 +679,7 @@ fn printed_unit(tree: &Tree, text: &str) -> Option<Tree> {
             let figures = text.split_once('.').map_or(0, |(_, figures)| figures.len());
             let mut half = Rational::from_ratio(1, 2);
             for _ in 0..figures {
-                half = half / Rational::from_integer(10);
+                half /= Rational::from_integer(10);
             }
             Some(Tree::Number(half))
         }

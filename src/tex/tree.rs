@@ -245,11 +245,7 @@ impl Operation {
 
 impl Case {
     fn parts(&self) -> Vec<&Tree> {
-        let sides = |condition| match condition {
-            &Condition::Relation(ref relation) => vec![&relation.left, &relation.right],
-            Condition::Integer(tree) => vec![tree],
-        };
-        let conditions = self.conditions.iter().flat_map(sides);
+        let conditions = self.conditions.iter().flat_map(Condition::sides);
         std::iter::once(&self.value).chain(conditions).collect()
     }
 
@@ -315,4 +311,14 @@ pub enum Condition {
     Relation(Equation),
     /// `n \in \mathbb{Z}`: the expression is an integer.
     Integer(Tree),
+}
+
+impl Condition {
+    /// The formulas that it is about.
+    pub fn sides(&self) -> Vec<&Tree> {
+        match self {
+            Self::Relation(relation) => vec![&relation.left, &relation.right],
+            Self::Integer(tree) => vec![tree],
+        }
+    }
 }

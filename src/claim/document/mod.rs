@@ -455,11 +455,14 @@ fn entries(
     guess.told()
 }
 
+/// A formula that a name calls: where its display starts, the line of that, and its label.
+type Called = ((usize, usize), String);
+
 /// The labels of the formulas, and what else they are called.
 struct Labels {
     own: Vec<String>,
     /// The formulas that are called by a name: where their display or row starts, on which line, and their label.
-    known: HashMap<String, Vec<((usize, usize), String)>>,
+    known: HashMap<String, Vec<Called>>,
 }
 
 impl Labels {

@@ -2,10 +2,10 @@
 
 use super::super::premise::Statements;
 use super::super::substitute::{any, runs};
-use super::super::vocabulary::Vocabulary;
+use super::super::vocabulary::{Vocabulary, index_of};
 use super::build::{integer, negative};
 use super::{holds, rewritten, trees};
-use crate::tex::{Case, Condition, Equation, Operation, Relation, Tree};
+use crate::tex::{Case, Condition, Equation, Name, Operation, Relation, Tree};
 
 /// The most choices of cases.
 const MOST: usize = 64;
@@ -71,6 +71,9 @@ pub(super) fn is_sign(node: &Tree) -> bool {
 
 /// The statements for each choice of cases, with what is chosen.
 pub(super) fn split(statements: &Statements, vocabulary: &Vocabulary) -> Result<Vec<(String, Statements)>, String> {
+    if trees(statements).into_iter().any(is_bound_within) {
+        return Err("cases of a letter that a sum, an integral or a derivative binds".to_owned());
+    }
     let mut all = vec![(Vec::<String>::new(), statements.clone())];
     while let Some(cases) = all.iter().find_map(|(_, statements)| first(statements)) {
         let is_cases = |operation: &Operation| matches!(operation, Operation::Cases(_));
@@ -110,6 +113,29 @@ pub(super) fn split(statements: &Statements, vocabulary: &Vocabulary) -> Result<
         false => format!("the case {}", chosen.join(", ")),
     };
     Ok(all.into_iter().map(|(chosen, own)| (said(chosen), own)).collect())
+}
+
+/// Whether an operation binds a letter of which cases within it speak.
+fn is_bound_within(tree: &Tree) -> bool {
+    any(tree, &mut |node| {
+        let Tree::Operation(operation, _) = node else {
+            return false;
+        };
+        let Some(letter) = operation.letter() else {
+            return false;
+        };
+        let is_of_letter = |node: &Tree| {
+            let is_cases = matches!(node, Tree::Operation(inner, _) if matches!(**inner, Operation::Cases(_)));
+            let numbered = |name: &Name| index_of(&name.subscript, &letter.to_string()).is_some();
+            is_cases
+                && any(
+                    node,
+                    &mut |inner| matches!(inner, Tree::Symbol(name, _) if name == letter || numbered(name)),
+                )
+        };
+        let mut inside = operation.parts().into_iter().filter(|(_, is_bound)| *is_bound);
+        inside.any(|(part, _)| any(part, &mut |node| is_of_letter(node)))
+    })
 }
 
 /// The first value by cases that holds none itself.

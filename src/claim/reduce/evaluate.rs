@@ -4,7 +4,7 @@ use super::super::premise::Statements;
 use super::super::substitute::{nodes_of, number_of, rewrite};
 use super::super::vocabulary::{Vocabulary, index_of};
 use super::build::{integer, symbol};
-use super::derivative::{By, mentions};
+use super::derivative::By;
 use super::factorial;
 use super::matrix::{self, Value};
 use crate::number::Rational;
@@ -287,9 +287,7 @@ impl<'a> Over<'a> {
         let vocabulary = self.vocabulary;
         let of = self.value(of)?;
         let runs = vocabulary.running.as_ref() == Some(by);
-        let premises = self.statements.premises.iter();
-        let mut spoken = premises.flat_map(|premise| [&premise.equation.left, &premise.equation.right]);
-        if !runs && spoken.any(|tree| mentions(tree, by)) {
+        if !runs && super::is_spoken_of(self.statements, vocabulary, by) {
             return Err(format!(
                 "premises speak of `{by}`: what depends on it there is not differentiated; write it out, or let `{by}` run"
             ));

@@ -34,12 +34,12 @@ pub(super) fn of_number(name: &Name, argument: &Tree) -> Option<Result<Tree, Str
         _ => return None,
     };
     let mut value = whole(argument)?;
-    if value < 0 || value > LARGEST {
+    if !(0..=LARGEST).contains(&value) {
         return Some(Err(format!("the factorial of {value}")));
     }
     let mut total = Rational::from_integer(1);
     while value > 1 {
-        total = total * Rational::from_integer(value);
+        total *= Rational::from_integer(value);
         value -= step;
     }
     Some(Ok(Tree::Number(total)))

@@ -57,11 +57,7 @@ pub(super) fn goals(statements: &Statements, vocabulary: &Vocabulary) -> Result<
 
 fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Result<Vec<Goal>, String> {
     let first = first_value(statements, vocabulary, letter)?;
-    if statements
-        .premises
-        .iter()
-        .any(|premise| mentions(&premise.equation.left, letter) || mentions(&premise.equation.right, letter))
-    {
+    if super::is_spoken_of(statements, vocabulary, letter) {
         return Err(format!("premises speak of {letter}"));
     }
     let mut vocabulary = vocabulary.clone();
@@ -218,7 +214,9 @@ fn moved(operation: &Operation, letter: &Name, first: i64, name: Name) -> Result
             .ok_or_else(|| format!("the limit {limit} does not move evenly with {letter}"))
     };
     let ((low, lower), (high, higher)) = (linear(from)?, linear(to)?);
-    let is_whole = high - low >= -1 && higher >= lower && (0..=8).contains(&lower) && (0..=8).contains(&higher);
+    // where terms go, the sum is not empty: what they need, it needs
+    let shortest = if lower > 0 { 0 } else { -1 };
+    let is_whole = high - low >= shortest && higher >= lower && (0..=8).contains(&lower) && (0..=8).contains(&higher);
     if !is_whole || (*kind == Series::Product && lower != 0) {
         return Err("the limits of a sum move in a way that has no induction".to_owned());
     }

@@ -35,7 +35,11 @@ pub(super) fn integers(statements: &Statements, vocabulary: &Vocabulary) -> Vec<
 pub(super) fn of(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Goal> {
     let letters = integers(statements, vocabulary);
     let mut goals = Vec::new();
-    if letters.is_empty() || letters.len() > MOST_LETTERS {
+    let in_relations = |letter: &Name| {
+        let mut relations = vocabulary.relations.iter();
+        relations.any(|relation| mentions(&relation.left, letter) || mentions(&relation.right, letter))
+    };
+    if letters.is_empty() || letters.len() > MOST_LETTERS || letters.iter().any(in_relations) {
         return goals;
     }
     for total in 0..=HIGHEST * 2 {

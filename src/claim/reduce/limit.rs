@@ -4,10 +4,9 @@ use super::super::premise::Statements;
 use super::super::substitute::{any, rewrite};
 use super::super::vocabulary::Vocabulary;
 use super::build::{difference, integer, sum};
-use super::derivative::mentions;
 use super::evaluate::{mapped, whole};
 use super::series::{Series, Small, is_likely_zero, with_factorials};
-use super::{Goal, holds, rewritten, trees};
+use super::{Goal, holds, is_spoken_of, rewritten, trees};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
 
 /// The terms of a series of a limit, and those that are taken beyond an order.
@@ -123,15 +122,7 @@ fn small<'a>(
     to: &Tree,
     length: usize,
 ) -> Result<Small<'a>, String> {
-    let is_spoken_of = statements
-        .premises
-        .iter()
-        .any(|premise| mentions(&premise.equation.left, by) || mentions(&premise.equation.right, by));
-    let in_relations = vocabulary
-        .relations
-        .iter()
-        .any(|relation| mentions(&relation.left, by) || mentions(&relation.right, by));
-    if is_spoken_of || in_relations || vocabulary.running.as_ref() == Some(by) {
+    if is_spoken_of(statements, vocabulary, by) || vocabulary.running.as_ref() == Some(by) {
         return Err(format!(
             "premises speak of `{by}`: what depends on it there is not followed"
         ));
@@ -173,8 +164,21 @@ fn small<'a>(
             (value, side.is_some())
         }
     };
+    let spoken = |name: &Name| {
+        let premises = statements.premises.iter();
+        let mut sides = premises.flat_map(|premise| [&premise.equation.left, &premise.equation.right]);
+        sides.any(|side| {
+            any(
+                side,
+                &mut |node| matches!(node, Tree::Call(other, ..) | Tree::Symbol(other, _) if other.bare() == name.bare()),
+            )
+        })
+    };
+    let functions = vocabulary.functions.iter().map(|(name, _)| name);
+    let given = functions.filter(|name| spoken(name)).cloned().collect();
     Ok(Small {
         vocabulary,
+        given,
         name: by,
         value,
         is_positive,
@@ -253,26 +257,19 @@ fn of_order(
     for order in orders {
         let mut small = small(statements, vocabulary, by, to, 3)?;
         let series = small.of(&order)?;
-        let is_power = small.needed.is_empty() && series.terms.iter().skip(1).all(super::build::is_zero);
-        let first = series.terms.first().and_then(whole);
-        if !is_power || !first.is_some_and(|first| first != 0) {
-            // O(x) at 0 has the first term 0
-            let mut powers = series
-                .terms
-                .iter()
-                .enumerate()
-                .filter(|(_, term)| !super::build::is_zero(term));
-            let (Some((place, term)), None) = (powers.next(), powers.next()) else {
-                return Err(format!("the order {order} is no power of {by}"));
-            };
-            if whole(term).is_none() || !small.needed.is_empty() {
-                return Err(format!("the order {order} is no power of {by}"));
-            }
-            let exponent = series.low.saturating_add(i32::try_from(place).unwrap_or(i32::MAX));
-            least = Some(least.map_or(exponent, |known| known.min(exponent)));
-            continue;
+        let mut powers = series
+            .terms
+            .iter()
+            .enumerate()
+            .filter(|(_, term)| !super::build::is_zero(term));
+        let (Some((place, term)), None) = (powers.next(), powers.next()) else {
+            return Err(format!("the order {order} is no power of {by}"));
+        };
+        if whole(term).is_none() || !small.needed.is_empty() {
+            return Err(format!("the order {order} is no power of {by}"));
         }
-        least = Some(least.map_or(series.low, |known| known.min(series.low)));
+        let exponent = series.low.saturating_add(i32::try_from(place).unwrap_or(i32::MAX));
+        least = Some(least.map_or(exponent, |known| known.min(exponent)));
     }
     let order = least.filter(|order| (1..=i32::try_from(HIGHEST).unwrap_or(20)).contains(order));
     let order = order.ok_or("an order is a positive power of what tends to 0")?;

@@ -193,7 +193,7 @@ fn inverse(rows: &Rows) -> Result<Rows, String> {
             true => integer(1),
             false => determinant(&rest)?,
         };
-        Ok::<Tree, String>(if (row + column) % 2 == 0 {
+        Ok::<Tree, String>(if (row + column).is_multiple_of(2) {
             minor
         } else {
             negative(minor)

@@ -20,7 +20,7 @@ mod series;
 
 use super::definition::{Local, inlined};
 use super::premise::Statements;
-use super::substitute::any;
+use super::substitute::{any, below, rewrite};
 use super::vocabulary::Vocabulary;
 pub(super) use integral::{holds_indefinite, is_constant_of_integration};
 
@@ -90,18 +90,11 @@ fn trees(statements: &Statements) -> Vec<&Tree> {
         let locals = premise.locals.iter().map(|local| &local.tree);
         own.into_iter()
             .chain(locals)
-            .chain(premise.assume.iter().flat_map(sides_of))
+            .chain(premise.assume.iter().flat_map(Condition::sides))
     });
     let locals = statements.locals.iter().map(|local| &local.tree);
-    let assume = statements.assume.iter().flat_map(sides_of);
+    let assume = statements.assume.iter().flat_map(Condition::sides);
     claims.chain(premises).chain(locals).chain(assume).collect()
-}
-
-fn sides_of(condition: &Condition) -> Vec<&Tree> {
-    match condition {
-        Condition::Relation(relation) => vec![&relation.left, &relation.right],
-        Condition::Integer(tree) => vec![tree],
-    }
 }
 
 /// What a claim comes to; `None` where it is about numbers as it stands.
@@ -112,7 +105,7 @@ pub fn reduced(statements: &Statements, vocabulary: &Vocabulary) -> Result<Optio
     if !complex::takes_part(statements, vocabulary) {
         return without_operations(statements, vocabulary);
     }
-    let written = written_out(statements)?;
+    let written = written_out(statements, vocabulary)?;
     complex::refuse_inside(&written, vocabulary)?;
     let reduced = match without_operations(&written, vocabulary)? {
         Some(reduced) => reduced,
@@ -129,7 +122,7 @@ fn without_operations(statements: &Statements, vocabulary: &Vocabulary) -> Resul
     {
         return Ok(None);
     }
-    let mut statements = rewritten(&written_out(statements)?, &cases::signs);
+    let mut statements = rewritten(&written_out(statements, vocabulary)?, &cases::signs);
     let mut lemmas = Vec::new();
     if limit::stands_in(&statements) {
         (statements, lemmas) = limit::evaluated(&statements, vocabulary)?;
@@ -164,7 +157,7 @@ fn without_operations(statements: &Statements, vocabulary: &Vocabulary) -> Resul
 /// What a claim without operations comes to once it is not decided as it stands: the signs of what stands between bars,
 /// and numbers for its integers. `None` where it has neither.
 pub fn reduced_by_cases(statements: &Statements, vocabulary: &Vocabulary) -> Option<Reduced> {
-    let written = written_out(statements).ok()?;
+    let written = written_out(statements, vocabulary).ok()?;
     let necessary = instances::of(&written, vocabulary);
     let is_real = !trees(&written).into_iter().any(|tree| vocabulary.may_be_complex(tree));
     let has_bars = trees(&written)
@@ -206,8 +199,8 @@ fn over_an_index(statements: &Statements, vocabulary: &Vocabulary, reason: Strin
     })
 }
 
-/// The statements with all definitions put in, each of which must have a value.
-fn written_out(statements: &Statements) -> Result<Statements, String> {
+/// The statements with all definitions and abbreviations put in; each definition must have a value.
+fn written_out(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
     let too_large = || "what is defined is too large once it is put in".to_owned();
     let put_in =
         |equation: &Equation, locals: &[Local]| super::definition::inlined_in(equation, locals).ok_or_else(too_large);
@@ -242,7 +235,10 @@ fn written_out(statements: &Statements) -> Result<Statements, String> {
             written.claims.push(Equation::between(tree.clone(), tree));
         }
     }
-    Ok(written)
+    // numbers are put in for letters, and what moves is followed, within abbreviations too
+    Ok(rewritten(&written, &|tree| {
+        rewrite(tree, &|name| vocabulary.meaning(name, &|_| false))
+    }))
 }
 
 /// Whether an equation holds an operation that passes the test.
@@ -274,6 +270,26 @@ fn rewritten(statements: &Statements, new: &dyn Fn(&Tree) -> Tree) -> Statements
         premise.assume = premise.assume.iter().map(condition).collect();
     }
     rewritten
+}
+
+/// Whether a symbol stands in a tree where no operation binds it.
+fn is_free_in(tree: &Tree, name: &Name) -> bool {
+    match tree {
+        Tree::Symbol(other, _) => other == name,
+        Tree::Operation(operation, _) => {
+            let parts = operation.parts().into_iter();
+            let mut free = parts.filter(|(_, is_bound)| !(*is_bound && operation.letter() == Some(name)));
+            free.any(|(part, _)| is_free_in(part, name))
+        }
+        tree => below(tree, &mut |part| is_free_in(part, name).then_some(())).is_some(),
+    }
+}
+
+/// Whether premises or relations say anything of a symbol: then other symbols may depend on it.
+fn is_spoken_of(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -> bool {
+    let speaks = |equation: &Equation| is_free_in(&equation.left, name) || is_free_in(&equation.right, name);
+    let mut premises = statements.premises.iter();
+    premises.any(|premise| speaks(&premise.equation)) || vocabulary.relations.iter().any(speaks)
 }
 
 /// A name that nothing in the statements has, like `like`.

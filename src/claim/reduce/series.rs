@@ -22,6 +22,8 @@ pub(super) struct Series {
 /// Series in a quantity h that tends to 0.
 pub(super) struct Small<'a> {
     pub vocabulary: &'a Vocabulary,
+    /// Functions of which premises speak: how smooth these are is not known.
+    pub given: Vec<Name>,
     /// What moves, and its series.
     pub name: &'a Name,
     pub value: Series,
@@ -554,7 +556,7 @@ impl Small<'_> {
 
     /// A smooth function that is not known, by its derivatives.
     fn of_unknown(&mut self, name: &Name, inner: &Series) -> Found {
-        let inner = self.regular(&inner)?;
+        let inner = self.regular(inner)?;
         let (first, mut step) = (inner.at(0).unwrap_or_else(|| integer(0)), inner.clone());
         if let Some(term) = step.terms.first_mut() {
             *term = integer(0);
@@ -563,6 +565,9 @@ impl Small<'_> {
         let mut total = Series::constant(slope.clone(), self.length);
         let mut powers = Series::constant(integer(1), self.length);
         let mut factorial = 1_i64;
+        if self.given.iter().any(|given| given.bare() == name.bare()) {
+            return Err(format!("premises speak of `{name}`: how smooth it is is not known"));
+        }
         let Some(running) = self.vocabulary.running.as_ref() else {
             return Err(format!("`{name}` has no derivatives here"));
         };
@@ -589,6 +594,7 @@ impl Small<'_> {
         };
         let mut inner = Small {
             vocabulary: self.vocabulary,
+            given: self.given.clone(),
             name: by,
             value: Series {
                 low: 0,
