@@ -14,6 +14,7 @@ pub fn names() -> Names {
             base: "DP".into(),
             ..Default::default()
         }],
+        ..Names::default()
     }
 }
 

@@ -99,6 +99,8 @@ pub fn edits(tree: &Tree) -> Vec<Tree> {
     let mut found = vec![];
     let squared = |tree: &Tree| Tree::Power(boxed(tree.clone()), 2, at);
     match tree {
+        // the paper has none
+        Tree::Operation(..) => {}
         Tree::Number(value) => {
             let one = Rational::from_integer(1);
             let less = value.clone() - one.clone();
@@ -301,7 +303,7 @@ pub fn is_backward(tree: &Tree) -> bool {
         | Tree::MinusPlus(body) => is_backward(body),
         Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(is_backward),
         Tree::Quotient(above, below, _) | Tree::RealPower(above, below, _) => is_backward(above) || is_backward(below),
-        Tree::Number(_) | Tree::Symbol(..) | Tree::Call(..) | Tree::Invariant { .. } => false,
+        Tree::Number(_) | Tree::Symbol(..) | Tree::Call(..) | Tree::Invariant { .. } | Tree::Operation(..) => false,
     }
 }
 
