@@ -2,7 +2,7 @@
 
 use super::circle::circle;
 use super::declared::{is_constant, is_defined};
-use super::substitute::{any, nodes_of, rewrite};
+use super::substitute::{any, nodes_of, put_in};
 use super::vocabulary::Vocabulary;
 use crate::tex::{Equation, Name, Relation, Tree};
 use std::collections::HashMap;
@@ -166,7 +166,7 @@ pub(super) fn inlined(tree: &Tree, own: &[Local]) -> Option<Tree> {
             return None;
         }
         let find = |name: &Name| own.iter().find(|local| local.name == *name);
-        tree = rewrite(&tree, &|name| find(name).map(|local| local.tree.clone()));
+        tree = put_in(&tree, &|name| find(name).map(|local| local.tree.clone()));
     }
     Some(tree)
 }

@@ -5,10 +5,21 @@ use crate::number::{Field, Rational};
 use crate::tex::{At, Condition, Equation, Name, Operation, Tree, evaluate};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The tree with each symbol for which `new` has a tree replaced by it.
+/// The tree with each symbol for which `new` has a tree replaced by it. What is put in keeps its meaning: a letter that an
+/// operation binds there makes way.
 pub fn rewrite(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
-    let again = |tree: &Tree| rewrite(tree, new);
-    let boxed = |tree: &Tree| Box::new(rewrite(tree, new));
+    replaced(tree, new, true)
+}
+
+/// The tree with names replaced by what they stand for: what is put in is read where it stands, as an author who defines
+/// W = x^2 means it in an integral of W over x.
+pub(super) fn put_in(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
+    replaced(tree, new, false)
+}
+
+fn replaced(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>, makes_way: bool) -> Tree {
+    let again = |tree: &Tree| replaced(tree, new, makes_way);
+    let boxed = |tree: &Tree| Box::new(replaced(tree, new, makes_way));
     // A derivative is of and by names: only a name can take the place of one.
     let renamed = |name: &Name| match new(name) {
         Some(Tree::Symbol(name, _)) => name,
@@ -33,10 +44,13 @@ pub fn rewrite(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
         Tree::PlusMinus(inner) => Tree::PlusMinus(boxed(inner)),
         Tree::MinusPlus(inner) => Tree::MinusPlus(boxed(inner)),
         Tree::Operation(operation, at) => {
-            let operation = out_of_the_way(operation, new);
+            let operation = match makes_way {
+                true => out_of_the_way(operation, new),
+                false => (**operation).clone(),
+            };
             let letter = operation.letter().cloned();
             let operation = operation.map(&mut |part, is_bound| match &letter {
-                Some(letter) if is_bound => rewrite(part, &|name| new(name).filter(|_| name != letter)),
+                Some(letter) if is_bound => replaced(part, &|name| new(name).filter(|_| name != letter), makes_way),
                 _ => again(part),
             });
             Tree::Operation(Box::new(operation), *at)
@@ -231,12 +245,17 @@ impl Vocabulary {
     /// What an abbreviation stands for, those within it written out too, but for names that are `kept`.
     pub(super) fn meaning(&self, name: &Name, kept: &dyn Fn(&Name) -> bool) -> Option<Tree> {
         let meant = self.abbreviated(name).filter(|_| !kept(name))?;
-        Some(rewrite(meant, &|inner| self.meaning(inner, kept)))
+        Some(put_in(meant, &|inner| self.meaning(inner, kept)))
     }
 
     /// The equation with its abbreviations written out.
     pub fn expanded(&self, equation: &Equation) -> Equation {
-        rewrite_equation(equation, &|name| self.meaning(name, &|_| false))
+        let written = |tree| put_in(tree, &|name| self.meaning(name, &|_| false));
+        Equation {
+            left: written(&equation.left),
+            right: written(&equation.right),
+            ..equation.clone()
+        }
     }
 
     /// Whether an equation is said of a running time or of a running index: it is more than one.

@@ -49,7 +49,8 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     };
     let start = Decision::of(sheet, position);
     let decision = together(&goals, &start, &follows_from(sheet, position), options);
-    let is_plain = goals.lemmas.is_empty() && goals.sufficient.iter().all(|goal| goal.part.is_empty());
+    let is_plain =
+        goals.is_equivalent && goals.lemmas.is_empty() && goals.sufficient.iter().all(|goal| goal.part.is_empty());
     let further = match (decision.verdict, goals.sufficient.as_slice()) {
         (Verdict::Undecided, [goal]) if is_plain && !decision.is_vacuous => {
             reduced_by_cases(&goal.statements, &goal.vocabulary)

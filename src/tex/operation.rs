@@ -153,7 +153,14 @@ impl<'a> Reader<'a> {
             }
             None => match self.peek() {
                 Some(token) => match token.kind {
-                    Kind::Open(Bracket::Rows(Rows::Matrix)) => self.rows(token, Rows::Matrix)?,
+                    Kind::Open(Bracket::Rows(Rows::Matrix)) => {
+                        let rows = self.rows(token, Rows::Matrix)?;
+                        if self.peek_kind() == Some(Kind::Sup) {
+                            let instead = "write brackets around the matrix with its power, or around the whole";
+                            return Err(Fault::ambiguous(at, "a power behind this matrix", instead));
+                        }
+                        rows
+                    }
                     _ => return Err(self.instead_of("a matrix")),
                 },
                 None => return Err(self.instead_of("a matrix")),
@@ -480,7 +487,7 @@ impl<'a> Reader<'a> {
         let goes_on = matches!(of.form, Form::Bracketed)
             || !self
                 .peek_kind()
-                .is_some_and(|kind| starts_factor(kind) || kind == Kind::Slash);
+                .is_some_and(|kind| starts_factor(kind) || matches!(kind, Kind::Slash | Kind::Times | Kind::Star));
         match goes_on {
             true => Ok(of.tree),
             false => Err(Fault::ambiguous(
@@ -685,21 +692,28 @@ fn printed_unit(tree: &Tree, text: &str) -> Option<Tree> {
         }
         Tree::Negate(inner) => printed_unit(inner, text),
         // in degrees
-        Tree::Quotient(above, below, at) if matches!(**below, Tree::Number(_)) => {
-            let above = printed_unit(above, text)?;
+        Tree::Quotient(above, below, at) => {
+            let Tree::Product(factors) = &**above else { return None };
+            let [first, Tree::Symbol(pi, _)] = factors.as_slice() else {
+                return None;
+            };
+            let half_turn = Tree::Number(Rational::from_integer(180));
+            let unit = printed_unit(first, text).filter(|_| *pi == base("\\pi") && **below == half_turn)?;
+            let above = Tree::Product(vec![unit, factors.get(1)?.clone()]);
             Some(Tree::Quotient(Box::new(above), below.clone(), *at))
         }
+        // times a power of ten
         Tree::Product(factors) => {
-            let (first, rest) = factors.split_first()?;
-            let unit = printed_unit(first, text)?;
-            let constant = |tree: &Tree| {
-                let mut met = Vec::new();
-                symbols(tree, &mut met);
-                met.iter().all(|name| *name == base("\\pi"))
+            let [first, scale] = factors.as_slice() else {
+                return None;
             };
-            rest.iter()
-                .all(constant)
-                .then(|| Tree::Product(std::iter::once(unit).chain(rest.iter().cloned()).collect()))
+            let ten = Tree::Number(Rational::from_integer(10));
+            let is_scale = match scale {
+                Tree::Power(base, ..) => **base == ten,
+                scale => *scale == ten,
+            };
+            let unit = printed_unit(first, text).filter(|_| is_scale && matches!(first, Tree::Number(_)))?;
+            Some(Tree::Product(vec![unit, scale.clone()]))
         }
         _ => None,
     }
@@ -864,6 +878,14 @@ mod tests {
             (r"\begin{pmatrix} & b \end{pmatrix}", "a factor"),
             (r"\frac{d^2}{dx} x", "its order above differs"),
             (r"\frac{d}{dx} x y", "write brackets around all that is differentiated"),
+            (
+                r"\frac{d}{dx} x \cdot y",
+                "write brackets around all that is differentiated",
+            ),
+            (
+                r"\operatorname{tr}\begin{pmatrix} a \end{pmatrix}^2",
+                "a power behind this matrix",
+            ),
             (r"(a x)'", r"write \frac{d}{dx}"),
             ("(a)'", r"write \frac{d}{dx}"),
             (r"\int x", "without its letter"),

@@ -179,7 +179,9 @@ impl<'a> Over<'a> {
                     None => Tree::Call(name.clone(), Box::new(argument), *at),
                 },
                 Value::Number(argument) => Tree::Call(name.clone(), Box::new(argument), *at),
-                Value::Matrix(rows) if name.base == r"\abs" && !self.is_complex() => matrix::norm(&rows)?,
+                Value::Matrix(rows) if name.base == r"\abs" && !self.is_complex() && !self.is_complex_in(&rows) => {
+                    matrix::norm(&rows)?
+                }
                 Value::Matrix(_) => return Err(format!("`{name}` of a matrix")),
             },
             Tree::Power(base, exponent, at) => match self.value(base)? {
@@ -233,7 +235,10 @@ impl<'a> Over<'a> {
             Operation::Cross(left, right) => matrix::cross(&self.value(left)?, &self.value(right)?)?,
             Operation::Dot(left, right) => {
                 let (left, right) = (self.value(left)?, self.value(right)?);
-                if self.is_complex() && matches!((&left, &right), (Value::Matrix(_), Value::Matrix(_))) {
+                let is_complex = |value: &Value| matches!(value, Value::Matrix(rows) if self.is_complex_in(rows));
+                if (self.is_complex() || is_complex(&left) || is_complex(&right))
+                    && matches!((&left, &right), (Value::Matrix(_), Value::Matrix(_)))
+                {
                     return Err("\\cdot between complex vectors may take a conjugate: write a transpose".to_owned());
                 }
                 matrix::dot(&left, &right)?
@@ -246,6 +251,9 @@ impl<'a> Over<'a> {
                 from,
                 to,
             } => {
+                if super::is_spoken_of(self.statements, self.vocabulary, index) {
+                    return Err(format!("premises speak of `{index}`, which the sum is over"));
+                }
                 let (Some(from), Some(to)) = (whole(from), whole(to)) else {
                     return Err(format!(
                         "the length of the {} over {index} is not a number",
@@ -276,6 +284,11 @@ impl<'a> Over<'a> {
         })
     }
 
+    /// Whether complex numbers may stand in a matrix.
+    fn is_complex_in(&self, rows: &[Vec<Tree>]) -> bool {
+        rows.iter().flatten().any(|entry| self.vocabulary.may_be_complex(entry))
+    }
+
     /// Whether complex numbers may take part.
     fn is_complex(&self) -> bool {
         super::trees(self.statements)
@@ -287,6 +300,7 @@ impl<'a> Over<'a> {
         let vocabulary = self.vocabulary;
         let of = self.value(of)?;
         let runs = vocabulary.running.as_ref() == Some(by);
+        super::is_continuous(self.statements, vocabulary, by)?;
         if !runs && super::is_spoken_of(self.statements, vocabulary, by) {
             return Err(format!(
                 "premises speak of `{by}`: what depends on it there is not differentiated; write it out, or let `{by}` run"

@@ -59,6 +59,15 @@ pub(super) fn differentiated(statements: &Statements, vocabulary: &Vocabulary) -
             }
         }
         let by = by.ok_or("an integral within a product or a function")?;
+        let pins = |condition: &Condition| {
+            let is_equation =
+                matches!(condition, Condition::Relation(relation) if relation.relation == Relation::Equal);
+            is_equation && condition.sides().into_iter().any(|side| super::is_free_in(side, &by))
+        };
+        if super::is_spoken_of(statements, vocabulary, &by) || statements.assume.iter().any(pins) {
+            return Err(format!("premises speak of `{by}`, which the integral is by"));
+        }
+        super::is_continuous(statements, vocabulary, &by)?;
         let constant = plain(CONSTANT);
         let is_free = !vocabulary.knows(&constant);
         let mut sides = Vec::new();
@@ -67,11 +76,15 @@ pub(super) fn differentiated(statements: &Statements, vocabulary: &Vocabulary) -
             for (is_negative, term) in own {
                 let slope = match integrand(&term) {
                     Some((of, _)) => of.clone(),
+                    None if is_free && matches!(&term, Tree::Symbol(name, _) if *name == constant) => integer(0),
+                    None if is_free && super::is_free_in(&term, &constant) => {
+                        return Err(format!(
+                            "the constant {CONSTANT} stands elsewhere than added: declare it"
+                        ));
+                    }
                     None => {
-                        let known = rewrite(&term, &|name| (is_free && *name == constant).then(|| integer(0)));
-                        let meant = rewrite(&known, &|name| vocabulary.meaning(name, &|_| false));
-                        out.claims.push(Equation::between(known.clone(), known));
-                        By { vocabulary, name: &by }.of(&meant)?
+                        out.claims.push(Equation::between(term.clone(), term.clone()));
+                        By { vocabulary, name: &by }.of(&term)?
                     }
                 };
                 side.push(if is_negative {
@@ -149,7 +162,10 @@ pub(super) fn by_antiderivatives(statements: &Statements, vocabulary: &Vocabular
             {
                 return Ok(None);
             }
-            let of = rewrite(of, &|name| vocabulary.meaning(name, &|_| false));
+            if super::is_spoken_of(statements, vocabulary, by) {
+                return Err(format!("premises speak of `{by}`, which the integral is by"));
+            }
+            let of = of.clone();
             let Some(whole) = antiderivative(&of, by, vocabulary) else {
                 return Ok(None);
             };

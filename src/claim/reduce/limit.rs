@@ -222,6 +222,12 @@ fn of_order(
     if claim.relation != Relation::Equal {
         return Err("an order in an inequality".to_owned());
     }
+    if any(
+        &claim.left,
+        &mut |node| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(_))),
+    ) {
+        return Err("an order on the left of an equation".to_owned());
+    }
     let mut orders = Vec::new();
     let mut sides = Vec::new();
     for side in [&claim.left, &claim.right] {

@@ -20,7 +20,7 @@ mod series;
 
 use super::definition::{Local, inlined};
 use super::premise::Statements;
-use super::substitute::{any, below, rewrite};
+use super::substitute::{any, below, put_in};
 use super::vocabulary::Vocabulary;
 pub(super) use integral::{holds_indefinite, is_constant_of_integration};
 
@@ -123,6 +123,22 @@ fn without_operations(statements: &Statements, vocabulary: &Vocabulary) -> Resul
         return Ok(None);
     }
     let mut statements = rewritten(&written_out(statements, vocabulary)?, &cases::signs);
+    let all = trees(&statements);
+    if all.iter().any(|tree| binds_bare_function(tree, vocabulary)) {
+        let running = vocabulary.running.clone().unwrap_or_default();
+        return Err(format!(
+            "a function without its argument where `{running}` is bound: write it"
+        ));
+    }
+    let has_cases = |tree: &&Tree| {
+        any(
+            tree,
+            &mut |node| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Cases(_))),
+        )
+    };
+    if integral::is_indefinite(&statements) && all.iter().any(has_cases) {
+        return Err("an antiderivative by cases".to_owned());
+    }
     let mut lemmas = Vec::new();
     if limit::stands_in(&statements) {
         (statements, lemmas) = limit::evaluated(&statements, vocabulary)?;
@@ -202,25 +218,25 @@ fn over_an_index(statements: &Statements, vocabulary: &Vocabulary, reason: Strin
 /// The statements with all definitions and abbreviations put in; each definition must have a value.
 fn written_out(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
     let too_large = || "what is defined is too large once it is put in".to_owned();
-    let put_in =
+    let inline =
         |equation: &Equation, locals: &[Local]| super::definition::inlined_in(equation, locals).ok_or_else(too_large);
     let condition = |condition: &Condition, locals: &[Local]| {
         Ok::<Condition, String>(match condition {
-            Condition::Relation(relation) => Condition::Relation(put_in(relation, locals)?),
+            Condition::Relation(relation) => Condition::Relation(inline(relation, locals)?),
             Condition::Integer(tree) => Condition::Integer(inlined(tree, locals).ok_or_else(too_large)?),
         })
     };
     let mut written = statements.clone();
     let locals = std::mem::take(&mut written.locals);
     for claim in &mut written.claims {
-        *claim = put_in(claim, &locals)?;
+        *claim = inline(claim, &locals)?;
     }
     for assumed in &mut written.assume {
         *assumed = condition(assumed, &locals)?;
     }
     for premise in &mut written.premises {
         let locals = std::mem::take(&mut premise.locals);
-        premise.equation = put_in(&premise.equation, &locals)?;
+        premise.equation = inline(&premise.equation, &locals)?;
         for assumed in &mut premise.assume {
             *assumed = condition(assumed, &locals)?;
         }
@@ -237,7 +253,7 @@ fn written_out(statements: &Statements, vocabulary: &Vocabulary) -> Result<State
     }
     // numbers are put in for letters, and what moves is followed, within abbreviations too
     Ok(rewritten(&written, &|tree| {
-        rewrite(tree, &|name| vocabulary.meaning(name, &|_| false))
+        put_in(tree, &|name| vocabulary.meaning(name, &|_| false))
     }))
 }
 
@@ -285,11 +301,61 @@ fn is_free_in(tree: &Tree, name: &Name) -> bool {
     }
 }
 
-/// Whether premises or relations say anything of a symbol: then other symbols may depend on it.
+/// Whether a sum, an integral or a limit binds the running symbol of functions that stand in it without their argument.
+fn binds_bare_function(tree: &Tree, vocabulary: &Vocabulary) -> bool {
+    let is_bare = |node: &Tree| match node {
+        Tree::Symbol(name, _) => {
+            let flies = vocabulary.is_in_flight(name) && name.subscript.is_empty();
+            flies || (vocabulary.is_function(name) && !vocabulary.parameters.contains(name))
+        }
+        _ => false,
+    };
+    any(tree, &mut |node| {
+        let Tree::Operation(operation, _) = node else {
+            return false;
+        };
+        let is_over_time = operation.letter().is_some() && operation.letter() == vocabulary.running.as_ref();
+        let is_derivative = matches!(**operation, Operation::Derivative { .. });
+        let parts = operation.parts().into_iter().filter(|(_, is_bound)| *is_bound);
+        let mut parts = parts.filter(|_| is_over_time && !is_derivative && !is_antiderivative(operation));
+        parts.any(|(part, _)| any(part, &mut |node| is_bare(node)))
+    })
+}
+
+fn is_antiderivative(operation: &Operation) -> bool {
+    matches!(operation, Operation::Integral { limits: None, .. })
+}
+
+/// Whether premises, relations or assumed equations say anything of a symbol: then other symbols may depend on it.
 fn is_spoken_of(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -> bool {
     let speaks = |equation: &Equation| is_free_in(&equation.left, name) || is_free_in(&equation.right, name);
+    let is_other = |node: &Tree| match node {
+        Tree::Symbol(other, _) => other != name && vocabulary.parameters.contains(other),
+        _ => false,
+    };
+    let mut assumed = statements.assume.iter();
+    let ties = assumed.any(|condition| match condition {
+        Condition::Relation(relation) => {
+            let sides = [&relation.left, &relation.right];
+            let is_equal = relation.relation == crate::tex::Relation::Equal;
+            is_equal && speaks(relation) && sides.into_iter().any(|side| any(side, &mut |node| is_other(node)))
+        }
+        Condition::Integer(_) => false,
+    });
+    if ties {
+        return true;
+    }
     let mut premises = statements.premises.iter();
     premises.any(|premise| speaks(&premise.equation)) || vocabulary.relations.iter().any(speaks)
+}
+
+/// That a symbol may be differentiated by: it is no integer.
+fn is_continuous(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -> Result<(), String> {
+    let is_integer = instances::integers(statements, vocabulary).contains(name) || vocabulary.integers.contains(name);
+    match is_integer {
+        true => Err(format!("`{name}` is an integer: nothing is differentiated by it")),
+        false => Ok(()),
+    }
 }
 
 /// A name that nothing in the statements has, like `like`.
