@@ -266,7 +266,13 @@ impl Vocabulary {
         let (dot, dots) = (name.dotted(), name.dotted().dotted());
         let is_taken = |other: &Name| self.names.functions.contains(other) || self.parameters.contains(other);
         let is_dotted = name.accents.iter().any(|accent| accent.ends_with("dot"));
-        if self.running.is_none() || name.primes > 0 || is_dotted || is_taken(&dot) || is_taken(&dots) {
+        if self.running.is_none()
+            || !self.states.is_empty()
+            || name.primes > 0
+            || is_dotted
+            || is_taken(&dot)
+            || is_taken(&dots)
+        {
             self.functions.push((name, None));
             return;
         }

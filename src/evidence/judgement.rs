@@ -58,10 +58,10 @@ const PROBE_WORK: u64 = 20_000;
 /// The [`Fault`] of a claim or premise that makes no sense.
 pub fn witness(sheet: &Sheet, position: usize, verdict: Verdict, points: usize) -> Result<Evidence, Fault> {
     let statements = Statements::gather(sheet, position)?;
-    let goals = match reduced(&statements, &sheet.vocabulary) {
+    let (goals, has_lemmas) = match reduced(&statements, &sheet.vocabulary) {
         Ok(None) => return Ok(of_goal(&statements, &sheet.vocabulary, verdict, points)),
-        Ok(Some(reduced)) if reduced.is_equivalent => reduced.sufficient,
-        Ok(Some(reduced)) => reduced.necessary,
+        Ok(Some(reduced)) if reduced.is_equivalent => (reduced.sufficient, !reduced.lemmas.is_empty()),
+        Ok(Some(reduced)) => (reduced.necessary, !reduced.lemmas.is_empty()),
         Err(reason) => return Ok(without_points(format!("no witness: {reason}"))),
     };
     let of_goal = |goal: &Goal| {
@@ -72,7 +72,12 @@ pub fn witness(sheet: &Sheet, position: usize, verdict: Verdict, points: usize) 
         evidence
     };
     let all: Vec<Evidence> = goals.iter().take(MOST_GOALS).map(of_goal).collect();
-    Ok(together(all, verdict))
+    let mut evidence = together(all, verdict);
+    if has_lemmas && verdict == Verdict::Refuted && evidence.against.take().is_some() {
+        // where a lemma fails, the goals are not the claim
+        evidence.notes.push("the goals agree, but rest on lemmas".to_owned());
+    }
+    Ok(evidence)
 }
 
 /// Goals of one claim that are evaluated.

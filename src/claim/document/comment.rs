@@ -297,7 +297,9 @@ mod tests {
         let [Key::Symbols(Some(symbols))] = found.as_slice() else {
             panic!("{found:?}");
         };
+        let symbols = completed((**symbols).clone()).unwrap();
         assert_eq!(symbols.parameters, ["a", "b", "T_1"]);
+        assert_eq!(symbols.times, ["t"]);
         assert_eq!(
             symbols.functions.pairs().unwrap(),
             [("F".into(), "f".into()), ("f".into(), String::new())]

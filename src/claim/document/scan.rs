@@ -785,7 +785,7 @@ impl<'a> Scan<'a> {
             // a row without a number has that of the next
             let shares = row.continues.is_some() || numbers != Numbers::Rows || !last_has_number;
             let goes_with_last = place > 0 && shares;
-            last_has_number = number.is_some();
+            last_has_number = number.is_some() || (goes_with_last && last_has_number);
             self.formula(row, number, goes_with_last, first, end);
         }
         // what is said behind a display of one number is said of all of it
