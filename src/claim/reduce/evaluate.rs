@@ -1,7 +1,7 @@
 //! Operations whose value is written out at once: matrices, derivatives, sums and products of known length.
 
 use super::super::premise::Statements;
-use super::super::substitute::{nodes_of, number_of, rewrite};
+use super::super::substitute::{any, nodes_of, number_of, rewrite};
 use super::super::vocabulary::{Vocabulary, index_of};
 use super::build::{integer, symbol};
 use super::derivative::By;
@@ -58,7 +58,6 @@ pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -
         let mut over = Over::new(statements, vocabulary);
         let claims = over.equation(claim)?;
         out.claims.extend(claims);
-        // what is differentiated must have a value
         let beside = over.beside.into_iter();
         out.claims
             .extend(beside.map(|tree| Equation::between(tree.clone(), tree)));
@@ -97,7 +96,7 @@ pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -
 struct Over<'a> {
     statements: &'a Statements,
     vocabulary: &'a Vocabulary,
-    /// What was differentiated.
+    /// What must have a value, beside what is left: what was differentiated, entries of matrices.
     beside: Vec<Tree>,
 }
 
@@ -161,7 +160,18 @@ impl<'a> Over<'a> {
         Ok(Value::Number(match tree {
             Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => tree.clone(),
             Tree::Sum(terms) => return matrix::added(self.values(terms)?),
-            Tree::Product(factors) => return matrix::multiplied(self.values(factors)?),
+            Tree::Product(factors) => {
+                let values = self.values(factors)?;
+                if values.iter().any(|value| matches!(value, Value::Matrix(_))) {
+                    let numbers = values.iter().filter_map(|value| match value {
+                        Value::Number(tree) => Some(tree),
+                        Value::Matrix(_) => None,
+                    });
+                    self.beside
+                        .extend(numbers.filter(|tree| may_be_undefined(tree)).cloned());
+                }
+                return matrix::multiplied(values);
+            }
             Tree::Negate(inner) => match self.value(inner)? {
                 Value::Number(inner) => Tree::Negate(Box::new(inner)),
                 value => return Ok(matrix::negated(value)),
@@ -221,6 +231,9 @@ impl<'a> Over<'a> {
                     let row = row.iter().map(|cell| self.number(cell));
                     out.push(row.collect::<Result<Vec<_>, _>>()?);
                 }
+                // an entry that meets a 0 must have a value all the same
+                let entries = out.iter().flatten().filter(|entry| may_be_undefined(entry));
+                self.beside.extend(entries.cloned());
                 Value::Matrix(out)
             }
             Operation::Determinant(of) | Operation::Trace(of) => match self.value(of)? {
@@ -312,15 +325,14 @@ impl<'a> Over<'a> {
             ));
         }
         let mut each = |tree: &Tree| -> Result<Tree, String> {
-            let meant = rewrite(tree, &|name| vocabulary.meaning(name, &|_| false));
-            let slope = By { vocabulary, name: by }.of_order(&meant, order)?;
+            let slope = By { vocabulary, name: by }.of_order(tree, order)?;
             let there = |tree: Tree| match at {
                 Tree::Symbol(name, _) if name == by => tree,
                 at => rewrite(&tree, &|name| (name == by).then(|| at.clone())),
             };
             // a derivative exists where that of each order before it does
             for before in 0..order {
-                let before = By { vocabulary, name: by }.of_order(&meant, before)?;
+                let before = By { vocabulary, name: by }.of_order(tree, before)?;
                 self.beside.push(there(before));
             }
             Ok(there(slope))
@@ -336,6 +348,21 @@ impl<'a> Over<'a> {
             }
         })
     }
+}
+
+/// Whether a tree is more than sums and products of numbers and symbols.
+pub(super) fn may_be_undefined(tree: &Tree) -> bool {
+    any(tree, &mut |node| {
+        !matches!(
+            node,
+            Tree::Number(_)
+                | Tree::Symbol(..)
+                | Tree::Negate(_)
+                | Tree::Sum(_)
+                | Tree::Product(_)
+                | Tree::Power(_, 0.., _)
+        )
+    })
 }
 
 fn name_of(kind: Series) -> &'static str {

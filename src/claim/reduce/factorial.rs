@@ -135,8 +135,7 @@ pub(super) fn as_quantities(
     for tree in trees(&statements) {
         any(tree, &mut |node| {
             if let Tree::Call(name, argument, _) = node
-                && stands_in(node)
-                && [FACTORIAL, DOUBLE].contains(&name.base.as_str())
+                && is_one(node)
             {
                 match linear(argument).filter(|_| name.base == FACTORIAL) {
                     Some((letters, constant)) if !letters.is_empty() => {

@@ -35,11 +35,8 @@ pub(super) fn integers(statements: &Statements, vocabulary: &Vocabulary) -> Vec<
 pub(super) fn of(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Goal> {
     let letters = integers(statements, vocabulary);
     let mut goals = Vec::new();
-    let in_relations = |letter: &Name| {
-        let mut relations = vocabulary.relations.iter();
-        relations.any(|relation| mentions(&relation.left, letter) || mentions(&relation.right, letter))
-    };
-    if letters.is_empty() || letters.len() > MOST_LETTERS || letters.iter().any(in_relations) {
+    let is_kept = |letter: &Name| super::stands_in_symbols(vocabulary, letter);
+    if letters.is_empty() || letters.len() > MOST_LETTERS || letters.iter().any(is_kept) {
         return goals;
     }
     for total in 0..=HIGHEST * 2 {

@@ -36,7 +36,9 @@ pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Res
         let Operation::Limit { of, by, to } = &limit else {
             break;
         };
-        let (value, needed) = of_limit(&out, vocabulary, of, by, to)?;
+        let (value, needed, written) = of_limit(&out, vocabulary, of, by, to)?;
+        out.claims
+            .extend(written.into_iter().map(|tree| Equation::between(tree.clone(), tree)));
         lemmas.extend(as_goals(&out, vocabulary, needed));
         out = rewritten(&out, &|tree| {
             mapped(tree, &|node| match node {
@@ -184,6 +186,7 @@ fn small<'a>(
         is_positive,
         length,
         needed: Vec::new(),
+        written: Vec::new(),
     })
 }
 
@@ -193,11 +196,11 @@ fn of_limit(
     of: &Tree,
     by: &Name,
     to: &Tree,
-) -> Result<(Tree, Vec<Equation>), String> {
+) -> Result<(Tree, Vec<Equation>, Vec<Tree>), String> {
     let of = rewrite(of, &|name| vocabulary.meaning(name, &|_| false));
     let mut small = small(statements, vocabulary, by, to, TERMS)?;
     let series = small.of(&of)?;
-    let mut needed = small.needed;
+    let (mut needed, written) = (small.needed, small.written);
     for exponent in series.low..0 {
         let term = series.at(exponent).ok_or("a series that is not followed far enough")?;
         if !is_likely_zero(&term) {
@@ -208,7 +211,7 @@ fn of_limit(
         }
     }
     let value = series.at(0).ok_or("a series that is not followed far enough")?;
-    Ok((value, needed))
+    Ok((value, needed, written))
 }
 
 /// The claim that both sides differ by what is of an order: each coefficient below it vanishes.
@@ -294,5 +297,11 @@ fn of_order(
     if claims.is_empty() {
         claims.push(Equation::between(integer(0), integer(0)));
     }
+    claims.extend(
+        small
+            .written
+            .into_iter()
+            .map(|tree| Equation::between(tree.clone(), tree)),
+    );
     Ok((claims, small.needed))
 }

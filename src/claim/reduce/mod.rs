@@ -21,7 +21,7 @@ mod series;
 use super::definition::{Local, inlined};
 use super::premise::Statements;
 use super::substitute::{any, below, put_in};
-use super::vocabulary::Vocabulary;
+use super::vocabulary::{Map, Vocabulary};
 pub(super) use integral::{holds_indefinite, is_constant_of_integration};
 
 use crate::tex::{Condition, Equation, Name, Operation, Tree};
@@ -346,7 +346,21 @@ fn is_spoken_of(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -
         return true;
     }
     let mut premises = statements.premises.iter();
-    premises.any(|premise| speaks(&premise.equation)) || vocabulary.relations.iter().any(speaks)
+    premises.any(|premise| speaks(&premise.equation)) || stands_in_symbols(vocabulary, name)
+}
+
+/// Whether relations, periods, derivatives of functions or maps of `[symbols]` speak of a symbol: it is not replaced there.
+fn stands_in_symbols(vocabulary: &Vocabulary, name: &Name) -> bool {
+    let in_equation = |equation: &Equation| is_free_in(&equation.left, name) || is_free_in(&equation.right, name);
+    let slopes = vocabulary.functions.iter().filter_map(|(_, slope)| slope.as_ref());
+    let mut trees = vocabulary.periods.iter().map(|(_, period)| period).chain(slopes);
+    let in_map = |map: &Map| match map {
+        Map::Equations(equations) => equations.iter().any(in_equation),
+        Map::Premises { .. } | Map::Product(_) => false,
+    };
+    vocabulary.relations.iter().any(in_equation)
+        || trees.any(|tree| is_free_in(tree, name))
+        || vocabulary.maps.iter().any(|(_, map)| in_map(map))
 }
 
 /// That a symbol may be differentiated by: it is no integer.

@@ -33,6 +33,8 @@ pub(super) struct Small<'a> {
     pub length: usize,
     /// What must hold for the series to be right.
     pub needed: Vec<Equation>,
+    /// What does not move and must have a value, also where it meets a 0.
+    pub written: Vec<Tree>,
 }
 
 type Found = Result<Series, String>;
@@ -398,6 +400,9 @@ impl Small<'_> {
     /// The series of a tree.
     pub fn of(&mut self, tree: &Tree) -> Found {
         if !mentions(tree, self.name) && !super::super::substitute::any(tree, &mut |node| factorial::is_one(node)) {
+            if super::evaluate::may_be_undefined(tree) && !self.written.contains(tree) {
+                self.written.push(tree.clone());
+            }
             return Ok(Series::constant(tidy(tree.clone()), self.length));
         }
         match tree {
@@ -607,9 +612,11 @@ impl Small<'_> {
             is_positive: false,
             length: self.length,
             needed: Vec::new(),
+            written: Vec::new(),
         };
         let integrand = inner.of(of)?;
         let integrand = inner.regular(&integrand)?;
+        self.written.append(&mut inner.written);
         let needed = std::mem::take(&mut inner.needed);
         needed.into_iter().for_each(|condition| self.need(condition));
         let at = |limit: &Series| {
