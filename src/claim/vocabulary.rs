@@ -249,13 +249,19 @@ impl Vocabulary {
                 .functions
                 .extend([state.clone(), state.dotted(), state.dotted().dotted()]);
         }
-        for (name, (_, derivative)) in functions.into_iter().zip(&pairs) {
-            match derivative.trim() {
-                "" => self.declare_with_dots(name),
-                tex => {
-                    let derivative = self.expression(tex)?;
-                    self.functions.push((name, Some(derivative)));
-                }
+        let mut slopes = Vec::new();
+        for (_, derivative) in &pairs {
+            slopes.push(match derivative.trim() {
+                "" => None,
+                tex => Some(self.expression(tex)?),
+            });
+        }
+        for (at, name) in functions.into_iter().enumerate() {
+            // who writes f as the derivative of F gives derivatives names of his own
+            let is_slope = slopes.iter().flatten().any(|slope| speaks_of(slope, &name));
+            match slopes[at].clone() {
+                None if !is_slope => self.declare_with_dots(name),
+                slope => self.functions.push((name, slope)),
             }
         }
         Ok(())
@@ -266,13 +272,7 @@ impl Vocabulary {
         let (dot, dots) = (name.dotted(), name.dotted().dotted());
         let is_taken = |other: &Name| self.names.functions.contains(other) || self.parameters.contains(other);
         let is_dotted = name.accents.iter().any(|accent| accent.ends_with("dot"));
-        if self.running.is_none()
-            || !self.states.is_empty()
-            || name.primes > 0
-            || is_dotted
-            || is_taken(&dot)
-            || is_taken(&dots)
-        {
+        if self.running.is_none() || name.primes > 0 || is_dotted || is_taken(&dot) || is_taken(&dots) {
             self.functions.push((name, None));
             return;
         }

@@ -350,9 +350,12 @@ fn is_spoken_of(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -
 }
 
 /// Whether relations, periods, derivatives of functions or maps of `[symbols]` speak of a symbol: it is not replaced there.
+/// The running time in the derivative of a function is the function's argument, whatever it is.
 fn stands_in_symbols(vocabulary: &Vocabulary, name: &Name) -> bool {
     let in_equation = |equation: &Equation| is_free_in(&equation.left, name) || is_free_in(&equation.right, name);
-    let slopes = vocabulary.functions.iter().filter_map(|(_, slope)| slope.as_ref());
+    let is_argument = vocabulary.running.as_ref() == Some(name);
+    let slopes = vocabulary.functions.iter().filter(|_| !is_argument);
+    let slopes = slopes.filter_map(|(_, slope)| slope.as_ref());
     let mut trees = vocabulary.periods.iter().map(|(_, period)| period).chain(slopes);
     let in_map = |map: &Map| match map {
         Map::Equations(equations) => equations.iter().any(in_equation),
