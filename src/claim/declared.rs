@@ -302,7 +302,7 @@ impl Vocabulary {
 
     /// Whether a map has this derivative, or a chain of maps: 1 or 0 among the quantities that a map starts from. Where
     /// no maps are declared, the premises may give the derivative of any time or state at an impact by another.
-    fn has_partial(&self, of: &Name, by: &Name) -> bool {
+    pub(super) fn has_partial(&self, of: &Name, by: &Name) -> bool {
         if self.maps.is_empty() {
             return self.is_indexed(of) && self.is_indexed(by);
         }

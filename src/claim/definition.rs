@@ -57,19 +57,12 @@ fn has_sign(tree: &Tree) -> bool {
 /// The tree under the upper or the lower signs.
 fn with_sign(tree: &Tree, upper: bool) -> Tree {
     let again = |tree: &Tree| with_sign(tree, upper);
-    let boxed = |tree: &Tree| Box::new(with_sign(tree, upper));
     match tree {
         Tree::PlusMinus(body) if upper => again(body),
         Tree::MinusPlus(body) if !upper => again(body),
-        Tree::PlusMinus(body) | Tree::MinusPlus(body) | Tree::Negate(body) => Tree::Negate(boxed(body)),
-        Tree::Sum(terms) => Tree::Sum(terms.iter().map(again).collect()),
-        Tree::Product(factors) => Tree::Product(factors.iter().map(again).collect()),
-        Tree::Quotient(above, below, at) => Tree::Quotient(boxed(above), boxed(below), *at),
-        Tree::Power(base, exponent, at) => Tree::Power(boxed(base), *exponent, *at),
-        Tree::RealPower(base, exponent, at) => Tree::RealPower(boxed(base), boxed(exponent), *at),
-        Tree::Root(inner, index, at) => Tree::Root(boxed(inner), *index, *at),
-        Tree::Call(name, argument, at) => Tree::Call(name.clone(), boxed(argument), *at),
-        _ => tree.clone(),
+        Tree::PlusMinus(body) | Tree::MinusPlus(body) => Tree::Negate(Box::new(again(body))),
+        Tree::Operation(..) => tree.clone(),
+        _ => tree.map(&mut |part| again(part)),
     }
 }
 

@@ -3,6 +3,7 @@
 use super::declared::is_defined;
 use super::definition::{Local, circular, inlined_in, speaks_of, two_of_pair};
 use super::fault::{Fault, Source, Text};
+use super::function::Given;
 use super::nearest::nearest;
 use super::reduce::{holds_indefinite, is_constant_of_integration};
 use super::substitute::{any, any_side, flies, number_of, rewrite, tree_runs};
@@ -93,7 +94,97 @@ pub(super) struct RawEntry {
     pub unread: Option<String>,
 }
 
+impl RawEntry {
+    /// The formulas that may define something: those of a definition, and those of `where`.
+    pub(super) fn defining(&self) -> impl Iterator<Item = &str> {
+        let own = (self.role == Role::Definition).then_some(&self.tex);
+        own.into_iter().chain(&self.local).map(|tex| tex.get_ref().as_str())
+    }
+}
+
 impl Entry {
+    /// Takes the functions out of what the entry defines: they are written out where they are applied.
+    ///
+    /// # Errors
+    /// The [`Fault`] of a function that is defined twice.
+    pub(super) fn take_functions(&mut self, vocabulary: &Vocabulary) -> Result<Given, Fault> {
+        let mut given = Given::default();
+        let problem = |source: &Source, (at, problem): (usize, String)| source.fault(at, problem).of(&self.label);
+        let mut rest = Vec::new();
+        for (equation, source) in &self.local {
+            if !given
+                .take(equation, vocabulary)
+                .map_err(|found| problem(source, found))?
+            {
+                rest.push((equation.clone(), source.clone()));
+            }
+        }
+        let mut stated = Vec::new();
+        for equation in &self.equations {
+            let is_done = self.role == Role::Definition
+                && given
+                    .take(equation, vocabulary)
+                    .map_err(|found| problem(&self.tex, found))?;
+            if !is_done {
+                stated.push(equation.clone());
+            }
+        }
+        (self.local, self.equations) = (rest, stated);
+        Ok(given)
+    }
+
+    /// Writes what definitions give out: functions where they are applied, partial derivatives of names; `own`
+    /// are those of the entry itself.
+    ///
+    /// # Errors
+    /// The [`Fault`] of what cannot be written out.
+    pub(super) fn write_out(&mut self, own: Given, below: &[&Given], vocabulary: &Vocabulary) -> Result<(), Fault> {
+        let fault = |source: &Source, (at, problem): (usize, String)| source.fault(at, problem).of(&self.label);
+        let mut given = own;
+        given
+            .join(below)
+            .and_then(|()| given.close(vocabulary))
+            .map_err(|found| fault(&self.tex, found))?;
+        if given.is_idle(vocabulary) {
+            return Ok(());
+        }
+        let written = |tree: &Tree, source: &Source| {
+            given
+                .written_out(tree, vocabulary)
+                .map_err(|found| fault(source, found))
+        };
+        let both = |equation: &Equation, source: &Source| -> Result<Equation, Fault> {
+            let (left, right) = (written(&equation.left, source)?, written(&equation.right, source)?);
+            Ok(Equation {
+                left,
+                right,
+                ..equation.clone()
+            })
+        };
+        let each = |equations: &[(Equation, Source)]| -> Result<Vec<(Equation, Source)>, Fault> {
+            let pairs = equations.iter();
+            pairs
+                .map(|(equation, source)| Ok((both(equation, source)?, source.clone())))
+                .collect()
+        };
+        let stated: Vec<Equation> = self
+            .equations
+            .iter()
+            .map(|equation| both(equation, &self.tex))
+            .collect::<Result<_, _>>()?;
+        let (local, with) = (each(&self.local)?, each(&self.with)?);
+        let condition = |(condition, source): &(Condition, Source)| -> Result<(Condition, Source), Fault> {
+            let condition = match condition {
+                Condition::Relation(relation) => Condition::Relation(both(relation, source)?),
+                Condition::Integer(tree) => Condition::Integer(written(tree, source)?),
+            };
+            Ok((condition, source.clone()))
+        };
+        let assume = self.assume.iter().map(condition).collect::<Result<_, _>>()?;
+        (self.equations, self.local, self.with, self.assume) = (stated, local, with, assume);
+        Ok(())
+    }
+
     /// Parts what the entry defines from what it states; `shared` are definitions of entries that it follows from.
     ///
     /// # Errors
@@ -664,6 +755,37 @@ impl List {
 }
 
 impl Vocabulary {
+    /// Refuses an argument beyond what `[symbols]` says of the one that a function is defined with.
+    pub(super) fn may_take(&self, formal: &Name, argument: &Tree) -> Result<(), String> {
+        if self.is_complex_in(argument) && !self.complex.contains(formal) {
+            return Err(format!("`{formal}` is real: it cannot be {argument}"));
+        }
+        let lists = self.lists_of(formal);
+        match lists.iter().find(|list| !self.is_within(argument, list)) {
+            Some(list) => {
+                let problem = "write the definition with a symbol of which [symbols] says nothing";
+                Err(format!(
+                    "`{formal}` stands in `{}`, which {argument} may not be: {problem}",
+                    list.name
+                ))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Whether a list holds for a formula of numbers and symbols of which it holds.
+    fn is_within(&self, tree: &Tree, list: &List) -> bool {
+        let all = |parts: &[Tree]| parts.iter().all(|part| self.is_within(part, list));
+        let is_sign = matches!(list.bound, Some((Relation::Greater | Relation::GreaterOrEqual, 0)));
+        match tree {
+            Tree::Number(number) => list.allows(number),
+            Tree::Symbol(name, _) => self.lists_of(name).contains(list),
+            Tree::Sum(parts) | Tree::Product(parts) => (is_sign || list.bound.is_none()) && all(parts),
+            Tree::Negate(inner) => list.bound.is_none() && self.is_within(inner, list),
+            _ => false,
+        }
+    }
+
     /// The lists of `[symbols]` that say which values a symbol has.
     fn lists_of(&self, name: &Name) -> Vec<List> {
         let lists = [

@@ -7,6 +7,7 @@ mod definition;
 mod document;
 mod entry;
 mod fault;
+mod function;
 mod nearest;
 mod paper;
 mod premise;

@@ -4,6 +4,7 @@ use super::circle::circle;
 use super::declared::is_defined;
 use super::entry::{Entry, RawEntry, Role, read_entry};
 use super::fault::{Fault, Source, Text};
+use super::function::{Given, names_given};
 use super::premise::{refuse_two_meanings, shared};
 use super::symbols::{MapEntry, Symbols};
 use super::vocabulary::Vocabulary;
@@ -72,6 +73,8 @@ impl Sheet {
                 fault.within("[symbols]").at(&here)
             })?,
         };
+        let mut vocabulary = vocabulary;
+        vocabulary.names.defined = names_given(raw.equation.iter().flat_map(RawEntry::defining), &vocabulary);
         let positions = positions(lines, &raw.equation)?;
         let needed = needed(&raw.equation, &positions);
         let mut entries = Vec::new();
@@ -94,9 +97,32 @@ impl Sheet {
             entries,
         };
         sheet.refuse_circles()?;
+        sheet.write_functions_out();
         sheet.part_definitions();
         sheet.check_names();
         Ok(sheet)
+    }
+
+    /// Writes functions that definitions give out where they are applied.
+    fn write_functions_out(&mut self) {
+        let vocabulary = &self.vocabulary;
+        let mut own: Vec<Given> = Vec::new();
+        for entry in &mut self.entries {
+            let given = entry.take_functions(vocabulary).unwrap_or_else(|fault| {
+                entry.unread.get_or_insert(fault);
+                Given::default()
+            });
+            own.push(given);
+        }
+        for position in 0..self.entries.len() {
+            let follows_from = self.entries.get(position).map(|entry| entry.follows_from.as_slice());
+            let below = self.definitions_among(follows_from.unwrap_or_default());
+            let below: Vec<&Given> = below.iter().filter_map(|&position| own.get(position)).collect();
+            let given = own.get(position).cloned().unwrap_or_default();
+            if let Some(entry) = self.entries.get_mut(position).filter(|entry| entry.unread.is_none()) {
+                entry.unread = entry.write_out(given, &below, vocabulary).err();
+            }
+        }
     }
 
     /// Parts what each entry defines from what it states: definitions first, for the others may use them.
@@ -152,8 +178,17 @@ impl Sheet {
 
     /// The definitions that an entry follows from, over other definitions too.
     pub(super) fn definitions_below(&self, entry: &Entry) -> Vec<&Entry> {
+        let below = self.definitions_among(&entry.follows_from);
+        below
+            .into_iter()
+            .filter_map(|position| self.entries.get(position))
+            .collect()
+    }
+
+    /// The positions of the definitions among these entries and below them.
+    fn definitions_among(&self, positions: &[usize]) -> Vec<usize> {
         let (mut found, mut seen) = (Vec::new(), HashSet::new());
-        let mut next: Vec<usize> = entry.follows_from.iter().rev().copied().collect();
+        let mut next: Vec<usize> = positions.iter().rev().copied().collect();
         while let Some(position) = next.pop() {
             let Some(below) = self
                 .entries
@@ -164,7 +199,7 @@ impl Sheet {
             };
             if seen.insert(position) {
                 next.extend(below.follows_from.iter().rev());
-                found.push(below);
+                found.push(position);
             }
         }
         found

@@ -19,30 +19,18 @@ pub(super) fn put_in(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
 
 fn replaced(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>, makes_way: bool) -> Tree {
     let again = |tree: &Tree| replaced(tree, new, makes_way);
-    let boxed = |tree: &Tree| Box::new(replaced(tree, new, makes_way));
     // A derivative is of and by names: only a name can take the place of one.
     let renamed = |name: &Name| match new(name) {
         Some(Tree::Symbol(name, _)) => name,
         _ => name.clone(),
     };
     match tree {
-        Tree::Number(_) | Tree::Invariant { .. } => tree.clone(),
         Tree::Symbol(name, _) => new(name).unwrap_or_else(|| tree.clone()),
-        Tree::Call(name, argument, at) => Tree::Call(name.clone(), boxed(argument), *at),
         Tree::Partial { of, by, at } => Tree::Partial {
             of: renamed(of),
             by: renamed(by),
             at: *at,
         },
-        Tree::Negate(inner) => Tree::Negate(boxed(inner)),
-        Tree::Sum(terms) => Tree::Sum(terms.iter().map(again).collect()),
-        Tree::Product(factors) => Tree::Product(factors.iter().map(again).collect()),
-        Tree::Quotient(above, below, at) => Tree::Quotient(boxed(above), boxed(below), *at),
-        Tree::Power(base, exponent, at) => Tree::Power(boxed(base), *exponent, *at),
-        Tree::RealPower(base, exponent, at) => Tree::RealPower(boxed(base), boxed(exponent), *at),
-        Tree::Root(inner, index, at) => Tree::Root(boxed(inner), *index, *at),
-        Tree::PlusMinus(inner) => Tree::PlusMinus(boxed(inner)),
-        Tree::MinusPlus(inner) => Tree::MinusPlus(boxed(inner)),
         Tree::Operation(operation, at) => {
             let operation = match makes_way {
                 true => out_of_the_way(operation, new),
@@ -55,7 +43,13 @@ fn replaced(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>, makes_way: bool) -
             });
             Tree::Operation(Box::new(operation), *at)
         }
+        tree => tree.map(&mut |part| replaced(part, new, makes_way)),
     }
+}
+
+/// The tree with each node replaced for which `new` has another.
+pub(super) fn mapped(tree: &Tree, new: &dyn Fn(&Tree) -> Option<Tree>) -> Tree {
+    new(tree).unwrap_or_else(|| tree.map(&mut |part| mapped(part, new)))
 }
 
 /// The operation with a letter bound that nothing speaks of which is put in where it is bound.

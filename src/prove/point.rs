@@ -371,7 +371,14 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
     let running = statement.terms_mut().symbol(time);
     // the premises themselves before what was derived from them
     let (given, derived): (Vec<&Usable>, Vec<&Usable>) = laws.iter().partition(|law| law.is_given());
-    for law in given.into_iter().chain(derived) {
+    // those of one function first: the others are named by what these give
+    let spoken = |law: &&Usable| {
+        let values = values::values_of(statement, law.term()).into_iter();
+        values.map(|(function, ..)| function).collect::<BTreeSet<_>>().len()
+    };
+    let mut ordered: Vec<&Usable> = given;
+    ordered.sort_by_cached_key(spoken);
+    for law in ordered.into_iter().chain(derived) {
         let term = statement.terms_mut().substitute(law.term(), law.time(), running);
         let Some(form) = numerator(statement, term) else {
             continue;
@@ -408,6 +415,8 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
             let mut session = Session::new(statement, Vec::new(), 1000);
             let formula = ratio_term(&mut session, &rest.negated(), lead);
             named.push((function, time, formula));
+            // what a law names one function by, it does not name another by in turn
+            break;
         }
         // a law of flight binds the motion, not what drives it
         let lines = statement.functions().to_vec();

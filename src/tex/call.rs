@@ -257,7 +257,7 @@ impl<'a> Reader<'a> {
             Some(Kind::Sup | Kind::Sub | Kind::Prime) => self.power()?,
             _ => None,
         };
-        if self.rows_follow() {
+        if self.rows_follow() || self.names.matrices.is_empty() {
             let tree = self.invariant_of(kind, at)?;
             return self.call(tree, power);
         }

@@ -6,7 +6,7 @@ use super::lexer::lex;
 use super::reader::Reader;
 use super::statement::{Statement, statements};
 use super::token::{Bracket, Kind, Token};
-use super::{At, Equation, Name, Names, ReadError, Tree};
+use super::{At, Equation, Name, Names, ReadError, Relation, Tree};
 
 /// The longest formula that is read, in bytes.
 const LONGEST: usize = 100_000;
@@ -34,6 +34,21 @@ pub fn read_name(tex: &str, names: &Names) -> Result<Name, ReadError> {
         reader.finish("the end of the name").map(|()| name)
     };
     read().map_err(|fault| fault.located(tex))
+}
+
+/// The functions that a display gives by equations `f(x) = ...`, each with its argument.
+pub fn functions_given(tex: &str, names: &Names) -> Vec<(Name, Name)> {
+    let statements = divided(tex).unwrap_or_default();
+    let given = |statement: Statement<'_>| {
+        let mut reader = Reader::new(statement.tokens, names);
+        let name = reader.full_name().ok()?;
+        let (open, kind) = reader.open().filter(|(_, kind)| *kind == Bracket::Round)?;
+        let argument = reader.full_name().ok()?;
+        reader.close(open, kind).ok()?;
+        reader.skip_empty();
+        (reader.peek_kind() == Some(Kind::Relation(Relation::Equal))).then_some((name, argument))
+    };
+    statements.into_iter().filter_map(given).collect()
 }
 
 fn read_equations(tex: &str, names: &Names) -> Result<Vec<Equation>, Fault> {

@@ -54,6 +54,7 @@ mod tree;
 
 pub(crate) use command::with_commands;
 pub use conditions::read_conditions;
+pub(crate) use display::functions_given;
 pub use display::{read, read_expression, read_name};
 pub use error::{ReadError, Reason};
 pub use evaluate::{EvaluationError, Scope, Unsupported, evaluate};

@@ -8,6 +8,9 @@ pub struct Names {
     /// Names that a bracket turns into a call, without mark and primes: `F_1`, `\dot{Z}`. They must match with
     /// accents and subscript: with `\dot{Z}` here, `\dot{Z}(t)` is a call and `\dot{Z}_k(t)` a product.
     pub functions: Vec<Name>,
+    /// Names of functions that a definition gives, with their dots where they are of time: a bracket turns these into a
+    /// call too.
+    pub defined: Vec<Name>,
     /// Names of several letters that are one symbol where the letters stand in a run: `eta`.
     pub words: Vec<String>,
     /// Matrices whose trace and determinant may be written: `DP`.
@@ -23,7 +26,7 @@ pub struct Names {
 impl Names {
     /// Whether `name`, whatever its mark and primes, was declared a function.
     pub fn is_function(&self, name: &Name) -> bool {
-        self.functions.iter().any(|function| {
+        self.functions.iter().chain(&self.defined).any(|function| {
             function.base == name.base && function.accents == name.accents && function.subscript == name.subscript
         })
     }

@@ -161,6 +161,7 @@ impl<'a> Reader<'a> {
                         }
                         rows
                     }
+                    Kind::Letter | Kind::Word | Kind::Accent => self.matrix_by_name(token)?,
                     _ => return Err(self.instead_of("a matrix")),
                 },
                 None => return Err(self.instead_of("a matrix")),
@@ -173,6 +174,21 @@ impl<'a> Reader<'a> {
             },
             at,
         ))
+    }
+
+    /// `A` or `D(\theta)` behind `\det` or `\tr`, which must end there.
+    fn matrix_by_name(&mut self, token: Token<'a>) -> Result<Box<Tree>, Fault> {
+        let name = self.bare_name()?;
+        let at = self.here();
+        let part = self.symbol(name, token.at)?;
+        let is_plain = matches!(*part.tree, Tree::Symbol(..) | Tree::Call(..));
+        self.skip_empty();
+        let goes_on = |kind: Kind| starts_factor(kind) && !matches!(kind, Kind::Invariant(_));
+        if !is_plain || self.peek_kind().is_some_and(goes_on) {
+            let instead = "write brackets around all that the determinant or trace is of";
+            return Err(Fault::ambiguous(at, "what follows this matrix", instead));
+        }
+        Ok(part.tree)
     }
 
     /// Whether a matrix is written out in the bracket, or the environment, that stands next.

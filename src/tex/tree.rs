@@ -145,6 +145,27 @@ pub struct Case {
     pub conditions: Vec<Condition>,
 }
 
+impl Tree {
+    /// The node with each part directly below it replaced.
+    pub fn map(&self, new: &mut dyn FnMut(&Self) -> Self) -> Self {
+        let mut boxed = |tree: &Self| Box::new(new(tree));
+        match self {
+            Self::Number(_) | Self::Symbol(..) | Self::Partial { .. } | Self::Invariant { .. } => self.clone(),
+            Self::Call(name, argument, at) => Self::Call(name.clone(), boxed(argument), *at),
+            Self::Negate(inner) => Self::Negate(boxed(inner)),
+            Self::Sum(terms) => Self::Sum(terms.iter().map(new).collect()),
+            Self::Product(factors) => Self::Product(factors.iter().map(new).collect()),
+            Self::Quotient(above, below, at) => Self::Quotient(boxed(above), boxed(below), *at),
+            Self::Power(base, exponent, at) => Self::Power(boxed(base), *exponent, *at),
+            Self::RealPower(base, exponent, at) => Self::RealPower(boxed(base), boxed(exponent), *at),
+            Self::Root(inner, index, at) => Self::Root(boxed(inner), *index, *at),
+            Self::PlusMinus(inner) => Self::PlusMinus(boxed(inner)),
+            Self::MinusPlus(inner) => Self::MinusPlus(boxed(inner)),
+            Self::Operation(operation, at) => Self::Operation(Box::new(operation.map(&mut |part, _| new(part))), *at),
+        }
+    }
+}
+
 impl Operation {
     /// The letter that it binds in some of its [`parts`](Self::parts).
     pub fn letter(&self) -> Option<&Name> {

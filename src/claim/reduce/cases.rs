@@ -1,7 +1,7 @@
 //! Values by cases: one goal for each choice of cases, under the conditions of these.
 
 use super::super::premise::Statements;
-use super::super::substitute::{any, runs};
+use super::super::substitute::{any, mapped, runs};
 use super::super::vocabulary::{Vocabulary, index_of};
 use super::build::{integer, negative};
 use super::{holds, rewritten, trees};
@@ -12,7 +12,7 @@ const MOST: usize = 64;
 
 /// The sign of a number, which is 0 at 0, by cases.
 pub(super) fn signs(tree: &Tree) -> Tree {
-    super::evaluate::mapped(tree, &|node| {
+    mapped(tree, &|node| {
         let Tree::Call(_, argument, at) = node else {
             return None;
         };
@@ -35,7 +35,7 @@ pub(super) fn signs(tree: &Tree) -> Tree {
 
 /// Absolute values of real numbers by cases.
 pub(super) fn absolute_values(tree: &Tree) -> Tree {
-    super::evaluate::mapped(tree, &|node| {
+    mapped(tree, &|node| {
         let Tree::Call(_, argument, at) = node else {
             return None;
         };
@@ -155,7 +155,7 @@ fn first(statements: &Statements) -> Option<Vec<Case>> {
 }
 
 fn replaced(tree: &Tree, cases: &[Case], by: &Tree) -> Tree {
-    super::evaluate::mapped(tree, &|node| match node {
+    mapped(tree, &|node| match node {
         Tree::Operation(operation, _) => match &**operation {
             Operation::Cases(own) if own == cases => Some(by.clone()),
             _ => None,

@@ -1,5 +1,6 @@
 //! What must hold for a formula to have a value.
 
+use super::super::substitute::number_of;
 use super::super::vocabulary::Vocabulary;
 use super::build::{call, difference, integer, plain};
 use crate::number::{Field, Rational};
@@ -63,9 +64,7 @@ fn collect(tree: &Tree, vocabulary: &Vocabulary, found: &mut Vec<Equation>) -> R
             let is_whole = super::factorial::is_integer(exponent, vocabulary);
             let is_nonzero = match &**base {
                 Tree::Symbol(name, _) => vocabulary.nonzero.contains(name),
-                base => {
-                    super::super::substitute::number_of(base).is_some_and(|value| value != Rational::from_integer(0))
-                }
+                base => number_of(base).is_some_and(|value| value != Rational::from_integer(0)),
             };
             if is_whole && !is_positive && !is_nonzero {
                 found.push(relation((**exponent).clone(), Relation::GreaterOrEqual, zero()));

@@ -1,6 +1,6 @@
 //! Derivatives by the rules of differentiation: a value where each rule gives one.
 
-use super::super::substitute::{any, rewrite};
+use super::super::substitute::{any, nodes_of, rewrite};
 use super::super::vocabulary::Vocabulary;
 use super::build::{
     call, difference, integer, is_zero, negative, plain, power, product, quotient, real_power, root, sum, symbol,
@@ -30,7 +30,7 @@ impl By<'_> {
         let mut slope = tree.clone();
         for _ in 0..order {
             slope = self.of(&slope)?;
-            if super::super::substitute::nodes_of(&slope) > LARGEST {
+            if nodes_of(&slope) > LARGEST {
                 return Err("the derivative is too large".to_owned());
             }
         }

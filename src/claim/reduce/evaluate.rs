@@ -14,31 +14,6 @@ use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
 const MOST_TERMS: i64 = 200;
 const LARGEST: usize = 400_000;
 
-/// The tree with each node replaced for which `new` has another.
-pub(super) fn mapped(tree: &Tree, new: &dyn Fn(&Tree) -> Option<Tree>) -> Tree {
-    if let Some(tree) = new(tree) {
-        return tree;
-    }
-    let again = |tree: &Tree| mapped(tree, new);
-    let boxed = |tree: &Tree| Box::new(mapped(tree, new));
-    match tree {
-        Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => tree.clone(),
-        Tree::Call(name, argument, at) => Tree::Call(name.clone(), boxed(argument), *at),
-        Tree::Negate(inner) => Tree::Negate(boxed(inner)),
-        Tree::Sum(terms) => Tree::Sum(terms.iter().map(again).collect()),
-        Tree::Product(factors) => Tree::Product(factors.iter().map(again).collect()),
-        Tree::Quotient(above, below, at) => Tree::Quotient(boxed(above), boxed(below), *at),
-        Tree::Power(base, exponent, at) => Tree::Power(boxed(base), *exponent, *at),
-        Tree::RealPower(base, exponent, at) => Tree::RealPower(boxed(base), boxed(exponent), *at),
-        Tree::Root(inner, index, at) => Tree::Root(boxed(inner), *index, *at),
-        Tree::PlusMinus(inner) => Tree::PlusMinus(boxed(inner)),
-        Tree::MinusPlus(inner) => Tree::MinusPlus(boxed(inner)),
-        Tree::Operation(operation, at) => {
-            Tree::Operation(Box::new(operation.map(&mut |part, _| mapped(part, new))), *at)
-        }
-    }
-}
-
 /// The statements with every operation written out.
 pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
     let out = but_factorials(statements, vocabulary)?;

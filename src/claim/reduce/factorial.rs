@@ -1,10 +1,10 @@
 //! Factorials: of numbers their values, of letters positive quantities of which n! = n (n - 1)! is known.
 
 use super::super::premise::Statements;
-use super::super::substitute::any;
+use super::super::substitute::{any, mapped};
 use super::super::vocabulary::Vocabulary;
 use super::build::{integer, product, quotient, real_power, sum, symbol};
-use super::evaluate::{mapped, whole};
+use super::evaluate::whole;
 use super::{fresh, rewritten, trees};
 use crate::number::{Field, Rational};
 use crate::tex::{Condition, Equation, Name, Relation, Tree};

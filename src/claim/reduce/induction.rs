@@ -3,11 +3,11 @@
 
 use super::super::fault::Source;
 use super::super::premise::{Premise, Statements};
-use super::super::substitute::rewrite;
+use super::super::substitute::{any, mapped, rewrite};
 use super::super::vocabulary::Vocabulary;
 use super::build::{difference, integer, product, sum, symbol};
 use super::derivative::mentions;
-use super::evaluate::{but_factorials, mapped, whole};
+use super::evaluate::{but_factorials, whole};
 use super::{Goal, defined, factorial, fresh, holds, instances, rewritten};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
 
@@ -175,7 +175,7 @@ fn first_value(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) 
 }
 
 fn series_in(tree: &Tree, found: &mut Vec<Operation>) {
-    super::super::substitute::any(tree, &mut |node| {
+    any(tree, &mut |node| {
         if let Tree::Operation(operation, _) = node
             && matches!(**operation, Operation::Series { .. })
             && !found.contains(operation)
@@ -224,7 +224,7 @@ fn moved(operation: &Operation, letter: &Name, first: i64, name: Name) -> Result
         let at = sum(vec![limit.clone(), integer(more)]);
         rewrite(of, &|name| (name == index).then(|| at.clone()))
     };
-    let is_numbered = super::super::substitute::any(
+    let is_numbered = any(
         of,
         &mut |node| matches!(node, Tree::Symbol(name, _) if super::super::vocabulary::index_of(&name.subscript, &index.to_string()).is_some()),
     );

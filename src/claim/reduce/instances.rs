@@ -1,7 +1,7 @@
 //! A claim over integers at numbers: what must hold if the claim does.
 
 use super::super::premise::Statements;
-use super::super::substitute::{any, number_of, rewrite};
+use super::super::substitute::{any, mapped, number_of, rewrite};
 use super::super::vocabulary::Vocabulary;
 use super::build::integer;
 use super::derivative::mentions;
@@ -126,7 +126,7 @@ fn folded(tree: &Tree) -> Tree {
     if !any(tree, &mut |node| is_power(node)) {
         return tree.clone();
     }
-    super::evaluate::mapped(tree, &|node| match node {
+    mapped(tree, &|node| match node {
         Tree::RealPower(base, exponent, at) => {
             let exponent = i32::try_from(super::evaluate::whole(exponent)?).ok()?;
             Some(Tree::Power(Box::new(folded(base)), exponent, *at))

@@ -1,12 +1,12 @@
 //! Integrals: indefinite ones by differentiation, definite ones by an antiderivative whose own claims are lemmas.
 
 use super::super::premise::Statements;
-use super::super::substitute::rewrite;
+use super::super::substitute::{any, mapped, rewrite};
 use super::super::vocabulary::Vocabulary;
 use super::antiderivative::antiderivative;
 use super::build::{difference, integer, plain, product, sum, symbol};
 use super::derivative::By;
-use super::evaluate::{evaluated, mapped};
+use super::evaluate::evaluated;
 use super::{Goal, Reduced, defined, fresh, holds};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
 
@@ -135,7 +135,7 @@ pub(super) fn by_antiderivatives(statements: &Statements, vocabulary: &Vocabular
     let (mut lemmas, mut extended) = (Vec::new(), vocabulary.clone());
     for tree in super::trees(statements) {
         let mut integrals = Vec::new();
-        super::super::substitute::any(tree, &mut |node| {
+        any(tree, &mut |node| {
             if let Tree::Operation(operation, _) = node
                 && matches!(**operation, Operation::Integral { limits: Some(_), .. })
             {

@@ -1,10 +1,11 @@
 //! Limits, and what is of the order of a power, by power series in what tends to 0.
 
 use super::super::premise::Statements;
-use super::super::substitute::{any, rewrite};
+use super::super::substitute::{any, mapped, rewrite};
 use super::super::vocabulary::Vocabulary;
 use super::build::{difference, integer, sum};
-use super::evaluate::{mapped, whole};
+use super::derivative::mentions;
+use super::evaluate::whole;
 use super::series::{Series, Small, is_likely_zero, with_factorials};
 use super::{Goal, holds, is_spoken_of, rewritten, trees};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
@@ -53,15 +54,57 @@ pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Res
             claims.push(claim);
             continue;
         }
-        let Some((by, to)) = &approached else {
-            return Err("what tends to what? write `x \\to 0` as an assumption".to_owned());
-        };
-        let (own, needed) = of_order(&out, vocabulary, &claim, by, to)?;
+        let approached = approached.clone().or_else(|| implied(&claim, vocabulary));
+        let (by, to) = approached.ok_or("what tends to what? write `x \\to 0` as an assumption")?;
+        let (own, needed) = of_order(&out, vocabulary, &claim, &by, &to)?;
         lemmas.extend(as_goals(&out, vocabulary, needed));
         claims.extend(own);
     }
     out.claims = claims;
     Ok((out, lemmas))
+}
+
+/// What tends to 0 in `a = 1 + x + O(x^2)`: beside an order, lower powers of the same symbol say so, for where it grows
+/// they would be of that order themselves.
+fn implied(claim: &Equation, vocabulary: &Vocabulary) -> Option<(Name, Tree)> {
+    let Tree::Sum(terms) = &claim.right else {
+        return None;
+    };
+    let order = |term: &Tree| match term {
+        Tree::Operation(operation, _) => match &**operation {
+            Operation::Order(of) => Some(of.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    let (orders, lower): (Vec<&Tree>, Vec<&Tree>) = terms.iter().partition(|term| order(term).is_some());
+    let (name, degree) = match order(orders.first()?)? {
+        Tree::Symbol(name, _) => (name, 1),
+        Tree::Power(base, degree, _) => match *base {
+            Tree::Symbol(name, _) => (name, degree),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let is_lower = |term: &&Tree| {
+        let term = rewrite(term, &|name| vocabulary.meaning(name, &|_| false));
+        degree_in(&term, &name).is_some_and(|own| own < degree)
+    };
+    let is_meant = orders.len() == 1 && !lower.is_empty() && lower.iter().all(is_lower);
+    (is_meant && vocabulary.parameters.contains(&name)).then_some((name, integer(0)))
+}
+
+/// The power of a symbol that a term is a multiple of.
+fn degree_in(tree: &Tree, name: &Name) -> Option<i32> {
+    match tree {
+        Tree::Symbol(other, _) if other == name => Some(1),
+        tree if !mentions(tree, name) => Some(0),
+        Tree::Negate(inner) => degree_in(inner, name),
+        Tree::Product(factors) => factors.iter().map(|factor| degree_in(factor, name)).sum(),
+        Tree::Quotient(above, below, _) if !mentions(below, name) => degree_in(above, name),
+        Tree::Power(base, power @ 0.., _) => degree_in(base, name)?.checked_mul(*power),
+        _ => None,
+    }
 }
 
 /// Takes what is assumed to tend to something out of the assumptions.

@@ -3,11 +3,10 @@
 //!
 //! A series holds where what it needs does: each division, logarithm and root says so.
 
-use super::super::substitute::number_of;
+use super::super::substitute::{any, mapped, number_of};
 use super::super::vocabulary::Vocabulary;
 use super::build::{call, integer, negative, power, product, quotient, real_power, root, sum, symbol};
 use super::derivative::{By, mentions};
-use super::evaluate::mapped;
 use super::factorial;
 use crate::number::{Field, Rational};
 use crate::tex::{At, Equation, Name, Operation, Relation, Tree};
@@ -399,7 +398,7 @@ impl Small<'_> {
 
     /// The series of a tree.
     pub fn of(&mut self, tree: &Tree) -> Found {
-        if !mentions(tree, self.name) && !super::super::substitute::any(tree, &mut |node| factorial::is_one(node)) {
+        if !mentions(tree, self.name) && !any(tree, &mut |node| factorial::is_one(node)) {
             if super::evaluate::may_be_undefined(tree) && !self.written.contains(tree) {
                 self.written.push(tree.clone());
             }
