@@ -2,7 +2,7 @@
 
 use super::definition::{Local, pair_of};
 use super::nearest::nearest;
-use super::substitute::{any_side, below};
+use super::substitute::{any, any_side, below};
 use super::vocabulary::{Map, Vocabulary, index_of};
 use crate::tex::{Name, Tree};
 use std::collections::{BTreeSet, HashSet};
@@ -242,6 +242,23 @@ impl Vocabulary {
     /// in it.
     pub fn may_be_complex(&self, tree: &Tree) -> bool {
         self.complex_in(tree, &|_| false).is_some()
+    }
+
+    /// Whether a complex symbol, the conjugate of one or the imaginary unit stands anywhere in a formula.
+    pub(super) fn speaks_of_complex(&self, tree: &Tree) -> bool {
+        any(tree, &mut |node| match node {
+            Tree::Symbol(name, _) => {
+                let single = pair_of(name);
+                let is_listed = self.complex.contains(single.as_ref().unwrap_or(name));
+                is_listed || self.is_unit(name) || self.conjugated(name).is_some()
+            }
+            _ => false,
+        })
+    }
+
+    /// Whether a name is the conjugate of another.
+    pub(super) fn is_conjugate_of(&self, name: &Name, of: &Name) -> bool {
+        self.conjugated(name).is_some_and(|(plain, _)| plain == *of)
     }
 
     /// What to say of a name that nothing declares.

@@ -269,6 +269,10 @@ impl Entry {
                 );
                 return Err(source.fault(at, problem).of(&self.label));
             }
+            let is_formula = |name: &Name| mine(name) || vocabulary.meaning(name, &|_| false).is_some();
+            if let Some((at, problem)) = wrong_letter(tree, vocabulary, &is_formula) {
+                return Err(source.fault(at, problem).of(&self.label));
+            }
             let extra = |name: &Name| {
                 mine(name)
                     || approaches.contains(name)
@@ -713,6 +717,29 @@ fn called_with_itself(tree: &Tree) -> Option<(Name, usize)> {
             )
         {
             found = Some((name.clone(), at.0));
+        }
+        found.is_some()
+    });
+    found
+}
+
+/// What is wrong with a letter of an operation, and where: a complex one that counts terms, or one that stands for a
+/// formula and is differentiated by.
+fn wrong_letter(tree: &Tree, vocabulary: &Vocabulary, is_formula: &dyn Fn(&Name) -> bool) -> Option<(usize, String)> {
+    let mut found = None;
+    any(tree, &mut |node| {
+        if let Tree::Operation(operation, at) = node {
+            let problem = match &**operation {
+                Operation::Series { index, .. } if vocabulary.complex.contains(index) => {
+                    let problem = "is complex, and counts the terms here: give one of the two another name";
+                    Some(format!("`{index}` {problem}"))
+                }
+                Operation::Derivative { by, .. } if is_formula(by) => {
+                    Some(format!("`{by}` stands for a formula: nothing is differentiated by it"))
+                }
+                _ => None,
+            };
+            found = problem.map(|problem| (at.0, problem));
         }
         found.is_some()
     });

@@ -272,6 +272,7 @@ impl Given {
     fn held(&self, function: &Function, vocabulary: &Vocabulary) -> Option<Name> {
         let argument = &function.argument;
         let is_time = vocabulary.running.as_ref() == Some(argument);
+        let conjugates = |name: &Name| vocabulary.is_conjugate_of(name, argument);
         let numbers = |name: &Name| index_of(&name.subscript, &argument.to_string()).is_some();
         let means = |name: &Name| {
             vocabulary
@@ -292,7 +293,7 @@ impl Given {
             };
             let runs = is_time && (vocabulary.names.is_function(name) || vocabulary.is_in_flight(name));
             let is_map = !matches!(node, Tree::Symbol(..));
-            if is_map || runs || numbers(name) || means(name) || given(name) {
+            if is_map || runs || conjugates(name) || numbers(name) || means(name) || given(name) {
                 found = Some(name.clone());
             }
             found.is_some()

@@ -390,7 +390,8 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
             };
             let family = family(statement, function);
             let once = own.iter().filter(|(f, ..)| family.contains(f)).count() == 1;
-            if at != running || !once || named.iter().any(|(f, ..)| *f == function) || order > 0 {
+            // one of a family gives the others
+            if at != running || !once || named.iter().any(|(f, ..)| family.contains(f)) || order > 0 {
                 continue;
             }
             // a law of flight says what the motion is, not what drives it
@@ -429,6 +430,15 @@ fn models(statement: &mut Statement, laws: &[Usable]) -> Vec<Vec<(Function, Symb
         }
     }
     complete(statement, &mut named, time);
+    // what other functions give, but not its integral, names nothing
+    let derivatives = statement.derivatives().clone();
+    let known: BTreeSet<Function> = named.iter().map(|(f, ..)| *f).collect();
+    let is_whole = |inner: &Function| derivatives.iter().all(|(f, g)| g != inner || known.contains(f));
+    named.retain(|(function, _, term)| {
+        let family = family(statement, *function);
+        let is_closed = family.iter().filter(|f| known.contains(f)).all(is_whole);
+        is_closed || values::values_of(statement, *term).is_empty()
+    });
     let covered: BTreeSet<Function> = named.iter().map(|(f, ..)| *f).collect();
     let periodic: BTreeSet<Function> = periods(statement).into_iter().map(|(f, _)| f).collect();
     let flights = statement.functions().to_vec();
@@ -481,7 +491,6 @@ fn is_own_derivative(statement: &Statement, function: Function) -> bool {
     false
 }
 
-/// A function with all that are connected with it by derivatives.
 /// A function with all that are declared its derivatives, or whose derivative it is, in turn.
 pub(super) fn family(statement: &Statement, function: Function) -> BTreeSet<Function> {
     let mut family = BTreeSet::from([function]);
@@ -630,7 +639,8 @@ fn candidates(
         shapes.extend([double, product]);
     }
     let mut sets = Vec::new();
-    // one function leads, those that are derivatives follow; a second open family takes the first shapes
+    let others = [terms.integer(0), t];
+    // one function leads, those that are derivatives follow; a second open family takes each shape too, further ones a few
     for &shape in &shapes {
         let mut set = named.to_vec();
         let mut left: Vec<Function> = open.to_vec();
@@ -646,7 +656,21 @@ fn candidates(
             let mut set = set.clone();
             set.push((second, time, other));
             complete(statement, &mut set, time);
-            sets.push(set);
+            let mut left = left.clone();
+            left.retain(|function| !set.iter().any(|(f, ..)| f == function));
+            if left.is_empty() {
+                sets.push(set);
+                continue;
+            }
+            for shape in others {
+                let (mut set, mut left) = (set.clone(), left.clone());
+                while let Some(next) = top(statement, &left) {
+                    set.push((next, time, shape));
+                    complete(statement, &mut set, time);
+                    left.retain(|function| !set.iter().any(|(f, ..)| f == function));
+                }
+                sets.push(set);
+            }
         }
     }
     sets.truncate(400);

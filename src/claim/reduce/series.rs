@@ -38,6 +38,12 @@ pub(super) struct Small<'a> {
 
 type Found = Result<Series, String>;
 
+/// Functions whose series hold of complex numbers too, by themselves or by what each division and logarithm needs.
+const ENTIRE_OR_GUARDED: [&str; 14] = [
+    "\\exp", "\\ln", "\\log", "\\sin", "\\cos", "\\sinh", "\\cosh", "\\tan", "\\cot", "\\tanh", "\\coth", "\\sec",
+    "\\csc", "\\csch",
+];
+
 /// The tree, a number where it is written with numbers.
 fn tidy(tree: Tree) -> Tree {
     match number_of(&tree) {
@@ -398,6 +404,12 @@ impl Small<'_> {
 
     /// The series of a tree.
     pub fn of(&mut self, tree: &Tree) -> Found {
+        let vocabulary = self.vocabulary;
+        let is_conjugate =
+            |node: &Tree| matches!(node, Tree::Symbol(name, _) if vocabulary.is_conjugate_of(name, self.name));
+        if any(tree, &mut |node| is_conjugate(node)) {
+            return Err("a conjugate in a series".to_owned());
+        }
         if !mentions(tree, self.name) && !any(tree, &mut |node| factorial::is_one(node)) {
             if super::evaluate::may_be_undefined(tree) && !self.written.contains(tree) {
                 self.written.push(tree.clone());
@@ -487,6 +499,10 @@ impl Small<'_> {
     }
 
     fn of_call(&mut self, name: &Name, argument: &Tree) -> Found {
+        let is_complex = self.vocabulary.speaks_of_complex(argument);
+        if is_complex && !ENTIRE_OR_GUARDED.contains(&name.base.as_str()) {
+            return Err(format!("{name} of a complex number in a series"));
+        }
         let inner = self.of(argument)?;
         if self.vocabulary.is_function(name) {
             return self.of_unknown(name, &inner);
