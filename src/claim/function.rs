@@ -205,7 +205,8 @@ impl Given {
                     let function = self
                         .functions
                         .iter()
-                        .find(|function| function.name == *name && function.argument == *by);
+                        .find(|function| function.name == *name && function.argument == *by)
+                        .filter(|_| *there == Tree::Symbol(by.clone(), *at));
                     Ok(function.map(|function| function.at(there, *order, *at)))
                 }
                 _ => Ok(None),

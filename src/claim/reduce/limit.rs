@@ -91,7 +91,8 @@ fn implied(claim: &Equation, vocabulary: &Vocabulary) -> Option<(Name, Tree)> {
         degree_in(&term, &name).is_some_and(|own| own < degree)
     };
     let is_meant = orders.len() == 1 && !lower.is_empty() && lower.iter().all(is_lower);
-    (is_meant && vocabulary.parameters.contains(&name)).then_some((name, integer(0)))
+    let is_number = vocabulary.parameters.contains(&name) && !vocabulary.integers.contains(&name);
+    (is_meant && is_number).then_some((name, integer(0)))
 }
 
 /// The power of a symbol that a term is a multiple of.
