@@ -24,7 +24,7 @@ pub use decision::{Decision, mention_refuted};
 pub use explanation::explain;
 pub use script::{CHECKER, Decided, Found, decided, scripts};
 
-use crate::claim::{Goal, Reduced, Sheet, Verdict, reduced, reduced_by_cases};
+use crate::claim::{Goal, Reduced, Sheet, Verdict, reduced, reduced_by_cases, ways_by_derivatives};
 use crate::kernel;
 
 /// How far the search goes.
@@ -68,7 +68,7 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
 /// What the goals of a claim come to together; `reason` is that of a proof.
 fn together(goals: &Reduced, start: &Decision, reason: &str, options: &Options) -> Decision {
     let mut decision = start.clone();
-    let settle = |goal: &Goal| settled(goal, start, options);
+    let settle = |goal: &Goal| settled_by_derivatives(goal, start, options);
     for lemma in &goals.lemmas {
         let found = settle(lemma);
         if found.verdict != Verdict::Proved {
@@ -146,6 +146,36 @@ fn goals(sheet: &Sheet, position: usize) -> Result<Reduced, Box<Decision>> {
             ..Decision::of(sheet, position)
         })),
     }
+}
+
+/// Decides one goal of a claim, an inequality by the signs of derivatives where it is not decided as it stands.
+fn settled_by_derivatives(goal: &Goal, start: &Decision, options: &Options) -> Decision {
+    let decision = settled(goal, start, options);
+    if decision.verdict != Verdict::Undecided || decision.is_vacuous {
+        return decision;
+    }
+    let mut proved = Decision {
+        verdict: Verdict::Proved,
+        ..start.clone()
+    };
+    // what a way to prove a claim rests on, where all of its goals are proved
+    let provided = |way: &Vec<Goal>| {
+        let mut provided = Vec::new();
+        let mut goals = way.iter().map(|goal| settled(goal, start, options));
+        let holds = goals.all(|found| {
+            provided.extend(found.provided);
+            found.verdict == Verdict::Proved
+        });
+        holds.then_some(provided)
+    };
+    let claims = ways_by_derivatives(&goal.statements, &goal.vocabulary);
+    for ways in &claims {
+        match ways.iter().find_map(provided) {
+            Some(provided) => proved.provided.extend(provided),
+            None => return decision,
+        }
+    }
+    if claims.is_empty() { decision } else { proved }
 }
 
 /// Decides one goal of a claim; `start` is the decision on it before anything is known.

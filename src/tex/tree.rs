@@ -298,6 +298,20 @@ pub enum Relation {
     GreaterOrEqual,
 }
 
+impl Relation {
+    /// The relation of the sides in the other order.
+    pub fn turned(self) -> Self {
+        match self {
+            Self::Equal => Self::Equal,
+            Self::NotEqual => Self::NotEqual,
+            Self::Less => Self::Greater,
+            Self::LessOrEqual => Self::GreaterOrEqual,
+            Self::Greater => Self::Less,
+            Self::GreaterOrEqual => Self::LessOrEqual,
+        }
+    }
+}
+
 /// An equation or inequality, and where in the TeX it starts and ends.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Equation {

@@ -59,6 +59,27 @@ pub(super) fn absolute_values(tree: &Tree) -> Tree {
     })
 }
 
+/// `|a| <= b` as `a <= b` and `-a <= b`; any other claim as it is.
+pub(super) fn between_bounds(claim: &Equation) -> Vec<Equation> {
+    let (inner, bound, relation) = match (&claim.left, claim.relation, &claim.right) {
+        (Tree::Call(_, inner, _), Relation::Less | Relation::LessOrEqual, bound) if is_absolute(&claim.left) => {
+            (inner, bound, claim.relation)
+        }
+        (bound, Relation::Greater | Relation::GreaterOrEqual, Tree::Call(_, inner, _)) if is_absolute(&claim.right) => {
+            (inner, bound, claim.relation.turned())
+        }
+        _ => return vec![claim.clone()],
+    };
+    let sides = [(**inner).clone(), negative((**inner).clone())];
+    let own = |left: Tree| Equation {
+        left,
+        relation,
+        right: bound.clone(),
+        ..claim.clone()
+    };
+    sides.map(own).to_vec()
+}
+
 /// Whether a node is the absolute value of something.
 pub(super) fn is_absolute(node: &Tree) -> bool {
     matches!(node, Tree::Call(name, ..) if name.base == r"\abs")

@@ -12,6 +12,7 @@ mod derivative;
 mod evaluate;
 mod factorial;
 mod induction;
+mod inequality;
 mod instances;
 mod integral;
 mod limit;
@@ -22,6 +23,7 @@ use super::definition::{Local, inlined};
 use super::premise::Statements;
 use super::substitute::{any, below, put_in};
 use super::vocabulary::{Map, Vocabulary};
+pub use inequality::ways as ways_by_derivatives;
 pub(super) use integral::{holds_indefinite, is_constant_of_integration};
 
 use crate::tex::{Condition, Equation, Name, Operation, Tree};
@@ -179,7 +181,11 @@ pub fn reduced_by_cases(statements: &Statements, vocabulary: &Vocabulary) -> Opt
     let has_bars = trees(&written)
         .into_iter()
         .any(|tree| any(tree, &mut cases::is_absolute));
-    let with_cases = (is_real && has_bars).then(|| rewritten(&written, &cases::absolute_values));
+    let with_cases = (is_real && has_bars).then(|| {
+        let mut between = written.clone();
+        between.claims = written.claims.iter().flat_map(cases::between_bounds).collect();
+        rewritten(&between, &cases::absolute_values)
+    });
     let split = with_cases.and_then(|with_cases| cases::split(&with_cases, vocabulary).ok());
     let goal = |(part, own): (String, Statements)| Goal::of(&own, vocabulary, part);
     let sufficient: Vec<Goal> = split.into_iter().flatten().map(goal).collect();

@@ -82,43 +82,62 @@ fn is_zero(tree: &Tree) -> bool {
 
 /// A value at a point of no meaning, to tell what may vanish: nothing rests on it.
 fn guess(tree: &Tree) -> Option<f64> {
-    let seed = |text: &str| {
-        let hash = text.bytes().fold(2_166_136_261_u32, |hash, byte| {
-            (hash ^ u32::from(byte)).wrapping_mul(16_777_619)
-        });
-        0.4 + f64::from(hash % 1009) / 1009.0
-    };
-    let all = |trees: &[Tree]| trees.iter().map(guess).collect::<Option<Vec<f64>>>();
+    guess_at(tree, &|name| Some(seed(name)))
+}
+
+/// A number for a name, the same at each time.
+pub(super) fn seed(name: &Name) -> f64 {
+    hashed(&name.to_string())
+}
+
+fn hashed(text: &str) -> f64 {
+    let hash = text.bytes().fold(2_166_136_261_u32, |hash, byte| {
+        (hash ^ u32::from(byte)).wrapping_mul(16_777_619)
+    });
+    0.4 + f64::from(hash % 1009) / 1009.0
+}
+
+/// A value where symbols have values, to tell what is worth a proof: nothing rests on it.
+pub(super) fn guess_at(tree: &Tree, of: &dyn Fn(&Name) -> Option<f64>) -> Option<f64> {
+    let value = |tree: &Tree| guess_at(tree, of);
+    let all = |trees: &[Tree]| trees.iter().map(value).collect::<Option<Vec<f64>>>();
     Some(match tree {
-        Tree::Number(value) => value.0.to_f64().value(),
+        Tree::Number(number) => number.0.to_f64().value(),
         Tree::Symbol(name, _) => match name.base.as_str() {
             "\\pi" => std::f64::consts::PI,
             "e" => std::f64::consts::E,
-            _ => seed(&name.to_string()),
+            _ => of(name)?,
         },
-        Tree::Negate(inner) => -guess(inner)?,
+        Tree::Negate(inner) => -value(inner)?,
         Tree::Sum(terms) => all(terms)?.into_iter().sum(),
         Tree::Product(factors) => all(factors)?.into_iter().product(),
-        Tree::Quotient(above, below, _) => guess(above)? / guess(below)?,
-        Tree::Power(base, exponent, _) => guess(base)?.powi(*exponent),
-        Tree::RealPower(base, exponent, _) => guess(base)?.powf(guess(exponent)?),
-        Tree::Root(radicand, index, _) => guess(radicand)?.powf(1.0 / f64::from(*index)),
+        Tree::Quotient(above, below, _) => value(above)? / value(below)?,
+        Tree::Power(base, exponent, _) => value(base)?.powi(*exponent),
+        Tree::RealPower(base, exponent, _) => value(base)?.powf(value(exponent)?),
+        Tree::Root(radicand, index, _) => value(radicand)?.powf(1.0 / f64::from(*index)),
         Tree::Call(name, argument, _) => {
-            let at = guess(argument)?;
+            let at = value(argument)?;
             match name.base.as_str() {
                 "\\sin" => at.sin(),
                 "\\cos" => at.cos(),
                 "\\tan" => at.tan(),
+                "\\sec" => at.cos().recip(),
+                "\\csc" => at.sin().recip(),
+                "\\cot" => at.tan().recip(),
                 "\\sinh" => at.sinh(),
                 "\\cosh" => at.cosh(),
                 "\\tanh" => at.tanh(),
+                "\\coth" => at.tanh().recip(),
                 "\\exp" => at.exp(),
                 "\\ln" | "\\log" => at.ln(),
                 "\\arctan" => at.atan(),
                 "\\arcsin" => at.asin(),
                 "\\arccos" => at.acos(),
+                "\\arsinh" => at.asinh(),
+                "\\arcosh" => at.acosh(),
+                "\\artanh" => at.atanh(),
                 "\\abs" => at.abs(),
-                _ => seed(&format!("{name} {at:.9}")),
+                _ => hashed(&format!("{name} {at:.9}")),
             }
         }
         _ => return None,
