@@ -26,6 +26,15 @@ pub struct Decision {
 }
 
 impl Decision {
+    /// Adds what the verdict holds under.
+    pub(super) fn provide(&mut self, conditions: impl IntoIterator<Item = String>) {
+        for condition in conditions {
+            if !self.provided.contains(&condition) {
+                self.provided.push(condition);
+            }
+        }
+    }
+
     /// Whether the verdict is the one that the sheet expects.
     pub fn is_expected(&self) -> bool {
         self.verdict == self.expected

@@ -75,6 +75,7 @@ fn together(goals: &Reduced, start: &Decision, reason: &str, options: &Options) 
             decision.reason = format!("{} is not shown: {}", lemma.part, found.reason);
             return decision;
         }
+        decision.provide(found.provided);
     }
     decision.verdict = Verdict::Proved;
     decision.reason = reason.to_owned();
@@ -94,11 +95,7 @@ fn together(goals: &Reduced, start: &Decision, reason: &str, options: &Options) 
             }
             Verdict::Proved => {
                 met += 1;
-                for provided in found.provided {
-                    if !decision.provided.contains(&provided) {
-                        decision.provided.push(provided);
-                    }
-                }
+                decision.provide(found.provided);
             }
             // what is enough for the claim may fail where the claim holds
             Verdict::Refuted if !goals.is_equivalent => {
@@ -154,28 +151,19 @@ fn settled_by_derivatives(goal: &Goal, start: &Decision, options: &Options) -> D
     if decision.verdict != Verdict::Undecided || decision.is_vacuous {
         return decision;
     }
-    let mut proved = Decision {
-        verdict: Verdict::Proved,
-        ..start.clone()
-    };
-    // what a way to prove a claim rests on, where all of its goals are proved
-    let provided = |way: &Vec<Goal>| {
-        let mut provided = Vec::new();
+    // a derivative must have its sign everywhere: what is provided for one number is no proof
+    let holds = |way: &Vec<Goal>| {
         let mut goals = way.iter().map(|goal| settled(goal, start, options));
-        let holds = goals.all(|found| {
-            provided.extend(found.provided);
-            found.verdict == Verdict::Proved
-        });
-        holds.then_some(provided)
+        goals.all(|found| found.verdict == Verdict::Proved && found.provided.is_empty())
     };
     let claims = ways_by_derivatives(&goal.statements, &goal.vocabulary);
-    for ways in &claims {
-        match ways.iter().find_map(provided) {
-            Some(provided) => proved.provided.extend(provided),
-            None => return decision,
-        }
+    if claims.is_empty() || !claims.iter().all(|ways| ways.iter().any(holds)) {
+        return decision;
     }
-    if claims.is_empty() { decision } else { proved }
+    Decision {
+        verdict: Verdict::Proved,
+        ..start.clone()
+    }
 }
 
 /// Decides one goal of a claim; `start` is the decision on it before anything is known.
@@ -199,11 +187,7 @@ fn settled(goal: &Goal, start: &Decision, options: &Options) -> Decision {
                 let terms = certificate.statement.terms();
                 let excluded = proof.excluded().iter();
                 let excluded = excluded.map(|&term| format!(r"{} \neq 0", print::tex(terms, term)));
-                for provided in proof.provided().iter().cloned().chain(excluded) {
-                    if !decision.provided.contains(&provided) {
-                        decision.provided.push(provided);
-                    }
-                }
+                decision.provide(proof.provided().iter().cloned().chain(excluded));
             }
             Outcome::Refuted(refuted, witness) => {
                 decision.verdict = Verdict::Refuted;
