@@ -3,10 +3,11 @@
 use super::super::premise::Statements;
 use super::super::substitute::{any, mapped, rewrite};
 use super::super::vocabulary::Vocabulary;
-use super::antiderivative::antiderivative;
-use super::build::{difference, integer, plain, product, sum, symbol};
+use super::antiderivative::{antiderivative, quadratic_exponential};
+use super::build::{call, difference, integer, is_zero, negative, plain, power, product, quotient, root, sum, symbol};
 use super::derivative::By;
 use super::evaluate::evaluated;
+use super::limit::{as_goals, infinity, of_limit};
 use super::{Goal, Reduced, defined, fresh, holds};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
 
@@ -162,25 +163,21 @@ pub(super) fn by_antiderivatives(statements: &Statements, vocabulary: &Vocabular
             {
                 return Ok(None);
             }
-            if super::is_spoken_of(statements, vocabulary, by) {
-                return Err(format!("premises speak of `{by}`, which the integral is by"));
-            }
-            let of = of.clone();
-            let Some(whole) = antiderivative(&of, by, vocabulary) else {
-                return Ok(None);
-            };
+            may_be_bound(statements, vocabulary, by, of)?;
             let letter = fresh(statements, &extended, &by.base);
             extended.let_be_parameter(&letter, false);
-            lemmas.extend(on_the_interval(
+            let definite = Definite {
                 statements,
-                &extended,
-                [&of, &whole],
+                vocabulary: &extended,
+                of,
                 by,
-                &letter,
-                [low, high],
-            )?);
-            let at = |limit: &Tree| rewrite(&whole, &|name| (name == by).then(|| limit.clone()));
-            let value = difference(at(high), at(low));
+                letter,
+                limits: [low, high],
+            };
+            let Some((value, needed)) = definite.value()? else {
+                return Ok(None);
+            };
+            lemmas.extend(needed);
             found.push((operation, value));
         }
     }
@@ -206,47 +203,179 @@ pub(super) fn by_antiderivatives(statements: &Statements, vocabulary: &Vocabular
     }))
 }
 
-/// What an antiderivative must be: on the interval it has a value, and the derivative that is asked for, which has one too.
-fn on_the_interval(
-    statements: &Statements,
-    vocabulary: &Vocabulary,
-    [of, whole]: [&Tree; 2],
-    by: &Name,
-    letter: &Name,
-    [low, high]: [&Tree; 2],
-) -> Result<Vec<Goal>, String> {
-    let at = |tree: &Tree| rewrite(tree, &|name| (name == by).then(|| symbol(letter)));
-    let slope = By {
-        vocabulary,
-        name: letter,
+/// Refuses an integral by a letter of which premises speak, for other symbols may depend on it there. Laws of functions at
+/// each value of the running symbol say nothing of its other values; no function may be left in the integral then.
+fn may_be_bound(statements: &Statements, vocabulary: &Vocabulary, by: &Name, of: &Tree) -> Result<(), String> {
+    if !super::is_spoken_of(statements, vocabulary, by) {
+        return Ok(());
     }
-    .of(&at(whole))?;
-    let between = product(vec![
-        difference(symbol(letter), low.clone()),
-        difference(symbol(letter), high.clone()),
-    ]);
-    let mut alone = statements.clone();
-    alone.premises.retain(|premise| !holds(&premise.equation, &|_| true));
-    alone.assume.push(Condition::Relation(Equation {
-        relation: Relation::LessOrEqual,
-        ..Equation::between(between, integer(0))
-    }));
-    let mut lemmas = Vec::new();
-    let mut push = |claim: Equation| {
-        let part = format!("the antiderivative: {claim}");
-        alone.claims = vec![claim];
-        lemmas.push(Goal::of(&alone, vocabulary, part));
-    };
-    let mut needed = defined::conditions(&at(of), vocabulary)?;
-    needed.extend(defined::conditions(&at(whole), vocabulary)?);
-    needed.extend(defined::conditions(&slope, vocabulary)?);
-    let mut known: Vec<Equation> = Vec::new();
-    for condition in needed {
-        if !known.contains(&condition) {
-            known.push(condition.clone());
-            push(condition);
+    let is_value = |tree: &Tree| match tree {
+        Tree::Call(name, ..) | Tree::Symbol(name, _) => {
+            vocabulary.is_in_flight(name) || (vocabulary.is_function(name) && !vocabulary.parameters.contains(name))
         }
+        _ => false,
+    };
+    let is_law = |equation: &Equation| {
+        is_value(&equation.left)
+            && match &equation.left {
+                Tree::Call(_, argument, _) => matches!(&**argument, Tree::Symbol(name, _) if name == by),
+                _ => true,
+            }
+    };
+    let mut spoken = statements.premises.iter().map(|premise| &premise.equation).filter(|equation| {
+        super::is_free_in(&equation.left, by) || super::is_free_in(&equation.right, by)
+    });
+    let is_allowed = vocabulary.running.as_ref() == Some(by)
+        && !super::is_tied(statements, vocabulary, by)
+        && !super::stands_in_symbols(vocabulary, by)
+        && spoken.all(is_law)
+        && !any(of, &mut |node| is_value(node));
+    match is_allowed {
+        true => Ok(()),
+        false => Err(format!("premises speak of `{by}`, which the integral is by")),
     }
-    push(Equation::between(slope, at(of)));
-    Ok(lemmas)
+}
+
+/// One definite integral, perhaps an improper one, which is the limit towards an infinite end.
+struct Definite<'a> {
+    statements: &'a Statements,
+    vocabulary: &'a Vocabulary,
+    of: &'a Tree,
+    by: &'a Name,
+    /// What stands for any number of the interval.
+    letter: Name,
+    limits: [&'a Tree; 2],
+}
+
+impl Definite<'_> {
+    /// The value and what must hold for it to be that; `None` where no antiderivative is found.
+    fn value(&self) -> Result<Option<(Tree, Vec<Goal>)>, String> {
+        if let Some(found) = self.gaussian()? {
+            return Ok(Some(found));
+        }
+        let Some(whole) = antiderivative(self.of, self.by, self.vocabulary) else {
+            return Ok(None);
+        };
+        let slope = By {
+            vocabulary: self.vocabulary,
+            name: &self.letter,
+        }
+        .of(&self.at_letter(&whole))?;
+        let mut claims = self.conditions(&[self.of, &whole])?;
+        claims.extend(defined::conditions(&slope, self.vocabulary)?);
+        claims.push(Equation::between(slope, self.at_letter(self.of)));
+        let mut lemmas = self.lemmas("the antiderivative", claims)?;
+        let mut ends = Vec::new();
+        for limit in self.limits {
+            ends.push(match infinity(limit) {
+                None => rewrite(&whole, &|name| (name == self.by).then(|| limit.clone())),
+                Some(_) => {
+                    // what does not move in the antiderivative has a value, by the lemmas
+                    let (value, needed, _) = of_limit(
+                        self.statements,
+                        self.vocabulary,
+                        &self.at_letter(&whole),
+                        &self.letter,
+                        limit,
+                    )?;
+                    lemmas.extend(as_goals(self.statements, self.vocabulary, needed));
+                    value
+                }
+            });
+        }
+        let high = ends.pop().unwrap_or_else(|| integer(0));
+        let low = ends.pop().unwrap_or_else(|| integer(0));
+        Ok(Some((difference(high, low), lemmas)))
+    }
+
+    /// The integral of e^(c + b x - a x^2) over all numbers, which is e^(c + b^2/(4 a)) \sqrt{\pi/a} for positive a; half
+    /// of it from 0 on, where b is 0.
+    fn gaussian(&self) -> Result<Option<(Tree, Vec<Goal>)>, String> {
+        let [low, high] = self.limits;
+        let Some((factor, [constant, linear, square])) = quadratic_exponential(self.of, self.by, self.vocabulary) else {
+            return Ok(None);
+        };
+        let is_half = match (infinity(low), infinity(high)) {
+            (Some(false), Some(true)) => false,
+            (None, Some(true)) if is_zero(low) && is_zero(&linear) => true,
+            _ => return Ok(None),
+        };
+        let letter = symbol(&self.letter);
+        let exponent = sum(vec![
+            constant.clone(),
+            product(vec![linear.clone(), letter.clone()]),
+            product(vec![square.clone(), power(letter, 2)]),
+        ]);
+        let mut claims = self.conditions(&[self.of, &factor])?;
+        claims.push(Equation {
+            relation: Relation::Less,
+            ..Equation::between(square.clone(), integer(0))
+        });
+        claims.push(Equation::between(
+            self.at_letter(self.of),
+            product(vec![factor.clone(), call("\\exp", exponent)]),
+        ));
+        let lemmas = self.lemmas("the integral of a normal distribution", claims)?;
+        let least = quotient(power(linear, 2), product(vec![integer(4), square.clone()]));
+        let pi = symbol(&plain("\\pi"));
+        let value = product(vec![
+            factor,
+            call("\\exp", difference(constant, least)),
+            root(quotient(pi, negative(square))),
+        ]);
+        let value = if is_half { quotient(value, integer(2)) } else { value };
+        Ok(Some((value, lemmas)))
+    }
+
+    fn at_letter(&self, tree: &Tree) -> Tree {
+        rewrite(tree, &|name| (name == self.by).then(|| symbol(&self.letter)))
+    }
+
+    /// What must hold for trees to have a value at each number of the interval.
+    fn conditions(&self, trees: &[&Tree]) -> Result<Vec<Equation>, String> {
+        let mut needed = Vec::new();
+        for tree in trees {
+            needed.extend(defined::conditions(&self.at_letter(tree), self.vocabulary)?);
+        }
+        Ok(needed)
+    }
+
+    /// The claims at each number of the interval, each as a goal of its own, once.
+    fn lemmas(&self, about: &str, claims: Vec<Equation>) -> Result<Vec<Goal>, String> {
+        let mut alone = self.statements.clone();
+        alone.premises.retain(|premise| !holds(&premise.equation, &|_| true));
+        alone.assume.extend(self.interval()?);
+        let mut known: Vec<Equation> = Vec::new();
+        let mut lemmas = Vec::new();
+        for claim in claims {
+            if known.contains(&claim) {
+                continue;
+            }
+            known.push(claim.clone());
+            let part = format!("{about}: {claim}");
+            alone.claims = vec![claim];
+            lemmas.push(Goal::of(&alone, self.vocabulary, part));
+        }
+        Ok(lemmas)
+    }
+
+    /// That the letter lies between the limits, these included; nothing where these are all numbers.
+    fn interval(&self) -> Result<Option<Condition>, String> {
+        let [low, high] = self.limits;
+        let letter = || symbol(&self.letter);
+        let (left, relation, right) = match (infinity(low), infinity(high)) {
+            (None, None) => {
+                let between = vec![difference(letter(), low.clone()), difference(letter(), high.clone())];
+                (product(between), Relation::LessOrEqual, integer(0))
+            }
+            (None, Some(true)) => (letter(), Relation::GreaterOrEqual, low.clone()),
+            (Some(false), None) => (letter(), Relation::LessOrEqual, high.clone()),
+            (Some(false), Some(true)) => return Ok(None),
+            _ => return Err("an integral from infinity down, or to minus infinity".to_owned()),
+        };
+        Ok(Some(Condition::Relation(Equation {
+            relation,
+            ..Equation::between(left, right)
+        })))
+    }
 }
