@@ -391,10 +391,6 @@ impl<'a> Reader<'a> {
     pub(super) fn integral(&mut self, token: Token<'a>) -> Result<Part, Fault> {
         self.next += 1;
         self.deepen()?;
-        if self.integral.is_some() {
-            let instead = "write the inner one as a definition of its own";
-            return Err(Fault::unsupported(token.at, "an integral within an integral", instead));
-        }
         let (mut low, mut high) = (None, None);
         loop {
             match self.peek_kind() {
@@ -417,9 +413,9 @@ impl<'a> Reader<'a> {
                 return Err(Fault::unsupported(token.at, "an integral with one limit", instead));
             }
         };
-        self.integral = Some(None);
+        let outer = self.integral.replace(None);
         let body = self.term();
-        let by = self.integral.take().flatten();
+        let by = std::mem::replace(&mut self.integral, outer).flatten();
         let body = *body?.tree;
         self.rise();
         let Some(by) = by else {
@@ -430,7 +426,13 @@ impl<'a> Reader<'a> {
             let instead = "write what is integrated, in brackets if it is a sum, and dx behind it";
             return Err(Fault::ambiguous(token.at, "where this integral ends", instead));
         };
-        if self.peek_kind().is_some_and(starts_factor) || self.peek_kind() == Some(Kind::Slash) {
+        if (self.integral.is_some() && limits.is_none()) || (limits.is_none() && holds_integral(&of)) {
+            let instead = "write both limits of each";
+            return Err(Fault::unsupported(token.at, "an integral within an integral", instead));
+        }
+        let ends_outer = self.integral == Some(None) && self.differential_ahead().is_some();
+        let goes_on = self.peek_kind().is_some_and(starts_factor) || self.peek_kind() == Some(Kind::Slash);
+        if goes_on && !ends_outer {
             let instead = "write brackets around the integral, or dx behind all that is integrated";
             return Err(Fault::ambiguous(self.here(), "a factor behind an integral", instead));
         }
@@ -447,8 +449,12 @@ impl<'a> Reader<'a> {
     /// What `of` between square brackets is between the limits that follow: `[F]_a^b`, `[F]_{x=a}^{x=b}` or, at one
     /// point, `[F]_{x=a}`; `None` where no subscript follows.
     pub(super) fn between_limits(&mut self, of: &Tree, at: usize) -> Result<Option<Part>, Fault> {
-        let follows = |ahead: usize| self.look(ahead).map(|token| token.kind);
-        if ![follows(0), follows(2)].contains(&Some(Kind::Sub)) || !matches!(follows(0), Some(Kind::Sub | Kind::Sup)) {
+        let has_subscript = match self.peek_kind() {
+            Some(Kind::Sub) => true,
+            Some(Kind::Sup) => self.behind_script().map(|token| token.kind) == Some(Kind::Sub),
+            _ => false,
+        };
+        if !has_subscript {
             return Ok(None);
         }
         let (mut low, mut high) = (None, None);
@@ -473,7 +479,10 @@ impl<'a> Reader<'a> {
             };
             self.refuse_running(of, at)?;
             let form = Form::Bracketed;
-            return Ok(Some(Part { tree: Box::new(at_point(of, &by, low, at)), form }));
+            return Ok(Some(Part {
+                tree: Box::new(at_point(of, &by, low, at)),
+                form,
+            }));
         };
         if let (Some(one), Some(other)) = (&named, &also)
             && one != other
@@ -491,7 +500,26 @@ impl<'a> Reader<'a> {
             Tree::Negate(Box::new(at_point(of, &by, low, at))),
         ]);
         let form = Form::Bracketed;
-        Ok(Some(Part { tree: Box::new(tree), form }))
+        Ok(Some(Part {
+            tree: Box::new(tree),
+            form,
+        }))
+    }
+
+    /// The token behind the script that stands next.
+    fn behind_script(&self) -> Option<Token<'a>> {
+        let (mut ahead, mut depth) = (1, 0_usize);
+        loop {
+            match self.look(ahead)?.kind {
+                Kind::BraceOpen => depth += 1,
+                Kind::BraceClose => depth = depth.checked_sub(1)?,
+                _ => {}
+            }
+            ahead += 1;
+            if depth == 0 {
+                return self.look(ahead);
+            }
+        }
     }
 
     /// A limit with or without its letter: `a`, `{x=a}`.
@@ -818,6 +846,23 @@ fn boxed(operation: Operation, at: usize) -> Box<Tree> {
     Box::new(Tree::Operation(Box::new(operation), At(at)))
 }
 
+fn holds_integral(tree: &Tree) -> bool {
+    match tree {
+        Tree::Operation(operation, _) => {
+            matches!(**operation, Operation::Integral { .. })
+                || operation.parts().iter().any(|(part, _)| holds_integral(part))
+        }
+        tree => {
+            let mut found = false;
+            tree.map(&mut |part| {
+                found |= holds_integral(part);
+                part.clone()
+            });
+            found
+        }
+    }
+}
+
 /// The value at a point, which is the derivative of order 0 there; towards infinity it is a limit.
 fn at_point(of: &Tree, by: &Name, there: Tree, at: usize) -> Tree {
     let is_infinite = |tree: &Tree| matches!(tree, Tree::Operation(operation, _) if **operation == Operation::Infinity);
@@ -865,7 +910,9 @@ fn printed_unit(tree: &Tree, text: &str) -> Option<Tree> {
         Tree::Negate(inner) => printed_unit(inner, text),
         // in degrees
         Tree::Quotient(above, below, at) => {
-            let Tree::Product(factors) = &**above else { return None };
+            let Tree::Product(factors) = &**above else {
+                return None;
+            };
             let [first, Tree::Symbol(pi, _)] = factors.as_slice() else {
                 return None;
             };
@@ -1024,6 +1071,10 @@ mod tests {
             (
                 r"\int_0^1 \frac{dx}{1 + x^2} + C",
                 r"\int_{0}^{1} \frac{1}{1 + x^2} \, dx + C",
+            ),
+            (
+                r"\int_0^a \int_0^b x y \, dy \, dx",
+                r"\int_{0}^{a} \int_{0}^{b} x y \, dy \, dx",
             ),
             (
                 r"\int_{-\infty}^{+\infty} x dx + \int_a^\infty x dx",

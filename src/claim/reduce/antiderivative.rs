@@ -3,11 +3,14 @@
 //!
 //! Nothing rests on what is found: it is shown to be one.
 
-use super::super::substitute::number_of;
+use super::super::substitute::{any, number_of};
 use super::super::vocabulary::Vocabulary;
-use super::build::{call, integer, is_zero, negative, plain, power, product, quotient, real_power, root, sum, symbol};
+use super::build::{
+    call, difference, integer, is_zero, negative, plain, power, product, quotient, real_power, root, sum, symbol,
+};
 use super::derivative::{By, mentions};
 use super::exponential::Terms;
+use super::parts::Parts;
 use crate::number::{Field, Rational};
 use crate::tex::{Name, Tree};
 
@@ -61,8 +64,20 @@ impl Search<'_> {
                 exponent: &|tree| self.exponent(tree),
                 linear: &|tree| self.linear(tree),
             };
-            terms.integrated(tree)
+            terms.integrated(tree).or_else(|| self.by_functions(tree))
         })
+    }
+
+    /// What holds unknown functions, and derivatives of these.
+    fn by_functions(&self, tree: &Tree) -> Option<Tree> {
+        let is_function = |node: &Tree| matches!(node, Tree::Call(name, ..) if self.vocabulary.is_function(name));
+        let parts = Parts {
+            by: self.by,
+            vocabulary: self.vocabulary,
+            slope: &|tree| self.linear(tree).map(|(_, slope)| slope),
+            known: &|tree| self.of(tree),
+        };
+        any(tree, &mut |node| is_function(node)).then(|| parts.integrated(tree))?
     }
 
     fn by_form(&self, tree: &Tree) -> Option<Tree> {
@@ -86,10 +101,18 @@ impl Search<'_> {
                 Some(product(vec![(**above).clone(), self.reciprocal(below)?]))
             }
             Tree::Product(factors) => self.product(factors),
-            Tree::Power(base, exponent @ ..=-2, _) if !matches!(**base, Tree::Root(..)) => self.power_of_linear(base, &integer(i64::from(*exponent))),
+            Tree::Power(base, exponent @ ..=-2, _) if !matches!(**base, Tree::Root(..)) => {
+                self.power_of_linear(base, &integer(i64::from(*exponent)))
+            }
             Tree::Power(base, exponent, _) if matches!(**base, Tree::Root(..)) => self.power_of_root(base, *exponent),
             Tree::Root(..) => self.power_of_root(tree, 1),
             Tree::RealPower(base, exponent, _) if !mentions(exponent, self.by) => self.power_of_linear(base, exponent),
+            Tree::Call(name, argument, _) if name.base == "\\ln" => {
+                let (_, slope) = self.linear(argument)?;
+                let argument = (**argument).clone();
+                let whole = product(vec![argument.clone(), call("\\ln", argument.clone())]);
+                Some(quotient(difference(whole, argument), slope))
+            }
             tree => self.product(std::slice::from_ref(tree)),
         }
     }
@@ -111,7 +134,9 @@ impl Search<'_> {
 
     /// A power of a root of what is linear.
     fn power_of_root(&self, root: &Tree, exponent: i32) -> Option<Tree> {
-        let Tree::Root(radicand, index, _) = root else { return None };
+        let Tree::Root(radicand, index, _) = root else {
+            return None;
+        };
         let (_, slope) = self.linear(radicand)?;
         let index = i32::try_from(*index).ok()?;
         let next = exponent.checked_add(index).filter(|next| *next != 0)?;

@@ -61,7 +61,9 @@ impl Small<'_> {
 
     /// Whether an exponent tends to minus infinity like a power of 1/h, which the sign of its first term says.
     fn falls_without_bound(&mut self, exponent: &Tree) -> bool {
-        let Ok(series) = self.of(exponent) else { return false };
+        let Ok(series) = self.of(exponent) else {
+            return false;
+        };
         let Some(place) = series.terms.iter().position(|term| !is_zero(term)) else {
             return false;
         };
@@ -90,7 +92,9 @@ impl Small<'_> {
             Tree::Sum(parts) | Tree::Product(parts) => parts.iter().all(|part| self.is_moderate(part)),
             Tree::Quotient(above, below, _) => self.is_divisor(below) && self.is_moderate(above),
             // bounded, wherever their argument has a value
-            Tree::Call(name, argument, _) if matches!(name.base.as_str(), "\\sin" | "\\cos" | "\\tanh" | "\\arctan") => {
+            Tree::Call(name, argument, _)
+                if matches!(name.base.as_str(), "\\sin" | "\\cos" | "\\tanh" | "\\arctan") =>
+            {
                 !self.vocabulary.speaks_of_complex(argument) && self.is_moderate(argument)
             }
             tree => self.is_flat(tree) || self.of(tree).is_ok(),

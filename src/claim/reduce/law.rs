@@ -94,9 +94,7 @@ impl Laws<'_> {
         let put = mapped(tree, &|node| {
             let there = match node {
                 Tree::Call(name, argument, _) if is_value(name) => self.formula(name, argument),
-                Tree::Symbol(name, at) if is_value(name) => {
-                    self.formula(name, &Tree::Symbol(running.clone(), *at))
-                }
+                Tree::Symbol(name, at) if is_value(name) => self.formula(name, &Tree::Symbol(running.clone(), *at)),
                 _ => None,
             }?;
             self.put_in(&there, depth.checked_sub(1)?)
@@ -114,16 +112,7 @@ impl Laws<'_> {
             return Some(value);
         }
         let running = self.vocabulary.running.as_ref()?;
-        let mut functions = self.vocabulary.functions.iter();
-        let slope_of = |slope: &Option<Tree>| matches!(slope, Some(Tree::Symbol(slope, _)) if slope == function);
-        let before = functions.find(|(_, slope)| slope_of(slope)).map(|(name, _)| name.clone());
-        let before = before.or_else(|| {
-            let primes = function.primes.checked_sub(1)?;
-            Some(Name {
-                primes,
-                ..function.clone()
-            })
-        })?;
+        let before = self.vocabulary.antiderivative_of(function)?;
         let here = Tree::Symbol(running.clone(), At::default());
         let value = self.of_order(&before, &here, depth.checked_sub(1)?)?;
         // where the function itself has no formula, its derivative has none either, as that of \\ln t before 0

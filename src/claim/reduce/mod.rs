@@ -11,14 +11,15 @@ mod decay;
 mod defined;
 mod derivative;
 mod evaluate;
+mod exponential;
 mod factorial;
 mod induction;
-mod exponential;
 mod instances;
 mod integral;
 mod law;
 mod limit;
 mod matrix;
+mod parts;
 mod series;
 
 use super::definition::{Local, inlined};

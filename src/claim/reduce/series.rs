@@ -632,7 +632,10 @@ impl Small<'_> {
 
     /// An integral over an interval that shrinks to a point.
     fn of_integral(&mut self, of: &Tree, by: &Name, low: &Tree, high: &Tree) -> Found {
-        if [low, high].into_iter().any(|limit| super::limit::infinity(limit).is_some()) {
+        if [low, high]
+            .into_iter()
+            .any(|limit| super::limit::infinity(limit).is_some())
+        {
             return Err("an improper integral within a limit".to_owned());
         }
         let (low, high) = (self.of(low)?, self.of(high)?);
