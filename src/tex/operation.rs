@@ -1085,7 +1085,7 @@ mod tests {
             (r"[e^{-x}]_0^\infty", r"\lim_{x \to \infty} e^{-x} - [e^{-x}]_{x = 0}"),
             (
                 r"\int_a^b t dx - [a t x]_0^1",
-                r"\int_{a}^{b} t \, dx - ([a t x]_{x = 1} - [a t x]_{x = 0})",
+                r"\int_{a}^{b} t \, dx - \{[a t x]_{x = 1} - [a t x]_{x = 0}\}",
             ),
             (r"\int x (x + 1) \, \mathrm{d}x", r"\int x \cdot (x + 1) \, dx"),
             (r"\sum_{k=1}^n k(k + 1) - b", r"\sum_{k = 1}^{n} k \cdot (k + 1) - b"),

@@ -397,7 +397,7 @@ mod tests {
 
     #[test]
     fn products_of_waves_are_sums_of_waves() {
-        assert_eq!(found(r"\sin x \cos x").unwrap(), r"-\frac{1}{2} [0.5 \cos(2 x)]");
+        assert_eq!(found(r"\sin x \cos x").unwrap(), r"\frac{-1}{2} [0.5 \cos(2 x)]");
         for tex in [
             r"\cos^4 x",
             r"\sin m x \cos n x",

@@ -30,6 +30,9 @@ pub(super) use integral::{holds_indefinite, is_constant_of_integration};
 
 use crate::tex::{Condition, Equation, Name, Operation, Tree};
 
+/// The most primes of a name that stands for a number in a proof.
+const MOST_PRIMES: u8 = 9;
+
 /// A claim without operations.
 #[derive(Clone, Debug)]
 pub struct Goal {
@@ -400,8 +403,15 @@ fn fresh_like(statements: &Statements, vocabulary: &Vocabulary, mut name: Name) 
                 .into_iter()
                 .any(|tree| derivative::mentions(tree, name))
     };
+    // a function is known with any number of primes, but not with another accent
     while is_met(&name) {
-        name.primes = name.primes.saturating_add(1);
+        match name.primes < MOST_PRIMES {
+            true => name.primes += 1,
+            false => {
+                name.primes = 0;
+                name.accents.push("\\tilde".to_owned());
+            }
+        }
     }
     name
 }
