@@ -7,7 +7,7 @@ use vibro_audit::claim::{Sheet, Verdict, Vocabulary};
 use vibro_audit::prove::{self, Options};
 
 /// Formulas that are decided rightly, at least: the first run decided 117.
-const RIGHT: usize = 326;
+const RIGHT: usize = 328;
 
 #[derive(Deserialize)]
 struct Handbook {

@@ -25,9 +25,9 @@ const PAPERS: [[&str; 3]; 3] = [
 ];
 
 /// Misprints that are found, at least; the others stand in formulas that are undecided or not read.
-const FOUND: usize = 26;
+const FOUND: usize = 28;
 /// Formulas of the three documents that are proved, at least.
-const PROVED: usize = 145;
+const PROVED: usize = 157;
 
 fn decisions(text: &str) -> Vec<Decision> {
     let document = Document::read(text, Markup::Tex, &mut |_| Err("nothing is included".to_owned()));

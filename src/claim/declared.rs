@@ -102,6 +102,22 @@ impl Vocabulary {
         self.functions.iter().any(|(function, _)| *function == plain)
     }
 
+    /// The function whose derivative this function is, as declared or by its primes.
+    pub fn antiderivative_of(&self, function: &Name) -> Option<Name> {
+        let is_slope = |slope: &Option<Tree>| matches!(slope, Some(Tree::Symbol(slope, _)) if slope == function);
+        let mut declared = self.functions.iter();
+        let before = declared
+            .find(|(_, slope)| is_slope(slope))
+            .map(|(name, _)| name.clone());
+        before.or_else(|| {
+            let primes = function.primes.checked_sub(1)?;
+            Some(Name {
+                primes,
+                ..function.clone()
+            })
+        })
+    }
+
     /// Whether this is a state in flight, or its first or second derivative.
     pub fn is_in_flight(&self, name: &Name) -> bool {
         let plain = Name {

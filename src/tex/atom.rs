@@ -58,6 +58,11 @@ impl<'a> Reader<'a> {
             Kind::Limit => self.limit_of(token),
             Kind::Open(_) => {
                 let tree = self.bracketed()?;
+                if token.kind == Kind::Open(Bracket::Square)
+                    && let Some(between) = self.between_limits(&tree, token.at)?
+                {
+                    return Ok(between);
+                }
                 match self.peek_kind() {
                     Some(Kind::Prime) => {
                         let tree = self.primed(tree, token.at)?;

@@ -268,14 +268,44 @@ impl<'a> Reader<'a> {
         Ok((index, from))
     }
 
-    /// A limit of a sum or an integral: a letter, a digit, or what stands between braces.
+    /// A limit of a sum: a letter, a digit, or what stands between braces.
     fn limit(&mut self) -> Result<Box<Tree>, Fault> {
-        let infinite = (0..3).find(|&ahead| self.look(ahead).is_some_and(|token| token.kind == Kind::Infinity));
-        if infinite.is_some_and(|ahead| (0..ahead).all(|at| self.is_sign_or_brace(at))) {
-            let instead = "limits at infinity are not read";
-            return Err(Fault::unsupported(self.here(), "this limit", instead));
+        match self.infinity_ahead() {
+            Some(_) => {
+                let instead = "limits at infinity are not read";
+                Err(Fault::unsupported(self.here(), "this limit", instead))
+            }
+            None => self.argument(),
         }
-        self.argument()
+    }
+
+    /// A limit of an integral, or of what is taken between limits: that of a sum, or infinity with or without a sign.
+    fn limit_or_infinity(&mut self) -> Result<Tree, Fault> {
+        let Some(ahead) = self.infinity_ahead() else {
+            return Ok(*self.argument()?);
+        };
+        let at = self.here();
+        let braced = self.take(Kind::BraceOpen).is_some();
+        let signs = ahead.saturating_sub(usize::from(braced));
+        let is_negative = self.peek_kind() == Some(Kind::Minus);
+        if signs > 1 {
+            return Err(Fault::unsupported(at, "this limit", "one sign stands before infinity"));
+        }
+        self.next += signs + 1;
+        if braced {
+            self.close_brace(at)?;
+        }
+        let infinity = *boxed(Operation::Infinity, at);
+        Ok(match is_negative {
+            true => Tree::Negate(Box::new(infinity)),
+            false => infinity,
+        })
+    }
+
+    /// How many signs and braces stand before the sign of infinity that stands next.
+    fn infinity_ahead(&self) -> Option<usize> {
+        let infinite = (0..3).find(|&ahead| self.look(ahead).is_some_and(|token| token.kind == Kind::Infinity));
+        infinite.filter(|&ahead| (0..ahead).all(|at| self.is_sign_or_brace(at)))
     }
 
     fn is_sign_or_brace(&self, ahead: usize) -> bool {
@@ -361,20 +391,16 @@ impl<'a> Reader<'a> {
     pub(super) fn integral(&mut self, token: Token<'a>) -> Result<Part, Fault> {
         self.next += 1;
         self.deepen()?;
-        if self.integral.is_some() {
-            let instead = "write the inner one as a definition of its own";
-            return Err(Fault::unsupported(token.at, "an integral within an integral", instead));
-        }
         let (mut low, mut high) = (None, None);
         loop {
             match self.peek_kind() {
                 Some(Kind::Sub) if low.is_none() => {
                     self.next += 1;
-                    low = Some(*self.limit()?);
+                    low = Some(self.limit_or_infinity()?);
                 }
                 Some(Kind::Sup) if high.is_none() => {
                     self.next += 1;
-                    high = Some(*self.limit()?);
+                    high = Some(self.limit_or_infinity()?);
                 }
                 _ => break,
             }
@@ -387,9 +413,9 @@ impl<'a> Reader<'a> {
                 return Err(Fault::unsupported(token.at, "an integral with one limit", instead));
             }
         };
-        self.integral = Some(None);
+        let outer = self.integral.replace(None);
         let body = self.term();
-        let by = self.integral.take().flatten();
+        let by = std::mem::replace(&mut self.integral, outer).flatten();
         let body = *body?.tree;
         self.rise();
         let Some(by) = by else {
@@ -400,15 +426,151 @@ impl<'a> Reader<'a> {
             let instead = "write what is integrated, in brackets if it is a sum, and dx behind it";
             return Err(Fault::ambiguous(token.at, "where this integral ends", instead));
         };
-        if self.peek_kind().is_some_and(starts_factor) || self.peek_kind() == Some(Kind::Slash) {
+        if (self.integral.is_some() && limits.is_none()) || (limits.is_none() && holds_integral(&of)) {
+            let instead = "write both limits of each";
+            return Err(Fault::unsupported(token.at, "an integral within an integral", instead));
+        }
+        let ends_outer = self.integral == Some(None) && self.differential_ahead().is_some();
+        let goes_on = self.peek_kind().is_some_and(starts_factor) || self.peek_kind() == Some(Kind::Slash);
+        if goes_on && !ends_outer {
             let instead = "write brackets around the integral, or dx behind all that is integrated";
             return Err(Fault::ambiguous(self.here(), "a factor behind an integral", instead));
+        }
+        if !self.integrated.contains(&by) {
+            self.integrated.push(by.clone());
         }
         let operation = Operation::Integral { of, by, limits };
         Ok(Part {
             tree: boxed(operation, token.at),
             form: Form::Knot,
         })
+    }
+
+    /// What `of` between square brackets is between the limits that follow: `[F]_a^b`, `[F]_{x=a}^{x=b}` or, at one
+    /// point, `[F]_{x=a}`; `None` where no subscript follows.
+    pub(super) fn between_limits(&mut self, of: &Tree, at: usize) -> Result<Option<Part>, Fault> {
+        let has_subscript = match self.peek_kind() {
+            Some(Kind::Sub) => true,
+            Some(Kind::Sup) => self.behind_script().map(|token| token.kind) == Some(Kind::Sub),
+            _ => false,
+        };
+        if !has_subscript {
+            return Ok(None);
+        }
+        let (mut low, mut high) = (None, None);
+        loop {
+            match self.peek_kind() {
+                Some(Kind::Sub) if low.is_none() => {
+                    self.next += 1;
+                    low = Some(self.point()?);
+                }
+                Some(Kind::Sup) if high.is_none() => {
+                    self.next += 1;
+                    high = Some(self.point()?);
+                }
+                _ => break,
+            }
+        }
+        let (named, low) = low.ok_or_else(|| self.instead_of("the lower limit"))?;
+        let Some((also, high)) = high else {
+            let Some(by) = named else {
+                let instead = "only a name may carry it";
+                return Err(Fault::unsupported(at, "a subscript on an expression", instead));
+            };
+            self.refuse_running(of, at)?;
+            let form = Form::Bracketed;
+            return Ok(Some(Part {
+                tree: Box::new(at_point(of, &by, low, at)),
+                form,
+            }));
+        };
+        if let (Some(one), Some(other)) = (&named, &also)
+            && one != other
+        {
+            let instead = "both limits are of one letter";
+            return Err(Fault::unsupported(at, "this bracket", instead));
+        }
+        self.refuse_running(of, at)?;
+        let by = match named.or(also) {
+            Some(by) => by,
+            None => self.letter_between(of, [&low, &high], at)?,
+        };
+        let tree = Tree::Sum(vec![
+            at_point(of, &by, high, at),
+            Tree::Negate(Box::new(at_point(of, &by, low, at))),
+        ]);
+        let form = Form::Bracketed;
+        Ok(Some(Part {
+            tree: Box::new(tree),
+            form,
+        }))
+    }
+
+    /// The token behind the script that stands next.
+    fn behind_script(&self) -> Option<Token<'a>> {
+        let (mut ahead, mut depth) = (1, 0_usize);
+        loop {
+            match self.look(ahead)?.kind {
+                Kind::BraceOpen => depth += 1,
+                Kind::BraceClose => depth = depth.checked_sub(1)?,
+                _ => {}
+            }
+            ahead += 1;
+            if depth == 0 {
+                return self.look(ahead);
+            }
+        }
+    }
+
+    /// A limit with or without its letter: `a`, `{x=a}`.
+    fn point(&mut self) -> Result<(Option<Name>, Tree), Fault> {
+        let (start, at) = (self.mark(), self.here());
+        if self.take(Kind::BraceOpen).is_some()
+            && let Ok(by) = self.full_name()
+            && self.take(Kind::Relation(Relation::Equal)).is_some()
+        {
+            let to = *self.sum()?;
+            self.close_brace(at)?;
+            return Ok((Some(by), to));
+        }
+        self.reset(start);
+        Ok((None, self.limit_or_infinity()?))
+    }
+
+    /// The letter that a bracket with limits is of: the one letter of it that an integral before it is by, or else its
+    /// one letter that is none of the limits'.
+    fn letter_between(&self, of: &Tree, limits: [&Tree; 2], at: usize) -> Result<Name, Fault> {
+        let (mut met, mut outside) = (Vec::new(), Vec::new());
+        symbols(of, &mut met);
+        limits.into_iter().for_each(|limit| symbols(limit, &mut outside));
+        let constants = ["e", "i", "\\pi"].map(base);
+        let integrated: Vec<&Name> = met.iter().filter(|name| self.integrated.contains(name)).collect();
+        let free: Vec<&Name> = met
+            .iter()
+            .filter(|name| !outside.contains(name) && !constants.contains(name))
+            .collect();
+        let by = match (integrated.as_slice(), free.as_slice()) {
+            ([by], _) => Some(*by),
+            ([], [by]) if self.integral.is_none() => Some(*by),
+            _ => None,
+        };
+        by.cloned().ok_or_else(|| {
+            let instead = "write the letter that it is of: [F]_{x=a}^{x=b}";
+            Fault::ambiguous(at, "this bracket with limits", instead)
+        })
+    }
+
+    /// Refuses functions without their argument in what is taken at a point.
+    fn refuse_running(&self, of: &Tree, at: usize) -> Result<(), Fault> {
+        let mut met = Vec::new();
+        symbols(of, &mut met);
+        match met.iter().any(|name| self.names.is_function(name)) {
+            true => {
+                let instead = "write the argument of each function in it";
+                Err(Fault::ambiguous(at, "this bracket with limits", instead))
+            }
+            false => Ok(()),
+        }
     }
 
     /// The differential of an integral that stands next, while one is read.
@@ -684,6 +846,45 @@ fn boxed(operation: Operation, at: usize) -> Box<Tree> {
     Box::new(Tree::Operation(Box::new(operation), At(at)))
 }
 
+fn holds_integral(tree: &Tree) -> bool {
+    match tree {
+        Tree::Operation(operation, _) => {
+            matches!(**operation, Operation::Integral { .. })
+                || operation.parts().iter().any(|(part, _)| holds_integral(part))
+        }
+        tree => {
+            let mut found = false;
+            tree.map(&mut |part| {
+                found |= holds_integral(part);
+                part.clone()
+            });
+            found
+        }
+    }
+}
+
+/// The value at a point, which is the derivative of order 0 there; towards infinity it is a limit.
+fn at_point(of: &Tree, by: &Name, there: Tree, at: usize) -> Tree {
+    let is_infinite = |tree: &Tree| matches!(tree, Tree::Operation(operation, _) if **operation == Operation::Infinity);
+    let (of, by) = (of.clone(), by.clone());
+    let is_limit = match &there {
+        Tree::Negate(inner) => is_infinite(inner),
+        tree => is_infinite(tree),
+    };
+    *boxed(
+        match is_limit {
+            true => Operation::Limit { of, by, to: there },
+            false => Operation::Derivative {
+                of,
+                by,
+                order: 0,
+                at: there,
+            },
+        },
+        at,
+    )
+}
+
 /// `(tree + more)/2`.
 fn half(tree: Tree, more: i64) -> Tree {
     let number = |value| Tree::Number(Rational::from_integer(value));
@@ -709,7 +910,9 @@ fn printed_unit(tree: &Tree, text: &str) -> Option<Tree> {
         Tree::Negate(inner) => printed_unit(inner, text),
         // in degrees
         Tree::Quotient(above, below, at) => {
-            let Tree::Product(factors) = &**above else { return None };
+            let Tree::Product(factors) = &**above else {
+                return None;
+            };
             let [first, Tree::Symbol(pi, _)] = factors.as_slice() else {
                 return None;
             };
@@ -869,6 +1072,21 @@ mod tests {
                 r"\int_0^1 \frac{dx}{1 + x^2} + C",
                 r"\int_{0}^{1} \frac{1}{1 + x^2} \, dx + C",
             ),
+            (
+                r"\int_0^a \int_0^b x y \, dy \, dx",
+                r"\int_{0}^{a} \int_{0}^{b} x y \, dy \, dx",
+            ),
+            (
+                r"\int_{-\infty}^{+\infty} x dx + \int_a^\infty x dx",
+                r"\int_{-\infty}^{\infty} x \, dx + \int_{a}^{\infty} x \, dx",
+            ),
+            (r"\bigl[x^2\bigr]_a^b", "[x^2]_{x = b} - [x^2]_{x = a}"),
+            (r"\left[ a x \right]^{x=2}_{x=a}", "[a x]_{x = 2} - [a x]_{x = a}"),
+            (r"[e^{-x}]_0^\infty", r"\lim_{x \to \infty} e^{-x} - [e^{-x}]_{x = 0}"),
+            (
+                r"\int_a^b t dx - [a t x]_0^1",
+                r"\int_{a}^{b} t \, dx - \{[a t x]_{x = 1} - [a t x]_{x = 0}\}",
+            ),
             (r"\int x (x + 1) \, \mathrm{d}x", r"\int x \cdot (x + 1) \, dx"),
             (r"\sum_{k=1}^n k(k + 1) - b", r"\sum_{k = 1}^{n} k \cdot (k + 1) - b"),
             (r"\prod\limits_{k=1}^{2n} (2k) ", r"\prod_{k = 1}^{2 n} (2 k)"),
@@ -909,8 +1127,11 @@ mod tests {
             (r"\int (x dx + 1)", "where this integral ends"),
             (r"\int x dx y", "a factor behind an integral"),
             (r"\int_0 x dx", "with one limit"),
-            (r"\int_0^\infty x dx", "at infinity"),
             (r"\int \int x dx dy", "within an integral"),
+            (r"[a x]_0^1", "write the letter"),
+            (r"[x]_0", "a subscript on an expression"),
+            (r"(x)_0^1", "a subscript on an expression"),
+            (r"[x]_{x=0}^{y=1}", "of one letter"),
             (r"\sum_{k=1} k", "both limits"),
             (r"\sum_{k=1}^\infty k", "at infinity"),
             (r"\sum_{k}^{n} k", "`=`"),

@@ -182,6 +182,7 @@ fn operation(operation: &Operation) -> String {
         Operation::Transpose(of) => format!("({})^{{\\top}}", sum(of)),
         Operation::Cross(left, right) => format!("{} \\times {}", factor(left), factor(right)),
         Operation::Dot(left, right) => format!("{} \\cdot {}", factor(left), factor(right)),
+        Operation::Derivative { of, by, order: 0, at } => format!("[{}]_{{{by} = {}}}", sum(of), sum(at)),
         Operation::Derivative { of, by, order, .. } => {
             let order = if *order == 1 {
                 String::new()

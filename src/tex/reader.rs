@@ -21,6 +21,8 @@ pub(super) struct Reader<'a> {
     divisions: usize,
     /// While an integral is read, its differential once it is met.
     pub(super) integral: Option<Option<Name>>,
+    /// The letters that the integrals read so far are by.
+    pub(super) integrated: Vec<Name>,
     pub(super) names: &'a Names,
 }
 
@@ -34,6 +36,7 @@ impl<'a> Reader<'a> {
             depth: 0,
             divisions: 0,
             integral: None,
+            integrated: Vec::new(),
             names,
         }
     }

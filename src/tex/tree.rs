@@ -92,14 +92,14 @@ pub enum Operation {
     /// `\vec{a} \times \vec{b}`, `\vec{a} \cdot \vec{b}`; of numbers their product.
     Cross(Tree, Tree),
     Dot(Tree, Tree),
-    /// The derivative of this order of `of` by `by`, at the value `at` of it.
+    /// The derivative of this order of `of` by `by`, at the value `at` of it; that of order 0 is the value there.
     Derivative {
         of: Tree,
         by: Name,
         order: u32,
         at: Tree,
     },
-    /// `\int_a^b of \, d by`; without limits any antiderivative.
+    /// `\int_a^b of \, d by`, whose limits may be infinite; without limits any antiderivative.
     Integral {
         of: Tree,
         by: Name,

@@ -1,11 +1,16 @@
-//! A search for antiderivatives: polynomials, and these times exponentials, sines and cosines of linear arguments.
+//! A search for antiderivatives: polynomials, powers of what is linear, and products of polynomials with exponentials, sines
+//! and cosines of linear arguments.
 //!
 //! Nothing rests on what is found: it is shown to be one.
 
-use super::super::substitute::number_of;
+use super::super::substitute::{any, number_of};
 use super::super::vocabulary::Vocabulary;
-use super::build::{call, difference, integer, is_zero, negative, plain, power, product, quotient, root, sum, symbol};
+use super::build::{
+    call, difference, integer, is_zero, negative, plain, power, product, quotient, real_power, root, sum, symbol,
+};
 use super::derivative::{By, mentions};
+use super::exponential::Terms;
+use super::parts::Parts;
 use crate::number::{Field, Rational};
 use crate::tex::{Name, Tree};
 
@@ -18,6 +23,34 @@ pub(super) fn antiderivative(of: &Tree, by: &Name, vocabulary: &Vocabulary) -> O
     search.of(of)
 }
 
+/// A factor and the coefficients, from the constant on, of the exponent of `c e^(u + v x + w x^2)`.
+pub(super) fn quadratic_exponential(of: &Tree, by: &Name, vocabulary: &Vocabulary) -> Option<(Tree, [Tree; 3])> {
+    let search = Search { by, vocabulary };
+    match of {
+        Tree::Negate(inner) => {
+            let (factor, coefficients) = quadratic_exponential(inner, by, vocabulary)?;
+            Some((negative(factor), coefficients))
+        }
+        Tree::Quotient(above, below, _) if !mentions(below, by) => {
+            let (factor, coefficients) = quadratic_exponential(above, by, vocabulary)?;
+            Some((quotient(factor, (**below).clone()), coefficients))
+        }
+        Tree::Product(factors) => {
+            let (mut rest, mut free): (Vec<Tree>, Vec<Tree>) =
+                factors.iter().cloned().partition(|factor| mentions(factor, by));
+            let single = rest.pop().filter(|_| rest.is_empty())?;
+            let (factor, coefficients) = quadratic_exponential(&single, by, vocabulary)?;
+            free.push(factor);
+            Some((product(free), coefficients))
+        }
+        tree => {
+            let coefficients = search.polynomial(&search.exponent(tree)?)?;
+            let coefficients: [Tree; 3] = coefficients.try_into().ok()?;
+            Some((integer(1), coefficients))
+        }
+    }
+}
+
 struct Search<'a> {
     by: &'a Name,
     vocabulary: &'a Vocabulary,
@@ -25,6 +58,29 @@ struct Search<'a> {
 
 impl Search<'_> {
     fn of(&self, tree: &Tree) -> Option<Tree> {
+        self.by_form(tree).or_else(|| {
+            let terms = Terms {
+                by: self.by,
+                exponent: &|tree| self.exponent(tree),
+                linear: &|tree| self.linear(tree),
+            };
+            terms.integrated(tree).or_else(|| self.by_functions(tree))
+        })
+    }
+
+    /// What holds unknown functions, and derivatives of these.
+    fn by_functions(&self, tree: &Tree) -> Option<Tree> {
+        let is_function = |node: &Tree| matches!(node, Tree::Call(name, ..) if self.vocabulary.is_function(name));
+        let parts = Parts {
+            by: self.by,
+            vocabulary: self.vocabulary,
+            slope: &|tree| self.linear(tree).map(|(_, slope)| slope),
+            known: &|tree| self.of(tree),
+        };
+        any(tree, &mut |node| is_function(node)).then(|| parts.integrated(tree))?
+    }
+
+    fn by_form(&self, tree: &Tree) -> Option<Tree> {
         if let Some(coefficients) = self.polynomial(tree) {
             let terms = coefficients.into_iter().enumerate().map(|(degree, coefficient)| {
                 let next = i32::try_from(degree).unwrap_or(i32::MAX).saturating_add(1);
@@ -45,25 +101,73 @@ impl Search<'_> {
                 Some(product(vec![(**above).clone(), self.reciprocal(below)?]))
             }
             Tree::Product(factors) => self.product(factors),
-            Tree::Power(base, 2, _) => match &**base {
-                Tree::Call(name, argument, _) if matches!(name.base.as_str(), "\\sin" | "\\cos") => {
-                    let (_, slope) = self.linear(argument)?;
-                    let double = product(vec![integer(2), (**argument).clone()]);
-                    let wave = quotient(call("\\sin", double), product(vec![integer(4), slope]));
-                    let half = quotient(symbol(self.by), integer(2));
-                    Some(match name.base.as_str() {
-                        "\\sin" => difference(half, wave),
-                        _ => sum(vec![half, wave]),
-                    })
-                }
-                _ => None,
-            },
+            Tree::Power(base, exponent @ ..=-2, _) if !matches!(**base, Tree::Root(..)) => {
+                self.power_of_linear(base, &integer(i64::from(*exponent)))
+            }
+            Tree::Power(base, exponent, _) if matches!(**base, Tree::Root(..)) => self.power_of_root(base, *exponent),
+            Tree::Root(..) => self.power_of_root(tree, 1),
+            Tree::RealPower(base, exponent, _) if !mentions(exponent, self.by) => self.power_of_linear(base, exponent),
+            Tree::Call(name, argument, _) if name.base == "\\ln" => {
+                let (_, slope) = self.linear(argument)?;
+                let argument = (**argument).clone();
+                let whole = product(vec![argument.clone(), call("\\ln", argument.clone())]);
+                Some(quotient(difference(whole, argument), slope))
+            }
             tree => self.product(std::slice::from_ref(tree)),
         }
     }
 
+    /// A power of what is linear, whose exponent is not -1.
+    fn power_of_linear(&self, base: &Tree, exponent: &Tree) -> Option<Tree> {
+        let (_, slope) = self.linear(base)?;
+        let next = number_of(exponent).map(|exponent| exponent + Rational::from_integer(1));
+        let (next, whole) = match (next.clone(), next.and_then(|next| next.to_integer())) {
+            (_, Some(0)) => return None,
+            (_, Some(whole)) => (integer(whole), power(base.clone(), i32::try_from(whole).ok()?)),
+            (_, None) => {
+                let next = sum(vec![exponent.clone(), integer(1)]);
+                (next.clone(), real_power(base.clone(), next))
+            }
+        };
+        Some(quotient(whole, product(vec![next, slope])))
+    }
+
+    /// A power of a root of what is linear.
+    fn power_of_root(&self, root: &Tree, exponent: i32) -> Option<Tree> {
+        let Tree::Root(radicand, index, _) = root else {
+            return None;
+        };
+        let (_, slope) = self.linear(radicand)?;
+        let index = i32::try_from(*index).ok()?;
+        let next = exponent.checked_add(index).filter(|next| *next != 0)?;
+        let above = product(vec![integer(i64::from(index)), power(root.clone(), next)]);
+        Some(quotient(above, product(vec![integer(i64::from(next)), slope])))
+    }
+
     /// `1/below`.
     fn reciprocal(&self, below: &Tree) -> Option<Tree> {
+        match below {
+            Tree::Power(base, exponent @ 1.., _) if matches!(**base, Tree::Root(..)) => {
+                return self.power_of_root(base, -*exponent);
+            }
+            Tree::Root(..) => return self.power_of_root(below, -1),
+            Tree::Power(base, exponent @ 2.., _) => {
+                if let Some(whole) = self.power_of_linear(base, &integer(-i64::from(*exponent))) {
+                    return Some(whole);
+                }
+            }
+            Tree::RealPower(base, exponent, _) if !mentions(exponent, self.by) => {
+                return self.power_of_linear(base, &negative((**exponent).clone()));
+            }
+            Tree::Product(factors) => {
+                let (free, rest): (Vec<Tree>, Vec<Tree>) =
+                    factors.iter().cloned().partition(|factor| !mentions(factor, self.by));
+                if !free.is_empty() {
+                    return Some(quotient(self.reciprocal(&product(rest))?, product(free)));
+                }
+            }
+            _ => {}
+        }
         let coefficients = self.polynomial(below)?;
         match coefficients.as_slice() {
             [_, slope] => Some(quotient(call("\\ln", call("\\abs", below.clone())), slope.clone())),
@@ -77,7 +181,7 @@ impl Search<'_> {
         }
     }
 
-    /// A polynomial times one exponential, sine or cosine, or an exponential times one of these.
+    /// A polynomial times one exponential, sine or cosine.
     fn product(&self, factors: &[Tree]) -> Option<Tree> {
         let (mut free, mut rest) = (Vec::new(), Vec::new());
         for factor in factors {
@@ -103,7 +207,6 @@ impl Search<'_> {
         }
         match waves.as_slice() {
             [wave] => self.by_parts(&product(polynomial), wave),
-            [one, other] if polynomial.is_empty() => self.damped(one, other).or_else(|| self.damped(other, one)),
             _ => None,
         }
     }
@@ -133,25 +236,6 @@ impl Search<'_> {
             slope = sum(powers.collect());
         }
         None
-    }
-
-    /// `e^u sin v` and `e^u cos v`.
-    fn damped(&self, exponential: &Tree, wave: &Tree) -> Option<Tree> {
-        let exponent = self.exponent(exponential)?;
-        let (_, a) = self.linear(&exponent)?;
-        let Tree::Call(name, argument, _) = wave else {
-            return None;
-        };
-        let (_, b) = self.linear(argument)?;
-        let at = |function: &str| call(function, (**argument).clone());
-        let (one, other) = match name.base.as_str() {
-            "\\sin" => (at("\\sin"), negative(at("\\cos"))),
-            "\\cos" => (at("\\cos"), at("\\sin")),
-            _ => return None,
-        };
-        let above = sum(vec![product(vec![a.clone(), one]), product(vec![b.clone(), other])]);
-        let below = sum(vec![power(a, 2), power(b, 2)]);
-        Some(quotient(product(vec![exponential.clone(), above]), below))
     }
 
     /// The antiderivative of an exponential, a sine or a cosine of a linear argument, perhaps over a constant.

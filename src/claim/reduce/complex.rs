@@ -14,6 +14,7 @@ use super::build::{
     call, difference, integer, is_zero, negative, plain, power, product, quotient, real_power, root, sum, symbol,
 };
 use super::factorial::is_integer;
+use super::law::{names_function, value_of};
 use super::{Goal, Reduced, fresh_like, rewritten, trees};
 use crate::number::{Field, Rational};
 use crate::tex::{At, Condition, Equation, Name, Operation, Relation, Tree};
@@ -245,15 +246,6 @@ fn drop_definitions(statements: &mut Statements, functions: &[Name], vocabulary:
                 statements.premises.extend(own);
             }
         }
-    }
-}
-
-/// The argument of the function that a tree is a value of; itself where it has none.
-fn names_function<'t>(tree: &'t Tree, function: &Name) -> Option<&'t Tree> {
-    match tree {
-        Tree::Call(name, at, _) if name == function => Some(at),
-        Tree::Symbol(name, _) if name == function => Some(tree),
-        _ => None,
     }
 }
 
@@ -905,29 +897,10 @@ impl Splitter<'_> {
     /// The value of a function at a complex argument, where one premise says what the function is.
     fn of_value(&mut self, function: &Name, argument: &Tree) -> Result<Pair, String> {
         let unknown = || format!("the value of `{function}` at the complex argument `{argument}`");
-        let running = self.vocabulary.running.clone().ok_or_else(unknown)?;
-        let is_running = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if *name == running || name == function);
-        let says = |premise: &&Premise| {
-            names_function(&premise.equation.left, function).is_some_and(is_running)
-                && premise.equation.relation == Relation::Equal
-                && premise.assume.is_empty()
-        };
-        let premises: Vec<&Premise> = self.statements.premises.iter().filter(says).collect();
-        let [premise] = premises.as_slice() else {
-            return Err(unknown());
-        };
-        let formula = &premise.equation.right;
-        let calls = |node: &Tree| matches!(node, Tree::Call(name, ..) | Tree::Symbol(name, _) if name == function);
-        if any(formula, &mut |node| calls(node)) || self.depth >= DEEPEST {
+        let there = value_of(function, argument, self.statements, self.vocabulary).ok_or_else(unknown)?;
+        if self.depth >= DEEPEST {
             return Err(unknown());
         }
-        let there = rewrite(formula, &|name| match *name == running {
-            true => Some(argument.clone()),
-            false if self.vocabulary.names.is_function(name) => {
-                Some(Tree::Call(name.clone(), Box::new(argument.clone()), At::default()))
-            }
-            false => None,
-        });
         if nodes_of(&there) > LARGEST {
             return Err(unknown());
         }

@@ -4,7 +4,7 @@ use super::super::substitute::number_of;
 use super::super::vocabulary::Vocabulary;
 use super::build::{call, difference, integer, plain};
 use crate::number::{Field, Rational};
-use crate::tex::{Equation, Relation, Tree};
+use crate::tex::{Equation, Name, Relation, Tree};
 
 fn relation(left: Tree, relation: Relation, right: Tree) -> Equation {
     Equation {
@@ -15,44 +15,58 @@ fn relation(left: Tree, relation: Relation, right: Tree) -> Equation {
 
 /// The conditions, together sufficient, under which a tree of real numbers has a value.
 pub(super) fn conditions(tree: &Tree, vocabulary: &Vocabulary) -> Result<Vec<Equation>, String> {
+    conditions_beside(tree, vocabulary, &|_| false)
+}
+
+/// The same where functions that pass the test have a value at each number.
+pub(super) fn conditions_beside(
+    tree: &Tree,
+    vocabulary: &Vocabulary,
+    is_smooth: &dyn Fn(&Name) -> bool,
+) -> Result<Vec<Equation>, String> {
     let mut found = Vec::new();
-    collect(tree, vocabulary, &mut found)?;
+    collect(tree, vocabulary, is_smooth, &mut found)?;
     found.dedup();
     Ok(found)
 }
 
-fn collect(tree: &Tree, vocabulary: &Vocabulary, found: &mut Vec<Equation>) -> Result<(), String> {
+fn collect(
+    tree: &Tree,
+    vocabulary: &Vocabulary,
+    is_smooth: &dyn Fn(&Name) -> bool,
+    found: &mut Vec<Equation>,
+) -> Result<(), String> {
     let zero = || integer(0);
     match tree {
         Tree::Number(_) | Tree::Symbol(..) => {}
         Tree::Sum(parts) | Tree::Product(parts) => {
             for part in parts {
-                collect(part, vocabulary, found)?;
+                collect(part, vocabulary, is_smooth, found)?;
             }
         }
-        Tree::Negate(inner) => collect(inner, vocabulary, found)?,
+        Tree::Negate(inner) => collect(inner, vocabulary, is_smooth, found)?,
         Tree::Quotient(above, below, _) => {
-            collect(above, vocabulary, found)?;
-            collect(below, vocabulary, found)?;
+            collect(above, vocabulary, is_smooth, found)?;
+            collect(below, vocabulary, is_smooth, found)?;
             if !matches!(**below, Tree::Number(_)) {
                 found.push(relation((**below).clone(), Relation::NotEqual, zero()));
             }
         }
         Tree::Power(base, exponent, _) => {
-            collect(base, vocabulary, found)?;
+            collect(base, vocabulary, is_smooth, found)?;
             if *exponent < 0 {
                 found.push(relation((**base).clone(), Relation::NotEqual, zero()));
             }
         }
         Tree::Root(radicand, index, _) => {
-            collect(radicand, vocabulary, found)?;
+            collect(radicand, vocabulary, is_smooth, found)?;
             if index % 2 == 0 {
                 found.push(relation((**radicand).clone(), Relation::GreaterOrEqual, zero()));
             }
         }
         Tree::RealPower(base, exponent, _) => {
-            collect(base, vocabulary, found)?;
-            collect(exponent, vocabulary, found)?;
+            collect(base, vocabulary, is_smooth, found)?;
+            collect(exponent, vocabulary, is_smooth, found)?;
             let euler = plain("e");
             let is_positive = match &**base {
                 Tree::Number(value) => *value != Rational::from_integer(0),
@@ -73,7 +87,7 @@ fn collect(tree: &Tree, vocabulary: &Vocabulary, found: &mut Vec<Equation>) -> R
             }
         }
         Tree::Call(name, argument, _) => {
-            collect(argument, vocabulary, found)?;
+            collect(argument, vocabulary, is_smooth, found)?;
             let at = (**argument).clone();
             match name.base.as_str() {
                 "\\sin" | "\\cos" | "\\sinh" | "\\cosh" | "\\tanh" | "\\exp" | "\\arctan" | "\\arsinh" | "\\abs" => {}
@@ -95,6 +109,7 @@ fn collect(tree: &Tree, vocabulary: &Vocabulary, found: &mut Vec<Equation>) -> R
                     let square = super::build::power(at, 2);
                     found.push(relation(difference(integer(1), square), Relation::Greater, zero()));
                 }
+                _ if is_smooth(name) => {}
                 _ => return Err(format!("where `{name}` has a value is not known")),
             }
         }

@@ -149,7 +149,7 @@ fn first_limit(statements: &Statements) -> Option<Operation> {
 }
 
 /// Each condition as a goal of its own: in one statement they would be taken to be defined together.
-fn as_goals(statements: &Statements, vocabulary: &Vocabulary, needed: Vec<Equation>) -> Vec<Goal> {
+pub(super) fn as_goals(statements: &Statements, vocabulary: &Vocabulary, needed: Vec<Equation>) -> Vec<Goal> {
     let goal = |condition: Equation| {
         let mut alone = statements.clone();
         alone.premises.retain(|premise| !holds(&premise.equation, &|_| true));
@@ -158,6 +158,15 @@ fn as_goals(statements: &Statements, vocabulary: &Vocabulary, needed: Vec<Equati
         Goal::of(&alone, vocabulary, part)
     };
     needed.into_iter().map(goal).collect()
+}
+
+/// Whether a tree is infinity, and whether it is that above all numbers.
+pub(super) fn infinity(tree: &Tree) -> Option<bool> {
+    match tree {
+        Tree::Operation(operation, _) => matches!(**operation, Operation::Infinity).then_some(true),
+        Tree::Negate(inner) => infinity(inner).map(|is_above| !is_above),
+        _ => None,
+    }
 }
 
 /// A series in what tends to 0 when `by` tends to `to`.
@@ -179,8 +188,6 @@ fn small<'a>(
     {
         return Err("limits of complex numbers are not read".to_owned());
     }
-    let infinite =
-        |tree: &Tree| matches!(tree, Tree::Operation(operation, _) if matches!(**operation, Operation::Infinity));
     let (to, side) = match to {
         Tree::Operation(operation, _) => match &**operation {
             Operation::OneSided(to, is_above) => (to, Some(*is_above)),
@@ -188,16 +195,12 @@ fn small<'a>(
         },
         to => (to, None),
     };
-    let (value, is_positive) = match to {
-        to if infinite(to) => (Series::small(-1, length), true),
-        Tree::Negate(inner) if infinite(inner) => {
-            let mut value = Series::small(-1, length);
-            if let Some(term) = value.terms.first_mut() {
-                *term = integer(-1);
-            }
-            (value, true)
+    let (value, is_positive) = match infinity(to) {
+        Some(is_above) => {
+            let value = Series::small(-1, length);
+            (if is_above { value } else { value.scaled(&integer(-1)) }, true)
         }
-        to => {
+        None => {
             let sign = integer(if side == Some(false) { -1 } else { 1 });
             let mut value = match super::build::is_zero(to) {
                 true => Series::small(1, length),
@@ -234,7 +237,8 @@ fn small<'a>(
     })
 }
 
-fn of_limit(
+/// The limit, what must hold for it to be that, and what does not move in it and must have a value.
+pub(super) fn of_limit(
     statements: &Statements,
     vocabulary: &Vocabulary,
     of: &Tree,

@@ -7,16 +7,20 @@ mod antiderivative;
 mod build;
 mod cases;
 mod complex;
+mod decay;
 mod defined;
 mod derivative;
 mod evaluate;
+mod exponential;
 mod factorial;
 mod induction;
 mod inequality;
 mod instances;
 mod integral;
+mod law;
 mod limit;
 mod matrix;
+mod parts;
 mod series;
 
 use super::definition::{Local, inlined};
@@ -27,6 +31,9 @@ pub use inequality::ways as ways_by_derivatives;
 pub(super) use integral::{holds_indefinite, is_constant_of_integration};
 
 use crate::tex::{Condition, Equation, Name, Operation, Tree};
+
+/// The most primes of a name that stands for a number in a proof.
+const MOST_PRIMES: u8 = 9;
 
 /// A claim without operations.
 #[derive(Clone, Debug)]
@@ -124,7 +131,12 @@ fn without_operations(statements: &Statements, vocabulary: &Vocabulary) -> Resul
     {
         return Ok(None);
     }
-    let mut statements = rewritten(&written_out(statements, vocabulary)?, &cases::signs);
+    let written = written_out(statements, vocabulary)?;
+    let laws = law::Laws {
+        statements: &written,
+        vocabulary,
+    };
+    let mut statements = rewritten(&written, &|tree| laws.in_integrals(&cases::signs(tree)));
     let all = trees(&statements);
     if all.iter().any(|tree| binds_bare_function(tree, vocabulary)) {
         let running = vocabulary.running.clone().unwrap_or_default();
@@ -321,7 +333,7 @@ fn binds_bare_function(tree: &Tree, vocabulary: &Vocabulary) -> bool {
             return false;
         };
         let is_over_time = operation.letter().is_some() && operation.letter() == vocabulary.running.as_ref();
-        let is_derivative = matches!(**operation, Operation::Derivative { .. });
+        let is_derivative = matches!(**operation, Operation::Derivative { order: 1.., .. });
         let parts = operation.parts().into_iter().filter(|(_, is_bound)| *is_bound);
         let mut parts = parts.filter(|_| is_over_time && !is_derivative && !is_antiderivative(operation));
         parts.any(|(part, _)| any(part, &mut |node| is_bare(node)))
@@ -335,24 +347,28 @@ fn is_antiderivative(operation: &Operation) -> bool {
 /// Whether premises, relations or assumed equations say anything of a symbol: then other symbols may depend on it.
 fn is_spoken_of(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -> bool {
     let speaks = |equation: &Equation| is_free_in(&equation.left, name) || is_free_in(&equation.right, name);
+    let mut premises = statements.premises.iter();
+    is_tied(statements, vocabulary, name)
+        || premises.any(|premise| speaks(&premise.equation))
+        || stands_in_symbols(vocabulary, name)
+}
+
+/// Whether an assumed equation ties a symbol to others.
+fn is_tied(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -> bool {
+    let speaks = |equation: &Equation| is_free_in(&equation.left, name) || is_free_in(&equation.right, name);
     let is_other = |node: &Tree| match node {
         Tree::Symbol(other, _) => other != name && vocabulary.parameters.contains(other),
         _ => false,
     };
     let mut assumed = statements.assume.iter();
-    let ties = assumed.any(|condition| match condition {
+    assumed.any(|condition| match condition {
         Condition::Relation(relation) => {
             let sides = [&relation.left, &relation.right];
             let is_equal = relation.relation == crate::tex::Relation::Equal;
             is_equal && speaks(relation) && sides.into_iter().any(|side| any(side, &mut |node| is_other(node)))
         }
         Condition::Integer(_) => false,
-    });
-    if ties {
-        return true;
-    }
-    let mut premises = statements.premises.iter();
-    premises.any(|premise| speaks(&premise.equation)) || stands_in_symbols(vocabulary, name)
+    })
 }
 
 /// Whether relations, periods, derivatives of functions or maps of `[symbols]` speak of a symbol: it is not replaced there.
@@ -393,8 +409,15 @@ fn fresh_like(statements: &Statements, vocabulary: &Vocabulary, mut name: Name) 
                 .into_iter()
                 .any(|tree| derivative::mentions(tree, name))
     };
+    // a function is known with any number of primes, but not with another accent
     while is_met(&name) {
-        name.primes = name.primes.saturating_add(1);
+        match name.primes < MOST_PRIMES {
+            true => name.primes += 1,
+            false => {
+                name.primes = 0;
+                name.accents.push("\\tilde".to_owned());
+            }
+        }
     }
     name
 }

@@ -76,7 +76,7 @@ fn ratio(above: i64, below: i64) -> Tree {
     number(&(Rational::from_integer(above) / Rational::from_integer(below)))
 }
 
-fn is_zero(tree: &Tree) -> bool {
+pub(super) fn is_zero(tree: &Tree) -> bool {
     number_of(tree) == Some(Rational::from_integer(0))
 }
 
@@ -149,7 +149,7 @@ pub(super) fn is_likely_zero(tree: &Tree) -> bool {
     is_zero(tree) || guess(tree).is_some_and(|value| value.abs() < 1e-9)
 }
 
-fn relation(left: Tree, relation: Relation) -> Equation {
+pub(super) fn relation(left: Tree, relation: Relation) -> Equation {
     Equation {
         relation,
         ..Equation::between(left, integer(0))
@@ -186,6 +186,12 @@ impl Series {
         }
     }
 
+    /// Whether a power of 1/h stands in it.
+    fn grows(&self) -> bool {
+        let before = usize::try_from(-self.low).unwrap_or(0);
+        self.terms.iter().take(before).any(|term| !is_zero(term))
+    }
+
     fn plus(&self, other: &Self) -> Self {
         let (low, end) = (self.low.min(other.low), self.end().min(other.end()));
         let term = |exponent| {
@@ -213,7 +219,7 @@ impl Series {
         }
     }
 
-    fn scaled(&self, factor: &Tree) -> Self {
+    pub fn scaled(&self, factor: &Tree) -> Self {
         let terms = self.terms.iter();
         Self {
             low: self.low,
@@ -223,7 +229,7 @@ impl Series {
 }
 
 impl Small<'_> {
-    fn need(&mut self, condition: Equation) {
+    pub(super) fn need(&mut self, condition: Equation) {
         let is_plain = matches!(&condition.left, Tree::Number(_)) && !is_zero(&condition.left);
         if !is_plain && !self.needed.contains(&condition) {
             self.needed.push(condition);
@@ -261,6 +267,21 @@ impl Small<'_> {
             low: series.low.saturating_add(i32::try_from(first).unwrap_or(i32::MAX)),
             terms,
         })
+    }
+
+    /// The series without the first terms that vanish, and whether it is negative where h is small.
+    fn with_sign(&mut self, series: &Series) -> Result<(Series, bool), String> {
+        let series = self.leading(series)?;
+        let Some(first) = series.terms.first().cloned() else {
+            return Err("no term is known".to_owned());
+        };
+        if series.low != 0 && !self.is_positive {
+            return Err("the sign of what vanishes or grows".to_owned());
+        }
+        let is_negative = guess(&first).is_some_and(|value| value < 0.0);
+        let sign = if is_negative { Relation::Less } else { Relation::Greater };
+        self.need(relation(first, sign));
+        Ok((series, is_negative))
     }
 
     fn inverse(&mut self, series: &Series) -> Found {
@@ -435,6 +456,9 @@ impl Small<'_> {
             }
             return Ok(Series::constant(tidy(tree.clone()), self.length));
         }
+        if self.vanishes_fast(tree) {
+            return Ok(Series::constant(integer(0), self.length));
+        }
         match tree {
             Tree::Symbol(name, _) if name == self.name => Ok(self.value.clone()),
             Tree::Negate(inner) => Ok(self.of(inner)?.scaled(&integer(-1))),
@@ -553,17 +577,19 @@ impl Small<'_> {
                 return Ok(above.times(&self.inverse(&below)?));
             }
             "\\abs" => {
-                let inner = self.leading(&inner)?;
-                let Some(first) = inner.terms.first().cloned() else {
-                    return Err("no term is known".to_owned());
-                };
-                if inner.low != 0 && !self.is_positive {
-                    return Err("the absolute value of what vanishes".to_owned());
-                }
-                let is_negative = guess(&first).is_some_and(|value| value < 0.0);
-                let sign = if is_negative { Relation::Less } else { Relation::Greater };
-                self.need(relation(first, sign));
+                let (inner, is_negative) = self.with_sign(&inner)?;
                 return Ok(if is_negative { inner.scaled(&integer(-1)) } else { inner });
+            }
+            "\\arctan" if inner.grows() => {
+                // for u > 0 it is a quarter turn less that of 1/u
+                let (inner, is_negative) = self.with_sign(&inner)?;
+                let quarter = quotient(symbol(&super::build::plain("\\pi")), integer(2));
+                let limit = if is_negative { negative(quarter) } else { quarter };
+                let inverse = self.inverse(&inner)?;
+                let inverse = self.regular(&inverse)?;
+                let slope = self.inverse(&one().plus(&inverse.times(&inverse)))?;
+                let rest = Self::integrated(integer(0), &inverse, &slope);
+                return Ok(Series::constant(limit, length).plus(&rest.scaled(&integer(-1))));
             }
             "\\arctan" => {
                 let below = one().plus(&square);
@@ -625,6 +651,12 @@ impl Small<'_> {
 
     /// An integral over an interval that shrinks to a point.
     fn of_integral(&mut self, of: &Tree, by: &Name, low: &Tree, high: &Tree) -> Found {
+        if [low, high]
+            .into_iter()
+            .any(|limit| super::limit::infinity(limit).is_some())
+        {
+            return Err("an improper integral within a limit".to_owned());
+        }
         let (low, high) = (self.of(low)?, self.of(high)?);
         let (low, high) = (self.regular(&low)?, self.regular(&high)?);
         let (start, end) = (low.at(0), high.at(0));
