@@ -341,7 +341,7 @@ fn hostile_formulas_end_with_a_reason() {
 #[test]
 fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
     let vocabulary = read_symbols(SYMBOLS).unwrap();
-    let (mut decidable, mut with_points, mut complaints) = (0, 0, Vec::new());
+    let (mut refused, mut decidable, mut with_points, mut complaints) = (0, 0, 0, Vec::new());
     // wrong proofs and wrong refutations: how many there could be, how many are contradicted
     let mut caught = [(0, 0); 2];
     for path in attacks::sheets() {
@@ -368,6 +368,10 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
             if right == Verdict::Undecided {
                 continue;
             }
+            if found.notes.iter().any(|note| note.starts_with("no witness")) {
+                refused += 1;
+                continue;
+            }
             decidable += 1;
             with_points += usize::from(found.points > 0);
             let is_caught = witness(&sheet, position, wrong, 24).unwrap().against.is_some();
@@ -383,13 +387,13 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
     }
     let [(false_claims, wrong_proofs), (true_claims, wrong_refutations)] = caught;
     println!(
-        "{decidable} true or false claims, {with_points} with points; contradicted are {wrong_proofs} of {false_claims} wrong proofs, \
+        "{decidable} true or false claims, {refused} refused, {with_points} with points; contradicted are {wrong_proofs} of {false_claims} wrong proofs, \
          {wrong_refutations} of {true_claims} wrong refutations"
     );
     assert!(complaints.is_empty(), "{complaints:#?}");
-    // an operation that is refused has no points: 96.7% when the sheets of operations came in, 95.6% with those of complex
-    // series, all of which are refused
-    assert!(with_points * 100 >= decidable * 95, "{with_points} of {decidable}");
+    // an operation that is refused has no points: 3.4% of the claims, most of them complex series and limits
+    assert!(refused * 20 <= decidable + refused, "{refused} refused");
+    assert!(with_points * 100 >= decidable * 97, "{with_points} of {decidable}");
     // points that agree say little of a claim that special values break: of integers, of functions that premises shape
     assert!(
         wrong_proofs * 100 >= false_claims * 86,

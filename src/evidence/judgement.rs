@@ -58,24 +58,35 @@ const PROBE_WORK: u64 = 20_000;
 /// The [`Fault`] of a claim or premise that makes no sense.
 pub fn witness(sheet: &Sheet, position: usize, verdict: Verdict, points: usize) -> Result<Evidence, Fault> {
     let statements = Statements::gather(sheet, position)?;
-    let (goals, has_lemmas) = match reduced(&statements, &sheet.vocabulary) {
+    let (goals, lemmas) = match reduced(&statements, &sheet.vocabulary) {
         Ok(None) => return Ok(of_goal(&statements, &sheet.vocabulary, verdict, points)),
-        Ok(Some(reduced)) if reduced.is_equivalent => (reduced.sufficient, !reduced.lemmas.is_empty()),
-        Ok(Some(reduced)) => (reduced.necessary, !reduced.lemmas.is_empty()),
+        Ok(Some(reduced)) if reduced.is_equivalent => (reduced.sufficient, reduced.lemmas),
+        Ok(Some(reduced)) => (reduced.necessary, reduced.lemmas),
         Err(reason) => return Ok(without_points(format!("no witness: {reason}"))),
     };
-    let of_goal = |goal: &Goal| {
+    let against = |goal: &Goal, verdict| {
         let mut evidence = of_goal(&goal.statements, &goal.vocabulary, verdict, points);
         if !goal.part.is_empty() && !evidence.worst.is_empty() {
             evidence.worst = format!("{}: {}", goal.part, evidence.worst);
         }
         evidence
     };
-    let all: Vec<Evidence> = goals.iter().take(MOST_GOALS).map(of_goal).collect();
+    let all: Vec<Evidence> = goals
+        .iter()
+        .take(MOST_GOALS)
+        .map(|goal| against(goal, verdict))
+        .collect();
     let mut evidence = together(all, verdict);
-    if has_lemmas && verdict == Verdict::Refuted && evidence.against.take().is_some() {
-        // where a lemma fails, the goals are not the claim
-        evidence.notes.push("the goals agree, but rest on lemmas".to_owned());
+    // where a lemma fails, the goals are not the claim
+    let holds = |lemma: &Goal| {
+        let evidence = against(lemma, Verdict::Proved);
+        evidence.points > 0 && evidence.against.is_none()
+    };
+    if verdict == Verdict::Refuted && evidence.against.is_some() && !lemmas.iter().all(holds) {
+        evidence.against = None;
+        evidence
+            .notes
+            .push("the goals agree, but rest on lemmas that the points do not confirm".to_owned());
     }
     Ok(evidence)
 }
