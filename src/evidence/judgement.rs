@@ -12,7 +12,7 @@ use super::tolerance::{
     APART_EXACT, APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE, ROUNDED_AWAY, STEADY,
 };
 use super::value::{Complexes, Function, Numbers, Real, Reals, Value};
-use crate::claim::{Fault, Goal, Sheet, Statements, Verdict, Vocabulary, reduced};
+use crate::claim::{Fault, Goal, Sheet, Statements, Verdict, Vocabulary, along_a_sequence, reduced};
 use crate::number::{Sequence, Wide};
 use crate::tex::{Equation, Relation, Tree};
 use std::collections::BTreeMap;
@@ -58,10 +58,13 @@ const PROBE_WORK: u64 = 20_000;
 /// The [`Fault`] of a claim or premise that makes no sense.
 pub fn witness(sheet: &Sheet, position: usize, verdict: Verdict, points: usize) -> Result<Evidence, Fault> {
     let statements = Statements::gather(sheet, position)?;
-    let (goals, lemmas) = match reduced(&statements, &sheet.vocabulary) {
-        Ok(None) => return Ok(of_goal(&statements, &sheet.vocabulary, verdict, points)),
-        Ok(Some(reduced)) if reduced.is_equivalent => (reduced.sufficient, reduced.lemmas),
-        Ok(Some(reduced)) => (reduced.necessary, reduced.lemmas),
+    let (is_whole, goals, lemmas) = match reduced(&statements, &sheet.vocabulary) {
+        Ok(None) => match along_a_sequence(&statements, &sheet.vocabulary) {
+            Some(reduced) if !reduced.necessary.is_empty() => (false, reduced.necessary, Vec::new()),
+            _ => return Ok(of_goal(&statements, &sheet.vocabulary, verdict, points)),
+        },
+        Ok(Some(reduced)) if reduced.is_equivalent => (true, reduced.sufficient, reduced.lemmas),
+        Ok(Some(reduced)) => (false, reduced.necessary, reduced.lemmas),
         Err(reason) => return Ok(without_points(format!("no witness: {reason}"))),
     };
     let against = |goal: &Goal, verdict| {
@@ -82,11 +85,16 @@ pub fn witness(sheet: &Sheet, position: usize, verdict: Verdict, points: usize) 
         let evidence = against(lemma, Verdict::Proved);
         evidence.points > 0 && evidence.against.is_none()
     };
-    if verdict == Verdict::Refuted && evidence.against.is_some() && !lemmas.iter().all(holds) {
-        evidence.against = None;
-        evidence
-            .notes
-            .push("the goals agree, but rest on lemmas that the points do not confirm".to_owned());
+    if verdict == Verdict::Refuted && evidence.against.is_some() {
+        let doubt = match is_whole {
+            false => Some("the sides agree at the integers that are tried"),
+            true if lemmas.iter().all(holds) => None,
+            true => Some("the goals agree, but rest on lemmas that the points do not confirm"),
+        };
+        if let Some(doubt) = doubt {
+            evidence.against = None;
+            evidence.notes.push(doubt.to_owned());
+        }
     }
     Ok(evidence)
 }

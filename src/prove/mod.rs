@@ -59,7 +59,7 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     };
     let further = further.map(|goals| together(&goals, &start, &follows_from(sheet, position), options));
     let decision = match further {
-        Some(further) if further.verdict != Verdict::Undecided => further,
+        Some(further) if further.verdict != Verdict::Undecided || !further.reason.ends_with(": ") => further,
         _ => decision,
     };
     decision.on_guesses(sheet, position)

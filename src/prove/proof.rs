@@ -171,6 +171,9 @@ fn settle(session: &mut Session, property: Property, polynomial: &Polynomial, de
     for _ in 0..PASSES {
         let count = session.checker.facts.len();
         deduce(session, polynomial);
+        if property != Property::Zero {
+            session.sign_leads(polynomial);
+        }
         if attempt(session, property, polynomial).is_some() {
             return Some(());
         }

@@ -4,7 +4,7 @@
 //! vanish: factors that cannot vanish are divided out, and of a sum of what is not negative every summand is 0.
 
 use super::session::Session;
-use crate::algebra::{self, Fact, factors, power, times};
+use crate::algebra::{self, Fact, coefficients_in, factors, power, times};
 use crate::kernel::{Axiom, Elementary, Inference, LawSource, Node, Polynomial, Property, Summand, Term, sign};
 use crate::number::{Field, Rational};
 use num_traits::{One, Zero};
@@ -236,6 +236,26 @@ impl Session<'_> {
         let fact = self.polynomial(number);
         let (above, below) = (fact.terms().first()?.1.clone(), polynomial.terms().first()?.1.clone());
         Some((number, Rational(above / below)))
+    }
+
+    /// Shows the signs of what stands before the generators of a polynomial in facts that vanish, as x + 1 in (x + 1) y = 1:
+    /// a sign of the generator may follow.
+    pub fn sign_leads(&mut self, polynomial: &Polynomial) {
+        let pivots = self.triangle.iter().flat_map(|pivot| &pivot.lead);
+        let mut leads: Vec<Polynomial> = pivots.map(|(fact, _)| self.polynomial(*fact)).collect();
+        for fact in self.undetermining() {
+            let vanishing = self.polynomial(fact);
+            for generator in polynomial.generators() {
+                if let [_, lead] = coefficients_in(&vanishing, generator).as_slice() {
+                    leads.push(lead.clone());
+                }
+            }
+        }
+        for lead in leads {
+            if lead.as_constant().is_none() && self.show_sign(&lead, true).is_none() {
+                let _ = self.show_sign(&lead.negated(), true);
+            }
+        }
     }
 
     /// A fact that is reduced by the triangle, unless it is a power in there itself.

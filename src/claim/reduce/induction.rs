@@ -1,10 +1,9 @@
 //! Sums and products of symbolic length by induction over an integer: the first value, the step, and that everything
 //! has a value at each.
 
-use super::super::fault::Source;
 use super::super::premise::{Premise, Statements};
 use super::super::substitute::{any, mapped, rewrite};
-use super::super::vocabulary::Vocabulary;
+use super::super::vocabulary::{Vocabulary, index_of, subscript_of};
 use super::build::{difference, integer, product, sum, symbol};
 use super::derivative::mentions;
 use super::evaluate::{but_factorials, whole};
@@ -12,13 +11,13 @@ use super::{Goal, defined, factorial, fresh, holds, instances, rewritten};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
 
 /// A sum or product whose limits move with the integer.
-struct Moving {
+pub(super) struct Moving {
     operation: Operation,
     /// What stands for it.
-    name: Name,
+    pub name: Name,
     /// The terms that the next value has more, and those that it has no longer.
     added: Vec<Tree>,
-    removed: Vec<Tree>,
+    pub removed: Vec<Tree>,
 }
 
 /// The goals that prove the claim.
@@ -56,7 +55,8 @@ pub(super) fn goals(statements: &Statements, vocabulary: &Vocabulary) -> Result<
 }
 
 fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Result<Vec<Goal>, String> {
-    let first = first_value(statements, vocabulary, letter)?;
+    let first = first_value(&statements.assume, vocabulary, letter)?;
+    let first = first.ok_or_else(|| format!("{letter} has no lower bound"))?;
     if super::is_spoken_of(statements, vocabulary, letter) {
         return Err(format!("premises speak of {letter}"));
     }
@@ -71,17 +71,9 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
     for operation in found {
         let name = fresh(statements, &vocabulary, "S");
         vocabulary.let_be_parameter(&name, false);
-        moving.push(moved(&operation, letter, first, name)?);
+        moving.push(moved(&operation, letter, first, name, None)?);
     }
-    let named = |tree: &Tree| {
-        mapped(tree, &|node| match node {
-            Tree::Operation(operation, _) => {
-                let of = moving.iter().find(|moving| moving.operation == **operation);
-                of.map(|moving| symbol(&moving.name))
-            }
-            _ => None,
-        })
-    };
+    let named = |tree: &Tree| mapped(tree, &|node| name_of(node, &moving));
     let now = rewritten(statements, &named);
     // the claim at the next value, by what stands for its sums now
     let step = |tree: &Tree| {
@@ -100,15 +92,9 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
         ..claim.clone()
     };
     next.claims = now.claims.iter().map(equation).collect();
-    next.premises.extend(now.claims.iter().map(|claim| Premise {
-        label: format!("the claim at {letter}"),
-        equation: claim.clone(),
-        locals: Vec::new(),
-        assume: Vec::new(),
-        first: None,
-        substituted: false,
-        source: Source::unplaced(claim.to_string()),
-    }));
+    let known = format!("the claim at {letter}");
+    let claims = now.claims.iter().cloned();
+    next.premises.extend(claims.map(|claim| Premise::known(&known, claim)));
     let mut goals = Vec::new();
     let mut push = |statements: &Statements, part: String| -> Result<(), String> {
         let (quantities, vocabulary) =
@@ -139,23 +125,27 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
     Ok(goals)
 }
 
-/// The first value of the integer, by its conditions.
-fn first_value(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Result<i64, String> {
+/// The first value of the integer, by its conditions; `None` where it has no lower bound.
+///
+/// # Errors
+/// The condition that is none.
+pub(super) fn first_value(assume: &[Condition], vocabulary: &Vocabulary, letter: &Name) -> Result<Option<i64>, String> {
     let is_letter = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name == letter);
-    let mut first: Option<i64> = None;
     let listed = [(&vocabulary.positive, 1), (&vocabulary.nonnegative, 0)];
     let bounds = listed
         .into_iter()
         .filter(|(list, _)| list.contains(letter))
         .map(|(_, bound)| bound);
     let mut all: Vec<i64> = bounds.collect();
-    for condition in &statements.assume {
-        let Condition::Relation(relation) = condition else {
-            continue;
-        };
-        if !mentions(&relation.left, letter) && !mentions(&relation.right, letter) {
+    for condition in assume {
+        if !condition.sides().iter().any(|side| mentions(side, letter)) {
             continue;
         }
+        let relation = match condition {
+            Condition::Relation(relation) => relation,
+            Condition::Integer(tree) if is_letter(tree) => continue,
+            Condition::Integer(tree) => return Err(format!("steps of 1 leave what {tree} \\in \\mathbb{{Z}} allows")),
+        };
         let bound = match (is_letter(&relation.left), is_letter(&relation.right), relation.relation) {
             (true, false, Relation::GreaterOrEqual) => whole(&relation.right),
             (true, false, Relation::Greater) => whole(&relation.right).map(|bound| bound + 1),
@@ -168,13 +158,19 @@ fn first_value(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) 
             None => return Err(format!("the condition {relation} is no lower bound")),
         }
     }
-    for bound in all {
-        first = Some(first.map_or(bound, |known| known.max(bound)));
-    }
-    first.ok_or_else(|| format!("{letter} has no lower bound"))
+    Ok(all.into_iter().max())
 }
 
-fn series_in(tree: &Tree, found: &mut Vec<Operation>) {
+/// What stands for a sum.
+pub(super) fn name_of(node: &Tree, moving: &[Moving]) -> Option<Tree> {
+    let Tree::Operation(operation, _) = node else {
+        return None;
+    };
+    let of = moving.iter().find(|moving| moving.operation == **operation)?;
+    Some(symbol(&of.name))
+}
+
+pub(super) fn series_in(tree: &Tree, found: &mut Vec<Operation>) {
     any(tree, &mut |node| {
         if let Tree::Operation(operation, _) = node
             && matches!(**operation, Operation::Series { .. })
@@ -193,7 +189,14 @@ fn motion(limit: &Tree, letter: &Name, first: i64) -> Option<(i64, i64)> {
     (one - zero == two - one).then_some((zero, one - zero))
 }
 
-fn moved(operation: &Operation, letter: &Name, first: i64, name: Name) -> Result<Moving, String> {
+/// How a sum moves with the integer; its terms may be members of the sequence.
+pub(super) fn moved(
+    operation: &Operation,
+    letter: &Name,
+    first: i64,
+    name: Name,
+    sequence: Option<&Name>,
+) -> Result<Moving, String> {
     let Operation::Series {
         kind,
         of,
@@ -220,26 +223,52 @@ fn moved(operation: &Operation, letter: &Name, first: i64, name: Name) -> Result
     if !is_whole || (*kind == Series::Product && lower != 0) {
         return Err("the limits of a sum move in a way that has no induction".to_owned());
     }
-    let term = |limit: &Tree, more: i64| {
-        let at = sum(vec![limit.clone(), integer(more)]);
-        rewrite(of, &|name| (name == index).then(|| at.clone()))
+    let numbered = |name: &Name| index_of(&name.subscript, &index.to_string());
+    let is_strange = |node: &Tree| match node {
+        Tree::Symbol(name, _) => numbered(name).is_some() && Some(&name.bare()) != sequence,
+        _ => false,
     };
-    let is_numbered = any(
-        of,
-        &mut |node| matches!(node, Tree::Symbol(name, _) if super::super::vocabulary::index_of(&name.subscript, &index.to_string()).is_some()),
-    );
-    if is_numbered {
+    if any(of, &mut |node| is_strange(node)) {
         return Err("the terms of a sum are numbered names".to_owned());
     }
+    let term = |limit: &Tree, more: i64| -> Result<Tree, String> {
+        let at = sum(vec![limit.clone(), integer(more)]);
+        let subscript = |offset: i32| {
+            let place = offset_of(&at, letter)?.checked_add(i64::from(offset))?;
+            Some(subscript_of(i32::try_from(place).ok()?, &letter.base))
+        };
+        if any(
+            of,
+            &mut |node| matches!(node, Tree::Symbol(name, _) if numbered(name).is_some_and(|offset| subscript(offset).is_none())),
+        ) {
+            return Err(format!("the limit {limit} is not {letter} and a number"));
+        }
+        Ok(rewrite(of, &|name| {
+            if name == index {
+                return Some(at.clone());
+            }
+            let subscript = subscript(numbered(name)?)?;
+            Some(symbol(&Name {
+                subscript,
+                ..name.clone()
+            }))
+        }))
+    };
     Ok(Moving {
         operation: operation.clone(),
         name,
-        added: (1..=higher).map(|more| term(to, more)).collect(),
-        removed: (0..lower).map(|more| term(from, more)).collect(),
+        added: (1..=higher).map(|more| term(to, more)).collect::<Result<_, _>>()?,
+        removed: (0..lower).map(|more| term(from, more)).collect::<Result<_, _>>()?,
     })
 }
 
-fn next_value(moving: &Moving) -> Tree {
+/// What a limit is more than the letter.
+fn offset_of(limit: &Tree, letter: &Name) -> Option<i64> {
+    let (zero, step) = motion(limit, letter, 0)?;
+    (step == 1).then_some(zero)
+}
+
+pub(super) fn next_value(moving: &Moving) -> Tree {
     let own = symbol(&moving.name);
     let Operation::Series { kind, .. } = &moving.operation else {
         return own;

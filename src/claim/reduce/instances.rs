@@ -108,7 +108,7 @@ pub(super) fn at(statements: &Statements, vocabulary: &Vocabulary, pairs: &[(&Na
 }
 
 /// Whether a relation between numbers holds.
-fn relation_holds(relation: &Equation) -> Option<bool> {
+pub(super) fn relation_holds(relation: &Equation) -> Option<bool> {
     let (left, right): (Rational, Rational) = (number_of(&relation.left)?, number_of(&relation.right)?);
     Some(match relation.relation {
         Relation::Equal => left == right,

@@ -21,6 +21,7 @@ mod law;
 mod limit;
 mod matrix;
 mod parts;
+mod recurrence;
 mod series;
 
 use super::definition::{Local, inlined};
@@ -184,10 +185,13 @@ fn without_operations(statements: &Statements, vocabulary: &Vocabulary) -> Resul
     }))
 }
 
-/// What a claim without operations comes to once it is not decided as it stands: the signs of what stands between bars,
-/// and numbers for its integers. `None` where it has neither.
+/// What a claim without operations comes to once it is not decided as it stands: the induction along a sequence, the signs
+/// of what stands between bars, and numbers for its integers. `None` where it has none of these.
 pub fn reduced_by_cases(statements: &Statements, vocabulary: &Vocabulary) -> Option<Reduced> {
     let written = written_out(statements, vocabulary).ok()?;
+    if let Some(reduced) = along_a_sequence(statements, vocabulary) {
+        return Some(reduced);
+    }
     let necessary = instances::of(&written, vocabulary);
     let is_real = !trees(&written).into_iter().any(|tree| vocabulary.may_be_complex(tree));
     let has_bars = trees(&written)
@@ -211,10 +215,29 @@ pub fn reduced_by_cases(statements: &Statements, vocabulary: &Vocabulary) -> Opt
     })
 }
 
+/// What a claim without operations about members of a sequence comes to, by the recurrence that gives it.
+pub fn along_a_sequence(statements: &Statements, vocabulary: &Vocabulary) -> Option<Reduced> {
+    let written = written_out(statements, vocabulary).ok()?;
+    if !recurrence::is_spoken_of(&written, vocabulary) {
+        return None;
+    }
+    let reduced = recurrence::reduced(&written, vocabulary);
+    Some(reduced.unwrap_or_else(|reason| Reduced {
+        lemmas: Vec::new(),
+        sufficient: Vec::new(),
+        is_equivalent: false,
+        necessary: Vec::new(),
+        reason,
+    }))
+}
+
 /// What a claim with definite integrals, or with sums and products of symbolic length, comes to.
 fn over_an_index(statements: &Statements, vocabulary: &Vocabulary, reason: String) -> Result<Reduced, String> {
     if let Some(found) = integral::by_antiderivatives(statements, vocabulary)? {
         return Ok(found);
+    }
+    if recurrence::is_spoken_of(statements, vocabulary) {
+        return recurrence::reduced(statements, vocabulary);
     }
     let necessary = instances::of(statements, vocabulary);
     let (sufficient, why) = match induction::goals(statements, vocabulary) {
