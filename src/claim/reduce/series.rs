@@ -156,6 +156,21 @@ pub(super) fn relation(left: Tree, relation: Relation) -> Equation {
     }
 }
 
+/// Whether both sides are numbers of which the relation holds.
+fn holds_of_numbers(condition: &Equation) -> bool {
+    let (Tree::Number(left), Tree::Number(right)) = (&condition.left, &condition.right) else {
+        return false;
+    };
+    match condition.relation {
+        Relation::Equal => left == right,
+        Relation::NotEqual => left != right,
+        Relation::Less => left < right,
+        Relation::LessOrEqual => left <= right,
+        Relation::Greater => left > right,
+        Relation::GreaterOrEqual => left >= right,
+    }
+}
+
 impl Series {
     pub fn constant(tree: Tree, length: usize) -> Self {
         let rest = std::iter::repeat_n(integer(0), length.saturating_sub(1));
@@ -230,8 +245,7 @@ impl Series {
 
 impl Small<'_> {
     pub(super) fn need(&mut self, condition: Equation) {
-        let is_plain = matches!(&condition.left, Tree::Number(_)) && !is_zero(&condition.left);
-        if !is_plain && !self.needed.contains(&condition) {
+        if !holds_of_numbers(&condition) && !self.needed.contains(&condition) {
             self.needed.push(condition);
         }
     }
