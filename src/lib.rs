@@ -28,6 +28,8 @@ pub mod kernel;
 pub mod prove;
 #[cfg(feature = "audit")]
 pub mod reference;
+#[cfg(feature = "audit")]
+pub mod repair;
 #[cfg(feature = "kernel")]
 pub mod tex;
 

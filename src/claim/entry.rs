@@ -686,8 +686,8 @@ impl Entry {
         unused
     }
 
-    /// The names that a definition gives to whatever follows from it.
-    pub(super) fn gives(&self) -> Vec<Name> {
+    /// The names that the entry defines.
+    pub fn gives(&self) -> Vec<Name> {
         self.own.iter().map(|local| local.name.clone()).collect()
     }
 

@@ -8,7 +8,7 @@ use super::function::{Given, names_given};
 use super::premise::{refuse_two_meanings, shared};
 use super::symbols::{MapEntry, Symbols};
 use super::vocabulary::Vocabulary;
-use crate::tex::Name;
+use crate::tex::{Equation, Name};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use toml::Spanned;
@@ -151,12 +151,7 @@ impl Sheet {
 
     /// Checks that each name of each formula stands for something.
     fn check_names(&mut self) {
-        let elsewhere: HashSet<Name> = self
-            .entries
-            .iter()
-            .filter(|e| e.role == Role::Definition)
-            .flat_map(Entry::gives)
-            .collect();
+        let elsewhere = self.names_of_definitions();
         for position in 0..self.entries.len() {
             let Some(entry) = self.entries.get(position) else {
                 continue;
@@ -174,6 +169,41 @@ impl Sheet {
                 entry.unread = checked.err();
             }
         }
+    }
+
+    /// Puts other formulas in the place of those of the entry at a position: what it states, and as many definitions of
+    /// `where` as it has. What cannot be read then is `unread` as it would be in a sheet.
+    pub fn replace(&mut self, position: usize, equations: Vec<Equation>, local: Vec<Equation>) {
+        let Some(entry) = self.entries.get_mut(position) else {
+            return;
+        };
+        entry.unread = None;
+        entry.equations = equations;
+        for ((equation, _), new) in entry.local.iter_mut().zip(local) {
+            *equation = new;
+        }
+        let elsewhere = self.names_of_definitions();
+        let Some(entry) = self.entries.get(position) else {
+            return;
+        };
+        let shared = shared(self, entry);
+        let vocabulary = &self.vocabulary;
+        let mut entry = entry.clone();
+        let checked = shared.and_then(|shared| {
+            entry.part(vocabulary, &shared)?;
+            refuse_two_meanings(self, &entry, &shared)?;
+            entry.check(vocabulary, &shared, &elsewhere)
+        });
+        entry.unread = checked.err();
+        if let Some(place) = self.entries.get_mut(position) {
+            *place = entry;
+        }
+    }
+
+    /// The names that definitions give.
+    fn names_of_definitions(&self) -> HashSet<Name> {
+        let definitions = self.entries.iter().filter(|entry| entry.role == Role::Definition);
+        definitions.flat_map(Entry::gives).collect()
     }
 
     /// The definitions that an entry follows from, over other definitions too.

@@ -5,6 +5,7 @@ use super::{Answer, Content, Exit, Failure, Options, Source, document};
 use crate::claim::{self, Fault, Sheet, Verdict};
 use crate::evidence::{Evidence, witness};
 use crate::prove::{self, Decision, mention_refuted};
+use crate::repair::{Repair, repairs};
 use crate::report::{Cell, OutputError, OutputProblem, Table};
 use crate::stop::Token;
 use rayon::prelude::*;
@@ -25,6 +26,9 @@ pub struct Arguments {
     /// How far to search for proofs and counterexamples, as a multiple of the usual limit in steps
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=MOST_EFFORT))]
     effort: u64,
+    /// Look for the smallest edits that make a refuted formula true: the column `repair`
+    #[arg(long)]
+    repair: bool,
     /// Write each proof and each counterexample into this directory, as a Python script that checks itself with SymPy
     /// and mpmath
     #[arg(long, value_name = "DIR", conflicts_with = "explain")]
@@ -72,8 +76,14 @@ const COLUMNS: [&str; 9] = [
 /// Random points at which each claim is tried; fewer where one costs much.
 const POINTS: usize = 24;
 
-/// A decision, and the evidence beside it where there is a claim to be tried.
-type Row = (Decision, Option<Evidence>);
+/// What is found of one claim.
+struct Row {
+    decision: Decision,
+    /// Nothing where there is no claim to be tried.
+    evidence: Option<Evidence>,
+    /// What would make a refuted claim true, where that is asked for; the smallest first.
+    repairs: Vec<Repair>,
+}
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
@@ -119,7 +129,7 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
     match &arguments.explain {
         Some(label) => explain(&sheet, label, &options).map_err(in_sheet),
         None => {
-            let answer = decide_sheet(&sheet, &name, &options)?;
+            let answer = decide_sheet(&sheet, &name, &options, arguments.repair)?;
             match (&document, &arguments.sheet) {
                 (Some(document), Some(source)) => document::with_numbers(answer, document, source, global),
                 _ => Ok(answer),
@@ -165,15 +175,15 @@ pub(super) fn verdicts(text: &str, name: &str) -> Result<Answer, Failure> {
     };
     let vocabulary = claim::vocabulary().map_err(in_sheet)?;
     let sheet = Sheet::read(text, &vocabulary).map_err(in_sheet)?;
-    decide_sheet(&sheet, name, &prove::Options::default())
+    decide_sheet(&sheet, name, &prove::Options::default(), false)
 }
 
-fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options) -> Result<Answer, Failure> {
-    let mut rows = decide_all(sheet, options).map_err(|fault| Failure::Sheet {
+fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair: bool) -> Result<Answer, Failure> {
+    let mut rows = decide_all(sheet, options, repair).map_err(|fault| Failure::Sheet {
         name: name.to_owned(),
         fault: Box::new(fault),
     })?;
-    mention_refuted(sheet, rows.iter_mut().map(|(decision, _)| decision));
+    mention_refuted(sheet, rows.iter_mut().map(|row| &mut row.decision));
     let unread = sheet.entries.iter().filter(|entry| entry.expect != Verdict::Unread);
     for fault in unread.filter_map(|entry| entry.unread.as_ref()) {
         super::note(&format!("{name}: {fault}"));
@@ -184,30 +194,39 @@ fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options) -> Result<A
     })
 }
 
-/// Decides each claim and looks for witnesses, on all cores; in the order of the sheet.
-fn decide_all(sheet: &Sheet, options: &prove::Options) -> Result<Vec<Row>, Fault> {
+/// Decides each claim, looks for witnesses and, where asked, for repairs, on all cores; in the order of the sheet.
+fn decide_all(sheet: &Sheet, options: &prove::Options, repair: bool) -> Result<Vec<Row>, Fault> {
     let rows = sheet.rows();
     let token = Token::current();
     rows.par_iter()
-        .map(|&position| token.during(|| decide(sheet, position, options)))
+        .map(|&position| token.during(|| decide(sheet, position, options, repair)))
         .collect()
 }
 
-fn decide(sheet: &Sheet, position: usize, options: &prove::Options) -> Result<Row, Fault> {
+fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: bool) -> Result<Row, Fault> {
     let decision = prove::decide(sheet, position, options);
     let read = decision.verdict != Verdict::Unread && sheet.unread_below(position).is_empty();
     let evidence = read
         .then(|| witness(sheet, position, decision.verdict, POINTS))
         .transpose()?;
-    Ok((decision, evidence))
+    let repairs = match decision.verdict {
+        Verdict::Refuted if repair => repairs(sheet, position, options),
+        _ => Vec::new(),
+    };
+    Ok(Row {
+        decision,
+        evidence,
+        repairs,
+    })
 }
 
 /// 2 where something cannot be read that was expected to be, 1 where a verdict is not as expected or evidence speaks
 /// against it.
 fn exit(rows: &[Row]) -> Exit {
-    let unread = |(decision, _): &Row| decision.verdict == Verdict::Unread && !decision.is_expected();
-    let as_expected = |(decision, evidence): &Row| {
-        decision.is_expected() && evidence.as_ref().is_none_or(|evidence| evidence.against.is_none())
+    let unread = |row: &Row| row.decision.verdict == Verdict::Unread && !row.decision.is_expected();
+    let as_expected = |row: &Row| {
+        let speaks_for = |evidence: &Evidence| evidence.against.is_none();
+        row.decision.is_expected() && row.evidence.as_ref().is_none_or(speaks_for)
     };
     if rows.iter().any(unread) {
         Exit::Unusable
@@ -218,8 +237,12 @@ fn exit(rows: &[Row]) -> Exit {
 
 fn table(rows: &[Row]) -> Result<Table, Failure> {
     let mut table = Table::new(COLUMNS);
-    for (decision, evidence) in rows {
+    for row in rows {
+        let (decision, evidence) = (&row.decision, &row.evidence);
         let mut reason = decision.reason.clone();
+        if let Some(repair) = row.repairs.first() {
+            reason = format!("{reason}; {}", repair.words());
+        }
         if let Some(evidence) = evidence {
             if let Some(against) = &evidence.against {
                 reason = format!("EVIDENCE AGAINST THE VERDICT: {against}; {reason}");
@@ -242,10 +265,16 @@ fn table(rows: &[Row]) -> Result<Table, Failure> {
             Cell::from(reason),
             Cell::from((!decision.provided.is_empty()).then(|| decision.provided.join("; "))),
             Cell::from(place),
-            Cell::from(None::<String>),
+            Cell::from((!row.repairs.is_empty()).then(|| shown(&row.repairs))),
         ])?;
     }
     Ok(table)
+}
+
+/// Repairs as the column has them.
+fn shown(repairs: &[Repair]) -> String {
+    let shown: Vec<String> = repairs.iter().map(ToString::to_string).collect();
+    shown.join(" ;; ")
 }
 
 fn explain(sheet: &Sheet, label: &str, options: &prove::Options) -> Result<Answer, Fault> {
@@ -258,23 +287,22 @@ fn explain(sheet: &Sheet, label: &str, options: &prove::Options) -> Result<Answe
             known.join(", ")
         )));
     };
-    let (decision, evidence) = decide(sheet, position, options)?;
+    let mut row = decide(sheet, position, options, false)?;
     // Whether what it rests on is refuted takes the verdicts of all.
     let others = prove::audit(sheet, options);
-    let decision = others
-        .into_iter()
-        .find(|other| other.label == label)
-        .unwrap_or(decision);
-    let mut text = prove::explain(sheet, position, &decision, options);
+    if let Some(decision) = others.into_iter().find(|other| other.label == label) {
+        row.decision = decision;
+    }
+    let mut text = prove::explain(sheet, position, &row.decision, options);
     if let Some(fault) = sheet.entries.get(position).and_then(|entry| entry.unread.as_ref()) {
         text.push_str(&format!("{fault}\n"));
     }
-    if let Some(evidence) = &evidence {
+    if let Some(evidence) = &row.evidence {
         text.push_str(&in_words(evidence));
     }
     Ok(Answer {
         content: Content::Text(text),
-        exit: exit(&[(decision, evidence)]),
+        exit: exit(&[row]),
     })
 }
 

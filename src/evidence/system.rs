@@ -72,6 +72,8 @@ pub struct System {
     /// What is written and decides nothing, but has a value: definitions that no side takes up.
     pub written: Vec<Formula>,
     pub written_program: Program,
+    /// Other formulas whose values are asked for; none where one has no concrete form.
+    pub asked: Vec<Option<Formula>>,
     pub work: Work,
     pub forcing: Forcing,
     /// What derivatives given by laws are at the running time; nothing while it is being found.
@@ -93,6 +95,19 @@ impl System {
     /// # Errors
     /// [`Unwitnessed`] where something has no concrete form.
     pub fn new(statements: &Statements, vocabulary: &Vocabulary, forcing: Forcing) -> Result<Self, Unwitnessed> {
+        Self::asked(statements, vocabulary, forcing, &[])
+    }
+
+    /// Reads premises and claim, and other formulas in the names of the claim.
+    ///
+    /// # Errors
+    /// As [`System::new`].
+    pub fn asked(
+        statements: &Statements,
+        vocabulary: &Vocabulary,
+        forcing: Forcing,
+        asked: &[Tree],
+    ) -> Result<Self, Unwitnessed> {
         let mut system = Self {
             space: Space::default(),
             formulas: Formulas::default(),
@@ -121,11 +136,12 @@ impl System {
             conditions_program: Program::default(),
             written: Vec::new(),
             written_program: Program::default(),
+            asked: Vec::new(),
             work: Work::new(WORK),
             forcing,
             resolved: HashMap::new(),
         };
-        system.read(statements, vocabulary)?;
+        system.read(statements, vocabulary, asked)?;
         Ok(system)
     }
 
@@ -136,7 +152,7 @@ impl System {
         compiler
     }
 
-    fn read(&mut self, statements: &Statements, vocabulary: &Vocabulary) -> Result<(), Unwitnessed> {
+    fn read(&mut self, statements: &Statements, vocabulary: &Vocabulary, asked: &[Tree]) -> Result<(), Unwitnessed> {
         let is_complex = |local: &Local| vocabulary.may_be_complex(&local.tree);
         self.is_complex = statements.locals.iter().any(is_complex);
         let first = statements.first.unwrap_or(0);
@@ -253,6 +269,13 @@ impl System {
             let value = compiler.tree(&local.tree)?;
             let value = self.resolve(value, vocabulary);
             self.written.push(value);
+        }
+        for tree in asked {
+            let mut compiler = self.compiler(vocabulary, &statements.locals);
+            compiler.flight = first;
+            let value = compiler.tree(tree).ok();
+            let value = value.map(|value| self.resolve(value, vocabulary));
+            self.asked.push(value);
         }
         self.finish(vocabulary)
     }
@@ -572,6 +595,7 @@ impl System {
             .chain(steps)
             .chain(&self.late)
             .chain(&self.slacks)
+            .chain(self.asked.iter().flatten())
             .copied()
             .collect();
         let needed: BTreeSet<usize> = self.formulas.slots(&others).into_iter().collect();

@@ -24,10 +24,16 @@ fn allowed(folder: &str) -> Option<Vec<&'static str>> {
         "reference" => both(&[]),
         // Proof and evidence share nothing: an error of the one must not repeat itself in the other.
         "evidence" => both(&["reference"]),
+        // A repair is sieved by evidence and accepted by a proof.
+        "repair" => [PROOF, &both(&["reference", "evidence"])].concat(),
         "accuracy" => [PROOF, &both(&["reference", "evidence"])].concat(),
         "scene" => both(&["reference", "evidence", "accuracy"]),
-        "report" => [PROOF, &both(&["reference", "evidence", "accuracy", "scene"])].concat(),
-        "cli" => [PROOF, &both(&["reference", "evidence", "accuracy", "scene", "report"])].concat(),
+        "report" => [PROOF, &both(&["reference", "evidence", "repair", "accuracy", "scene"])].concat(),
+        "cli" => [
+            PROOF,
+            &both(&["reference", "evidence", "repair", "accuracy", "scene", "report"]),
+        ]
+        .concat(),
         _ => return None,
     };
     Some([&allowed[..], &["stop"]].concat())

@@ -1,0 +1,203 @@
+//! What else stands in the sheet: the names and terms that a repair may put in.
+
+use super::path::{parts, walk};
+use crate::claim::{Entry, Sheet, index_of, subscript_of};
+use crate::tex::{Equation, Name, Tree};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
+
+/// Entries on either side of the claim whose names are looked at beside those of its premises.
+const NEIGHBOURS: usize = 12;
+/// The most names of a kind that are put in for one another.
+const MOST_NAMES: usize = 60;
+
+/// The names and terms of a claim, its premises and its neighbours.
+#[derive(Debug, Default)]
+pub struct Context {
+    symbols: Vec<Name>,
+    called: Vec<Name>,
+    derivatives: Vec<(Name, Name)>,
+    pub maps: Vec<Name>,
+    letters: Vec<String>,
+    /// What stands there by itself: each node of each formula but those of the claim.
+    pub said: HashSet<Tree>,
+    /// What values may be missing in the claim: symbols, values of functions and derivatives in it and in its premises.
+    pub atoms: Vec<Tree>,
+    /// Longer parts of these.
+    pub terms: Vec<Tree>,
+}
+
+/// Functions that are taken for each other.
+const FUNCTIONS: [(&str, &str); 6] = [
+    (r"\sin", r"\cos"),
+    (r"\sinh", r"\cosh"),
+    (r"\tan", r"\cot"),
+    (r"\sin", r"\tan"),
+    (r"\arcsin", r"\arccos"),
+    (r"\sin", r"\sinh"),
+];
+
+impl Context {
+    pub fn new(sheet: &Sheet, position: usize) -> Self {
+        let mut context = Self::default();
+        let letter = &sheet.vocabulary.index;
+        context.letters.extend((!letter.is_empty()).then(|| letter.clone()));
+        context.letters.extend(sheet.vocabulary.indices.iter().map(Name::to_string));
+        let Some(entry) = sheet.entries.get(position) else {
+            return context;
+        };
+        let mut near = entry.follows_from.clone();
+        let window = position.saturating_sub(NEIGHBOURS)..(position + NEIGHBOURS + 1).min(sheet.entries.len());
+        for neighbour in window {
+            if neighbour != position && !near.contains(&neighbour) {
+                near.push(neighbour);
+            }
+        }
+        let own = trees_of(entry);
+        for tree in &own {
+            context.take(tree, true, false);
+        }
+        for (place, entry) in near.iter().filter_map(|&n| sheet.entries.get(n)).enumerate() {
+            for tree in trees_of(entry) {
+                context.take(&tree, place < sheet.entries.get(position).map_or(0, |e| e.follows_from.len()), true);
+            }
+        }
+        context
+    }
+
+    /// Takes in what stands in a tree; `bears` says whether it bears on the claim.
+    fn take(&mut self, tree: &Tree, bears: bool, is_other: bool) {
+        walk(tree, None, &mut Vec::new(), &mut |node, _, _| {
+            let keep = |list: &mut Vec<Name>, name: &Name| {
+                if list.len() < MOST_NAMES && !list.contains(name) {
+                    list.push(name.clone());
+                }
+            };
+            match node {
+                Tree::Symbol(name, _) => keep(&mut self.symbols, name),
+                Tree::Call(name, ..) => keep(&mut self.called, name),
+                Tree::Partial { of, by, .. } => {
+                    let pair = (of.clone(), by.clone());
+                    if !self.derivatives.contains(&pair) {
+                        self.derivatives.push(pair);
+                    }
+                }
+                Tree::Invariant { of, .. } => keep(&mut self.maps, of),
+                _ => {}
+            }
+            let is_atom = matches!(node, Tree::Symbol(..) | Tree::Call(..) | Tree::Partial { .. });
+            if bears && is_atom && !self.atoms.contains(node) {
+                self.atoms.push(node.clone());
+            }
+            let is_long = !is_atom && !matches!(node, Tree::Number(_) | Tree::Negate(_));
+            if bears && is_long && !self.terms.contains(node) {
+                self.terms.push(node.clone());
+            }
+            if is_other {
+                self.said.insert(node.clone());
+            }
+        });
+    }
+
+    /// The names that may be meant by one, each with the size of the misprint.
+    pub fn others(&self, name: &Name, is_called: bool) -> Vec<(Name, u32)> {
+        let mut found: BTreeMap<Name, u32> = BTreeMap::new();
+        let mut add = |other: Name, cost: u32| {
+            if other != *name {
+                let known = found.entry(other).or_insert(cost);
+                *known = (*known).min(cost);
+            }
+        };
+        if is_called && name.subscript.is_empty() {
+            for (one, other) in FUNCTIONS {
+                for (from, to) in [(one, other), (other, one)] {
+                    if name.base == from {
+                        let base = to.to_owned();
+                        add(Name { base, ..name.clone() }, 10);
+                    }
+                }
+            }
+            if name.base.starts_with('\\') && found.len() > 1 {
+                return found.into_iter().collect();
+            }
+        }
+        let list = if is_called { &self.called } else { &self.symbols };
+        let mut add = |other: Name, cost: u32| {
+            if other != *name {
+                let known = found.entry(other).or_insert(cost);
+                *known = (*known).min(cost);
+            }
+        };
+        for other in list {
+            let differences = [
+                other.base != name.base,
+                other.accents != name.accents,
+                other.subscript != name.subscript,
+                other.mark != name.mark,
+                other.primes != name.primes,
+            ];
+            let count = differences.into_iter().filter(|differs| *differs).count() as u32;
+            add(other.clone(), 8 + 2 * count + if differences[0] { 3 } else { 0 });
+        }
+        for letter in &self.letters {
+            if let Some(index) = index_of(&name.subscript, letter) {
+                for (by, cost) in [(1, 10), (-1, 10), (2, 12), (-2, 12)] {
+                    let subscript = subscript_of(index + by, letter);
+                    add(Name { subscript, ..name.clone() }, cost + 1);
+                }
+            }
+        }
+        if !name.base.starts_with('\\') || !is_called {
+            add(name.dotted(), 12);
+            if let Some((last, rest)) = name.accents.split_last() {
+                let mut accents = rest.to_vec();
+                match last.as_str() {
+                    r"\ddot" => accents.push(r"\dot".to_owned()),
+                    r"\dddot" => accents.push(r"\ddot".to_owned()),
+                    _ => {}
+                }
+                add(Name { accents, ..name.clone() }, 11);
+            }
+            let primes = name.primes.saturating_add(1);
+            add(Name { primes, ..name.clone() }, 12);
+            let primes = name.primes.saturating_sub(1);
+            add(Name { primes, ..name.clone() }, 11);
+        }
+        if let Some(mark) = match name.mark.as_str() {
+            "-" => Some("+"),
+            "+" => Some("-"),
+            _ => None,
+        } {
+            let mark = mark.to_owned();
+            add(Name { mark, ..name.clone() }, 10);
+        }
+        found.into_iter().collect()
+    }
+
+    /// The derivatives that may be meant by one.
+    pub fn partials(&self, of: &Name, by: &Name) -> Vec<(Name, Name)> {
+        let mut found: BTreeSet<(Name, Name)> = self.derivatives.iter().cloned().collect();
+        for (one, _) in &self.derivatives {
+            for (_, other) in &self.derivatives {
+                found.insert((one.clone(), other.clone()));
+            }
+        }
+        found.remove(&(of.clone(), by.clone()));
+        found.into_iter().collect()
+    }
+
+    /// How many of the parts of a formula stand elsewhere in the sheet too, products and longer ones.
+    pub fn agreement(&self, tree: &Tree) -> u32 {
+        let is_long = matches!(tree, Tree::Sum(_) | Tree::Product(_) | Tree::Quotient(..) | Tree::Power(..));
+        let own = u32::from(is_long && self.said.contains(tree));
+        own + parts(tree).iter().map(|part| self.agreement(part)).sum::<u32>()
+    }
+}
+
+/// Both sides of all that an entry says.
+fn trees_of(entry: &Entry) -> Vec<Tree> {
+    let local = entry.local.iter().map(|(equation, _)| equation);
+    let with = entry.with.iter().map(|(equation, _)| equation);
+    let equations = entry.equations.iter().chain(local).chain(with);
+    let sides = |equation: &Equation| [equation.left.clone(), equation.right.clone()];
+    equations.flat_map(sides).collect()
+}

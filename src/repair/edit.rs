@@ -1,0 +1,488 @@
+//! The edits of one node that a misprint may call for.
+
+use super::context::Context;
+use super::path::size;
+use crate::number::{Field, Rational};
+use crate::tex::{At, Invariant, Name, Operation, Tree};
+
+/// What is put in the place of a node, and what was wrong with it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edit {
+    pub tree: Tree,
+    /// The size of the edit: 10 for one sign, name or digit, more for what is rarer or longer.
+    pub cost: u32,
+    pub words: String,
+}
+
+const PLAIN: u32 = 10;
+const RARE: u32 = 12;
+/// For each node that is taken away or put in.
+const OF_NODE: u32 = 1;
+
+pub fn number(value: i64) -> Tree {
+    Tree::Number(Rational::from_integer(value))
+}
+
+fn is_number(tree: &Tree, value: i64) -> bool {
+    *tree == number(value)
+}
+
+pub fn negated(tree: &Tree) -> Tree {
+    match tree {
+        Tree::Negate(body) => (**body).clone(),
+        other => Tree::Negate(Box::new(other.clone())),
+    }
+}
+
+pub fn sum(mut terms: Vec<Tree>) -> Tree {
+    match terms.len() {
+        0 => number(0),
+        1 => terms.remove(0),
+        _ => {
+            let flat = terms.into_iter().flat_map(|term| match term {
+                Tree::Sum(inner) => inner,
+                other => vec![other],
+            });
+            Tree::Sum(flat.collect())
+        }
+    }
+}
+
+pub fn product(factors: Vec<Tree>) -> Tree {
+    let flat = factors.into_iter().flat_map(|factor| match factor {
+        Tree::Product(inner) => inner,
+        other => vec![other],
+    });
+    let mut factors: Vec<Tree> = flat.filter(|factor| !is_number(factor, 1)).collect();
+    match factors.len() {
+        0 => number(1),
+        1 => factors.remove(0),
+        _ => Tree::Product(factors),
+    }
+}
+
+pub fn quotient(above: Tree, below: Tree) -> Tree {
+    match is_number(&below, 1) {
+        true => above,
+        false => Tree::Quotient(Box::new(above), Box::new(below), At::default()),
+    }
+}
+
+fn power(base: &Tree, exponent: i32) -> Tree {
+    match exponent {
+        1 => base.clone(),
+        _ => Tree::Power(Box::new(base.clone()), exponent, At::default()),
+    }
+}
+
+/// A tree multiplied by a factor, where an author would write it.
+pub fn times(tree: &Tree, factor: &Tree) -> Tree {
+    match tree {
+        Tree::Negate(body) => negated(&times(body, factor)),
+        Tree::Quotient(above, below, _) => quotient(times(above, factor), (**below).clone()),
+        _ if matches!(factor, Tree::Number(_)) => product(vec![factor.clone(), tree.clone()]),
+        _ if is_number(tree, 1) => factor.clone(),
+        _ => product(vec![tree.clone(), factor.clone()]),
+    }
+}
+
+/// A tree divided by a factor.
+pub fn over(tree: &Tree, factor: &Tree) -> Tree {
+    match tree {
+        Tree::Negate(body) => negated(&over(body, factor)),
+        Tree::Quotient(above, below, _) => quotient((**above).clone(), times(below, factor)),
+        _ => quotient(tree.clone(), factor.clone()),
+    }
+}
+
+/// A sum with one more term.
+pub fn plus(tree: &Tree, term: &Tree) -> Tree {
+    sum(vec![tree.clone(), term.clone()])
+}
+
+fn without(list: &[Tree], at: usize) -> Vec<Tree> {
+    let kept = list.iter().enumerate().filter(|(n, _)| *n != at);
+    kept.map(|(_, item)| item.clone()).collect()
+}
+
+fn put(list: &[Tree], at: usize, new: Tree) -> Vec<Tree> {
+    let mut list = list.to_vec();
+    if let Some(place) = list.get_mut(at) {
+        *place = new;
+    }
+    list
+}
+
+fn unsigned(tree: &Tree) -> &Tree {
+    match tree {
+        Tree::Negate(body) => body,
+        other => other,
+    }
+}
+
+struct Edits<'a> {
+    found: Vec<Edit>,
+    node: &'a Tree,
+}
+
+impl Edits<'_> {
+    fn add(&mut self, tree: Tree, cost: u32, words: String) {
+        if tree != *self.node && !self.found.iter().any(|edit| edit.tree == tree) {
+            self.found.push(Edit { tree, cost, words });
+        }
+    }
+
+    /// An edit that puts one thing in the place of another.
+    fn instead(&mut self, tree: Tree, cost: u32) {
+        let words = format!("`{}` in the place of `{tree}`", self.node);
+        self.add(tree, cost, words);
+    }
+}
+
+/// The edits of a node; `above` is the node that it is a part of.
+pub fn edits(node: &Tree, above: Option<&Tree>, context: &Context) -> Vec<Edit> {
+    let mut edits = Edits {
+        found: Vec::new(),
+        node,
+    };
+    signs(node, above, &mut edits);
+    match node {
+        Tree::Number(value) => numbers(value, &mut edits),
+        Tree::Symbol(name, at) => {
+            for (other, cost) in context.others(name, false) {
+                edits.instead(Tree::Symbol(other, *at), cost);
+            }
+        }
+        Tree::Call(name, argument, at) => {
+            for (other, cost) in context.others(name, true) {
+                edits.instead(Tree::Call(other, argument.clone(), *at), cost);
+            }
+        }
+        Tree::Partial { of, by, at } => {
+            for (one, other) in context.partials(of, by) {
+                let cost = if one == *of || other == *by { PLAIN } else { RARE };
+                let tree = Tree::Partial {
+                    of: one,
+                    by: other,
+                    at: *at,
+                };
+                edits.instead(tree, cost);
+            }
+        }
+        Tree::Invariant { kind, of, at } => invariants(*kind, of, *at, context, &mut edits),
+        Tree::Sum(terms) => of_sum(terms, &mut edits),
+        Tree::Product(factors) => of_product(factors, above, &mut edits),
+        Tree::Quotient(over, below, _) => of_quotient(over, below, above, &mut edits),
+        Tree::Power(base, exponent, _) => {
+            for (exponent, cost) in [
+                (1, PLAIN),
+                (exponent + 1, PLAIN),
+                (exponent - 1, PLAIN),
+                (-exponent, RARE),
+                (2 * exponent, RARE),
+                (exponent / 2, RARE),
+            ] {
+                if exponent != 0 {
+                    edits.instead(power(base, exponent), cost);
+                }
+            }
+        }
+        Tree::RealPower(base, ..) | Tree::Root(base, ..) => edits.instead((**base).clone(), RARE),
+        Tree::Operation(operation, at) => of_operation(operation, *at, &mut edits),
+        Tree::Negate(_) | Tree::PlusMinus(_) | Tree::MinusPlus(_) => {}
+    }
+    let is_base = matches!(above, Some(Tree::Power(..) | Tree::RealPower(..)));
+    let has_powers = !matches!(node, Tree::Number(_) | Tree::Negate(_) | Tree::Power(..) | Tree::Operation(..));
+    if has_powers && !is_base && !matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_)) {
+        let is_plain = !matches!(node, Tree::Product(_));
+        let cost = if is_plain { PLAIN } else { RARE };
+        edits.instead(power(node, 2), cost + 1);
+        edits.instead(power(node, 3), cost + 4);
+        if !matches!(above, Some(Tree::Root(..))) {
+            edits.instead(Tree::Root(Box::new(node.clone()), 2, At::default()), RARE + 1);
+        }
+    }
+    edits.found
+}
+
+fn signs(node: &Tree, above: Option<&Tree>, edits: &mut Edits) {
+    let is_term = matches!(above, Some(Tree::Sum(_)));
+    let what = |tree: &Tree| match is_term {
+        true => format!("wrong sign of the term `{}`", unsigned(tree)),
+        false => format!("wrong sign of `{}`", unsigned(tree)),
+    };
+    match node {
+        Tree::PlusMinus(body) | Tree::MinusPlus(body) => {
+            let other = match node {
+                Tree::PlusMinus(_) => Tree::MinusPlus(body.clone()),
+                _ => Tree::PlusMinus(body.clone()),
+            };
+            let signs = format!("wrong signs of `{body}`");
+            edits.add(other, PLAIN, signs.clone());
+            edits.add((**body).clone(), RARE, signs.clone());
+            edits.add(negated(body), RARE, signs);
+        }
+        // as a factor, an operand of a power or beneath another sign it is the whole that has the sign
+        _ => {
+            let bears = match above {
+                None | Some(Tree::Sum(_) | Tree::Quotient(..) | Tree::Call(..) | Tree::Operation(..)) => true,
+                Some(Tree::RealPower(base, ..)) => **base != *node,
+                _ => matches!(node, Tree::Negate(_)),
+            };
+            let is_zero = is_number(node, 0);
+            if bears && !is_zero {
+                let cost = if is_term || above.is_none() { PLAIN } else { PLAIN + 1 };
+                edits.add(negated(node), cost, what(node));
+            }
+        }
+    }
+}
+
+fn numbers(value: &Rational, edits: &mut Edits) {
+    let integer = Rational::from_integer;
+    let (one, two) = (integer(1), integer(2));
+    let mut others = vec![
+        value.clone() + one.clone(),
+        value.clone() - one.clone(),
+        value.clone() * two.clone(),
+        value.clone() / two,
+        value.clone() * value.clone(),
+    ];
+    if *value != integer(0) {
+        others.push(one / value.clone());
+    }
+    for other in others {
+        if other >= integer(0) {
+            edits.instead(Tree::Number(other), PLAIN + 1);
+        }
+    }
+}
+
+fn invariants(kind: Invariant, of: &Name, at: At, context: &Context, edits: &mut Edits) {
+    let other = match kind {
+        Invariant::Trace => Invariant::Determinant,
+        Invariant::Determinant => Invariant::Trace,
+    };
+    for (kind, cost) in [(kind, 0), (other, 1)] {
+        for of in std::iter::once(of).chain(&context.maps) {
+            let tree = Tree::Invariant {
+                kind,
+                of: of.clone(),
+                at,
+            };
+            edits.instead(tree, PLAIN + cost);
+        }
+    }
+}
+
+fn of_operation(operation: &Operation, at: At, edits: &mut Edits) {
+    match operation {
+        Operation::Derivative { of, by, order, at: place } => {
+            for order in [order + 1, order.saturating_sub(1)] {
+                let other = Operation::Derivative {
+                    of: of.clone(),
+                    by: by.clone(),
+                    order,
+                    at: place.clone(),
+                };
+                edits.instead(Tree::Operation(Box::new(other), at), PLAIN + 1);
+            }
+        }
+        Operation::Transpose(of) | Operation::Trace(of) | Operation::Determinant(of) => {
+            edits.instead(of.clone(), RARE);
+        }
+        Operation::Cross(left, right) => {
+            let turned = Operation::Cross(right.clone(), left.clone());
+            edits.instead(Tree::Operation(Box::new(turned), at), PLAIN + 1);
+        }
+        _ => {}
+    }
+}
+
+/// The ways in which a term may be taken into a bracket of another: what becomes of that one, and whether the bracket
+/// was there.
+fn taken_in(into: &Tree, term: &Tree) -> Vec<(Tree, bool)> {
+    let is_sum = |tree: &Tree| matches!(tree, Tree::Sum(_));
+    match into {
+        Tree::Negate(body) => taken_in(body, term)
+            .into_iter()
+            .map(|(tree, was)| (negated(&tree), was))
+            .collect(),
+        Tree::Product(factors) => {
+            let mut ways = Vec::new();
+            for (n, factor) in factors.iter().enumerate() {
+                ways.push((product(put(factors, n, plus(factor, term))), is_sum(factor)));
+                if let Tree::Quotient(..) = factor {
+                    for (taken, was) in taken_in(factor, term) {
+                        ways.push((product(put(factors, n, taken)), was));
+                    }
+                }
+            }
+            ways
+        }
+        Tree::Quotient(above, below, _) => {
+            let mut ways = vec![(quotient(plus(above, term), (**below).clone()), true)];
+            ways.push((quotient((**above).clone(), plus(below, term)), is_sum(below)));
+            if !is_sum(above) {
+                let inner = taken_in(above, term).into_iter();
+                ways.extend(inner.map(|(above, was)| (quotient(above, (**below).clone()), was)));
+            }
+            ways
+        }
+        Tree::Call(name, argument, at) => {
+            vec![(Tree::Call(name.clone(), Box::new(plus(argument, term)), *at), false)]
+        }
+        Tree::Power(base, exponent, _) => vec![(power(&plus(base, term), *exponent), is_sum(base))],
+        Tree::Root(base, index, at) => vec![(Tree::Root(Box::new(plus(base, term)), *index, *at), false)],
+        _ => Vec::new(),
+    }
+}
+
+/// The ways in which a term may be taken out of a bracket: what remains, the term, and whether it stood at an end.
+fn taken_out(of: &Tree) -> Vec<(Tree, Tree, bool)> {
+    let from_sum = |terms: &[Tree]| -> Vec<(Tree, Tree, bool)> {
+        let each = terms.iter().enumerate();
+        each.map(|(n, term)| (sum(without(terms, n)), term.clone(), n == 0 || n + 1 == terms.len()))
+            .collect()
+    };
+    match of {
+        Tree::Negate(body) => taken_out(body)
+            .into_iter()
+            .map(|(rest, term, end)| (negated(&rest), term, end))
+            .collect(),
+        Tree::Product(factors) => {
+            let mut ways = Vec::new();
+            for (n, factor) in factors.iter().enumerate() {
+                let inner = match factor {
+                    Tree::Sum(terms) => from_sum(terms),
+                    Tree::Quotient(..) => taken_out(factor),
+                    _ => Vec::new(),
+                };
+                ways.extend(
+                    inner
+                        .into_iter()
+                        .map(|(rest, term, end)| (product(put(factors, n, rest)), term, end)),
+                );
+            }
+            ways
+        }
+        Tree::Quotient(above, below, _) => {
+            let inner = match &**above {
+                Tree::Sum(terms) => from_sum(terms),
+                other => taken_out(other),
+            };
+            inner
+                .into_iter()
+                .map(|(rest, term, end)| (quotient(rest, (**below).clone()), term, end))
+                .collect()
+        }
+        Tree::Call(name, argument, at) => match &**argument {
+            Tree::Sum(terms) => from_sum(terms)
+                .into_iter()
+                .map(|(rest, term, end)| (Tree::Call(name.clone(), Box::new(rest), *at), term, end))
+                .collect(),
+            _ => Vec::new(),
+        },
+        Tree::Power(base, exponent, _) => match &**base {
+            Tree::Sum(terms) => from_sum(terms)
+                .into_iter()
+                .map(|(rest, term, end)| (power(&rest, *exponent), term, end))
+                .collect(),
+            _ => Vec::new(),
+        },
+        _ => Vec::new(),
+    }
+}
+
+fn of_sum(terms: &[Tree], edits: &mut Edits) {
+    for (n, term) in terms.iter().enumerate() {
+        let cost = RARE + OF_NODE * size(term).min(10);
+        let words = format!("the term `{}` is too much", unsigned(term));
+        edits.add(sum(without(terms, n)), cost, words);
+        let doubled = times(term, &number(2));
+        edits.add(sum(put(terms, n, doubled)), RARE + 1, format!("the factor 2 is missing in `{}`", unsigned(term)));
+        for other in (0..terms.len()).filter(|other| *other != n) {
+            let Some(into) = terms.get(other) else { continue };
+            for (taken, was) in taken_in(into, term) {
+                let cost = if was { RARE } else { RARE + 2 };
+                let words = format!("the term `{}` belongs inside the bracket", unsigned(term));
+                edits.add(sum(without(&put(terms, other, taken), n)), cost, words);
+            }
+        }
+        for (rest, out, end) in taken_out(term) {
+            let mut moved = put(terms, n, rest);
+            let words = format!("the term `{}` belongs outside the bracket", unsigned(&out));
+            moved.insert(n + 1, out);
+            edits.add(sum(moved), if end { RARE } else { RARE + 1 }, words);
+        }
+    }
+}
+
+/// What stands alone, its bracket shorter by a term that stands beside it.
+fn beside(node: &Tree, above: Option<&Tree>, edits: &mut Edits) {
+    if matches!(above, Some(Tree::Sum(_) | Tree::Negate(_))) {
+        return;
+    }
+    for (rest, out, end) in taken_out(node) {
+        let words = format!("the term `{}` belongs outside the bracket", unsigned(&out));
+        edits.add(plus(&rest, &out), if end { RARE } else { RARE + 1 }, words);
+    }
+}
+
+fn of_product(factors: &[Tree], above: Option<&Tree>, edits: &mut Edits) {
+    beside(edits.node, above, edits);
+    for (n, factor) in factors.iter().enumerate() {
+        let cost = RARE - 1 + OF_NODE * size(factor).min(10);
+        let words = format!("the factor `{factor}` is too much");
+        edits.add(product(without(factors, n)), cost, words);
+        let words = format!("the factor `{factor}` belongs in the denominator");
+        let rest = without(factors, n);
+        let lowered = match rest.iter().position(|other| matches!(other, Tree::Quotient(..))) {
+            Some(place) => {
+                let below = rest.get(place).map(|other| over(other, factor));
+                below.map_or_else(|| number(1), |below| product(put(&rest, place, below)))
+            }
+            None => quotient(product(rest), factor.clone()),
+        };
+        edits.add(lowered, RARE, words);
+    }
+}
+
+fn of_quotient(above: &Tree, below: &Tree, parent: Option<&Tree>, edits: &mut Edits) {
+    let node = edits.node;
+    beside(node, parent, edits);
+    let turned = quotient(below.clone(), above.clone());
+    edits.add(
+        turned,
+        PLAIN + 1,
+        format!("numerator and denominator of `{node}` are swapped"),
+    );
+    let cost = |part: &Tree| RARE + OF_NODE * size(part).min(10);
+    edits.add(
+        above.clone(),
+        cost(below),
+        format!("the denominator `{below}` is too much"),
+    );
+    let words = format!("the numerator `{above}` is too much");
+    edits.add(quotient(number(1), below.clone()), cost(above), words);
+    let factors_of = |tree: &Tree| match tree {
+        Tree::Product(factors) => factors.clone(),
+        other => vec![other.clone()],
+    };
+    let lower = factors_of(below);
+    for (n, factor) in lower.iter().enumerate() {
+        let words = format!("the factor `{factor}` belongs in the numerator");
+        edits.add(quotient(times(above, factor), product(without(&lower, n))), RARE, words);
+    }
+    let (negative, body) = match above {
+        Tree::Negate(body) => (true, &**body),
+        other => (false, other),
+    };
+    let upper = factors_of(body);
+    for (n, factor) in upper.iter().enumerate().filter(|(_, factor)| !matches!(factor, Tree::Number(_))) {
+        let words = format!("the factor `{factor}` belongs in the denominator");
+        let rest = product(without(&upper, n));
+        let rest = if negative { negated(&rest) } else { rest };
+        edits.add(quotient(rest, times(below, factor)), RARE, words);
+    }
+}

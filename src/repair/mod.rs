@@ -1,0 +1,132 @@
+//! The smallest edits that make a refuted claim true: found by what the sides must be at points of the premises,
+//! accepted where the edited claim is proved.
+//!
+//! Every node of the claim is edited as a misprint may call for (`edit`), or by what its sides lack (`dictionary`). Values
+//! at points where the premises hold sieve what is to be proved (`values`, `search`); several edits are matched by
+//! what each adds to the difference of the sides (`combine`).
+
+mod combine;
+mod context;
+mod dictionary;
+mod edit;
+mod path;
+mod search;
+mod values;
+
+pub use path::{Path, node, parts, replaced};
+
+use crate::claim::{Sheet, Verdict};
+use crate::prove::{self, Options};
+use crate::tex::{Equation, Tree};
+use search::{Formula, Found, Search};
+use std::fmt;
+
+/// The most repairs that are given.
+pub const MOST_REPAIRS: usize = 5;
+
+/// Edited claims for which a proof is looked for, for each unit of effort.
+const MOST_PROOFS: u64 = 16;
+
+/// A formula of an entry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Part {
+    /// An equation of its `tex`.
+    Stated(usize),
+    /// An equation of its `where`.
+    Definition(usize),
+}
+
+/// A change of one place of a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edit {
+    pub part: Part,
+    /// The node that is changed: the path is one in the formula as it stands and in the mended one.
+    pub path: Path,
+    /// What stands there in the mended formula.
+    pub tree: Tree,
+    /// What is wrong, as "wrong sign of the term `x`".
+    pub words: String,
+}
+
+/// Edits after which a refuted claim is proved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Repair {
+    /// The formulas that change, as they should be.
+    pub mended: Vec<(Part, Equation)>,
+    pub edits: Vec<Edit>,
+    /// The size of the edits: 10 for one sign, name or digit, more for what is rarer or longer.
+    pub size: u32,
+}
+
+impl Repair {
+    /// What is wrong in the claim.
+    pub fn words(&self) -> String {
+        let words: Vec<&str> = self.edits.iter().map(|edit| edit.words.as_str()).collect();
+        words.join("; ")
+    }
+}
+
+impl fmt::Display for Repair {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (n, (_, equation)) in self.mended.iter().enumerate() {
+            let gap = if n == 0 { "" } else { ", " };
+            write!(f, "{gap}${equation}$")?;
+        }
+        Ok(())
+    }
+}
+
+/// The repairs of the refuted claim at a position, the smallest first; each is proved.
+pub fn repairs(sheet: &Sheet, position: usize, options: &Options) -> Vec<Repair> {
+    let Some(search) = Search::new(sheet, position, options.effort) else {
+        return Vec::new();
+    };
+    for edits in 1..=search::MOST_EDITS {
+        let found = search.found(edits);
+        let repairs = proved(sheet, position, &search, found, options);
+        if !repairs.is_empty() {
+            return repairs;
+        }
+    }
+    Vec::new()
+}
+
+/// Those of the edited claims that are proved.
+fn proved(sheet: &Sheet, position: usize, search: &Search, found: Vec<Found>, options: &Options) -> Vec<Repair> {
+    let mut edited = sheet.clone();
+    let (mut repairs, mut proofs) = (Vec::new(), 0);
+    for found in found {
+        if repairs.len() >= MOST_REPAIRS || proofs >= MOST_PROOFS * options.effort {
+            break;
+        }
+        let mended = found.mended(&search.formulas);
+        put(&mut edited, sheet, position, &search.formulas, &mended);
+        proofs += 1;
+        let decision = prove::decide(&edited, position, options);
+        if decision.verdict == Verdict::Proved && !decision.is_vacuous {
+            repairs.push(found.repair(&search.formulas, mended));
+        }
+    }
+    repairs
+}
+
+/// Puts formulas into the entry at a position of a copy of the sheet.
+fn put(copy: &mut Sheet, sheet: &Sheet, position: usize, formulas: &[Formula], new: &[(usize, Equation)]) {
+    let (Some(entry), Some(place)) = (sheet.entries.get(position), copy.entries.get_mut(position)) else {
+        return;
+    };
+    *place = entry.clone();
+    let mut equations = entry.equations.clone();
+    let mut local: Vec<Equation> = entry.local.iter().map(|(equation, _)| equation.clone()).collect();
+    for (number, equation) in new {
+        let place = match formulas.get(*number).map(|formula| formula.part) {
+            Some(Part::Stated(n)) => equations.get_mut(n),
+            Some(Part::Definition(n)) => local.get_mut(n),
+            None => None,
+        };
+        if let Some(place) = place {
+            *place = equation.clone();
+        }
+    }
+    copy.replace(position, equations, local);
+}

@@ -1,0 +1,563 @@
+//! Edits of a claim after which its sides agree at points where the premises hold.
+
+use super::combine;
+use super::context::Context;
+use super::dictionary::{Dictionary, number_of};
+use super::edit::{self, edits, negated, over, plus, times};
+use super::path::{Path, node, replaced, size, walk};
+use super::values::{Graph, Leaves, Overlay, agree, take_leaves};
+use super::{Edit, Part, Repair, put};
+use crate::claim::{Sheet, Statements, Verdict, Vocabulary, any_side, reduced};
+use crate::evidence::{samples, witness};
+use crate::tex::{Equation, Name, Relation, Tree};
+use std::collections::{HashMap, HashSet};
+
+/// The most edits of a repair.
+pub const MOST_EDITS: usize = 3;
+/// Points at which the sides are compared, and those without premises at which formulas are told apart.
+const POINTS: usize = 6;
+const FREE_POINTS: usize = 4;
+/// Edited claims that are evaluated each by itself, for each unit of effort, and points for each.
+const MOST_TRIALS: u64 = 400;
+const TRIAL_POINTS: usize = 3;
+/// The most formulas that are put in the place of one node by their values.
+const MOST_OF_DICTIONARY: usize = 3;
+/// By how much an edit counts as smaller where its term stands elsewhere in the sheet.
+const AGREEMENT: u32 = 3;
+
+/// A formula of the claim that may be wrong.
+#[derive(Clone, Debug)]
+pub struct Formula {
+    pub part: Part,
+    pub equation: Equation,
+    /// The name that it defines.
+    pub name: Option<Name>,
+}
+
+/// An edit of a place.
+#[derive(Clone, Debug)]
+pub struct Candidate {
+    pub formula: usize,
+    pub path: Path,
+    pub edit: edit::Edit,
+}
+
+/// An edit with what it makes of a node of the graph.
+#[derive(Clone, Debug)]
+pub struct Valued {
+    pub candidate: Candidate,
+    pub node: usize,
+    pub values: Vec<f64>,
+}
+
+/// Edits after which the claim may be true.
+#[derive(Clone, Debug)]
+pub struct Found {
+    pub edits: Vec<Candidate>,
+    cost: u32,
+}
+
+impl Found {
+    pub fn new(edits: Vec<Candidate>) -> Self {
+        let cost = edits.iter().map(|candidate| candidate.edit.cost).sum();
+        Self { edits, cost }
+    }
+
+    /// The formulas that change, as they should be, with their numbers.
+    pub fn mended(&self, formulas: &[Formula]) -> Vec<(usize, Equation)> {
+        let mut mended: Vec<(usize, Equation)> = Vec::new();
+        for candidate in &self.edits {
+            let known = mended.iter().position(|(number, _)| *number == candidate.formula);
+            let known = known.unwrap_or_else(|| {
+                let formula = formulas.get(candidate.formula);
+                let none = || Equation::between(edit::number(0), edit::number(0));
+                let equation = formula.map_or_else(none, |formula| formula.equation.clone());
+                mended.push((candidate.formula, equation));
+                mended.len() - 1
+            });
+            if let Some((_, equation)) = mended.get_mut(known) {
+                *equation = replaced(equation, &candidate.path, &candidate.edit.tree);
+            }
+        }
+        mended
+    }
+
+    pub fn repair(self, formulas: &[Formula], mended: Vec<(usize, Equation)>) -> Repair {
+        let part = |number: usize| formulas.get(number).map_or(Part::Stated(0), |formula| formula.part);
+        let edits = self.edits.into_iter().map(|candidate| Edit {
+            part: part(candidate.formula),
+            path: candidate.path,
+            tree: candidate.edit.tree,
+            words: candidate.edit.words,
+        });
+        Repair {
+            edits: edits.collect(),
+            mended: mended
+                .into_iter()
+                .map(|(number, equation)| (part(number), equation))
+                .collect(),
+            size: self.cost,
+        }
+    }
+}
+
+/// All that bears on the repair of a claim.
+pub struct Search<'a> {
+    sheet: &'a Sheet,
+    position: usize,
+    pub formulas: Vec<Formula>,
+    context: Context,
+    candidates: Vec<Candidate>,
+    effort: u64,
+    bench: Option<Bench>,
+}
+
+/// The claim at points.
+struct Bench {
+    leaves: Leaves,
+    definitions: HashMap<Name, Tree>,
+    graph: Graph,
+    /// The equations that fail.
+    failing: Vec<usize>,
+    /// The leaves at points where the premises need not hold.
+    free: Option<Leaves>,
+    valued: Vec<Valued>,
+}
+
+impl<'a> Search<'a> {
+    /// Nothing where the claim cannot be read.
+    pub fn new(sheet: &'a Sheet, position: usize, effort: u64) -> Option<Self> {
+        let entry = sheet.entries.get(position)?;
+        let statements = Statements::gather(sheet, position).ok()?;
+        let given = entry.gives();
+        let defines = |equation: &Equation| match &equation.left {
+            Tree::Symbol(name, _) if equation.relation == Relation::Equal && given.contains(name) => Some(name.clone()),
+            _ => None,
+        };
+        let stated = entry.equations.iter().enumerate().map(|(n, equation)| Formula {
+            part: Part::Stated(n),
+            equation: equation.clone(),
+            name: defines(equation),
+        });
+        let local = entry.local.iter().enumerate().map(|(n, (equation, _))| Formula {
+            part: Part::Definition(n),
+            equation: equation.clone(),
+            name: defines(equation),
+        });
+        let local = local.filter(|formula| formula.name.is_some());
+        let formulas: Vec<Formula> = stated.chain(local).collect();
+        let context = Context::new(sheet, position);
+        let mut candidates = candidates(&formulas, &context);
+        candidates.sort_by_key(|candidate| candidate.edit.cost);
+        let bench = Bench::new(&statements, &sheet.vocabulary, &formulas, &context, &candidates);
+        Some(Self {
+            sheet,
+            position,
+            formulas,
+            context,
+            candidates,
+            effort,
+            bench,
+        })
+    }
+
+    /// What so many edits make true at the points, the smallest first.
+    pub fn found(&self, edits: usize) -> Vec<Found> {
+        let found = match (&self.bench, edits) {
+            (Some(bench), 1) => bench.single(&self.context),
+            (Some(bench), _) => combine::combined(&bench.graph, &bench.valued, &bench.failing, edits, self.effort)
+                .into_iter()
+                .map(Found::new)
+                .collect(),
+            (None, 1) => self.tried(),
+            (None, _) => Vec::new(),
+        };
+        self.distinct(self.ranked(found))
+    }
+
+    /// The smallest first; of equal ones, what agrees with the sheet.
+    fn ranked(&self, mut found: Vec<Found>) -> Vec<Found> {
+        for found in &mut found {
+            let mended = found.mended(&self.formulas);
+            for candidate in &found.edits {
+                let equation = mended.iter().find(|(number, _)| *number == candidate.formula);
+                let stands = equation.is_some_and(|(_, equation)| {
+                    term_around(equation, &candidate.path).is_some_and(|term| self.context.said.contains(&term))
+                });
+                if stands {
+                    found.cost = found.cost.saturating_sub(AGREEMENT);
+                }
+            }
+        }
+        let key = |found: &Found| {
+            let left = found.edits.iter().filter(|candidate| candidate.path.first() == Some(&0));
+            let agreement: u32 = found
+                .mended(&self.formulas)
+                .iter()
+                .map(|(_, equation)| self.context.agreement(&equation.left) + self.context.agreement(&equation.right))
+                .sum();
+            (found.cost, left.count(), std::cmp::Reverse(agreement))
+        };
+        found.sort_by_cached_key(key);
+        found
+    }
+
+    /// Those that are no other spelling of one before, do not hold without the premises, and hold at all points.
+    fn distinct(&self, found: Vec<Found>) -> Vec<Found> {
+        let Some(bench) = &self.bench else {
+            return found;
+        };
+        let mut known: Vec<Vec<Vec<f64>>> = Vec::new();
+        let mut kept = Vec::new();
+        for found in found {
+            let mended = found.mended(&self.formulas);
+            let (equations, definitions) = with(&self.formulas, &mended);
+            let gaps = |leaves: &Leaves| -> Vec<Vec<[f64; 2]>> {
+                let each = equations.iter();
+                each.map(|equation| {
+                    let sides = [&equation.left, &equation.right].map(|side| leaves.all(side, &definitions));
+                    sides[0].iter().zip(&sides[1]).map(|(left, right)| [*left, *right]).collect()
+                })
+                .collect()
+            };
+            let holds = |gaps: &[Vec<[f64; 2]>]| gaps.iter().flatten().all(|[left, right]| agree(*left, *right));
+            if !holds(&gaps(&bench.leaves)) {
+                continue;
+            }
+            let Some(free) = &bench.free else {
+                kept.push(found);
+                continue;
+            };
+            let gaps = gaps(free);
+            let is_identity = |gaps: &[[f64; 2]]| gaps.iter().all(|[left, right]| agree(*left, *right));
+            let changed = |n: usize| {
+                let mut sides = bench.failing.iter().filter_map(|side| bench.graph.sides.get(*side));
+                sides.any(|(formula, _)| {
+                    let number = equation_number(&self.formulas, n);
+                    number == Some(*formula)
+                })
+            };
+            if gaps.iter().enumerate().any(|(n, gaps)| changed(n) && is_identity(gaps)) {
+                continue;
+            }
+            let differences: Vec<Vec<f64>> = gaps
+                .iter()
+                .map(|gaps| gaps.iter().map(|[left, right]| left - right).collect())
+                .collect();
+            if known.iter().any(|other| proportional(other, &differences)) {
+                continue;
+            }
+            known.push(differences);
+            kept.push(found);
+        }
+        kept
+    }
+
+    /// The edits after which the evidence speaks for the claim, each tried by itself.
+    fn tried(&self) -> Vec<Found> {
+        let mut copy = self.sheet.clone();
+        let mut found = Vec::new();
+        for candidate in self.candidates.iter().take((MOST_TRIALS * self.effort) as usize) {
+            let one = Found::new(vec![candidate.clone()]);
+            put(&mut copy, self.sheet, self.position, &self.formulas, &one.mended(&self.formulas));
+            let is_read = copy.entries.get(self.position).is_some_and(|entry| entry.unread.is_none());
+            if !is_read {
+                continue;
+            }
+            let Ok(evidence) = witness(&copy, self.position, Verdict::Proved, TRIAL_POINTS) else {
+                continue;
+            };
+            if evidence.points > 0 && evidence.against.is_none() {
+                found.push(one);
+            }
+        }
+        found
+    }
+}
+
+/// The equations that are to hold, and the definitions, with new formulas in the place of some.
+fn with(formulas: &[Formula], mended: &[(usize, Equation)]) -> (Vec<Equation>, HashMap<Name, Tree>) {
+    let (mut equations, mut definitions) = (Vec::new(), HashMap::new());
+    for (number, formula) in formulas.iter().enumerate() {
+        let new = mended.iter().find(|(other, _)| *other == number);
+        let equation = new.map_or(&formula.equation, |(_, equation)| equation);
+        match &formula.name {
+            Some(name) => {
+                definitions.insert(name.clone(), equation.right.clone());
+            }
+            None => equations.push(equation.clone()),
+        }
+    }
+    (equations, definitions)
+}
+
+/// The number among all formulas of the n-th that is to hold.
+fn equation_number(formulas: &[Formula], n: usize) -> Option<usize> {
+    let mut stated = formulas.iter().enumerate().filter(|(_, formula)| formula.name.is_none());
+    stated.nth(n).map(|(number, _)| number)
+}
+
+/// Whether two lists of differences are the same but for a factor each.
+fn proportional(one: &[Vec<f64>], other: &[Vec<f64>]) -> bool {
+    let is_multiple = |(one, other): (&Vec<f64>, &Vec<f64>)| {
+        let ratios: Vec<f64> = one.iter().zip(other).map(|(a, b)| a / b).collect();
+        let vanish = |list: &[f64]| list.iter().all(|value| value.abs() < 1e-9);
+        (vanish(one) && vanish(other))
+            || ratios
+                .first()
+                .is_some_and(|first| ratios.iter().all(|ratio| (ratio - first).abs() <= 1e-6 * first.abs()))
+    };
+    one.len() == other.len() && one.iter().zip(other).all(is_multiple)
+}
+
+/// The term of a sum, or the side, that a node stands in.
+fn term_around(equation: &Equation, path: &[usize]) -> Option<Tree> {
+    let mut length = path.len();
+    while length > 1 && !matches!(node(equation, path.get(..length - 1)?), Some(Tree::Sum(_))) {
+        length -= 1;
+    }
+    let term = node(equation, path.get(..length)?)?;
+    Some(match term {
+        Tree::Negate(body) => *body,
+        other => other,
+    })
+}
+
+/// Every edit of every node.
+fn candidates(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    for (number, formula) in formulas.iter().enumerate() {
+        for (side, tree) in [&formula.equation.left, &formula.equation.right].into_iter().enumerate() {
+            if side == 0 && formula.name.is_some() {
+                continue;
+            }
+            walk(tree, None, &mut Vec::new(), &mut |node, above, path| {
+                let path: Path = std::iter::once(side).chain(path.iter().copied()).collect();
+                for edit in edits(node, above, context) {
+                    found.push(Candidate {
+                        formula: number,
+                        path: path.clone(),
+                        edit,
+                    });
+                }
+                if !takes_factors(node, above) {
+                    return;
+                }
+                let numbers = [2, 3, 4].map(edit::number);
+                for atom in context.atoms.iter().chain(&numbers) {
+                    for (tree, is_above) in [(times(node, atom), true), (over(node, atom), false)] {
+                        let cost = 11 + size(atom) + u32::from(!is_above);
+                        let words = missing_factor(atom, node, is_above);
+                        found.push(Candidate {
+                            formula: number,
+                            path: path.clone(),
+                            edit: edit::Edit { tree, cost, words },
+                        });
+                    }
+                }
+            });
+        }
+    }
+    found
+}
+
+/// Whether a factor that is missing is put in here, and not in what stands around it.
+fn takes_factors(node: &Tree, above: Option<&Tree>) -> bool {
+    let is_within = match above {
+        Some(Tree::Product(_) | Tree::Negate(_) | Tree::PlusMinus(_) | Tree::MinusPlus(_)) => true,
+        Some(Tree::Quotient(upper, ..)) => **upper == *node,
+        _ => false,
+    };
+    !is_within && !matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_))
+}
+
+fn missing_factor(factor: &Tree, node: &Tree, is_above: bool) -> String {
+    let below = if is_above { "" } else { " in the denominator" };
+    format!("the factor `{factor}` is missing{below} in `{node}`")
+}
+
+impl Bench {
+    /// The claim at points; nothing where it is no set of equations between values there.
+    fn new(
+        statements: &Statements,
+        vocabulary: &Vocabulary,
+        formulas: &[Formula],
+        context: &Context,
+        candidates: &[Candidate],
+    ) -> Option<Self> {
+        let is_plain = |formula: &Formula| {
+            let has_signs =
+                |node: &Tree| matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_) | Tree::Operation(..));
+            formula.equation.relation == Relation::Equal && !any_side(&formula.equation, &mut |node| has_signs(node))
+        };
+        if !formulas.iter().all(is_plain) || !matches!(reduced(statements, vocabulary), Ok(None)) {
+            return None;
+        }
+        let defined: HashSet<Name> = formulas.iter().filter_map(|formula| formula.name.clone()).collect();
+        let mut trees = HashSet::new();
+        let sides = formulas.iter().flat_map(|formula| [&formula.equation.left, &formula.equation.right]);
+        let edited = candidates.iter().map(|candidate| &candidate.edit.tree);
+        for tree in sides.chain(edited).chain(&context.atoms).chain(&context.terms) {
+            take_leaves(tree, &defined, &mut trees);
+        }
+        // what stands within a leaf makes another leaf
+        for candidate in candidates {
+            let Some(formula) = formulas.get(candidate.formula) else { continue };
+            if let Some(leaf) = leaf_around(&formula.equation, &candidate.path, &candidate.edit.tree) {
+                take_leaves(&leaf, &defined, &mut trees);
+            }
+        }
+        let trees: Vec<Tree> = trees.into_iter().collect();
+        let sample = |statements: &Statements, points: usize| {
+            let values = samples(statements, vocabulary, &trees, points)?;
+            let points = values.first().map_or(0, Vec::len);
+            let values = trees.iter().cloned().zip(values).collect();
+            Some(Leaves { values, points })
+        };
+        let mut leaves = sample(statements, POINTS)?;
+        let (equations, definitions) = with(formulas, &[]);
+        let is_defined = |point: &usize| {
+            let mut sides = equations.iter().flat_map(|equation| [&equation.left, &equation.right]);
+            sides.all(|side| leaves.value(side, *point, &definitions).is_finite())
+        };
+        let kept: Vec<usize> = (0..leaves.points).filter(is_defined).collect();
+        for values in leaves.values.values_mut() {
+            *values = kept.iter().filter_map(|point| values.get(*point).copied()).collect();
+        }
+        leaves.points = kept.len();
+        if kept.is_empty() {
+            return None;
+        }
+        let free = Statements {
+            premises: Vec::new(),
+            ..statements.clone()
+        };
+        let has_premises = !statements.premises.is_empty();
+        let free = has_premises.then(|| sample(&free, FREE_POINTS)).flatten();
+        let list: Vec<(Equation, Option<Name>)> = formulas
+            .iter()
+            .map(|formula| (formula.equation.clone(), formula.name.clone()))
+            .collect();
+        let graph = Graph::new(&list, &leaves);
+        let overlay = Overlay::default();
+        let holds = |sides: &[usize; 2]| (0..leaves.points).all(|point| graph.holds(*sides, point, &overlay));
+        let failing = graph.sides.iter().enumerate().filter(|(_, (_, sides))| !holds(sides));
+        let failing = failing.map(|(n, _)| n).collect();
+        let mut bench = Self {
+            failing,
+            leaves,
+            definitions,
+            graph,
+            free,
+            valued: Vec::new(),
+        };
+        bench.valued = candidates.iter().filter_map(|candidate| bench.valued(candidate)).collect();
+        Some(bench)
+    }
+
+    fn valued(&self, candidate: &Candidate) -> Option<Valued> {
+        let (node, rest) = self.graph.nearest(candidate.formula, &candidate.path)?;
+        let whole = self.graph.nodes.get(node)?;
+        let tree = super::path::with(&whole.tree, &rest, &candidate.edit.tree);
+        let values = self.leaves.all(&tree, &self.definitions);
+        values.iter().all(|value| value.is_finite()).then(|| Valued {
+            candidate: candidate.clone(),
+            node,
+            values,
+        })
+    }
+
+    /// The single edits after which all equations hold.
+    fn single(&self, context: &Context) -> Vec<Found> {
+        if self.failing.is_empty() {
+            return Vec::new();
+        }
+        let mut overlay = Overlay::default();
+        let mut found: Vec<Found> = Vec::new();
+        for valued in &self.valued {
+            if self.graph.all_hold(&[(valued.node, &valued.values)], self.leaves.points, &mut overlay) {
+                found.push(Found::new(vec![valued.candidate.clone()]));
+            }
+        }
+        found.extend(self.missing(context, &mut overlay));
+        found
+    }
+
+    /// What a node must be multiplied by, or what must be added to it, looked up among what stands in the sheet.
+    fn missing(&self, context: &Context, overlay: &mut Overlay) -> Vec<Found> {
+        let [failing] = self.failing.as_slice() else {
+            return Vec::new();
+        };
+        let Some((_, sides)) = self.graph.sides.get(*failing) else {
+            return Vec::new();
+        };
+        let factors = Dictionary::factors(context, &self.leaves, &self.definitions);
+        let terms = Dictionary::terms(context, &self.leaves, &self.definitions);
+        let mut found = Vec::new();
+        for (number, node) in self.graph.nodes.iter().enumerate() {
+            let takes = takes_factors(&node.tree, node.within.as_ref());
+            let is_number = matches!(node.tree, Tree::Number(_));
+            let is_term = matches!(node.within, Some(Tree::Sum(_) | Tree::Negate(_)));
+            if !takes && !is_number {
+                continue;
+            }
+            let points = 0..self.leaves.points;
+            let required: Option<Vec<f64>> = points
+                .map(|point| self.graph.required(number, *sides, point, overlay))
+                .collect();
+            let Some(required) = required else { continue };
+            let mut add = |tree: Tree, cost: u32, words: String| {
+                found.push(Found::new(vec![Candidate {
+                    formula: node.place.0,
+                    path: node.place.1.clone(),
+                    edit: edit::Edit { tree, cost, words },
+                }]));
+            };
+            if let Some(tree) = number_of(&required).filter(|_| is_number) {
+                let words = format!("`{}` in the place of `{tree}`", node.tree);
+                add(tree, 11, words);
+            }
+            if !takes {
+                continue;
+            }
+            let pairs = || required.iter().zip(&node.values);
+            let ratios: Vec<f64> = pairs().map(|(wanted, value)| wanted / value).collect();
+            for (list, is_above) in [
+                (ratios.clone(), true),
+                (ratios.iter().map(|ratio| 1.0 / ratio).collect(), false),
+            ] {
+                for (factor, _) in factors
+                    .find(&list)
+                    .into_iter()
+                    .filter(|(_, negative)| !negative)
+                    .take(MOST_OF_DICTIONARY)
+                {
+                    let tree = if is_above { times(&node.tree, factor) } else { over(&node.tree, factor) };
+                    let cost = 11 + size(factor) + u32::from(!is_above);
+                    add(tree, cost, missing_factor(factor, &node.tree, is_above));
+                }
+            }
+            if is_term {
+                continue;
+            }
+            let differences: Vec<f64> = pairs().map(|(wanted, value)| wanted - value).collect();
+            for (term, negative) in terms.find(&differences).into_iter().take(MOST_OF_DICTIONARY) {
+                let signed = if negative { negated(term) } else { term.clone() };
+                let words = format!("the term `{term}` is missing in `{}`", node.tree);
+                add(plus(&node.tree, &signed), 12 + 2 * size(term), words);
+            }
+        }
+        found
+    }
+}
+
+/// A node that is evaluated as a whole, with a part of it edited.
+fn leaf_around(equation: &Equation, path: &[usize], new: &Tree) -> Option<Tree> {
+    let is_leaf = |tree: &Tree| matches!(tree, Tree::Call(..) | Tree::Partial { .. } | Tree::Invariant { .. });
+    let length = (1..path.len()).find(|length| {
+        let inner = path.get(..*length).and_then(|path| node(equation, path));
+        inner.is_some_and(|tree| is_leaf(&tree))
+    })?;
+    let whole = node(equation, path.get(..length)?)?;
+    Some(super::path::with(&whole, path.get(length..)?, new))
+}
