@@ -44,8 +44,16 @@ fn flat(equation: &Equation) -> [Tree; 2] {
 /// Every single edit of a formula of the claim at a position of a sheet.
 fn misprints_of(name: &str, sheet: &Sheet, position: usize, into: &mut Vec<Misprint>) {
     let entry = &sheet.entries[position];
-    let stated = entry.equations.iter().enumerate().map(|(n, equation)| (Part::Stated(n), equation));
-    let local = entry.local.iter().enumerate().map(|(n, (equation, _))| (Part::Definition(n), equation));
+    let stated = entry
+        .equations
+        .iter()
+        .enumerate()
+        .map(|(n, equation)| (Part::Stated(n), equation));
+    let local = entry
+        .local
+        .iter()
+        .enumerate()
+        .map(|(n, (equation, _))| (Part::Definition(n), equation));
     for (part, right) in stated.chain(local) {
         let gives = matches!(&right.left, Tree::Symbol(name, _) if entry.gives().contains(name));
         for wrong in mutants::edited(right, !gives && entry.label != "19") {
@@ -103,8 +111,14 @@ fn of_others() -> Vec<Misprint> {
     let sheets = [
         ("oscillator", Sheet::read(oscillator, &vocabulary()).unwrap()),
         ("bouncing ball", document(include_str!("papers/bouncing_ball.tex"))),
-        ("impact oscillator", document(include_str!("papers/impact_oscillator.tex"))),
-        ("rigid body, optics", document(include_str!("papers/rigid_body_optics.tex"))),
+        (
+            "impact oscillator",
+            document(include_str!("papers/impact_oscillator.tex")),
+        ),
+        (
+            "rigid body, optics",
+            document(include_str!("papers/rigid_body_optics.tex")),
+        ),
     ];
     let mut all = Vec::new();
     for (name, sheet) in &sheets {
@@ -119,7 +133,9 @@ fn of_others() -> Vec<Misprint> {
 fn sample<T>(mut list: Vec<T>, count: usize, mut seed: u64) -> Vec<T> {
     let mut kept = Vec::new();
     while kept.len() < count && !list.is_empty() {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        seed = seed
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         kept.push(list.swap_remove((seed >> 33) as usize % list.len()));
     }
     kept
@@ -173,7 +189,10 @@ fn measured(misprints: &[Misprint]) -> Shares {
             }
             shares.among_five += usize::from(place.is_some());
             if place != Some(0) {
-                let shown: Vec<String> = found.iter().map(|repair| format!("\n      {repair} [{}]", repair.size)).collect();
+                let shown: Vec<String> = found
+                    .iter()
+                    .map(|repair| format!("\n      {repair} [{}]", repair.size))
+                    .collect();
                 shares.missed.push(format!(
                     "{} {seconds:.2} s\n    wrong {}\n    right {}{}",
                     misprint.name,
@@ -213,7 +232,11 @@ fn assert_is_proved(repair: &Repair, misprint: &Misprint) {
 
 fn print(name: &str, shares: &Shares) {
     let of = |count: usize| 100.0 * count as f64 / shares.refuted.max(1) as f64;
-    let median = shares.seconds.get(shares.seconds.len() / 2).copied().unwrap_or_default();
+    let median = shares
+        .seconds
+        .get(shares.seconds.len() / 2)
+        .copied()
+        .unwrap_or_default();
     let most = shares.seconds.last().copied().unwrap_or_default();
     println!("{}", shares.missed.join("\n"));
     println!(
@@ -230,7 +253,13 @@ fn assert_shares(name: &str, misprints: &[Misprint], first: f64, among_five: f64
     let shares = measured(misprints);
     print(name, &shares);
     let of = |count: usize| 100.0 * count as f64 / shares.refuted as f64;
-    assert!(of(shares.first) >= first && of(shares.among_five) >= among_five, "{name}: {} of {} first, {} among five", shares.first, shares.refuted, shares.among_five);
+    assert!(
+        of(shares.first) >= first && of(shares.among_five) >= among_five,
+        "{name}: {} of {} first, {} among five",
+        shares.first,
+        shares.refuted,
+        shares.among_five
+    );
 }
 
 #[test]
@@ -269,6 +298,12 @@ fn the_two_wrong_formulas_of_the_paper_are_mended_by_search() {
     let first = twenty_two.first().expect("a repair of (22)");
     assert_eq!(first.edits.len(), 3);
     let shown = first.to_string();
-    assert!(shown.contains(r"r_B \epsilon_1 + r_B T_1") && shown.contains(r"r_T \epsilon_2 - r_T T_2"), "{shown}");
-    assert!(shown.contains(r"\epsilon_4 = f(t_k) T_1 + \overline{g} T_1 - \dot{Z}_k r_B"), "{shown}");
+    assert!(
+        shown.contains(r"r_B \epsilon_1 + r_B T_1") && shown.contains(r"r_T \epsilon_2 - r_T T_2"),
+        "{shown}"
+    );
+    assert!(
+        shown.contains(r"\epsilon_4 = f(t_k) T_1 + \overline{g} T_1 - \dot{Z}_k r_B"),
+        "{shown}"
+    );
 }

@@ -60,7 +60,7 @@ struct Sum<'a> {
 impl Sum<'_> {
     fn take_terms(&mut self, node: usize) {
         match self.graph.terms_of(node) {
-            Some(inner) => inner.to_vec().into_iter().for_each(|part| self.take_terms(part)),
+            Some(inner) => inner.iter().for_each(|&part| self.take_terms(part)),
             None => self.terms.push(node),
         }
     }
@@ -77,7 +77,13 @@ impl Sum<'_> {
 
     /// The terms that depend on a node or are a part of it.
     fn changed(&self, node: usize) -> u64 {
-        let above = |node: usize| self.graph.nodes.get(node).map(|node| node.above.as_slice()).unwrap_or_default();
+        let above = |node: usize| {
+            self.graph
+                .nodes
+                .get(node)
+                .map(|node| node.above.as_slice())
+                .unwrap_or_default()
+        };
         let touches = |term: usize| term == node || above(node).contains(&term) || above(term).contains(&node);
         let terms = self.terms.iter().enumerate().take(64);
         terms

@@ -41,7 +41,9 @@ impl Context {
         let mut context = Self::default();
         let letter = &sheet.vocabulary.index;
         context.letters.extend((!letter.is_empty()).then(|| letter.clone()));
-        context.letters.extend(sheet.vocabulary.indices.iter().map(Name::to_string));
+        context
+            .letters
+            .extend(sheet.vocabulary.indices.iter().map(Name::to_string));
         let Some(entry) = sheet.entries.get(position) else {
             return context;
         };
@@ -58,7 +60,11 @@ impl Context {
         }
         for (place, entry) in near.iter().filter_map(|&n| sheet.entries.get(n)).enumerate() {
             for tree in trees_of(entry) {
-                context.take(&tree, place < sheet.entries.get(position).map_or(0, |e| e.follows_from.len()), true);
+                context.take(
+                    &tree,
+                    place < sheet.entries.get(position).map_or(0, |e| e.follows_from.len()),
+                    true,
+                );
             }
         }
         context
@@ -142,7 +148,13 @@ impl Context {
             if let Some(index) = index_of(&name.subscript, letter) {
                 for (by, cost) in [(1, 10), (-1, 10), (2, 12), (-2, 12)] {
                     let subscript = subscript_of(index + by, letter);
-                    add(Name { subscript, ..name.clone() }, cost + 1);
+                    add(
+                        Name {
+                            subscript,
+                            ..name.clone()
+                        },
+                        cost + 1,
+                    );
                 }
             }
         }
@@ -155,7 +167,13 @@ impl Context {
                     r"\dddot" => accents.push(r"\ddot".to_owned()),
                     _ => {}
                 }
-                add(Name { accents, ..name.clone() }, 11);
+                add(
+                    Name {
+                        accents,
+                        ..name.clone()
+                    },
+                    11,
+                );
             }
             let primes = name.primes.saturating_add(1);
             add(Name { primes, ..name.clone() }, 12);
@@ -187,7 +205,10 @@ impl Context {
 
     /// How many of the parts of a formula stand elsewhere in the sheet too, products and longer ones.
     pub fn agreement(&self, tree: &Tree) -> u32 {
-        let is_long = matches!(tree, Tree::Sum(_) | Tree::Product(_) | Tree::Quotient(..) | Tree::Power(..));
+        let is_long = matches!(
+            tree,
+            Tree::Sum(_) | Tree::Product(_) | Tree::Quotient(..) | Tree::Power(..)
+        );
         let own = u32::from(is_long && self.said.contains(tree));
         own + parts(tree).iter().map(|part| self.agreement(part)).sum::<u32>()
     }

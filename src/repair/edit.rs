@@ -192,7 +192,10 @@ pub fn edits(node: &Tree, above: Option<&Tree>, context: &Context) -> Vec<Edit> 
         Tree::Negate(_) | Tree::PlusMinus(_) | Tree::MinusPlus(_) => {}
     }
     let is_base = matches!(above, Some(Tree::Power(..) | Tree::RealPower(..)));
-    let has_powers = !matches!(node, Tree::Number(_) | Tree::Negate(_) | Tree::Power(..) | Tree::Operation(..));
+    let has_powers = !matches!(
+        node,
+        Tree::Number(_) | Tree::Negate(_) | Tree::Power(..) | Tree::Operation(..)
+    );
     if has_powers && !is_base && !matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_)) {
         let is_plain = !matches!(node, Tree::Product(_));
         let cost = if is_plain { PLAIN } else { RARE };
@@ -277,7 +280,12 @@ fn invariants(kind: Invariant, of: &Name, at: At, context: &Context, edits: &mut
 
 fn of_operation(operation: &Operation, at: At, edits: &mut Edits) {
     match operation {
-        Operation::Derivative { of, by, order, at: place } => {
+        Operation::Derivative {
+            of,
+            by,
+            order,
+            at: place,
+        } => {
             for order in [order + 1, order.saturating_sub(1)] {
                 let other = Operation::Derivative {
                     of: of.clone(),
@@ -400,7 +408,11 @@ fn of_sum(terms: &[Tree], edits: &mut Edits) {
         let words = format!("the term `{}` is too much", unsigned(term));
         edits.add(sum(without(terms, n)), cost, words);
         let doubled = times(term, &number(2));
-        edits.add(sum(put(terms, n, doubled)), RARE + 1, format!("the factor 2 is missing in `{}`", unsigned(term)));
+        edits.add(
+            sum(put(terms, n, doubled)),
+            RARE + 1,
+            format!("the factor 2 is missing in `{}`", unsigned(term)),
+        );
         for other in (0..terms.len()).filter(|other| *other != n) {
             let Some(into) = terms.get(other) else { continue };
             for (taken, was) in taken_in(into, term) {
@@ -479,7 +491,11 @@ fn of_quotient(above: &Tree, below: &Tree, parent: Option<&Tree>, edits: &mut Ed
         other => (false, other),
     };
     let upper = factors_of(body);
-    for (n, factor) in upper.iter().enumerate().filter(|(_, factor)| !matches!(factor, Tree::Number(_))) {
+    for (n, factor) in upper
+        .iter()
+        .enumerate()
+        .filter(|(_, factor)| !matches!(factor, Tree::Number(_)))
+    {
         let words = format!("the factor `{factor}` belongs in the denominator");
         let rest = product(without(&upper, n));
         let rest = if negative { negated(&rest) } else { rest };

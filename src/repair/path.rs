@@ -57,8 +57,11 @@ pub fn node(equation: &Equation, path: &[usize]) -> Option<Tree> {
     Some(tree)
 }
 
+/// What is called with a node of a tree, the node above it, and its path.
+type Visit<'a> = dyn FnMut(&Tree, Option<&Tree>, &[usize]) + 'a;
+
 /// Calls with each node of a tree, its path, and the node above it; from the outside in.
-pub fn walk(tree: &Tree, above: Option<&Tree>, path: &mut Path, visit: &mut dyn FnMut(&Tree, Option<&Tree>, &[usize])) {
+pub fn walk(tree: &Tree, above: Option<&Tree>, path: &mut Path, visit: &mut Visit) {
     visit(tree, above, path);
     for (place, part) in parts(tree).iter().enumerate() {
         path.push(place);

@@ -190,7 +190,10 @@ impl<'a> Search<'a> {
             }
         }
         let key = |found: &Found| {
-            let left = found.edits.iter().filter(|candidate| candidate.path.first() == Some(&0));
+            let left = found
+                .edits
+                .iter()
+                .filter(|candidate| candidate.path.first() == Some(&0));
             let agreement: u32 = found
                 .mended(&self.formulas)
                 .iter()
@@ -216,7 +219,11 @@ impl<'a> Search<'a> {
                 let each = equations.iter();
                 each.map(|equation| {
                     let sides = [&equation.left, &equation.right].map(|side| leaves.all(side, &definitions));
-                    sides[0].iter().zip(&sides[1]).map(|(left, right)| [*left, *right]).collect()
+                    sides[0]
+                        .iter()
+                        .zip(&sides[1])
+                        .map(|(left, right)| [*left, *right])
+                        .collect()
                 })
                 .collect()
             };
@@ -259,8 +266,17 @@ impl<'a> Search<'a> {
         let mut found = Vec::new();
         for candidate in self.candidates.iter().take((MOST_TRIALS * self.effort) as usize) {
             let one = Found::new(vec![candidate.clone()]);
-            put(&mut copy, self.sheet, self.position, &self.formulas, &one.mended(&self.formulas));
-            let is_read = copy.entries.get(self.position).is_some_and(|entry| entry.unread.is_none());
+            put(
+                &mut copy,
+                self.sheet,
+                self.position,
+                &self.formulas,
+                &one.mended(&self.formulas),
+            );
+            let is_read = copy
+                .entries
+                .get(self.position)
+                .is_some_and(|entry| entry.unread.is_none());
             if !is_read {
                 continue;
             }
@@ -293,7 +309,10 @@ fn with(formulas: &[Formula], mended: &[(usize, Equation)]) -> (Vec<Equation>, H
 
 /// The number among all formulas of the n-th that is to hold.
 fn equation_number(formulas: &[Formula], n: usize) -> Option<usize> {
-    let mut stated = formulas.iter().enumerate().filter(|(_, formula)| formula.name.is_none());
+    let mut stated = formulas
+        .iter()
+        .enumerate()
+        .filter(|(_, formula)| formula.name.is_none());
     stated.nth(n).map(|(number, _)| number)
 }
 
@@ -327,7 +346,10 @@ fn term_around(equation: &Equation, path: &[usize]) -> Option<Tree> {
 fn candidates(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (number, formula) in formulas.iter().enumerate() {
-        for (side, tree) in [&formula.equation.left, &formula.equation.right].into_iter().enumerate() {
+        for (side, tree) in [&formula.equation.left, &formula.equation.right]
+            .into_iter()
+            .enumerate()
+        {
             if side == 0 && formula.name.is_some() {
                 continue;
             }
@@ -386,8 +408,7 @@ impl Bench {
         candidates: &[Candidate],
     ) -> Option<Self> {
         let is_plain = |formula: &Formula| {
-            let has_signs =
-                |node: &Tree| matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_) | Tree::Operation(..));
+            let has_signs = |node: &Tree| matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_) | Tree::Operation(..));
             formula.equation.relation == Relation::Equal && !any_side(&formula.equation, &mut |node| has_signs(node))
         };
         if !formulas.iter().all(is_plain) || !matches!(reduced(statements, vocabulary), Ok(None)) {
@@ -395,14 +416,18 @@ impl Bench {
         }
         let defined: HashSet<Name> = formulas.iter().filter_map(|formula| formula.name.clone()).collect();
         let mut trees = HashSet::new();
-        let sides = formulas.iter().flat_map(|formula| [&formula.equation.left, &formula.equation.right]);
+        let sides = formulas
+            .iter()
+            .flat_map(|formula| [&formula.equation.left, &formula.equation.right]);
         let edited = candidates.iter().map(|candidate| &candidate.edit.tree);
         for tree in sides.chain(edited).chain(&context.atoms).chain(&context.terms) {
             take_leaves(tree, &defined, &mut trees);
         }
         // what stands within a leaf makes another leaf
         for candidate in candidates {
-            let Some(formula) = formulas.get(candidate.formula) else { continue };
+            let Some(formula) = formulas.get(candidate.formula) else {
+                continue;
+            };
             if let Some(leaf) = leaf_around(&formula.equation, &candidate.path, &candidate.edit.tree) {
                 take_leaves(&leaf, &defined, &mut trees);
             }
@@ -451,7 +476,10 @@ impl Bench {
             free,
             valued: Vec::new(),
         };
-        bench.valued = candidates.iter().filter_map(|candidate| bench.valued(candidate)).collect();
+        bench.valued = candidates
+            .iter()
+            .filter_map(|candidate| bench.valued(candidate))
+            .collect();
         Some(bench)
     }
 
@@ -475,7 +503,10 @@ impl Bench {
         let mut overlay = Overlay::default();
         let mut found: Vec<Found> = Vec::new();
         for valued in &self.valued {
-            if self.graph.all_hold(&[(valued.node, &valued.values)], self.leaves.points, &mut overlay) {
+            if self
+                .graph
+                .all_hold(&[(valued.node, &valued.values)], self.leaves.points, &mut overlay)
+            {
                 found.push(Found::new(vec![valued.candidate.clone()]));
             }
         }
@@ -532,7 +563,11 @@ impl Bench {
                     .filter(|(_, negative)| !negative)
                     .take(MOST_OF_DICTIONARY)
                 {
-                    let tree = if is_above { times(&node.tree, factor) } else { over(&node.tree, factor) };
+                    let tree = if is_above {
+                        times(&node.tree, factor)
+                    } else {
+                        over(&node.tree, factor)
+                    };
                     let cost = 11 + size(factor) + u32::from(!is_above);
                     add(tree, cost, missing_factor(factor, &node.tree, is_above));
                 }

@@ -212,7 +212,11 @@ impl Graph {
         for number in 0..graph.nodes.len() {
             let mut above: Vec<usize> = Vec::new();
             for other in number + 1..graph.nodes.len() {
-                let inner = graph.nodes.get(other).map(|node| node.parts.as_slice()).unwrap_or_default();
+                let inner = graph
+                    .nodes
+                    .get(other)
+                    .map(|node| node.parts.as_slice())
+                    .unwrap_or_default();
                 if inner.iter().any(|part| *part == number || above.contains(part)) {
                     above.push(other);
                 }
@@ -224,7 +228,13 @@ impl Graph {
         graph
     }
 
-    fn define(&mut self, name: &Name, formulas: &[(Equation, Option<Name>)], leaves: &Leaves, depth: usize) -> Option<usize> {
+    fn define(
+        &mut self,
+        name: &Name,
+        formulas: &[(Equation, Option<Name>)],
+        leaves: &Leaves,
+        depth: usize,
+    ) -> Option<usize> {
         if let Some(known) = self.definitions.get(name) {
             return Some(*known);
         }
@@ -266,7 +276,9 @@ impl Graph {
         let none = HashMap::new();
         let values = (0..leaves.points).map(|point| match op {
             Op::Leaf => leaves.value(tree, point, &none),
-            op => op.apply(below.len(), |n| self.value(below.get(n).copied().unwrap_or(usize::MAX), point)),
+            op => op.apply(below.len(), |n| {
+                self.value(below.get(n).copied().unwrap_or(usize::MAX), point)
+            }),
         });
         let node = Node {
             op,
@@ -284,7 +296,9 @@ impl Graph {
 
     pub fn value(&self, node: usize, point: usize) -> f64 {
         let node = self.nodes.get(node);
-        node.and_then(|node| node.values.get(point)).copied().unwrap_or(f64::NAN)
+        node.and_then(|node| node.values.get(point))
+            .copied()
+            .unwrap_or(f64::NAN)
     }
 
     /// What a node is the sum of, or the opposite of, or another name for.
@@ -313,11 +327,20 @@ impl Graph {
         }
         let mut merged;
         let above: &[usize] = match changes {
-            [(node, _)] => self.nodes.get(*node).map(|node| node.above.as_slice()).unwrap_or_default(),
+            [(node, _)] => self
+                .nodes
+                .get(*node)
+                .map(|node| node.above.as_slice())
+                .unwrap_or_default(),
             _ => {
                 merged = Vec::new();
                 for (node, _) in changes {
-                    merged.extend(self.nodes.get(*node).map(|node| node.above.as_slice()).unwrap_or_default());
+                    merged.extend(
+                        self.nodes
+                            .get(*node)
+                            .map(|node| node.above.as_slice())
+                            .unwrap_or_default(),
+                    );
                 }
                 merged.sort_unstable();
                 merged.dedup();
