@@ -1,10 +1,11 @@
 //! What vanishes faster than each power of what is small: exponentials that decay, times what grows like a power at most.
 
-use super::super::substitute::any;
+use super::super::substitute::{any, number_of};
 use super::build::plain;
 use super::derivative::mentions;
 use super::evaluate::may_be_undefined;
 use super::series::{Small, is_likely_zero, is_zero, relation};
+use crate::number::{Field, Rational};
 use crate::tex::{Relation, Tree};
 
 impl Small<'_> {
@@ -72,6 +73,9 @@ impl Small<'_> {
         };
         let degree = i32::try_from(place).map_or(0, |place| series.low.saturating_add(place));
         let has_sign = self.is_positive || degree % 2 == 0;
+        if number_of(&first).is_some_and(|rate| rate >= Rational::from_integer(0)) {
+            return false;
+        }
         if degree >= 0 || !has_sign || is_likely_zero(&first) || self.vocabulary.may_be_complex(&first) {
             return false;
         }
