@@ -1,10 +1,12 @@
 //! Terms as quotients of polynomials, and derivatives of terms.
 
 use super::polynomial::Polynomial;
-use super::term::{Elementary, Function, Node, Symbol, Term, Terms};
+use super::term::{Elementary, Function, Node, Symbol, Term, TermMap, Terms};
 use crate::number::{Field, Rational};
 use num_traits::{One, Zero};
+use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
+use std::rc::Rc;
 
 /// A numerator over a product of powers of polynomials, each with leading coefficient 1.
 #[derive(Clone, Debug)]
@@ -32,7 +34,7 @@ pub struct Expansion {
     pub whole: BTreeSet<Term>,
     /// Products of two terms of polynomials that may still be added up.
     pub effort: u64,
-    done: HashMap<Term, Quotient>,
+    done: TermMap<Rc<Quotient>>,
 }
 
 impl Quotient {
@@ -60,7 +62,7 @@ impl Expansion {
         Self {
             whole,
             effort,
-            done: HashMap::new(),
+            done: TermMap::default(),
         }
     }
 
@@ -87,41 +89,46 @@ impl Expansion {
 
     /// The term as a quotient. Its divisors are what the term divides by; that none of them is 0 is the caller's to know.
     pub fn of(&mut self, terms: &Terms, term: Term) -> Result<Quotient, Refusal> {
+        Ok(Rc::unwrap_or_clone(self.shared(terms, term)?))
+    }
+
+    fn shared(&mut self, terms: &Terms, term: Term) -> Result<Rc<Quotient>, Refusal> {
         if let Some(known) = self.done.get(&term) {
-            return Ok(known.clone());
+            return Ok(Rc::clone(known));
         }
         let result = if self.whole.contains(&term) {
             Quotient::polynomial(Polynomial::generator(term))
         } else {
             self.unfolded(terms, term)?
         };
-        self.done.insert(term, result.clone());
+        let result = Rc::new(result);
+        self.done.insert(term, Rc::clone(&result));
         Ok(result)
     }
 
     /// The term expanded even where it is whole itself; what is inside it stays whole.
     pub fn unfolded(&mut self, terms: &Terms, term: Term) -> Result<Quotient, Refusal> {
-        Ok(match terms.node(term).clone() {
-            Node::Number(value) => Quotient::polynomial(Polynomial::constant(&value)),
+        Ok(match terms.node(term) {
+            Node::Number(value) => Quotient::polynomial(Polynomial::constant(value)),
             Node::Sum(parts) => {
                 let mut sum = Quotient::polynomial(Polynomial::default());
-                for part in parts {
-                    let part = self.of(terms, part)?;
+                for &part in parts {
+                    let part = self.shared(terms, part)?;
                     sum = self.sum(&sum, &part)?;
                 }
                 sum
             }
             Node::Product(parts) => {
                 let mut product = Quotient::polynomial(Polynomial::integer(1));
-                for part in parts {
-                    let part = self.of(terms, part)?;
+                for &part in parts {
+                    let part = self.shared(terms, part)?;
                     product = self.product(&product, &part)?;
                 }
                 product
             }
             Node::Power(base, exponent) => {
-                let base = self.of(terms, base)?;
-                let exponent = u32::try_from(exponent).map_err(|_| Refusal::Other("a negative power".into()))?;
+                let base = self.shared(terms, *base)?;
+                let exponent = u32::try_from(*exponent).map_err(|_| Refusal::Other("a negative power".into()))?;
                 let numerator = self.power(&base.numerator, exponent)?;
                 let mut divisors = Vec::new();
                 for (divisor, power) in base.divisors.iter().filter(|_| exponent > 0) {
@@ -130,7 +137,7 @@ impl Expansion {
                 Quotient { numerator, divisors }
             }
             Node::Quotient(above, below) => {
-                let (above, below) = (self.of(terms, above)?, self.of(terms, below)?);
+                let (above, below) = (self.shared(terms, *above)?, self.shared(terms, *below)?);
                 let inverse = self.inverse(&below)?;
                 self.product(&above, &inverse)?
             }
@@ -171,14 +178,14 @@ impl Expansion {
 
     fn sum(&mut self, a: &Quotient, b: &Quotient) -> Result<Quotient, Refusal> {
         let (for_a, for_b) = (b.lacking(a), a.lacking(b));
-        let (mut left, mut right) = (a.numerator.clone(), b.numerator.clone());
+        let (mut left, mut right) = (Cow::Borrowed(&a.numerator), Cow::Borrowed(&b.numerator));
         for (divisor, power) in &for_a {
             let factor = self.power(divisor, *power)?;
-            left = self.times(&left, &factor)?;
+            left = Cow::Owned(self.times(&left, &factor)?);
         }
         for (divisor, power) in &for_b {
             let factor = self.power(divisor, *power)?;
-            right = self.times(&right, &factor)?;
+            right = Cow::Owned(self.times(&right, &factor)?);
         }
         let mut divisors = a.divisors.clone();
         for (divisor, power) in for_a {
@@ -241,7 +248,7 @@ pub fn derivative(
     slope: &mut dyn FnMut(&mut Terms, Symbol) -> Term,
 ) -> Term {
     let zero = terms.integer(0);
-    let mut done: HashMap<Term, Term> = HashMap::new();
+    let mut done: TermMap<Term> = TermMap::default();
     for inner in terms.inside(term) {
         let of = |part: &Term| done.get(part).copied().unwrap_or(zero);
         let result = match terms.node(inner).clone() {

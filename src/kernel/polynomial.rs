@@ -1,6 +1,6 @@
 //! Polynomials with rational coefficients over terms, as certificates state them and the kernel multiplies them out.
 
-use super::term::Term;
+use super::term::{Mixed, Term};
 use crate::number::Rational;
 use dashu_int::ops::Gcd;
 use dashu_int::{IBig, UBig};
@@ -8,7 +8,7 @@ use dashu_ratio::RBig;
 use num_traits::Zero;
 use smallvec::SmallVec;
 use std::collections::HashMap;
-use std::hash::{BuildHasherDefault, Hasher};
+use std::hash::BuildHasherDefault;
 
 /// A product of powers of generators, sorted by generator, without exponents that are 0.
 pub type Monomial = SmallVec<[(Term, u32); 4]>;
@@ -18,26 +18,6 @@ pub type Monomial = SmallVec<[(Term, u32); 4]>;
 /// The list is sorted by monomial and holds no coefficient that is 0, so that equality is equality of polynomials.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Polynomial(Vec<(Monomial, RBig)>);
-
-/// A hash of exponents: no enemy chooses them, and none of the results depends on it.
-#[derive(Default)]
-struct Mixed(u64);
-
-impl Hasher for Mixed {
-    fn write(&mut self, bytes: &[u8]) {
-        bytes.iter().for_each(|byte| self.write_u128(u128::from(*byte)));
-    }
-
-    fn write_u128(&mut self, value: u128) {
-        for half in [value as u64, (value >> 64) as u64] {
-            self.0 = (self.0.rotate_left(26) ^ half).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        }
-    }
-
-    fn finish(&self) -> u64 {
-        self.0 ^ (self.0 >> 32)
-    }
-}
 
 impl Polynomial {
     /// A constant.
@@ -57,7 +37,7 @@ impl Polynomial {
 
     /// The polynomial with these terms, equal monomials added up.
     pub fn from_terms(terms: impl IntoIterator<Item = (Monomial, RBig)>) -> Self {
-        let mut sums: HashMap<Monomial, RBig> = HashMap::new();
+        let mut sums: HashMap<Monomial, RBig, BuildHasherDefault<Mixed>> = HashMap::default();
         for (monomial, coefficient) in terms {
             *sums.entry(monomial).or_insert(RBig::ZERO) += coefficient;
         }
@@ -159,6 +139,21 @@ impl Polynomial {
             && monomial.is_empty()
         {
             return self.scaled(&Rational(value.clone()));
+        }
+        let (many, single) = if self.0.len() == 1 {
+            (other, self)
+        } else {
+            (self, other)
+        };
+        if let [(monomial, value)] = single.0.as_slice() {
+            // different monomials stay different
+            let terms = many
+                .0
+                .iter()
+                .map(|(own, factor)| (product(own, monomial), factor * value));
+            let mut list: Vec<(Monomial, RBig)> = terms.collect();
+            list.sort_unstable_by(|a, b| a.0.cmp(&b.0));
+            return Self(list);
         }
         self.packed_times(other).unwrap_or_else(|| {
             let pairs = self.0.iter().flat_map(|a| other.0.iter().map(move |b| (a, b)));

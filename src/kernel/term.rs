@@ -2,10 +2,18 @@
 
 use crate::number::Rational;
 use std::collections::{HashMap, HashSet};
+use std::hash::{BuildHasherDefault, Hasher};
 
 /// A term of a [`Terms`]; its number is its place in there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Term(pub u32);
+
+/// A quick hash: no result depends on it, and what collides only costs time.
+#[derive(Default)]
+pub struct Mixed(u64);
+
+/// A map from terms.
+pub type TermMap<V> = HashMap<Term, V, BuildHasherDefault<Mixed>>;
 
 /// A free symbol of a [`Terms`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -56,7 +64,7 @@ pub enum Node {
 #[derive(Clone, Debug, Default)]
 pub struct Terms {
     nodes: Vec<Node>,
-    numbers: HashMap<Node, Term>,
+    numbers: HashMap<Node, Term, BuildHasherDefault<Mixed>>,
     /// Whether a symbol or a value of an unknown function is inside, by the number of the term.
     open: Vec<bool>,
     /// How each symbol is printed, by its number.
@@ -201,7 +209,9 @@ impl Terms {
 
     /// The term and all that is inside it, each once, inner ones first.
     pub fn inside(&self, term: Term) -> Vec<Term> {
-        let (mut met, mut next) = (HashSet::from([term]), vec![term]);
+        let mut met: HashSet<Term, BuildHasherDefault<Mixed>> = HashSet::default();
+        met.insert(term);
+        let mut next = vec![term];
         while let Some(term) = next.pop() {
             next.extend(parts_of(self.node(term)).filter(|part| met.insert(*part)));
         }
@@ -213,7 +223,7 @@ impl Terms {
 
     /// The term of another store with the same symbols and functions.
     pub(super) fn copied(&mut self, other: &Self, term: Term) -> Term {
-        let mut numbers: HashMap<Term, Term> = HashMap::new();
+        let mut numbers: TermMap<Term> = TermMap::default();
         for inner in other.inside(term) {
             let node = other
                 .node(inner)
@@ -226,7 +236,7 @@ impl Terms {
 
     /// The term with some terms inside replaced: `new` gives a term for a node whose parts are rewritten already.
     pub fn rewrite(&mut self, term: Term, new: &mut dyn FnMut(&mut Self, &Node) -> Option<Term>) -> Term {
-        let mut done: HashMap<Term, Term> = HashMap::new();
+        let mut done: TermMap<Term> = TermMap::default();
         for inner in self.inside(term) {
             let moved = |part: Term| done.get(&part).copied().unwrap_or(part);
             let is_moved = parts_of(self.node(inner)).any(|part| done.contains_key(&part));
@@ -256,6 +266,36 @@ impl Terms {
     /// Whether no symbol and no unknown function occurs in the term.
     pub fn is_closed(&self, term: Term) -> bool {
         self.open.get(term.0 as usize) == Some(&false)
+    }
+}
+
+impl Hasher for Mixed {
+    fn write(&mut self, bytes: &[u8]) {
+        for chunk in bytes.chunks(8) {
+            let word = chunk.iter().fold(0, |word, byte| word << 8 | u64::from(*byte));
+            self.write_u64(word);
+        }
+    }
+
+    fn write_u32(&mut self, value: u32) {
+        self.write_u64(u64::from(value));
+    }
+
+    fn write_u64(&mut self, value: u64) {
+        self.0 = (self.0.rotate_left(26) ^ value).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    }
+
+    fn write_u128(&mut self, value: u128) {
+        self.write_u64(value as u64);
+        self.write_u64((value >> 64) as u64);
+    }
+
+    fn write_usize(&mut self, value: usize) {
+        self.write_u64(value as u64);
+    }
+
+    fn finish(&self) -> u64 {
+        self.0 ^ (self.0 >> 32)
     }
 }
 

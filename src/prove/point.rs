@@ -82,6 +82,8 @@ struct Search<'a> {
     numbers: HashMap<Term, Complex>,
     /// Numerators by term; `None` of those that are too large.
     forms: HashMap<Term, Option<Polynomial>>,
+    /// What was expanded for these.
+    expansion: Expansion,
     /// Equations that were factored.
     split: BTreeSet<Term>,
     /// Terms of polynomials that may still be made.
@@ -156,6 +158,7 @@ pub fn search(
             spoken: numbers_about(statement),
             numbers: HashMap::new(),
             forms: HashMap::new(),
+            expansion: Expansion::new(BTreeSet::new(), LARGEST_FORM),
             split: BTreeSet::new(),
             steps_left,
             certificate_steps,
@@ -771,8 +774,9 @@ impl Search<'_> {
         if let Some(known) = self.forms.get(&term) {
             return known.clone();
         }
-        let form = Expansion::new(BTreeSet::new(), LARGEST_FORM)
-            .of(self.statement.terms(), term)
+        self.expansion.effort = LARGEST_FORM;
+        let quotient = self.expansion.of(self.statement.terms(), term);
+        let form = quotient
             .ok()
             .map(|quotient| self.without_imaginary_squares(&quotient.numerator))
             .map(|form| primitive(&form).map_or(form.clone(), |(_, part)| part));
