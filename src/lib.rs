@@ -4,6 +4,11 @@
     doc = "Verification of printed formulas for vibro-impact dynamics; the README's examples need the feature `cli`."
 )]
 
+/// The examples of the guide are run as those of the README are.
+#[cfg(all(doctest, feature = "cli"))]
+#[doc = include_str!("../doc/library.md")]
+struct Guide;
+
 pub mod number;
 pub mod stop;
 

@@ -658,9 +658,9 @@ fn a_document_without_an_end_is_refused() {
 }
 
 #[test]
-fn the_readmes_document_is_proved() {
-    let readme = include_str!("../README.md");
-    let (_, rest) = readme.split_once("```tex\n").expect("a document");
+fn the_document_of_the_guide_is_proved() {
+    let guide = include_str!("../doc/documents.md");
+    let (_, rest) = guide.split_once("```tex\n").expect("a document");
     let (text, _) = rest.split_once("```").expect("its end");
     let found = document(text, &[]);
     assert_eq!(faults(&found), "");

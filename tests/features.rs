@@ -1,15 +1,15 @@
-//! That the library without features needs the crates that the README says, and no other.
+//! That the library without features needs the crates that the guide says, and no other.
 
 use std::collections::BTreeSet;
 use std::process::Command;
 use toml::{Table, Value};
 
-const README: &str = include_str!("../README.md");
+const GUIDE: &str = include_str!("../doc/library.md");
 const MANIFEST: &str = include_str!("../Cargo.toml");
 
-/// The crates that the README lists, each in backticks between the two marks.
+/// The crates that the GUIDE lists, each in backticks between the two marks.
 fn listed() -> BTreeSet<String> {
-    let list = README
+    let list = GUIDE
         .split_once("<!-- crates without features -->")
         .and_then(|(_, rest)| rest.split_once("<!-- end -->"))
         .expect("the marked list")
@@ -17,10 +17,10 @@ fn listed() -> BTreeSet<String> {
     list.split('`').skip(1).step_by(2).map(str::to_owned).collect()
 }
 
-/// The number of crates in the README's row of these features.
+/// The number of crates in the GUIDE's row of these features.
 fn counted(features: &str) -> usize {
     let start = format!("| {features} |");
-    let row = README.lines().find(|line| line.starts_with(&start)).expect("a row");
+    let row = GUIDE.lines().find(|line| line.starts_with(&start)).expect("a row");
     let cell = row.split('|').nth(3).expect("a third cell");
     cell.trim().parse().expect("a number of crates")
 }

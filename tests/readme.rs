@@ -1,8 +1,19 @@
-//! What the README shows is what happens.
+//! What the README and the guide show is what happens.
 
 use std::process::Command;
 
 const README: &str = include_str!("../README.md");
+const GUIDE: [&str; 9] = [
+    include_str!("../doc/sheets.md"),
+    include_str!("../doc/numbers.md"),
+    include_str!("../doc/orbits.md"),
+    include_str!("../doc/simulation.md"),
+    include_str!("../doc/scenes.md"),
+    include_str!("../doc/accuracy.md"),
+    include_str!("../doc/solvers.md"),
+    include_str!("../doc/documents.md"),
+    include_str!("../doc/library.md"),
+];
 
 fn block(language: &str, first: &str) -> String {
     let fence = format!("```{language}\n");
@@ -63,8 +74,9 @@ fn the_scene_of_the_readme_has_its_two_orbits() {
 }
 
 #[test]
-fn the_output_that_the_readme_shows_is_what_the_program_prints() {
-    let shown = README.split("```text\n$ ").skip(1);
+fn the_output_that_readme_and_guide_show_is_what_the_program_prints() {
+    let pages = std::iter::once(README).chain(GUIDE);
+    let shown = pages.flat_map(|page| page.split("```text\n$ ").skip(1));
     let mut seen = 0;
     for rest in shown {
         let (command, output) = rest.split_once('\n').expect("output below a command");
@@ -79,5 +91,20 @@ fn the_output_that_the_readme_shows_is_what_the_program_prints() {
         assert_shown(output.split("\n```").next().expect("a block"), &printed);
         seen += 1;
     }
-    assert!(seen >= 5, "only {seen} examples are run");
+    assert!(seen >= 12, "only {seen} examples are run");
+}
+
+#[test]
+fn the_guide_lists_each_of_its_pages() {
+    let guide = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("doc");
+    let summary = std::fs::read_to_string(guide.join("SUMMARY.md")).expect("a table of contents");
+    for entry in std::fs::read_dir(&guide).expect("the guide") {
+        let name = entry.expect("a file").file_name().into_string().expect("a name");
+        if name.ends_with(".md") && name != "SUMMARY.md" {
+            assert!(summary.contains(&format!("]({name})")), "{name} is not listed");
+        }
+    }
+    for link in summary.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+        assert!(guide.join(link).is_file(), "{link} is not there");
+    }
 }
