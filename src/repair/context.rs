@@ -2,7 +2,7 @@
 
 use super::path::{parts, walk};
 use crate::claim::{Entry, Sheet, index_of, subscript_of};
-use crate::tex::{Equation, Name, Tree};
+use crate::tex::{At, Equation, Name, Tree};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// Entries on either side of the claim whose names are looked at beside those of its premises.
@@ -58,16 +58,42 @@ impl Context {
         for tree in &own {
             context.take(tree, true, false);
         }
-        for (place, entry) in near.iter().filter_map(|&n| sheet.entries.get(n)).enumerate() {
-            for tree in trees_of(entry) {
-                context.take(
-                    &tree,
-                    place < sheet.entries.get(position).map_or(0, |e| e.follows_from.len()),
-                    true,
-                );
+        for &other in &near {
+            let bears = entry.follows_from.contains(&other);
+            for tree in sheet.entries.get(other).map(trees_of).unwrap_or_default() {
+                context.take(&tree, bears, true);
+            }
+        }
+        context.take_values(sheet);
+        for (map, _) in &sheet.vocabulary.maps {
+            if !context.maps.contains(map) {
+                context.maps.push(map.clone());
             }
         }
         context
+    }
+
+    /// Takes in the values of each function of time, and of its derivatives, at each time at which one of these is met.
+    fn take_values(&mut self, sheet: &Sheet) {
+        let functions: Vec<&Name> = sheet.vocabulary.functions.iter().map(|(name, _)| name).collect();
+        let calls = self.atoms.iter().filter_map(|atom| match atom {
+            Tree::Call(name, argument, _) if functions.contains(&name) => Some((name.clone(), (**argument).clone())),
+            _ => None,
+        });
+        let (mut names, mut times) = (Vec::new(), Vec::new());
+        for (name, time) in calls {
+            let (is_new, is_other) = (!names.contains(&name), !times.contains(&time));
+            names.extend(is_new.then(|| name.clone()));
+            times.extend(is_other.then_some(time));
+        }
+        for name in &names {
+            for time in &times {
+                let value = Tree::Call(name.clone(), Box::new(time.clone()), At::default());
+                if !self.atoms.contains(&value) {
+                    self.atoms.push(value);
+                }
+            }
+        }
     }
 
     /// Takes in what stands in a tree; `bears` says whether it bears on the claim.

@@ -49,13 +49,22 @@ impl Dictionary {
                 let minus = |tree: &Tree| Tree::Negate(Box::new(tree.clone()));
                 let (x, y) = (atom.tree.clone(), other.tree.clone());
                 entries.push(atom.by(other, |x, y| x + y, sum(vec![x.clone(), y.clone()])));
-                entries.push(atom.by(other, |x, y| x - y, sum(vec![x, minus(&y)])));
+                let squares = [square(&x), square(&y)];
+                let [one_square, other_square] = squares;
+                let less = sum(vec![one_square.clone(), minus(&other_square)]);
+                entries.push(atom.by(other, |x, y| x * x + y * y, sum(vec![one_square, other_square])));
+                entries.push(atom.by(other, |x, y| x * x - y * y, less));
+                entries.push(atom.by(other, |x, y| x - y, sum(vec![x.clone(), minus(&y)])));
+                entries.push(atom.by(other, |x, y| y - x, sum(vec![y, minus(&x)])));
+                entries.push(atom.by(other, |x, y| y / x, quotient(other.tree.clone(), atom.tree.clone())));
                 entries.push(atom.by(other, |x, y| 1.0 + x * y, sum(vec![one.clone(), both.clone()])));
                 entries.push(atom.by(other, |x, y| 1.0 - x * y, sum(vec![one.clone(), minus(&both)])));
             }
             let minus = Tree::Negate(Box::new(atom.tree.clone()));
             entries.push(atom.by(atom, |x, _| 1.0 + x, sum(vec![one.clone(), atom.tree.clone()])));
             entries.push(atom.by(atom, |x, _| 1.0 - x, sum(vec![one.clone(), minus])));
+            let less = sum(vec![atom.tree.clone(), Tree::Negate(Box::new(one.clone()))]);
+            entries.push(atom.by(atom, |x, _| x - 1.0, less));
         }
         entries.extend(parts);
         Self::of(entries)

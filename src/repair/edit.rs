@@ -320,6 +320,18 @@ fn taken_in(into: &Tree, term: &Tree) -> Vec<(Tree, bool)> {
             let mut ways = Vec::new();
             for (n, factor) in factors.iter().enumerate() {
                 ways.push((product(put(factors, n, plus(factor, term))), is_sum(factor)));
+                // or with the factors before it, or behind it
+                for (from, to) in [(0, n + 1), (n, factors.len())] {
+                    if let Some(group) = factors.get(from..to).filter(|group| group.len() > 1) {
+                        let bracket = plus(&product(group.to_vec()), term);
+                        let before = factors.get(..from).unwrap_or_default().iter().cloned();
+                        let behind = factors.get(to..).unwrap_or_default().iter().cloned();
+                        let all: Vec<Tree> = before.chain([bracket]).chain(behind).collect();
+                        if all.len() > 1 {
+                            ways.push((product(all), false));
+                        }
+                    }
+                }
                 if let Tree::Quotient(..) = factor {
                     for (taken, was) in taken_in(factor, term) {
                         ways.push((product(put(factors, n, taken)), was));

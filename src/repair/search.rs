@@ -5,7 +5,7 @@ use super::context::Context;
 use super::dictionary::{Dictionary, number_of};
 use super::edit::{self, edits, negated, over, plus, times};
 use super::path::{Path, node, replaced, size, walk};
-use super::values::{Graph, Leaves, Overlay, agree, take_leaves};
+use super::values::{Graph, Leaves, Overlay, Sized, agree, take_leaves};
 use super::{Edit, Part, Repair, put};
 use crate::claim::{Sheet, Statements, Verdict, Vocabulary, any_side, reduced};
 use crate::evidence::{samples, witness};
@@ -18,12 +18,15 @@ pub const MOST_EDITS: usize = 3;
 const POINTS: usize = 6;
 const FREE_POINTS: usize = 4;
 /// Edited claims that are evaluated each by itself, for each unit of effort, and points for each.
-const MOST_TRIALS: u64 = 400;
+const MOST_TRIALS: u64 = 1_500;
 const TRIAL_POINTS: usize = 3;
 /// The most formulas that are put in the place of one node by their values.
 const MOST_OF_DICTIONARY: usize = 3;
 /// By how much an edit counts as smaller where its term stands elsewhere in the sheet.
 const AGREEMENT: u32 = 3;
+
+/// By how much an edit counts as larger or smaller where the formula grows or shrinks by it.
+const MOST_GROWTH: i32 = 2;
 
 /// A formula of the claim that may be wrong.
 #[derive(Clone, Debug)]
@@ -149,6 +152,11 @@ impl<'a> Search<'a> {
         let context = Context::new(sheet, position);
         let mut candidates = candidates(&formulas, &context);
         candidates.sort_by_key(|candidate| candidate.edit.cost);
+        // what other maps are is looked at too
+        let mut statements = statements;
+        if statements.speaks_of_maps {
+            statements.maps.extend(context.maps.iter().cloned());
+        }
         let bench = Bench::new(&statements, &sheet.vocabulary, &formulas, &context, &candidates);
         Some(Self {
             sheet,
@@ -189,17 +197,29 @@ impl<'a> Search<'a> {
                 }
             }
         }
+        let length = |equation: &Equation| size(&equation.left) + size(&equation.right);
+        let growth = |mended: &[(usize, Equation)]| {
+            let each = mended.iter().map(|(number, equation)| {
+                let before = self
+                    .formulas
+                    .get(*number)
+                    .map_or(0, |formula| length(&formula.equation));
+                length(equation).cast_signed() - before.cast_signed()
+            });
+            each.sum::<i32>().clamp(-MOST_GROWTH, MOST_GROWTH)
+        };
         let key = |found: &Found| {
             let left = found
                 .edits
                 .iter()
                 .filter(|candidate| candidate.path.first() == Some(&0));
-            let agreement: u32 = found
-                .mended(&self.formulas)
+            let mended = found.mended(&self.formulas);
+            let agreement: u32 = mended
                 .iter()
                 .map(|(_, equation)| self.context.agreement(&equation.left) + self.context.agreement(&equation.right))
                 .sum();
-            (found.cost, left.count(), std::cmp::Reverse(agreement))
+            let cost = found.cost.cast_signed() + growth(&mended);
+            (cost, left.count(), std::cmp::Reverse(agreement))
         };
         found.sort_by_cached_key(key);
         found
@@ -215,10 +235,10 @@ impl<'a> Search<'a> {
         for found in found {
             let mended = found.mended(&self.formulas);
             let (equations, definitions) = with(&self.formulas, &mended);
-            let gaps = |leaves: &Leaves| -> Vec<Vec<[f64; 2]>> {
+            let gaps = |leaves: &Leaves| -> Vec<Vec<[Sized; 2]>> {
                 let each = equations.iter();
                 each.map(|equation| {
-                    let sides = [&equation.left, &equation.right].map(|side| leaves.all(side, &definitions));
+                    let sides = [&equation.left, &equation.right].map(|side| leaves.sized(side, &definitions));
                     sides[0]
                         .iter()
                         .zip(&sides[1])
@@ -227,7 +247,7 @@ impl<'a> Search<'a> {
                 })
                 .collect()
             };
-            let holds = |gaps: &[Vec<[f64; 2]>]| gaps.iter().flatten().all(|[left, right]| agree(*left, *right));
+            let holds = |gaps: &[Vec<[Sized; 2]>]| gaps.iter().flatten().all(|[left, right]| agree(*left, *right));
             if !holds(&gaps(&bench.leaves)) {
                 continue;
             }
@@ -236,7 +256,7 @@ impl<'a> Search<'a> {
                 continue;
             };
             let gaps = gaps(free);
-            let is_identity = |gaps: &[[f64; 2]]| gaps.iter().all(|[left, right]| agree(*left, *right));
+            let is_identity = |gaps: &[[Sized; 2]]| gaps.iter().all(|[left, right]| agree(*left, *right));
             let changed = |n: usize| {
                 let mut sides = bench.failing.iter().filter_map(|side| bench.graph.sides.get(*side));
                 sides.any(|(formula, _)| {
@@ -249,7 +269,7 @@ impl<'a> Search<'a> {
             }
             let differences: Vec<Vec<f64>> = gaps
                 .iter()
-                .map(|gaps| gaps.iter().map(|[left, right]| left - right).collect())
+                .map(|gaps| gaps.iter().map(|[left, right]| left.value - right.value).collect())
                 .collect();
             if known.iter().any(|other| proportional(other, &differences)) {
                 continue;
@@ -433,8 +453,12 @@ impl Bench {
             }
         }
         let trees: Vec<Tree> = trees.into_iter().collect();
+        let stated = || formulas.iter().filter(|formula| formula.name.is_none());
+        let sides: Vec<Tree> = stated()
+            .flat_map(|formula| [formula.equation.left.clone(), formula.equation.right.clone()])
+            .collect();
         let sample = |statements: &Statements, points: usize| {
-            let values = samples(statements, vocabulary, &trees, points)?;
+            let values = samples(statements, vocabulary, &trees, &sides, points)?;
             let points = values.first().map_or(0, Vec::len);
             let values = trees.iter().cloned().zip(values).collect();
             Some(Leaves { values, points })
@@ -528,8 +552,12 @@ impl Bench {
         for (number, node) in self.graph.nodes.iter().enumerate() {
             let takes = takes_factors(&node.tree, node.within.as_ref());
             let is_number = matches!(node.tree, Tree::Number(_));
-            let is_term = matches!(node.within, Some(Tree::Sum(_) | Tree::Negate(_)));
-            if !takes && !is_number {
+            let takes_terms = match &node.within {
+                Some(Tree::Sum(_)) => false,
+                Some(Tree::Negate(_)) => matches!(node.tree, Tree::Sum(_)),
+                _ => true,
+            };
+            if !takes && !is_number && !takes_terms {
                 continue;
             }
             let points = 0..self.leaves.points;
@@ -548,17 +576,14 @@ impl Bench {
                 let words = format!("`{}` in the place of `{tree}`", node.tree);
                 add(tree, 11, words);
             }
-            if !takes {
-                continue;
-            }
             let pairs = || required.iter().zip(&node.values);
             let ratios: Vec<f64> = pairs().map(|(wanted, value)| wanted / value).collect();
             for (list, is_above) in [
                 (ratios.clone(), true),
                 (ratios.iter().map(|ratio| 1.0 / ratio).collect(), false),
             ] {
-                for (factor, _) in factors
-                    .find(&list)
+                let found = if takes { factors.find(&list) } else { Vec::new() };
+                for (factor, _) in found
                     .into_iter()
                     .filter(|(_, negative)| !negative)
                     .take(MOST_OF_DICTIONARY)
@@ -572,14 +597,18 @@ impl Bench {
                     add(tree, cost, missing_factor(factor, &node.tree, is_above));
                 }
             }
-            if is_term {
+            if !takes_terms {
                 continue;
             }
             let differences: Vec<f64> = pairs().map(|(wanted, value)| wanted - value).collect();
             for (term, negative) in terms.find(&differences).into_iter().take(MOST_OF_DICTIONARY) {
                 let signed = if negative { negated(term) } else { term.clone() };
                 let words = format!("the term `{term}` is missing in `{}`", node.tree);
-                add(plus(&node.tree, &signed), 12 + 2 * size(term), words);
+                add(
+                    plus(&node.tree, &signed),
+                    12 + 2 * size(term) + u32::from(negative),
+                    words,
+                );
             }
         }
         found

@@ -8,6 +8,9 @@ use std::collections::{HashMap, HashSet};
 /// A difference below this part of what it is the difference of is taken for rounding.
 const ROUNDING: f64 = 1e-7;
 
+/// Steps of the secant method.
+const MOST_SECANTS: usize = 16;
+
 /// The last operation of a node.
 #[derive(Clone, Copy, Debug)]
 enum Op {
@@ -91,9 +94,16 @@ fn float(value: &Rational) -> f64 {
     value.0.to_f64().value()
 }
 
+/// A value, and the sum of the sizes of the terms that it is the sum of.
+#[derive(Clone, Copy, Debug)]
+pub struct Sized {
+    pub value: f64,
+    pub size: f64,
+}
+
 /// Whether two sides are equal but for rounding.
-pub fn agree(left: f64, right: f64) -> bool {
-    (left - right).abs() <= ROUNDING * (left.abs() + right.abs()) + 1e-13
+pub fn agree(left: Sized, right: Sized) -> bool {
+    (left.value - right.value).abs() <= ROUNDING * (left.size + right.size)
 }
 
 /// The values of leaves at points.
@@ -149,6 +159,25 @@ impl Leaves {
                     op.apply(inner.len(), |n| inner.get(n).copied().unwrap_or(f64::NAN))
                 }
             },
+        }
+    }
+
+    /// The values of a tree at all points, each with the size of its terms.
+    pub fn sized(&self, tree: &Tree, definitions: &HashMap<Name, Tree>) -> Vec<Sized> {
+        let points = 0..self.points;
+        points
+            .map(|point| Sized {
+                value: self.value(tree, point, definitions),
+                size: self.size(tree, point, definitions),
+            })
+            .collect()
+    }
+
+    fn size(&self, tree: &Tree, point: usize, definitions: &HashMap<Name, Tree>) -> f64 {
+        match tree {
+            Tree::Sum(terms) => terms.iter().map(|term| self.size(term, point, definitions)).sum(),
+            Tree::Negate(body) => self.size(body, point, definitions),
+            _ => self.value(tree, point, definitions).abs(),
         }
     }
 
@@ -370,8 +399,19 @@ impl Graph {
 
     /// Whether an equation holds at a point but for rounding.
     pub fn holds(&self, sides: [usize; 2], point: usize, overlay: &Overlay) -> bool {
-        let [left, right] = sides.map(|side| self.seen(side, point, overlay));
+        let [left, right] = sides.map(|side| Sized {
+            value: self.seen(side, point, overlay),
+            size: self.size(side, point, overlay),
+        });
         agree(left, right)
+    }
+
+    /// The sum of the sizes of the terms of a node.
+    fn size(&self, node: usize, point: usize, overlay: &Overlay) -> f64 {
+        match self.terms_of(node) {
+            Some(terms) => terms.iter().map(|term| self.size(*term, point, overlay)).sum(),
+            None => self.seen(node, point, overlay).abs(),
+        }
     }
 
     /// Whether all equations hold at all points with these nodes changed.
@@ -386,15 +426,15 @@ impl Graph {
         })
     }
 
-    /// The value that a node must take at a point for the sides to be equal, where their difference is a quotient of linear
-    /// functions of it.
+    /// The value that a node must take at a point for the sides to be equal: the only one where their difference is a
+    /// quotient of linear functions of it, else one near the value that is there.
     pub fn required(&self, node: usize, sides: [usize; 2], point: usize, overlay: &mut Overlay) -> Option<f64> {
         let from = self.value(node, point);
         let step = 0.37 * from.abs().max(0.5);
         let mut gap = |value: f64| {
             self.change(point, &[(node, value)], overlay);
             let [left, right] = sides.map(|side| self.seen(side, point, overlay));
-            (left - right, agree(left, right))
+            (left - right, self.holds(sides, point, overlay))
         };
         let [(g0, _), (g1, _), (g2, _)] = [0.0, 1.0, 2.0].map(|n| gap(from + n * step));
         if g0 == g1 {
@@ -406,7 +446,23 @@ impl Graph {
         };
         let slope = g1 + bend * g1 - g0;
         let found = from - g0 / slope * step;
-        (found.is_finite() && gap(found).1).then_some(found)
+        if found.is_finite() && gap(found).1 {
+            return Some(found);
+        }
+        // by the secant method, from the value that is there
+        let (mut one, mut other) = ((from, g0), (from + step, g1));
+        for _ in 0..MOST_SECANTS {
+            let next = other.0 - other.1 * (other.0 - one.0) / (other.1 - one.1);
+            let (left, is_met) = gap(next);
+            if !next.is_finite() || left.is_nan() {
+                return None;
+            }
+            if is_met && (next - other.0).abs() <= ROUNDING * next.abs() {
+                return Some(next);
+            }
+            (one, other) = (other, (next, left));
+        }
+        None
     }
 }
 
