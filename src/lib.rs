@@ -29,6 +29,8 @@ pub mod claim;
 pub mod evidence;
 #[cfg(feature = "kernel")]
 pub mod kernel;
+#[cfg(feature = "kernel")]
+pub mod markup;
 #[cfg(feature = "audit")]
 pub mod prove;
 #[cfg(feature = "audit")]

@@ -385,13 +385,13 @@ fn junit_reports_one_test_a_row_and_other_commands_have_none() {
         "{text}"
     );
     let other = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .args(["audit", "--format", "junit"])
+        .args(["stress", "--format", "junit"])
         .output()
         .unwrap();
     let message = String::from_utf8(other.stderr).unwrap();
     assert_eq!(other.status.code(), Some(2));
     assert!(
-        message.contains("only `check` has tests") && other.stdout.is_empty(),
+        message.contains("is for `audit` and `check` only") && other.stdout.is_empty(),
         "{message}"
     );
 }

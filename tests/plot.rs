@@ -54,7 +54,7 @@ impl Drop for Scratch {
     }
 }
 
-/// The text of a figure, which must be XML, in fonts of 11 pixels or more, with no number that is none.
+/// The text of a figure, which must be XML, in fonts of 11 pixels or more (subscripts of 7.5), with no number that is none.
 fn texts(name: &str, svg: &str) -> Vec<String> {
     let document = Document::parse(svg).unwrap_or_else(|error| panic!("{name}: {error}"));
     let number = |node: Node, key: &str| node.attribute(key).and_then(|text| text.parse::<f64>().ok());
@@ -66,16 +66,25 @@ fn texts(name: &str, svg: &str) -> Vec<String> {
         .map(|side| side.parse().unwrap())
         .collect();
     let pixel = view[2] / number(root, "width").unwrap();
-    let fonts: Vec<f64> = document
-        .descendants()
-        .filter_map(|node| number(node, "font-size"))
-        .collect();
-    assert!(fonts.iter().all(|size| size / pixel >= 11.0), "{name}: {fonts:?}");
+    for node in document.descendants() {
+        let least = if node.has_tag_name("tspan") { 7.5 } else { 11.0 };
+        if let Some(size) = number(node, "font-size") {
+            assert!(size / pixel >= least, "{name}: {size} of {:?}", node.text());
+        }
+    }
     for path in document.descendants().filter_map(|node| node.attribute("d")) {
         assert!(!path.contains("NaN") && !path.contains("inf"), "{name}");
     }
     let nodes = document.descendants().filter(|node| node.has_tag_name("text"));
-    nodes.filter_map(|node| node.text()).map(str::to_owned).collect()
+    // a subscript is a part in a font of its own
+    let typed = |part: Node| {
+        let is_below = part
+            .parent()
+            .is_some_and(|above| above.has_attribute("dy") && above.has_attribute("font-size"));
+        format!("{}{}", if is_below { "_" } else { "" }, part.text().unwrap_or_default())
+    };
+    let whole = |node: Node| node.descendants().filter(|part| part.is_text()).map(typed).collect();
+    nodes.map(whole).collect()
 }
 
 fn assert_says(name: &str, texts: &[String], wanted: &[&str]) {
@@ -148,14 +157,14 @@ fn bifurcations_and_printed_points_are_marked_right_and_wrong_apart() {
     let wanted = [
         "BT stable",
         "BT unstable",
-        "BT through a wall",
+        "BT through a wall, grey as its marks",
         "grazing",
         "period doubling",
         "fold",
         "printed: reproduced",
         "printed: rounded",
         "printed: wrong",
-        "printed as a bifurcation: wrong",
+        "printed bifurcation: wrong",
         "0.701752",
         "\u{2212}0.555468",
     ];

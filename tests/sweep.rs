@@ -329,7 +329,11 @@ fn what_cannot_be_swept_is_refused_before_anything_is_written() {
     }
     let lacking = BARE.replace("start = {", "# start = {");
     assert_refused(&["sweep", "-"], &lacking, &["`sweep` requires start.phase"]);
-    assert_refused(&["sweep", "-", "--format", "junit"], BARE, &["only `check` has tests"]);
+    assert_refused(
+        &["sweep", "-", "--format", "junit"],
+        BARE,
+        &["is for `audit` and `check` only"],
+    );
     assert_refused(&["sweep", "fig12"], "", &["`sweep` requires sweep.over"]);
     assert_refused(&["sweep"], "", &["SCENE"]);
     let scratch = scratch("refused");

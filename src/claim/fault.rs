@@ -79,6 +79,18 @@ impl Source {
         (self.line, self.column)
     }
 
+    /// Line and column of byte `at` of the TeX, where what stands in the file is this TeX.
+    pub fn place_of(&self, at: usize) -> Option<(usize, usize)> {
+        let before = self.tex.get(..at)?;
+        let row = before.matches('\n').count();
+        let column = before.rsplit('\n').next().unwrap_or_default().chars().count();
+        let place = match row {
+            0 => (self.line, self.column + column),
+            row => (self.line + row, column + 1),
+        };
+        self.verbatim.then_some(place)
+    }
+
     /// A fault at byte `at` of the TeX.
     pub fn fault(&self, at: usize, message: impl Into<String>) -> Fault {
         let at = (0..=at.min(self.tex.len()))
@@ -89,15 +101,7 @@ impl Source {
         let line_start = before.rfind('\n').map_or(0, |n| n + 1);
         let head = before.get(line_start..).unwrap_or_default();
         let tail = after.split('\n').next().unwrap_or_default();
-        let row = before.matches('\n').count();
-        let column = head.chars().count();
-        let place = if !self.verbatim {
-            (self.line, self.column)
-        } else if row == 0 {
-            (self.line, self.column + column)
-        } else {
-            (self.line + row, column + 1)
-        };
+        let place = self.place_of(at).unwrap_or((self.line, self.column));
         // Of a line of megabytes the part around the place is enough.
         let near = |text: &str, from_end: bool| -> String {
             let count = text.chars().count();

@@ -1,7 +1,7 @@
 //! What a command hands back, and how it is printed.
 
 use super::{Exit, Failure, Options};
-use crate::report::{Cell, Column, Format, Output, Stream, Table, acts_on_a_terminal};
+use crate::report::{Cell, Column, Format, Output, Page, Stream, Table, acts_on_a_terminal, junit};
 use crate::stop::Token;
 use std::fmt;
 use std::io;
@@ -24,6 +24,8 @@ pub enum Content {
     Tables(Vec<Table>),
     /// Rows that are made while they are printed.
     Rows(Rows),
+    /// A page for a reader.
+    Page(Page),
     /// Text that has one form only, such as a proof; `--format` has no say in it.
     Text(String),
 }
@@ -59,12 +61,21 @@ impl Content {
     pub(super) fn write(self, output: &Output, format: Format, figures: usize) -> Result<(usize, bool), Failure> {
         match self {
             Self::Table(table) => {
+                // what is no page is read where it is asked for
+                let format = if format == Format::Html { Format::Text } else { format };
                 output.write(|to| table.write(to, format, figures))?;
                 Ok((table.rows().len(), true))
             }
             Self::Rows(rows) => rows.write(output, format, figures),
+            Self::Page(page) => {
+                output.write(|to| page.write(to, figures))?;
+                Ok((page.rows(), true))
+            }
             Self::Tables(tables) => {
                 output.write(|to| {
+                    if format == Format::Junit {
+                        return junit(&tables.iter().collect::<Vec<_>>(), to);
+                    }
                     for (place, table) in tables.iter().enumerate() {
                         if place > 0 {
                             writeln!(to)?;
@@ -164,7 +175,7 @@ mod tests {
             if number < count {
                 Ok(vec![Cell::from(number as f64)])
             } else {
-                Err(Failure::NoTests)
+                Err(Failure::NoDirectory)
             }
         };
         Rows::new(vec![Column::from("number")], (0..5000).map(row))
@@ -176,7 +187,7 @@ mod tests {
         fs::create_dir_all(&path).unwrap();
         let output = Output::File(path.join("rows.csv"));
         let failure = rows(4000).write(&output, Format::Csv, 12).unwrap_err();
-        assert!(matches!(failure, Failure::NoTests), "{failure}");
+        assert!(matches!(failure, Failure::NoDirectory), "{failure}");
         assert_eq!(fs::read_dir(&path).unwrap().count(), 0);
         assert_eq!(rows(5000).write(&output, Format::Csv, 12).unwrap(), (5000, true));
         assert_eq!(fs::read_to_string(path.join("rows.csv")).unwrap().lines().count(), 5001);

@@ -1,12 +1,13 @@
 //! `vibro-audit audit [SHEET] [--explain LABEL] [--effort N] [--template]`.
 
-use super::source::TOML_AT_MOST;
+use super::source::{ANSWERS_AT_MOST, TOML_AT_MOST};
+use super::verdicts::{Audited, Row, compare, exit, explained, table};
 use super::{Answer, Content, Exit, Failure, Options, Source, document};
 use crate::claim::{self, Fault, Sheet, Verdict};
-use crate::evidence::{Evidence, witness};
-use crate::prove::{self, Decision, mention_refuted};
-use crate::repair::{Repair, repairs};
-use crate::report::{Cell, OutputError, OutputProblem, Table};
+use crate::evidence::witness;
+use crate::prove::{self, mention_refuted};
+use crate::repair::repairs;
+use crate::report::{Baseline, Format, OutputError, OutputProblem, Table};
 use crate::stop::Token;
 use rayon::prelude::*;
 use std::fs::OpenOptions;
@@ -33,6 +34,10 @@ pub struct Arguments {
     /// and mpmath
     #[arg(long, value_name = "DIR", conflicts_with = "explain")]
     proof: Option<std::path::PathBuf>,
+    /// Findings of an earlier run do not fail: what `audit` wrote as sarif, json or csv. A finding is known by its label,
+    /// verdict and formula, wherever that stands now
+    #[arg(long, value_name = "FILE", conflicts_with = "explain")]
+    baseline: Option<Source>,
     /// Print a sheet to start from, with every key explained
     #[arg(long, conflicts_with_all = ["sheet", "explain", "effort", "proof"])]
     template: bool,
@@ -60,30 +65,8 @@ Exit status: 0 all as expected; 1 a verdict is not, or evidence speaks against o
 /// A sheet to start from.
 const TEMPLATE: &str = include_str!("../../golden/template.toml");
 
-/// The columns that scripts rely on.
-const COLUMNS: [&str; 9] = [
-    "label",
-    "verdict",
-    "expected",
-    "digits",
-    "counterexample",
-    "reason",
-    "provided",
-    "place",
-    "repair",
-];
-
 /// Random points at which each claim is tried; fewer where one costs much.
 const POINTS: usize = 24;
-
-/// What is found of one claim.
-struct Row {
-    decision: Decision,
-    /// Nothing where there is no claim to be tried.
-    evidence: Option<Evidence>,
-    /// What would make a refuted claim true, where that is asked for; the smallest first.
-    repairs: Vec<Repair>,
-}
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
@@ -129,13 +112,50 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
     match &arguments.explain {
         Some(label) => explain(&sheet, label, &options).map_err(in_sheet),
         None => {
-            let answer = decide_sheet(&sheet, &name, &options, arguments.repair)?;
-            match (&document, &arguments.sheet) {
-                (Some(document), Some(source)) => document::with_numbers(answer, document, source, global),
-                _ => Ok(answer),
+            let baseline = arguments.baseline.as_ref().map(known).transpose()?;
+            let mut rows = decide_sheet(&sheet, &name, &options, arguments.repair)?;
+            if let (Some(baseline), Some(source)) = (&baseline, &arguments.baseline) {
+                tell_gone(&mut rows, &sheet, baseline, source)?;
             }
+            let mut exit = exit(&rows);
+            let mut numbers = Vec::new();
+            if let (Some(document), Some(source)) = (&document, &arguments.sheet) {
+                (numbers, exit) = document::numbers(exit, document, source, global);
+            }
+            let file = match &arguments.sheet {
+                Some(Source::File(path)) => Some(path.as_path()),
+                _ => None,
+            };
+            let audited = Audited {
+                sheet: &sheet,
+                name: &name,
+                file,
+                rows,
+                numbers,
+            };
+            audited.answer(exit, &options, global)
         }
     }
+}
+
+/// The findings of an earlier run.
+fn known(source: &Source) -> Result<Baseline, Failure> {
+    let text = source.read(ANSWERS_AT_MOST)?;
+    Baseline::read(&text).map_err(|problem| Failure::Baseline(source.name(), problem))
+}
+
+/// Marks what is known, and says what is known and gone.
+fn tell_gone(rows: &mut [Row], sheet: &Sheet, baseline: &Baseline, source: &Source) -> Result<(), Failure> {
+    let gone = compare(rows, sheet, baseline).map_err(|problem| Failure::Baseline(source.name(), problem))?;
+    if !gone.is_empty() {
+        let labels: Vec<String> = gone.iter().map(|label| format!("({label})")).collect();
+        super::note(&format!(
+            "{}: known there and not found any more: {}",
+            source.name(),
+            labels.join(", ")
+        ));
+    }
+    Ok(())
 }
 
 /// Writes a script for each question that is decided, over nothing that is there already.
@@ -168,17 +188,18 @@ fn write_proofs(sheet: &Sheet, directory: &Path, options: &prove::Options) -> Re
 }
 
 /// The table of the sheet with this text, which errors call `name`.
-pub(super) fn verdicts(text: &str, name: &str) -> Result<Answer, Failure> {
+pub(super) fn verdicts(text: &str, name: &str) -> Result<Table, Failure> {
     let in_sheet = |fault: Fault| Failure::Sheet {
         name: name.to_owned(),
         fault: Box::new(fault),
     };
     let vocabulary = claim::vocabulary().map_err(in_sheet)?;
     let sheet = Sheet::read(text, &vocabulary).map_err(in_sheet)?;
-    decide_sheet(&sheet, name, &prove::Options::default(), false)
+    let rows = decide_sheet(&sheet, name, &prove::Options::default(), false)?;
+    table(&rows, &sheet, Format::Text)
 }
 
-fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair: bool) -> Result<Answer, Failure> {
+fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair: bool) -> Result<Vec<Row>, Failure> {
     let mut rows = decide_all(sheet, options, repair).map_err(|fault| Failure::Sheet {
         name: name.to_owned(),
         fault: Box::new(fault),
@@ -188,10 +209,7 @@ fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair: boo
     for fault in unread.filter_map(|entry| entry.unread.as_ref()) {
         super::note(&format!("{name}: {fault}"));
     }
-    Ok(Answer {
-        exit: exit(&rows),
-        content: Content::Table(table(&rows)?),
-    })
+    Ok(rows)
 }
 
 /// Decides each claim, looks for witnesses and, where asked, for repairs, on all cores; in the order of the sheet.
@@ -214,67 +232,12 @@ fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: bool
         _ => Vec::new(),
     };
     Ok(Row {
+        position,
         decision,
         evidence,
         repairs,
+        is_known: None,
     })
-}
-
-/// 2 where something cannot be read that was expected to be, 1 where a verdict is not as expected or evidence speaks
-/// against it.
-fn exit(rows: &[Row]) -> Exit {
-    let unread = |row: &Row| row.decision.verdict == Verdict::Unread && !row.decision.is_expected();
-    let as_expected = |row: &Row| {
-        let speaks_for = |evidence: &Evidence| evidence.against.is_none();
-        row.decision.is_expected() && row.evidence.as_ref().is_none_or(speaks_for)
-    };
-    if rows.iter().any(unread) {
-        Exit::Unusable
-    } else {
-        Exit::from_verdict(rows.iter().all(as_expected))
-    }
-}
-
-fn table(rows: &[Row]) -> Result<Table, Failure> {
-    let mut table = Table::new(COLUMNS);
-    for row in rows {
-        let (decision, evidence) = (&row.decision, &row.evidence);
-        let mut reason = decision.reason.clone();
-        if let Some(repair) = row.repairs.first() {
-            reason = format!("{reason}; {}", repair.words());
-        }
-        if let Some(evidence) = evidence {
-            if let Some(against) = &evidence.against {
-                reason = format!("EVIDENCE AGAINST THE VERDICT: {against}; {reason}");
-            }
-            // How the maps flown agree is for `--explain`: a table is read for what is amiss.
-            let flown = evidence.flown.as_ref().map(ToString::to_string);
-            for note in evidence.notes.iter().filter(|note| Some(*note) != flown.as_ref()) {
-                reason = format!("{reason}; {note}");
-            }
-        }
-        let digits = evidence.as_ref().and_then(|evidence| evidence.digits);
-        let file = decision.file.as_ref().map_or(String::new(), |file| format!("{file}:"));
-        let place = decision.place.map(|(line, column)| format!("{file}{line}:{column}"));
-        table.push(vec![
-            Cell::from(decision.label.clone()),
-            Cell::from(decision.verdict.to_string()),
-            Cell::from(decision.expected.to_string()),
-            Cell::from(digits.map(|digits| (digits * 10.0).round().max(0.0) / 10.0)),
-            Cell::from(decision.counterexample.as_ref().map(ToString::to_string)),
-            Cell::from(reason),
-            Cell::from((!decision.provided.is_empty()).then(|| decision.provided.join("; "))),
-            Cell::from(place),
-            Cell::from((!row.repairs.is_empty()).then(|| shown(&row.repairs))),
-        ])?;
-    }
-    Ok(table)
-}
-
-/// Repairs as the column has them.
-fn shown(repairs: &[Repair]) -> String {
-    let shown: Vec<String> = repairs.iter().map(ToString::to_string).collect();
-    shown.join(" ;; ")
 }
 
 fn explain(sheet: &Sheet, label: &str, options: &prove::Options) -> Result<Answer, Fault> {
@@ -293,37 +256,9 @@ fn explain(sheet: &Sheet, label: &str, options: &prove::Options) -> Result<Answe
     if let Some(decision) = others.into_iter().find(|other| other.label == label) {
         row.decision = decision;
     }
-    let mut text = prove::explain(sheet, position, &row.decision, options);
-    if let Some(fault) = sheet.entries.get(position).and_then(|entry| entry.unread.as_ref()) {
-        text.push_str(&format!("{fault}\n"));
-    }
-    if let Some(evidence) = &row.evidence {
-        text.push_str(&in_words(evidence));
-    }
+    let text = explained(sheet, &row, options);
     Ok(Answer {
         content: Content::Text(text),
         exit: exit(&[row]),
     })
-}
-
-/// The evidence in words.
-fn in_words(evidence: &Evidence) -> String {
-    let mut lines = vec!["\nevidence, which shares no code with the above".to_string()];
-    match (evidence.digits, evidence.median) {
-        (Some(digits), Some(median)) => lines.push(format!(
-            "left and right agree to {digits:.1} digits at the worst of {} random points of the premises in f64, to {median:.1} at half of them",
-            evidence.points
-        )),
-        _ if evidence.points > 0 => lines.push(format!("the inequality was tried at {} random points", evidence.points)),
-        _ => lines.push("no point".to_string()),
-    }
-    lines.extend((!evidence.worst.is_empty()).then(|| format!("worst point: {}", evidence.worst)));
-    lines.extend(evidence.notes.iter().cloned());
-    lines.extend(
-        evidence
-            .against
-            .as_ref()
-            .map(|against| format!("AGAINST THE VERDICT: {against}")),
-    );
-    lines.join("\n  ")
 }

@@ -2,7 +2,7 @@
 
 use super::{Answer, Content, Exit, Failure, Options, golden};
 use crate::reference::{Certified, Directory, Outcome, bless, check};
-use crate::report::{Cell, Output, Table, note_input};
+use crate::report::{Cell, Format, Output, Page, Part, Table, note_input};
 use std::path::PathBuf;
 
 /// Hold golden values, the paper's or your own directory's, against what is computed
@@ -37,10 +37,28 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     let certified = directory.certified()?;
     let mut answer = |request: &_| golden::answer(&directory, request, options).map_err(|failure| failure.to_string());
     let outcomes = check(&printed, &certified, &mut answer)?;
+    let table = table(&outcomes)?;
+    let content = match options.format {
+        Format::Html => Content::Page(page(arguments, table)),
+        _ => Content::Table(table),
+    };
     Ok(Answer {
-        content: Content::Table(table(&outcomes)?),
+        content,
         exit: Exit::from_verdict(outcomes.iter().all(Outcome::is_expected)),
     })
+}
+
+fn page(arguments: &Arguments, table: Table) -> Page {
+    let directory = arguments.directory.as_ref().map(|path| path.display().to_string());
+    let said = "What is printed or certified, against what is computed. `digits` is how many agree.";
+    Page {
+        title: format!(
+            "Golden values of {}",
+            directory.unwrap_or_else(|| "the paper".to_owned())
+        ),
+        notes: Vec::new(),
+        parts: vec![Part::Table("Values".to_owned(), said.to_owned(), table)],
+    }
 }
 
 /// The table of what rows of golden values came to.

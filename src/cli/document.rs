@@ -1,7 +1,7 @@
 //! Documents as `audit` reads them: the files that they include, the numbers that they print.
 
 use super::source::DOCUMENT_AT_MOST;
-use super::{Answer, Content, Exit, Failure, Options, Source, check, golden, note};
+use super::{Exit, Failure, Options, Source, golden, note};
 use crate::claim::{Document, Markup, PrintedNumber};
 use crate::reference::{self, Directory, Outcome, PRINTED_COLUMNS, Printed};
 use std::path::{Path, PathBuf};
@@ -71,19 +71,11 @@ pub fn exit(document: &Document, exit: Exit) -> Exit {
     }
 }
 
-/// The verdicts, and beside them what the printed numbers came to. One that makes no sense is said, and stops no other.
-///
-/// # Errors
-/// None that is the document's.
-pub fn with_numbers(
-    answer: Answer,
-    document: &Document,
-    source: &Source,
-    options: &Options,
-) -> Result<Answer, Failure> {
-    let mut exit = exit(document, answer.exit);
-    let (Source::File(path), false) = (source, document.numbers.is_empty()) else {
-        return Ok(Answer { exit, ..answer });
+/// What the printed numbers came to, and the status with them. One that makes no sense is said, and stops no other.
+pub fn numbers(exit: Exit, document: &Document, source: &Source, options: &Options) -> (Vec<Outcome>, Exit) {
+    let mut exit = self::exit(document, exit);
+    let Source::File(path) = source else {
+        return (Vec::new(), exit);
     };
     let directory = Directory::At(directory(path));
     let mut outcomes = Vec::new();
@@ -100,12 +92,7 @@ pub fn with_numbers(
     if exit == Exit::AsExpected && !outcomes.iter().all(Outcome::is_expected) {
         exit = Exit::NotAsExpected;
     }
-    let numbers = check::table(&outcomes)?;
-    let content = match answer.content {
-        Content::Table(verdicts) => Content::Tables(vec![verdicts, numbers]),
-        other => other,
-    };
-    Ok(Answer { content, exit })
+    (outcomes, exit)
 }
 
 /// What a row of golden values comes to.

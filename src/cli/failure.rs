@@ -31,8 +31,14 @@ pub enum Failure {
     #[error(transparent)]
     Scene(#[from] crate::scene::SceneError),
     /// A format that the command does not have.
-    #[error("--format junit is a report of tests, and only `check` has tests; choose text, csv, json or markdown")]
-    NoTests,
+    #[error("--format {format} is for {commands} only; choose text, csv, json or markdown")]
+    NoSuchFormat {
+        format: crate::report::Format,
+        commands: &'static str,
+    },
+    /// A file that is no baseline.
+    #[error("{0}: {1}")]
+    Baseline(String, crate::report::BaselineError),
     /// The built-in golden values cannot be rewritten.
     #[error("--bless rewrites the reference files of a directory: name it, as in `check golden/paper --bless`")]
     BlessNothing,

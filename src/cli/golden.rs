@@ -1,6 +1,6 @@
 //! What golden rows ask for, answered by the commands themselves.
 
-use super::{Content, Failure, Options, audit, branch, orbits, simulate, sweep, trajectory, voltage};
+use super::{Failure, Options, audit, branch, orbits, simulate, sweep, trajectory, voltage};
 use crate::number::{Analytic, Decimals, Field, Wide};
 use crate::reference::{Computed, Directory, Made, Quantity, Request, Setting};
 use crate::report::{Cell, Table, note_input};
@@ -176,12 +176,7 @@ fn verdicts(directory: &Directory, request: &Request) -> Result<Table, Failure> 
         "" => "equations.toml",
         name => name,
     };
-    let answer = audit::verdicts(&read(directory, sheet)?, &directory.name(sheet))?;
-    match answer.content {
-        Content::Table(table) => Ok(table),
-        Content::Rows(rows) => rows.table(),
-        Content::Tables(_) | Content::Text(_) => Ok(Table::default()),
-    }
+    audit::verdicts(&read(directory, sheet)?, &directory.name(sheet))
 }
 
 /// The scene's own numbers. What it does not give, such as units without a frequency, stays empty.

@@ -27,6 +27,7 @@ mod stress;
 mod sweep;
 mod trade;
 mod trajectory;
+mod verdicts;
 mod voltage;
 
 pub use answer::{Answer, Content, Rows};
@@ -89,6 +90,27 @@ impl Command {
             Self::Problems(arguments) => problems::run(arguments, options),
             Self::Score(arguments) => score::run(arguments, options),
             Self::Stress(arguments) => stress::run(arguments, options),
+        }
+    }
+
+    /// Refuses a format that the command does not have.
+    fn has(&self, format: Format) -> Result<(), Failure> {
+        let (has, commands) = match format {
+            Format::Junit => (matches!(self, Self::Audit(_) | Self::Check(_)), "`audit` and `check`"),
+            Format::Sarif => (matches!(self, Self::Audit(_)), "`audit`"),
+            Format::Html => (
+                matches!(
+                    self,
+                    Self::Audit(_) | Self::Check(_) | Self::Trade(_) | Self::Score(_) | Self::Run(_)
+                ),
+                "`audit`, `check`, `trade`, `score` and `run`",
+            ),
+            _ => (true, ""),
+        };
+        if has {
+            Ok(())
+        } else {
+            Err(Failure::NoSuchFormat { format, commands })
         }
     }
 
@@ -163,9 +185,7 @@ fn say(kind: &str, text: &str) {
 
 fn run_line(line: &Line) -> Result<Exit, Failure> {
     // Before a long computation, not after.
-    if line.options.format == Format::Junit && !matches!(line.command, Command::Check(_)) {
-        return Err(Failure::NoTests);
-    }
+    line.command.has(line.options.format)?;
     let output = line.command.output(&line.options);
     output.check()?;
     let answer = line.command.run(&line.options)?;

@@ -1,7 +1,10 @@
 //! `vibro-audit run SCENE [--explain] --out DIR`.
 
-use super::{Answer, Content, Exit, Failure, Options, SceneArguments, branch, orbits, simulate, sweep, trajectory};
-use crate::report::{Cell, Format, Output, OutputError, OutputProblem, Table};
+use super::{
+    Answer, Content, Exit, Failure, Options, SceneArguments, branch, orbits, plot, simulate, sweep, trajectory,
+};
+use crate::report::plot::Figure;
+use crate::report::{Cell, Format, Output, OutputError, OutputProblem, Page, Part, Table};
 use crate::scene::{Scene, Want};
 use std::fs;
 use std::path::Path;
@@ -77,7 +80,73 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
             exit: Exit::AsExpected,
         });
     }
-    run_with(SERVED, &scene, &wants, options)
+    let figure = match options.format {
+        Format::Html => plot::of(&scene)?,
+        _ => None,
+    };
+    let mut answer = run_with(SERVED, &scene, &wants, options)?;
+    if let (Format::Html, Some(directory), Content::Table(files)) = (options.format, &options.out, &mut answer.content)
+    {
+        let path = directory.join("report.html");
+        let page = page(&scene, files, figure)?;
+        let rows = i64::try_from(page.rows()).unwrap_or(i64::MAX);
+        Output::File(path.clone()).write(|to| page.write(to, options.figures()))?;
+        files.push(
+            ["run", "", &path.display().to_string()]
+                .map(Cell::from)
+                .into_iter()
+                .chain([Cell::from(rows)])
+                .collect::<Vec<_>>(),
+        )?;
+    }
+    Ok(answer)
+}
+
+/// The rows of a file that a page shows.
+const MOST_SHOWN: usize = 200;
+
+/// The figure of the scene, and the beginning of each file.
+fn page(scene: &Scene, files: &Table, figure: Option<Figure>) -> Result<Page, Failure> {
+    let mut parts: Vec<Part> = figure.into_iter().map(Part::Figure).collect();
+    for row in files.rows() {
+        let [command, _, file, rows] =
+            [0, 1, 2, 3].map(|place| row.get(place).map(|cell| cell.plain().into_owned()).unwrap_or_default());
+        let said = match rows.parse::<usize>() {
+            Ok(rows) if rows > MOST_SHOWN => format!("The first {MOST_SHOWN} of {rows} rows; all are in {file}."),
+            _ => format!("Also in {file}."),
+        };
+        parts.push(Part::Table(command, said, beginning(Path::new(&file))?));
+    }
+    Ok(Page {
+        title: scene.title()?.unwrap_or(scene.name()).to_owned(),
+        notes: vec![format!("Scene {}.", scene.name())],
+        parts,
+    })
+}
+
+/// The first rows of a file that was written.
+fn beginning(path: &Path) -> Result<Table, Failure> {
+    let unread = |source: std::io::Error| OutputError {
+        place: path.display().to_string(),
+        problem: OutputProblem::System {
+            doing: "reading what was written",
+            source,
+        },
+    };
+    let file = fs::File::open(path).map_err(unread)?;
+    let mut reader = csv::Reader::from_reader(file);
+    let head = reader.headers().map_err(|error| unread(error.into()))?;
+    let mut table = Table::new(head.iter());
+    for row in reader.into_records().take(MOST_SHOWN) {
+        let row = row.map_err(|error| unread(error.into()))?;
+        let cell = |text: &str| match text.parse::<f64>() {
+            _ if text.is_empty() => Cell::Empty,
+            Ok(number) if Cell::from(number).plain() == text => Cell::from(number),
+            _ => Cell::from(text),
+        };
+        table.push(row.iter().map(cell).collect::<Vec<_>>())?;
+    }
+    Ok(table)
 }
 
 fn files(served: &[Served], want: Want) -> impl Iterator<Item = &Served> {
@@ -107,7 +176,7 @@ fn run_with(served: &[Served], scene: &Scene, wants: &[Want], options: &Options)
             let content = serve(scene, options)?;
             create(directory)?;
             let (format, extension) = match options.format {
-                Format::Text | Format::Csv | Format::Junit => (Format::Csv, "csv"),
+                Format::Text | Format::Csv | Format::Junit | Format::Html | Format::Sarif => (Format::Csv, "csv"),
                 Format::Json => (Format::Json, "json"),
                 Format::Jsonl => (Format::Jsonl, "jsonl"),
                 Format::Markdown => (Format::Markdown, "md"),

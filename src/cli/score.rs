@@ -7,7 +7,7 @@ use crate::accuracy::problems::{self, Certified};
 use crate::accuracy::score::{Answers, Precision, Program, Rating, parts, rate, worst};
 use crate::report::figure;
 use crate::report::plot::{Figure, Panel};
-use crate::report::{Cell, Output, Table};
+use crate::report::{Cell, Format, Output, Page, Part, Table};
 use std::path::PathBuf;
 
 /// Rate a solver of your own by the digits of its answers to `problems`
@@ -80,7 +80,7 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     options.drawing(arguments.plot.as_ref())?;
     match &arguments.exec {
         Some(command) => by_program(arguments, command, options),
-        None => by_file(arguments),
+        None => by_file(arguments, options),
     }
 }
 
@@ -88,7 +88,7 @@ fn asked(arguments: &Arguments) -> Result<Vec<Certified>, Failure> {
     Ok(problems::all(|problem| arguments.selection.has(problem))?)
 }
 
-fn by_file(arguments: &Arguments) -> Result<Answer, Failure> {
+fn by_file(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let source = arguments.file.clone().unwrap_or(Source::Stdin);
     let (name, text) = (source.name(), source.read(ANSWERS_AT_MOST)?);
     let asked = asked(arguments)?;
@@ -98,9 +98,10 @@ fn by_file(arguments: &Arguments) -> Result<Answer, Failure> {
     } else {
         rows(&ratings)?
     };
-    draw(arguments, "Digits of the answers", || figure::digits(&ratings))?;
+    let figure = figure("Digits of the answers", figure::digits(&ratings));
+    draw(arguments, &figure)?;
     tell(&ratings);
-    Ok(answer(arguments, &ratings, content))
+    Ok(answer(arguments, &ratings, content, figure, options))
 }
 
 fn by_program(arguments: &Arguments, command: &str, options: &Options) -> Result<Answer, Failure> {
@@ -125,16 +126,15 @@ fn by_program(arguments: &Arguments, command: &str, options: &Options) -> Result
     } else {
         rows_of_runs(&runs)?
     };
-    draw(arguments, "What digits cost", || {
-        let runs: Vec<(f64, Precision)> = runs
-            .iter()
-            .map(|run| (run.seconds, Precision::of(&run.ratings)))
-            .collect();
-        vec![figure::work_precision(&runs)]
-    })?;
+    let timed: Vec<(f64, Precision)> = runs
+        .iter()
+        .map(|run| (run.seconds, Precision::of(&run.ratings)))
+        .collect();
+    let figure = figure("What digits cost", vec![figure::work_precision(&timed)]);
+    draw(arguments, &figure)?;
     let last = runs.last().map_or(&[][..], |run| &run.ratings);
     tell(last);
-    Ok(answer(arguments, last, content))
+    Ok(answer(arguments, last, content, figure, options))
 }
 
 /// What the tables do not say.
@@ -150,21 +150,40 @@ fn tell(ratings: &[Rating]) {
     }
 }
 
-fn answer(arguments: &Arguments, ratings: &[Rating], content: Table) -> Answer {
+fn answer(arguments: &Arguments, ratings: &[Rating], table: Table, figure: Figure, options: &Options) -> Answer {
     let as_expected = arguments.at_least.is_none_or(|least| worst(ratings) >= least);
+    let content = match options.format {
+        Format::Html => {
+            let said = "Digits are -log10 of the relative error, of a phase those of the difference around the circle.";
+            let mut parts = vec![Part::Table("Digits".to_owned(), said.to_owned(), table)];
+            // answers to nothing draw nothing
+            if !figure.panels.is_empty() {
+                parts.insert(0, Part::Figure(figure));
+            }
+            Content::Page(Page {
+                title: "Score of a solver".to_owned(),
+                notes: Vec::new(),
+                parts,
+            })
+        }
+        _ => Content::Table(table),
+    };
     Answer {
-        content: Content::Table(content),
+        content,
         exit: Exit::from_verdict(as_expected),
     }
 }
 
-fn draw(arguments: &Arguments, title: &str, panels: impl FnOnce() -> Vec<Panel>) -> Result<(), Failure> {
+fn figure(title: &str, panels: Vec<Panel>) -> Figure {
+    Figure {
+        columns: 2,
+        ..Figure::new(title, panels)
+    }
+}
+
+fn draw(arguments: &Arguments, figure: &Figure) -> Result<(), Failure> {
     let Some(path) = &arguments.plot else {
         return Ok(());
-    };
-    let figure = Figure {
-        columns: 2,
-        ..Figure::new(title, panels())
     };
     let svg = figure.svg()?;
     Ok(Output::File(path.clone()).write(|to| to.write_all(svg.as_bytes()))?)

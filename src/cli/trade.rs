@@ -7,7 +7,7 @@ use crate::accuracy::{
 };
 use crate::number::Rung;
 use crate::report::figure::trades;
-use crate::report::{Cell, Format, Output, Table};
+use crate::report::{Cell, Format, Output, Page, Part, Table};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 
@@ -93,13 +93,34 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
         return Err(error.into());
     }
     draw(&rows, drawing)?;
+    let table = match arguments.problems {
+        true => problems(&rows)?,
+        false => table(&rows, options)?,
+    };
+    let content = match options.format {
+        Format::Html => Content::Page(page(table, &rows, &latency, arguments.problems)),
+        _ => Content::Table(table),
+    };
     Ok(Answer {
-        content: Content::Table(match arguments.problems {
-            true => problems(&rows)?,
-            false => table(&rows, options)?,
-        }),
+        content,
         exit: Exit::AsExpected,
     })
+}
+
+/// The table, and where there is a clock the drawing.
+fn page(table: Table, rows: &[TradeRow], latency: &Latency, without_clock: bool) -> Page {
+    let said = "Cost against true error of each means; `on_front` where no other is both cheaper and more accurate.";
+    let mut parts = vec![Part::Table("Means".to_owned(), said.to_owned(), table)];
+    let mut notes = Vec::new();
+    if !without_clock {
+        notes.push(format!("Times are of {}; {latency}.", machine()));
+        parts.insert(0, Part::Figure(trades(rows, &machine())));
+    }
+    Page {
+        title: "What digits cost".to_owned(),
+        notes,
+        parts,
+    }
 }
 
 /// L, told on stderr with the machine; not measured where nothing is timed.

@@ -19,18 +19,29 @@ pub enum Format {
     Markdown,
     /// A test report for CI, one test a row; of tables that have verdicts only.
     Junit,
+    /// A page for a reader, one file.
+    Html,
+    /// Findings for CI, with their places in the source.
+    Sarif,
 }
 
 impl Format {
     /// Every format, in the order in which help lists them.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 8] = [
         Self::Text,
         Self::Csv,
         Self::Json,
         Self::Jsonl,
         Self::Markdown,
         Self::Junit,
+        Self::Html,
+        Self::Sarif,
     ];
+
+    /// Whether it prints tables row by row, whatever they hold.
+    pub const fn is_of_rows(self) -> bool {
+        !matches!(self, Self::Junit | Self::Html | Self::Sarif)
+    }
 
     /// The name on the command line.
     pub const fn name(self) -> &'static str {
@@ -41,6 +52,8 @@ impl Format {
             Self::Jsonl => "jsonl",
             Self::Markdown => "markdown",
             Self::Junit => "junit",
+            Self::Html => "html",
+            Self::Sarif => "sarif",
         }
     }
 }
@@ -53,7 +66,7 @@ impl fmt::Display for Format {
 
 /// A name that is no format.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("unknown format `{0}`: text, csv, json, jsonl, markdown and junit are known")]
+#[error("unknown format `{0}`: text, csv, json, jsonl, markdown, junit, html and sarif are known")]
 pub struct UnknownFormat(pub String);
 
 impl FromStr for Format {

@@ -2,23 +2,35 @@
 //! verdict is not the expected one.
 
 use super::{Cell, Table};
+use crate::markup::escaped_line;
 use std::io::{self, Write};
 
-/// Writes one suite.
+/// Writes a suite, or one for each table.
 ///
 /// # Errors
 /// What the writer says; a table without the columns `verdict` and `expected`.
-pub fn write(table: &Table, to: &mut dyn Write) -> io::Result<()> {
+pub fn write(tables: &[&Table], to: &mut dyn Write) -> io::Result<()> {
+    writeln!(to, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>")?;
+    match tables {
+        [table] => suite(table, to),
+        tables => {
+            writeln!(to, "<testsuites>")?;
+            tables.iter().try_for_each(|table| suite(table, to))?;
+            writeln!(to, "</testsuites>")
+        }
+    }
+}
+
+fn suite(table: &Table, to: &mut dyn Write) -> io::Result<()> {
     let Some((verdict, expected)) = table.position("verdict").zip(table.position("expected")) else {
         let message = "a test report needs the columns `verdict` and `expected`";
         return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
     };
     let reason = table.position("reason");
     let place = table.position("place");
-    let text = |row: &[Cell], index: usize| row.get(index).map_or(String::new(), |cell| escaped(&cell.plain()));
+    let text = |row: &[Cell], index: usize| row.get(index).map_or(String::new(), |cell| escaped_line(&cell.plain()));
     let failed = |row: &[Cell]| row.get(verdict) != row.get(expected);
     let failures = table.rows().iter().filter(|row| failed(row)).count();
-    writeln!(to, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>")?;
     writeln!(
         to,
         "<testsuite name=\"vibro-audit\" tests=\"{}\" failures=\"{failures}\" errors=\"0\" skipped=\"0\">",
@@ -43,30 +55,13 @@ pub fn write(table: &Table, to: &mut dyn Write) -> io::Result<()> {
     writeln!(to, "</testsuite>")
 }
 
-/// The text within XML: markup escaped, and what XML 1.0 cannot hold replaced.
-fn escaped(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            '\n' | '\t' | '\r' => escaped.push(' '),
-            c if super::acts_on_a_terminal(c) || matches!(c, '\u{fffe}' | '\u{ffff}') => escaped.push('\u{fffd}'),
-            c => escaped.push(c),
-        }
-    }
-    escaped
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn print(table: &Table) -> io::Result<String> {
         let mut bytes = Vec::new();
-        write(table, &mut bytes)?;
+        write(&[table], &mut bytes)?;
         String::from_utf8(bytes).map_err(io::Error::other)
     }
 
@@ -87,6 +82,21 @@ mod tests {
             \x20 </testcase>\n\
             </testsuite>\n";
         assert_eq!(print(&table).unwrap(), expected);
+    }
+
+    #[test]
+    fn several_tables_are_one_document() {
+        let mut table = Table::new(["id", "verdict", "expected"]);
+        table.push(["a", "wrong", "wrong"].map(Cell::from)).unwrap();
+        let mut bytes = Vec::new();
+        write(&[&table, &table], &mut bytes).unwrap();
+        let text = String::from_utf8(bytes).unwrap();
+        let document = roxmltree::Document::parse(&text).unwrap();
+        let suites = document
+            .root_element()
+            .children()
+            .filter(|node| node.has_tag_name("testsuite"));
+        assert_eq!(suites.count(), 2);
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! Tables, and how they reach the reader: text, CSV, JSON, Markdown or JUnit, on stdout or in a file.
+//! Tables, and how they reach the reader: text, CSV, JSON, Markdown or JUnit, on stdout or in a file;
+//! findings, and the page for a reader.
 //!
 //! A command fills a [`Table`]; [`Table::write`] prints it in a [`Format`]; an [`Output`] says where to. What is too
 //! long to be held is printed row by row through a [`Stream`].
@@ -15,6 +16,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod baseline;
 mod csv;
 pub mod figure;
 mod figures;
@@ -23,21 +25,22 @@ mod json;
 mod junit;
 mod markdown;
 mod output;
+mod page;
 pub mod plot;
+mod sarif;
 mod stream;
 mod table;
 mod text;
 
+pub use crate::markup::acts as acts_on_a_terminal;
+pub use baseline::{Baseline, BaselineError, fingerprint};
 pub use format::{Format, UnknownFormat};
+pub use junit::write as junit;
 pub use output::{Output, OutputError, OutputProblem, is_same_file, note_input, note_stdin, remove_temporaries};
+pub use page::{Given, Page, Part, Printed};
+pub use sarif::{Finding, Fix, Kind, sarif};
 pub use stream::Stream;
 pub use table::{Cell, Column, RowError, Table};
 
 /// Significant figures of a number in text where the user names none.
 pub const DEFAULT_DIGITS: usize = 12;
-
-/// Whether a character of somebody's text does something to a terminal: a control character, or a bidirectional mark, which
-/// turns the rest of a line round.
-pub fn acts_on_a_terminal(c: char) -> bool {
-    c.is_control() || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-}

@@ -26,8 +26,8 @@ pub(super) fn begin(head: &Table, format: Format, digits: usize, to: &mut dyn Wr
         Format::Json => Box::new(json::begin(head, to)?),
         Format::Jsonl => Box::new(json::lines(head)),
         Format::Markdown => Box::new(markdown::begin(head, to)?),
-        Format::Junit => {
-            let message = "a test report is written as a whole";
+        Format::Junit | Format::Html | Format::Sarif => {
+            let message = "it is written as a whole";
             return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
         }
     })
@@ -61,7 +61,7 @@ impl<'a> Stream<'a> {
     /// Adds a row, which must have as many cells as there are columns.
     ///
     /// # Errors
-    /// Another number of cells, JUnit, and what the writer says.
+    /// Another number of cells, a format that is not one of rows, and what the writer says.
     pub fn push(&mut self, row: Vec<Cell>) -> io::Result<()> {
         self.held.push(row).map_err(io::Error::other)?;
         if self.held.rows().len() == HEAD || self.format == Format::Jsonl {
@@ -73,7 +73,7 @@ impl<'a> Stream<'a> {
     /// Writes what is left, and what follows the last row.
     ///
     /// # Errors
-    /// What the writer says, and JUnit.
+    /// What the writer says, and a format that is not one of rows.
     pub fn end(mut self) -> io::Result<()> {
         self.print()?;
         self.printer.map_or(Ok(()), |mut printer| printer.end(self.to))

@@ -188,10 +188,11 @@ impl Table {
     }
 
     /// Writes the table. `digits` is the number of significant figures in text, at least 1; the other formats
-    /// print every number whole. JUnit needs a table of verdicts ([`Table::has_verdicts`]).
+    /// print every number whole. JUnit needs a table of verdicts ([`Table::has_verdicts`]); a page and findings are no
+    /// tables.
     pub fn write(&self, to: &mut dyn Write, format: Format, digits: usize) -> io::Result<()> {
         if format == Format::Junit {
-            return junit::write(self, to);
+            return junit::write(&[self], to);
         }
         let mut printer = stream::begin(self, format, digits, to)?;
         printer.rows(&self.rows, to)?;

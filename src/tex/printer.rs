@@ -122,8 +122,9 @@ fn term(tree: &Tree) -> String {
     if out.is_empty() { "1".into() } else { out }
 }
 
-/// Whether juxtaposition would read as something else: a number after a factor, a mixed fraction, a call.
-fn needs_dot(before: &Tree, next: &Tree, text: &str) -> bool {
+/// Whether juxtaposition would read as something else: a number after a factor, a mixed fraction, a call. `text` is the
+/// second factor as it is printed.
+pub(super) fn needs_dot(before: &Tree, next: &Tree, text: &str) -> bool {
     let digit = text.starts_with(|c: char| c.is_ascii_digit());
     let bracket = text.starts_with(['(', '[']) || text.starts_with("\\{");
     let numbers = |tree: &Tree| match tree {
@@ -145,7 +146,7 @@ fn may_call(tree: &Tree) -> bool {
     }
 }
 
-fn factor(tree: &Tree) -> String {
+pub(super) fn factor(tree: &Tree) -> String {
     match tree {
         Tree::Number(value) => number(value),
         Tree::Symbol(name, _) => name.to_string(),
@@ -239,7 +240,7 @@ fn case(case: &Case) -> String {
 }
 
 /// What is said to be even where half of it is an integer.
-fn twice(half: &Tree) -> Tree {
+pub(super) fn twice(half: &Tree) -> Tree {
     match half {
         Tree::Quotient(above, ..) => (**above).clone(),
         tree => tree.clone(),
@@ -306,14 +307,20 @@ fn factorial(name: &Name, argument: &Tree) -> String {
 /// `tree` between brackets that differ from those within.
 fn bracketed(tree: &Tree) -> String {
     let inner = sum(tree);
+    let (open, close) = brackets(&inner);
+    format!("{open}{inner}{close}")
+}
+
+/// Brackets around what prints so, that differ from those within.
+pub(super) fn brackets(inner: &str) -> (&'static str, &'static str) {
     match (inner.contains('('), inner.contains('[')) {
-        (true, false) => format!("[{inner}]"),
-        (_, true) if !inner.contains("\\{") => format!("\\{{{inner}\\}}"),
-        _ => format!("({inner})"),
+        (true, false) => ("[", "]"),
+        (_, true) if !inner.contains("\\{") => ("\\{", "\\}"),
+        _ => ("(", ")"),
     }
 }
 
-fn invariant(kind: Invariant) -> &'static str {
+pub(super) fn invariant(kind: Invariant) -> &'static str {
     match kind {
         Invariant::Trace => "Tr",
         Invariant::Determinant => "Det",

@@ -59,6 +59,18 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     })
 }
 
+/// The figure of a scene, as far as what it wants can be drawn.
+///
+/// # Errors
+/// What cannot be computed.
+pub(super) fn of(scene: &Scene) -> Result<Option<Figure>, Failure> {
+    match one(scene, swept(scene)?.as_ref(), &Claims::read()?) {
+        Ok(figure) => Ok(Some(figure)),
+        Err(Failure::NothingDrawn(_)) => Ok(None),
+        Err(failure) => Err(failure),
+    }
+}
+
 /// Every figure of the paper; files are written once all are drawn.
 fn all(arguments: &Arguments, directory: &Path, claims: &Claims) -> Result<Table, Failure> {
     let scenes = scenes(arguments)?;

@@ -116,7 +116,7 @@ pub(super) fn comparison(scene: &Scene, shared: &Shared, claims: &Claims) -> Res
     let parameter = parameter.ok_or_else(|| Failure::NothingDrawn(scene.name().to_owned()))?;
     let title = title.split_once(':').map_or(title, |(figure, _)| figure);
     Ok(Figure {
-        panel_size: (820.0, 480.0),
+        panel_size: (1040.0, 500.0),
         ..Figure::new(
             format!("{title}: mean voltages of all figures"),
             vec![curves(&parameter, &found, &printed)],

@@ -28,7 +28,7 @@ impl Course {
         match self {
             Self::Stable => "stable",
             Self::Unstable => "unstable",
-            Self::Inadmissible => "through a wall",
+            Self::Inadmissible => "through a wall, grey as its marks",
         }
     }
 

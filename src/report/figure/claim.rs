@@ -47,7 +47,7 @@ pub(super) fn series(claims: &[Claim]) -> Vec<Series> {
                 continue;
             }
             let what = if at_bifurcation {
-                "printed as a bifurcation"
+                "printed bifurcation"
             } else {
                 "printed"
             };
@@ -95,7 +95,7 @@ mod tests {
             claim(Verdict::Reproduced, None),
         ]);
         let names: Vec<&str> = found.iter().map(|series| series.name.as_str()).collect();
-        assert_eq!(names, ["printed: reproduced", "printed as a bifurcation: wrong"]);
+        assert_eq!(names, ["printed: reproduced", "printed bifurcation: wrong"]);
         let looks: Vec<(Form, String)> = found
             .iter()
             .filter_map(|series| match &series.shape {

@@ -71,8 +71,8 @@ impl Energy {
             width: 2.0,
         };
         panel.series = vec![
-            Series::dots("bottom impacts, U\u{2096}", in_thousands(&self.bottom), BOTTOM),
-            Series::dots("top impacts, U\u{2096}", in_thousands(&self.top), TOP),
+            Series::dots("simulated, bottom", in_thousands(&self.bottom), BOTTOM),
+            Series::dots("simulated, top", in_thousands(&self.top), TOP),
             Series::line("mean voltage", parted(&in_thousands(&self.mean)), mean),
             Series::dots("", alone(&in_thousands(&self.mean)), Marker::dot(mean.colour, ALONE)),
         ];

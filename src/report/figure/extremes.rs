@@ -39,7 +39,7 @@ pub fn extremes(rows: &[CurveRow]) -> Figure {
 fn panel(approach: &Approach, rows: &[&CurveRow]) -> Panel {
     let sign = if approach.grows() { "" } else { "-" };
     let mut panel = Panel::new(
-        Axis::new(format!("{sign}log10 of {}", approach.distance)),
+        Axis::new(format!("{sign}log\u{2081}\u{2080} of {}", approach.distance)),
         Axis::new("digits"),
     );
     let mut formulas: Vec<&str> = rows.iter().map(|row| row.row.formula.as_str()).collect();
@@ -100,7 +100,12 @@ mod tests {
         assert_eq!(panel.heading, "late time: f");
         assert_eq!(panel.series.len(), 4 * 2 + 1);
         let svg = figure.svg().expect("a figure");
-        for text in ["double-double printed", "f64 stable", "f64 allowed", "log10 of t"] {
+        for text in [
+            "double-double printed",
+            "f64 stable",
+            "f64 allowed",
+            "log\u{2081}\u{2080} of t",
+        ] {
             assert!(svg.contains(text), "{text}");
         }
     }

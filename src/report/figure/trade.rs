@@ -15,6 +15,12 @@ const NUMBERS: [(Rung, Colour, Form); 4] = [
     (Rung::Wide(50), Colour::Purple, Form::Diamond),
 ];
 
+/// The sizes of the markers, in the order in which they are drawn.
+fn size(number: Rung) -> f64 {
+    let place = NUMBERS.iter().position(|(known, ..)| *known == number);
+    10.5 - 1.5 * place.unwrap_or_default() as f64
+}
+
 /// Every task of a trade, the time in latencies of one f64 sine and cosine on a logarithmic axis. What a means comes to as
 /// its step, tolerance or count changes is a line; what no means beats is filled, and joined by a dotted line.
 pub fn trades(rows: &[TradeRow], machine: &str) -> Figure {
@@ -41,13 +47,16 @@ fn processor(machine: &str) -> &str {
 /// The share of the problems at which digits are drawn: half of them.
 const DRAWN: f64 = 0.5;
 
+/// What hollow markers are.
+const BEATEN: &str = "hollow: beaten in time and digits";
+
 fn at(row: &TradeRow) -> Point {
     (row.latencies.log10(), row.kept(DRAWN))
 }
 
 fn panel(task: &str, rows: &[&TradeRow]) -> Panel {
     let mut panel = Panel::new(
-        Axis::new("log10 of time / L, L the latency of an f64 sine and cosine"),
+        Axis::new("log\u{2081}\u{2080} of time / L  (L: one f64 sine and cosine)"),
         Axis::new("digits at half of the problems"),
     );
     panel.heading = task.to_owned();
@@ -65,7 +74,11 @@ fn panel(task: &str, rows: &[&TradeRow]) -> Panel {
                 .push(Series::line("", line, stroke(colour, Dash::Solid, 0.7)));
         }
         let (on, off): (Vec<&TradeRow>, Vec<&TradeRow>) = of_number.iter().partition(|row| row.on_front);
-        let open = Marker::open(colour, form);
+        // the first to be drawn is the largest, so that none hides another
+        let open = Marker {
+            size: size(number),
+            ..Marker::open(colour, form)
+        };
         let filled = Marker { filled: true, ..open };
         let mut mark = |row: &&TradeRow| {
             // a means is named once, where it is best
@@ -79,12 +92,11 @@ fn panel(task: &str, rows: &[&TradeRow]) -> Panel {
         let mut name = number.to_string();
         for (rows, marker) in [(on, filled), (off, open)] {
             if !rows.is_empty() {
-                // the legend names a number once
                 let marks = rows.iter().rev().map(&mut mark).collect();
-                panel
-                    .series
-                    .push(Series::marks(std::mem::take(&mut name), marks, marker));
+                panel.series.push(Series::marks(name.clone(), marks, marker));
             }
+            // the legend names a number once, and once what a hollow marker is
+            BEATEN.clone_into(&mut name);
         }
     }
     panel

@@ -10,7 +10,7 @@ use super::paper::{Area, Drawn};
 use super::scale::Scale;
 use super::series::{Mark, Point, Shape, Stroke};
 use super::span::Span;
-use super::text::width;
+use super::text::{fitting, width};
 use super::ticks::Ticks;
 use plotters::chart::ChartBuilder;
 use plotters::element::{PathElement, Rectangle};
@@ -75,7 +75,8 @@ pub(super) fn panel(
     let beside = BESIDE + widest * TICK_FONT;
     let x_ticks = Ticks::new(&x, ((wide - LEFT - beside - RIGHT) / X_ROOM) as usize);
 
-    let heading: FontDesc = ("sans-serif", HEADING_FONT * TENTHS).into_font().style(FontStyle::Bold);
+    let heading_font = fitting(&panel.heading, HEADING_FONT, wide - LEFT - beside - RIGHT);
+    let heading: FontDesc = ("sans-serif", heading_font * TENTHS).into_font().style(FontStyle::Bold);
     let at = (left + tenths(LEFT + beside), top + tenths(HEADING / 2.0));
     let style = heading.color(&BLACK).pos(Pos::new(HPos::Left, VPos::Center));
     area.draw_text(&panel.heading, &style, at)?;
@@ -99,6 +100,9 @@ pub(super) fn panel(
             },
         )?;
     let font = |pixels: f64| ("sans-serif", pixels * TENTHS).into_font();
+    // one size for both, so that neither is cut
+    let axis_font = fitting(&panel.x.label, AXIS_FONT, wide - LEFT - beside - RIGHT);
+    let axis_font = fitting(&panel.y.label, axis_font, high - HEADING);
     chart
         .configure_mesh()
         .bold_line_style(GRID_COLOUR.stroke_width(GRID))
@@ -106,7 +110,7 @@ pub(super) fn panel(
         .axis_style(BLACK.stroke_width(FRAME))
         .set_all_tick_mark_size(tenths(TICK))
         .label_style(font(TICK_FONT))
-        .axis_desc_style(font(AXIS_FONT))
+        .axis_desc_style(font(axis_font))
         .x_desc(panel.x.label.as_str())
         .y_desc(panel.y.label.as_str())
         .draw()?;

@@ -5,6 +5,7 @@ use super::draw;
 use super::legend::Legend;
 use super::paper::Paper;
 use super::series::Series;
+use super::text::fitting;
 #[cfg(test)]
 use crate::model::calls::{self, Call};
 use plotters::drawing::{DrawingAreaErrorKind, IntoDrawingArea};
@@ -68,7 +69,7 @@ pub struct Figure {
     /// How many panels stand side by side.
     pub columns: usize,
     pub panels: Vec<Panel>,
-    /// Width and height of a panel with its labels, without its legend, in pixels.
+    /// Width and height of a panel with its labels, in pixels; the legend stands below all.
     pub panel_size: (f64, f64),
 }
 
@@ -86,6 +87,10 @@ impl From<DrawingAreaErrorKind<Infallible>> for PlotError {
 /// Heights in pixels.
 const TITLE: f64 = 34.0;
 const FOOT: f64 = 10.0;
+/// Between the panels and the legend.
+const APART: f64 = 6.0;
+/// Left and right of the title and the legend.
+const MARGIN: f64 = 14.0;
 /// Fonts in pixels.
 const TITLE_FONT: f64 = 16.0;
 /// The sides that a panel may have, in pixels: less has no room for labels, more overflows the grid.
@@ -126,36 +131,26 @@ impl Figure {
             )));
         }
         let columns = self.columns.clamp(1, self.panels.len());
-        let rows: Vec<Vec<(&Panel, Legend)>> = self
-            .panels
-            .chunks(columns)
-            .map(|row| {
-                row.iter()
-                    .map(|panel| (panel, Legend::new(&panel.series, width - 20.0)))
-                    .collect()
-            })
-            .collect();
-        let heights: Vec<f64> = rows
-            .iter()
-            .map(|row| height + row.iter().map(|(_, legend)| legend.height()).fold(0.0, f64::max))
-            .collect();
-        let size = (width * columns as f64, TITLE + heights.iter().sum::<f64>() + FOOT);
+        let rows: Vec<&[Panel]> = self.panels.chunks(columns).collect();
+        let wide = width * columns as f64;
+        let legend = Legend::new(self.panels.iter().flat_map(|panel| &panel.series), wide - 2.0 * MARGIN);
+        let below = TITLE + height * rows.len() as f64;
+        let size = (wide, below + APART + legend.height() + FOOT);
         let mut out = String::new();
         {
             let area = Paper::new(&mut out, size).into_drawing_area();
             let tenths = |pixels: f64| (pixels * TENTHS).round() as i32;
-            let font: FontDesc = ("sans-serif", TITLE_FONT * TENTHS).into_font().style(FontStyle::Bold);
+            let title_font = fitting(&self.title, TITLE_FONT, wide - 2.0 * MARGIN);
+            let font: FontDesc = ("sans-serif", title_font * TENTHS).into_font().style(FontStyle::Bold);
             let style = font.color(&BLACK).pos(Pos::new(HPos::Center, VPos::Center));
             area.draw_text(&self.title, &style, (tenths(size.0 / 2.0), tenths(TITLE / 2.0 + 2.0)))?;
-            let mut top = TITLE;
-            for (row, row_height) in rows.iter().zip(&heights) {
-                for (column, (panel, legend)) in row.iter().enumerate() {
-                    let left = width * column as f64;
-                    draw::panel(&area, panel, (tenths(left), tenths(top)), self.panel_size)?;
-                    legend.draw(&area, (tenths(left + 14.0), tenths(top + height)))?;
+            for (row, panels) in rows.iter().enumerate() {
+                for (column, panel) in panels.iter().enumerate() {
+                    let corner = (width * column as f64, TITLE + height * row as f64);
+                    draw::panel(&area, panel, (tenths(corner.0), tenths(corner.1)), self.panel_size)?;
                 }
-                top += row_height;
             }
+            legend.draw(&area, (tenths(MARGIN), tenths(below + APART)))?;
             area.present()?;
         }
         Ok(out)

@@ -1,4 +1,4 @@
-//! What the looks of a panel mean, in rows below it.
+//! What the looks of a figure mean, in rows below its panels.
 
 use super::TENTHS;
 use super::marker::Marker;
@@ -10,43 +10,47 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{BLACK, Color, FontDesc, IntoFont};
 
 /// Sizes in pixels.
-const FONT: f64 = 12.5;
+const FONT: f64 = 12.0;
 const ROW: f64 = 19.0;
-const SAMPLE: f64 = 26.0;
+const SAMPLE: f64 = 24.0;
 const GAP: f64 = 6.0;
-const BETWEEN: f64 = 18.0;
+const BETWEEN: f64 = 14.0;
 
-/// The names of a panel's series, in rows.
+/// The names of the series of all panels, in rows.
 pub(super) struct Legend<'a> {
     rows: Vec<Vec<(String, &'a Shape)>>,
 }
 
 impl<'a> Legend<'a> {
-    /// As many to a row as `room` pixels hold; a name stands once.
-    pub fn new(series: &'a [Series], room: f64) -> Self {
-        let mut rows: Vec<Vec<(String, &Shape)>> = Vec::new();
-        let mut left = 0.0;
-        let mut known: Vec<&str> = Vec::new();
+    /// As many to a row as `room` pixels hold, each in the first that has room; a name stands once.
+    pub fn new(series: impl IntoIterator<Item = &'a Series>, room: f64) -> Self {
+        let mut named: Vec<&Series> = Vec::new();
         for one in series {
-            if one.name.is_empty() || known.contains(&one.name.as_str()) {
-                continue;
+            match named.iter_mut().find(|known| known.name == one.name) {
+                // a panel may have none of what another has
+                Some(known) if known.is_empty() => *known = one,
+                Some(_) => {}
+                None if one.name.is_empty() => {}
+                None => named.push(one),
             }
-            known.push(&one.name);
+        }
+        let mut rows: Vec<Vec<(String, &Shape)>> = Vec::new();
+        let mut left: Vec<f64> = Vec::new();
+        for one in named {
             let text = if one.is_empty() {
                 format!("{} (no points)", one.name)
             } else {
                 one.name.clone()
             };
             let taken = SAMPLE + GAP + width(&text) * FONT + BETWEEN;
-            match rows.last_mut() {
-                Some(row) if taken <= left => {
-                    row.push((text, &one.shape));
-                    left -= taken;
-                }
-                _ => {
-                    rows.push(vec![(text, &one.shape)]);
-                    left = room - taken;
-                }
+            let place = left.iter().position(|left| taken <= *left).unwrap_or(rows.len());
+            if place == rows.len() {
+                rows.push(Vec::new());
+                left.push(room);
+            }
+            if let (Some(row), Some(left)) = (rows.get_mut(place), left.get_mut(place)) {
+                row.push((text, &one.shape));
+                *left -= taken;
             }
         }
         Self { rows }

@@ -34,6 +34,7 @@ pub use dash::Dash;
 pub use figure::{Axis, Figure, Panel, PlotError};
 pub use marker::{Form, Marker};
 pub use series::{Mark, Point, Series, Shape, Stroke};
+pub(super) use text::pieces;
 
 /// Pixels are counted in tenths: one on the drawing's own grid is a tenth of one on the page.
 const TENTHS: f64 = 10.0;

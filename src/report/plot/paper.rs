@@ -4,7 +4,7 @@
 //! thousand impacts would take megabytes and show steps.
 
 use super::TENTHS;
-use super::text::{escaped, width};
+use super::text::{typeset, width};
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, DrawingAreaErrorKind};
 use plotters_backend::text_anchor::{HPos, VPos};
@@ -329,7 +329,7 @@ impl DrawingBackend for Paper<'_> {
             self.out,
             format_args!(
                 "<text x=\"{x}\" y=\"{base}\" font-size=\"{size}\"{anchor}{weight}{fill}{turn}>{}</text>\n",
-                escaped(text)
+                typeset(text, size)
             ),
         );
         Ok(())

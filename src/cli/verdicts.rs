@@ -1,0 +1,331 @@
+//! What was decided of a sheet, as the user wants to see it: a table, a page, findings.
+
+use super::{Answer, Content, Exit, Failure, Options, check};
+use crate::claim::{Sheet, Source, Verdict};
+use crate::evidence::Evidence;
+use crate::prove::{self, Decision};
+use crate::reference::Outcome;
+use crate::repair::{Part as Place, Repair};
+use crate::report::{
+    Baseline, BaselineError, Cell, Finding, Fix, Format, Given, Kind, Page, Part, Printed, Table, fingerprint, sarif,
+};
+use crate::stop::Token;
+use crate::tex::Equation;
+use rayon::prelude::*;
+use std::path::Path;
+
+/// The columns that scripts rely on; a person does not read the last.
+const COLUMNS: [&str; 10] = [
+    "label",
+    "verdict",
+    "expected",
+    "digits",
+    "counterexample",
+    "reason",
+    "provided",
+    "place",
+    "repair",
+    "fingerprint",
+];
+
+/// What is found of one claim.
+pub struct Row {
+    pub position: usize,
+    pub decision: Decision,
+    /// Nothing where there is no claim to be tried.
+    pub evidence: Option<Evidence>,
+    /// What would make a refuted claim true, where that is asked for; the smallest first.
+    pub repairs: Vec<Repair>,
+    /// Whether an earlier run knows it; nothing where none is asked.
+    pub is_known: Option<bool>,
+}
+
+impl Row {
+    /// Whether the verdict is what the sheet expects, or known.
+    pub fn is_expected(&self) -> bool {
+        self.decision.is_expected() || self.is_known == Some(true)
+    }
+
+    fn expected(&self) -> Verdict {
+        match self.is_known {
+            Some(true) => self.decision.verdict,
+            _ => self.decision.expected,
+        }
+    }
+
+    fn fingerprint(&self, sheet: &Sheet) -> String {
+        let formula = sheet
+            .entries
+            .get(self.position)
+            .map_or("", |entry| entry.tex.tex.as_str());
+        fingerprint(&self.decision.label, &self.decision.verdict.to_string(), formula)
+    }
+
+    fn reason(&self) -> String {
+        let mut reason = self.decision.reason.clone();
+        if let Some(repair) = self.repairs.first() {
+            reason = format!("{reason}; {}", repair.words());
+        }
+        if let Some(evidence) = &self.evidence {
+            if let Some(against) = &evidence.against {
+                reason = format!("EVIDENCE AGAINST THE VERDICT: {against}; {reason}");
+            }
+            // How the maps flown agree is for `--explain`: a table is read for what is amiss.
+            let flown = evidence.flown.as_ref().map(ToString::to_string);
+            for note in evidence.notes.iter().filter(|note| Some(*note) != flown.as_ref()) {
+                reason = format!("{reason}; {note}");
+            }
+        }
+        if self.is_known == Some(true) && !self.decision.is_expected() {
+            reason = format!(
+                "{reason}; known from the baseline, {} is expected",
+                self.decision.expected
+            );
+        }
+        reason
+    }
+}
+
+/// 2 where something cannot be read that was expected to be, 1 where a verdict is not as expected or evidence speaks
+/// against it.
+pub fn exit(rows: &[Row]) -> Exit {
+    let unread = |row: &Row| row.decision.verdict == Verdict::Unread && !row.is_expected();
+    let as_expected = |row: &Row| {
+        let speaks_for = |evidence: &Evidence| evidence.against.is_none();
+        row.is_expected() && row.evidence.as_ref().is_none_or(speaks_for)
+    };
+    if rows.iter().any(unread) {
+        Exit::Unusable
+    } else {
+        Exit::from_verdict(rows.iter().all(as_expected))
+    }
+}
+
+/// Marks what an earlier run knows, and tells the labels of what it knows and is no more.
+///
+/// # Errors
+/// A baseline of another document.
+pub fn compare(rows: &mut [Row], sheet: &Sheet, baseline: &Baseline) -> Result<Vec<String>, BaselineError> {
+    let mut found = Vec::new();
+    for row in rows.iter_mut() {
+        let print = row.fingerprint(sheet);
+        row.is_known = Some(baseline.knows(&print));
+        found.push((row.decision.label.clone(), print));
+    }
+    baseline.gone(&found)
+}
+
+/// The rows as a table.
+///
+/// # Errors
+/// None that is the sheet's.
+pub fn table(rows: &[Row], sheet: &Sheet, format: Format) -> Result<Table, Failure> {
+    let is_for_scripts = matches!(format, Format::Csv | Format::Json | Format::Jsonl);
+    let shown = if is_for_scripts {
+        COLUMNS.len()
+    } else {
+        COLUMNS.len() - 1
+    };
+    let mut table = Table::new(COLUMNS.into_iter().take(shown));
+    for row in rows {
+        let (decision, evidence) = (&row.decision, &row.evidence);
+        let digits = evidence.as_ref().and_then(|evidence| evidence.digits);
+        let file = decision.file.as_ref().map_or(String::new(), |file| format!("{file}:"));
+        let place = decision.place.map(|(line, column)| format!("{file}{line}:{column}"));
+        let cells = [
+            Cell::from(decision.label.clone()),
+            Cell::from(decision.verdict.to_string()),
+            Cell::from(row.expected().to_string()),
+            Cell::from(digits.map(|digits| (digits * 10.0).round().max(0.0) / 10.0)),
+            Cell::from(decision.counterexample.as_ref().map(ToString::to_string)),
+            Cell::from(row.reason()),
+            Cell::from((!decision.provided.is_empty()).then(|| decision.provided.join("; "))),
+            Cell::from(place),
+            Cell::from((!row.repairs.is_empty()).then(|| repairs(&row.repairs))),
+            Cell::from(row.fingerprint(sheet)),
+        ];
+        table.push(cells.into_iter().take(shown).collect::<Vec<_>>())?;
+    }
+    Ok(table)
+}
+
+/// Repairs as the column has them.
+fn repairs(repairs: &[Repair]) -> String {
+    let shown: Vec<String> = repairs.iter().map(ToString::to_string).collect();
+    shown.join(" ;; ")
+}
+
+/// The proof or counterexample and the evidence, as a text.
+pub fn explained(sheet: &Sheet, row: &Row, options: &prove::Options) -> String {
+    let mut text = prove::explain(sheet, row.position, &row.decision, options);
+    if let Some(fault) = sheet.entries.get(row.position).and_then(|entry| entry.unread.as_ref()) {
+        text.push_str(&format!("{fault}\n"));
+    }
+    if let Some(evidence) = &row.evidence {
+        text.push_str(&in_words(evidence));
+    }
+    text
+}
+
+/// The evidence in words.
+fn in_words(evidence: &Evidence) -> String {
+    let mut lines = vec!["\nevidence, which shares no code with the above".to_string()];
+    match (evidence.digits, evidence.median) {
+        (Some(digits), Some(median)) => lines.push(format!(
+            "left and right agree to {digits:.1} digits at the worst of {} random points of the premises in f64, to {median:.1} at half of them",
+            evidence.points
+        )),
+        _ if evidence.points > 0 => lines.push(format!("the inequality was tried at {} random points", evidence.points)),
+        _ => lines.push("no point".to_string()),
+    }
+    lines.extend((!evidence.worst.is_empty()).then(|| format!("worst point: {}", evidence.worst)));
+    lines.extend(evidence.notes.iter().cloned());
+    lines.extend(
+        evidence
+            .against
+            .as_ref()
+            .map(|against| format!("AGAINST THE VERDICT: {against}")),
+    );
+    lines.join("\n  ")
+}
+
+/// All that was found of a sheet, and of the numbers of a document.
+pub struct Audited<'a> {
+    pub sheet: &'a Sheet,
+    pub name: &'a str,
+    /// The file of the sheet or document.
+    pub file: Option<&'a Path>,
+    pub rows: Vec<Row>,
+    pub numbers: Vec<Outcome>,
+}
+
+impl Audited<'_> {
+    /// The answer in the format that the user chose.
+    ///
+    /// # Errors
+    /// None that is the sheet's.
+    pub fn answer(&self, exit: Exit, how: &prove::Options, options: &Options) -> Result<Answer, Failure> {
+        let content = match options.format {
+            Format::Html => Content::Page(self.page(how)?),
+            Format::Sarif => Content::Text(sarif(&self.findings())),
+            format => {
+                let verdicts = table(&self.rows, self.sheet, format)?;
+                match self.numbers.as_slice() {
+                    [] => Content::Table(verdicts),
+                    numbers => Content::Tables(vec![verdicts, check::table(numbers)?]),
+                }
+            }
+        };
+        Ok(Answer { content, exit })
+    }
+
+    fn page(&self, how: &prove::Options) -> Result<Page, Failure> {
+        let token = Token::current();
+        let printed = |row: &Row| {
+            let explained = token.during(|| explained(self.sheet, row, how));
+            Printed::new(self.sheet, row.position, &row.decision, &row.repairs, explained)
+        };
+        let printed: Vec<Printed> = self.rows.par_iter().map(printed).collect();
+        let verdicts = table(&self.rows, self.sheet, Format::Html)?;
+        let mut parts = vec![Part::Formulas(verdicts, printed, Given::all(self.sheet))];
+        if !self.numbers.is_empty() {
+            let said = "Numbers that the document prints, against what is computed.".to_owned();
+            parts.push(Part::Table("Numbers".to_owned(), said, check::table(&self.numbers)?));
+        }
+        let title = self.sheet.title.clone().unwrap_or_else(|| self.name.to_owned());
+        Ok(Page {
+            title: format!("Audit of {title}"),
+            notes: Vec::new(),
+            parts,
+        })
+    }
+
+    fn findings(&self) -> Vec<Finding> {
+        let formulas = self.rows.iter().map(|row| self.finding(row));
+        formulas
+            .chain(self.numbers.iter().map(|outcome| self.number(outcome)))
+            .collect()
+    }
+
+    /// The path of a file that the document includes, or of the document.
+    fn path(&self, included: Option<&str>) -> Option<String> {
+        let file = self.file?;
+        let path = match included {
+            Some(name) => file.with_file_name(name),
+            None => file.to_owned(),
+        };
+        Some(path.display().to_string())
+    }
+
+    fn finding(&self, row: &Row) -> Finding {
+        let decision = &row.decision;
+        let source = self.sheet.entries.get(row.position).map(|entry| &entry.tex);
+        let end = source.filter(|source| decision.place == Some(source.place()));
+        let is_against = row.evidence.as_ref().is_some_and(|evidence| evidence.against.is_some());
+        Finding {
+            kind: Kind::Formula,
+            label: decision.label.clone(),
+            verdict: decision.verdict.to_string(),
+            is_expected: row.is_expected() && !is_against,
+            is_known: row.is_known,
+            message: row.reason(),
+            file: self.path(decision.file.as_deref()),
+            start: decision.place,
+            end: end.and_then(|source| source.place_of(source.tex.len())),
+            formula: source.map(|source| source.tex.clone()).unwrap_or_default(),
+            fingerprint: row.fingerprint(self.sheet),
+            fixes: row.repairs.iter().filter_map(|repair| self.fix(row, repair)).collect(),
+        }
+    }
+
+    /// A repair as edits of the source: nothing where what stands there is not the formula that was read.
+    fn fix(&self, row: &Row, repair: &Repair) -> Option<Fix> {
+        let entry = self.sheet.entries.get(row.position)?;
+        let mut replacements = Vec::new();
+        for (place, mended) in &repair.mended {
+            let (equation, source): (&Equation, &Source) = match place {
+                Place::Stated(n) => (entry.equations.get(*n)?, &entry.tex),
+                Place::Definition(n) => entry.local.get(*n).map(|(equation, source)| (equation, source))?,
+            };
+            let (start, end) = (equation.at.0, equation.end.0);
+            // a link of a chain shares a side with another
+            let shares = |other: &Equation| !std::ptr::eq(other, equation) && other.at.0 < end && start < other.end.0;
+            if source.file != entry.tex.file || entry.equations.iter().any(shares) || end <= start {
+                return None;
+            }
+            replacements.push(([source.place_of(start)?, source.place_of(end)?], mended.to_string()));
+        }
+        let words = repair.words();
+        (!replacements.is_empty()).then_some(Fix { words, replacements })
+    }
+
+    fn number(&self, outcome: &Outcome) -> Finding {
+        let mut place = outcome.place.rsplitn(3, ':');
+        let (column, line) = (place.next(), place.next());
+        let start = line
+            .and_then(|line| line.parse().ok())
+            .zip(column.and_then(|column| column.parse().ok()));
+        let message = match outcome.computed.as_str() {
+            "" => outcome.reason.clone(),
+            computed => format!(
+                "{} is printed, {computed} is computed; {}",
+                outcome.printed, outcome.reason
+            ),
+        };
+        let verdict = outcome.verdict.name().to_owned();
+        Finding {
+            kind: Kind::Number,
+            label: outcome.id.clone(),
+            is_expected: outcome.is_expected(),
+            is_known: None,
+            message,
+            file: self.path(place.next()),
+            start,
+            end: None,
+            formula: outcome.printed.clone(),
+            fingerprint: fingerprint(&outcome.id, &verdict, &outcome.printed),
+            fixes: Vec::new(),
+            verdict,
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! Findings that are known, by what they are about and not by where it stands.
+
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+/// What a finding is known by: its label, its verdict and the text of its formula, blanks aside. Lines may move.
+pub fn fingerprint(label: &str, verdict: &str, formula: &str) -> String {
+    let formula: String = formula.split_whitespace().collect::<Vec<_>>().join(" ");
+    // FNV-1a, which is the same on every machine and in every version
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    for byte in [label, verdict, &formula].join("\u{0}").bytes() {
+        hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    }
+    format!("{hash:016x}")
+}
+
+/// The key of a fingerprint in SARIF.
+pub(super) const FINGERPRINT: &str = "vibroAudit/v1";
+
+/// Findings of an earlier run.
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub struct Baseline {
+    /// Labels by fingerprint.
+    findings: BTreeMap<String, String>,
+}
+
+/// A file that is no baseline.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum BaselineError {
+    /// It is no output of `audit` that tells what it found.
+    #[error("it is no output of `audit --format sarif`, `json`, `jsonl` or `csv`: {0}")]
+    Unreadable(String),
+    /// Nothing in it is about this document.
+    #[error("it is of another document: of what it knows, {0}, nothing is here")]
+    OfAnother(String),
+}
+
+impl Baseline {
+    /// Reads what `audit` wrote as SARIF, JSON, JSON lines or CSV.
+    ///
+    /// # Errors
+    /// A text that is none of these, or that has no fingerprints.
+    pub fn read(text: &str) -> Result<Self, BaselineError> {
+        let text = text.trim_start_matches('\u{feff}');
+        match text.trim_start().chars().next() {
+            Some('{' | '[') => Self::of_json(text),
+            _ => Self::of_csv(text),
+        }
+    }
+
+    fn of_json(text: &str) -> Result<Self, BaselineError> {
+        let mut known = Self::default();
+        for value in serde_json::Deserializer::from_str(text).into_iter::<Value>() {
+            let value = value.map_err(|error| BaselineError::Unreadable(error.to_string()))?;
+            let runs = value.get("runs").and_then(Value::as_array);
+            match (runs, value.as_array()) {
+                (Some(runs), _) => {
+                    for result in runs.iter().filter_map(|run| run.get("results")?.as_array()).flatten() {
+                        known.take(
+                            result.pointer("/locations/0/logicalLocations/0/name"),
+                            result
+                                .get("partialFingerprints")
+                                .and_then(|prints| prints.get(FINGERPRINT)),
+                        )?;
+                    }
+                }
+                (None, Some(rows)) => rows.iter().try_for_each(|row| known.take_row(row))?,
+                (None, None) => known.take_row(&value)?,
+            }
+        }
+        Ok(known)
+    }
+
+    fn take_row(&mut self, row: &Value) -> Result<(), BaselineError> {
+        match row.get("verdict").and_then(Value::as_str) {
+            Some("proved") => Ok(()),
+            // of the tables of a document the other one holds its numbers
+            Some(_) if row.get("label").is_none() && row.get("id").is_some() => Ok(()),
+            _ => self.take(row.get("label"), row.get("fingerprint")),
+        }
+    }
+
+    fn take(&mut self, label: Option<&Value>, fingerprint: Option<&Value>) -> Result<(), BaselineError> {
+        let Some((label, fingerprint)) = label.and_then(Value::as_str).zip(fingerprint.and_then(Value::as_str)) else {
+            return Err(BaselineError::Unreadable(
+                "a finding has no label or no fingerprint".to_owned(),
+            ));
+        };
+        self.findings.insert(fingerprint.to_owned(), label.to_owned());
+        Ok(())
+    }
+
+    fn of_csv(text: &str) -> Result<Self, BaselineError> {
+        let unreadable = |problem: String| BaselineError::Unreadable(problem);
+        let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(text.as_bytes());
+        let head = reader.headers().map_err(|error| unreadable(error.to_string()))?.clone();
+        let column = |name: &str| {
+            let found = head.iter().position(|own| own == name);
+            found.ok_or_else(|| unreadable(format!("it has no column `{name}`")))
+        };
+        let columns = [column("label")?, column("verdict")?, column("fingerprint")?];
+        let mut known = Self::default();
+        for row in reader.records() {
+            let row = row.map_err(|error| unreadable(error.to_string()))?;
+            // the numbers of a document follow as a table of their own
+            if row.len() != head.len() {
+                break;
+            }
+            let [label, verdict, fingerprint] = columns.map(|place| row.get(place).unwrap_or_default());
+            if verdict != "proved" {
+                known.findings.insert(fingerprint.to_owned(), label.to_owned());
+            }
+        }
+        Ok(known)
+    }
+
+    /// Whether a finding is known.
+    pub fn knows(&self, fingerprint: &str) -> bool {
+        self.findings.contains_key(fingerprint)
+    }
+
+    /// The labels of what is known and not among these fingerprints, each with its label.
+    ///
+    /// # Errors
+    /// A baseline that knows something, and nothing of it is of any of these labels: it is another document's.
+    pub fn gone(&self, found: &[(String, String)]) -> Result<Vec<String>, BaselineError> {
+        let is_here = |known: &String| found.iter().any(|(label, _)| label == known);
+        if !self.findings.is_empty() && !self.findings.values().any(is_here) {
+            let mut labels: Vec<String> = self
+                .findings
+                .values()
+                .take(3)
+                .map(|label| format!("({label})"))
+                .collect();
+            if self.findings.len() > 3 {
+                labels.push("...".to_owned());
+            }
+            return Err(BaselineError::OfAnother(labels.join(", ")));
+        }
+        let missing = |(fingerprint, _): &(&String, &String)| !found.iter().any(|(_, own)| own == *fingerprint);
+        let mut labels: Vec<String> = self
+            .findings
+            .iter()
+            .filter(missing)
+            .map(|(_, label)| label.clone())
+            .collect();
+        labels.sort();
+        labels.dedup();
+        Ok(labels)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_finding_is_known_wherever_its_formula_stands_and_not_when_it_changes() {
+        let known = fingerprint("22", "refuted", "a = b\n + c");
+        assert_eq!(known, fingerprint("22", "refuted", "a = b + c "));
+        for (label, verdict, formula) in [
+            ("23", "refuted", "a = b + c"),
+            ("22", "undecided", "a = b + c"),
+            ("22", "refuted", "a = b - c"),
+        ] {
+            assert_ne!(known, fingerprint(label, verdict, formula));
+        }
+    }
+
+    #[test]
+    fn every_format_that_audit_writes_reads_back_to_the_same() {
+        let print = fingerprint("2", "refuted", "a = b");
+        let csv = format!("label,verdict,fingerprint\n1,proved,0\n2,refuted,{print}\n\nid,verdict\nnumber-1,wrong\n");
+        let json = format!(
+            "[{{\"label\":\"2\",\"verdict\":\"refuted\",\"fingerprint\":\"{print}\"}}]\n[{{\"id\":\"1\",\"verdict\":\"wrong\"}}]"
+        );
+        let lines = format!(
+            "{{\"label\":\"1\",\"verdict\":\"proved\"}}\n{{\"label\":\"2\",\"verdict\":\"refuted\",\"fingerprint\":\"{print}\"}}"
+        );
+        let baselines = [csv, json, lines].map(|text| Baseline::read(&text).unwrap());
+        for baseline in &baselines {
+            assert_eq!(baseline, &baselines[0]);
+            assert!(baseline.knows(&print) && !baseline.knows("0"));
+        }
+    }
+
+    #[test]
+    fn a_baseline_of_another_document_is_an_error_and_what_is_gone_is_told() {
+        let baseline = Baseline::read("label,verdict,fingerprint\n2,refuted,aa\n7,unread,bb\n").unwrap();
+        let found = |label: &str, print: &str| (label.to_owned(), print.to_owned());
+        assert_eq!(
+            baseline.gone(&[found("2", "cc"), found("7", "bb")]),
+            Ok(vec!["2".to_owned()])
+        );
+        let error = baseline.gone(&[found("A", "aa")]).unwrap_err();
+        assert!(
+            error.to_string().contains("another document") && error.to_string().contains("(2), (7)"),
+            "{error}"
+        );
+        for text in [
+            "",
+            "label,verdict\n",
+            "{}",
+            "[{\"verdict\":\"refuted\"}]",
+            "{",
+            "<html>",
+        ] {
+            assert!(
+                matches!(Baseline::read(text), Err(BaselineError::Unreadable(_))),
+                "{text}"
+            );
+        }
+    }
+}
