@@ -31,6 +31,7 @@ pub struct Written(String);
 
 impl Written {
     /// Takes what was written: `xml` must come from a writer that escapes what it is given.
+    #[cfg(feature = "cli")]
     pub(crate) const fn by_our_writer(xml: String) -> Self {
         Self(xml)
     }
