@@ -75,6 +75,12 @@ fn labels(arguments: &[&str]) -> Vec<String> {
 fn the_page_of_the_paper_is_one_short_file_with_a_place_for_each_formula() {
     let html = paper();
     assert!(html.len() < 400_000, "{} bytes", html.len());
+    // what is wider than a phone is scrolled by keys too (axe-core: scrollable-region-focusable)
+    for class in ["formula", "wide"] {
+        let all = html.matches(&format!("class=\"{class}\"")).count();
+        let by_keys = html.matches(&format!("class=\"{class}\" tabindex=\"0\"")).count();
+        assert_eq!(all, by_keys, "{class}");
+    }
     for outside in ["http://", "https://", "src=", "url(", "@import"] {
         assert!(!html.contains(outside), "{outside}");
     }

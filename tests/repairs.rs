@@ -299,6 +299,41 @@ fn many_misprints_of_other_sheets_are_mended() {
 }
 
 #[test]
+fn no_repair_says_nothing_and_none_is_given_twice() {
+    let claims = [
+        r"|x + y| = |x| + |y|",
+        r"\sqrt{x^2} = x",
+        r"\arctan x = \frac{1}{\arctan x}",
+        r"\pi \approx 3.15",
+        r"\sin 2x = \sin x \cos x",
+    ];
+    let mut tex = "[symbols]\nparameters = ['x', 'y']\n".to_owned();
+    for (number, claim) in claims.iter().enumerate() {
+        tex.push_str(&format!(
+            "[[equation]]\nlabel = '{number}'\nrole = 'claim'\ntex = '{claim}'\n"
+        ));
+    }
+    let sheet = Sheet::read(&tex, &vocabulary()).unwrap();
+    for position in 0..claims.len() {
+        let shown: Vec<String> = repairs(&sheet, position, &Options::default())
+            .iter()
+            .map(|repair| repair.to_string())
+            .collect();
+        let mut different = shown.clone();
+        different.sort();
+        different.dedup();
+        assert_eq!(different.len(), shown.len(), "{shown:?}");
+        for repair in &shown {
+            let (left, right) = repair.trim_matches('$').split_once(" = ").expect("an equation");
+            assert_ne!(left, right);
+            assert!(repair.contains(['x', 'y']), "{repair}");
+            assert!(!repair.contains("3.15"), "{repair}");
+        }
+        assert_eq!(shown.is_empty(), claims[position].contains("approx"), "{shown:?}");
+    }
+}
+
+#[test]
 fn the_two_wrong_formulas_of_the_paper_are_mended_by_search() {
     let sheet = Sheet::read(PAPER, &vocabulary()).unwrap();
     let of = |label: &str| repairs(&sheet, sheet.find(label).unwrap(), &Options::default());

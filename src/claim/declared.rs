@@ -2,7 +2,7 @@
 
 use super::definition::{Local, pair_of};
 use super::nearest::nearest;
-use super::substitute::{any, any_side, below};
+use super::substitute::{any, any_side};
 use super::vocabulary::{Map, Vocabulary, index_of};
 use crate::tex::{Name, Tree};
 use std::collections::{BTreeSet, HashSet};
@@ -180,7 +180,12 @@ impl Vocabulary {
                 })
             }
             Tree::RealPower(base, exponent, _) if self.transposes(exponent) => self.each_unbound(base, bound, test),
-            tree => test(tree) || below(tree, &mut |part| self.each_unbound(part, bound, test).then_some(())).is_some(),
+            tree => {
+                test(tree)
+                    || tree
+                        .find_below(&mut |part| self.each_unbound(part, bound, test).then_some(()))
+                        .is_some()
+            }
         }
     }
 
@@ -250,7 +255,7 @@ impl Vocabulary {
                 (is_complex || extra(name)).then_some(name)
             }
             Tree::Call(name, ..) if matches!(name.base.as_str(), r"\abs" | r"\Re" | r"\Im" | r"\arg") => None,
-            _ => below(tree, &mut |part| self.complex_in(part, extra)),
+            _ => tree.find_below(&mut |part| self.complex_in(part, extra)),
         }
     }
 

@@ -10,7 +10,9 @@ use super::substitute::{any, any_side, flies, number_of, rewrite, tree_runs};
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree, read, read_conditions, with_commands};
+use crate::tex::{
+    Condition, Display, Equation, Name, Operation, Relation, Tree, read, read_conditions, read_display, with_commands,
+};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashSet};
 use toml::Spanned;
@@ -895,8 +897,14 @@ pub(super) fn read_entry(
             Vec::new()
         })
     };
+    let mut assume = Vec::new();
+    let printed = |conditions: Vec<Condition>| conditions.into_iter().map(|condition| (condition, tex.clone()));
     let equations = if wanted {
-        keep(read_tex(&tex, vocabulary))
+        let is_identity = raw.follows_from.as_ref().is_none_or(Vec::is_empty) && raw.local.is_empty();
+        keep(stated(&tex, vocabulary, raw.role, is_identity).map(|display| {
+            assume.extend(printed(display.conditions));
+            display.equations
+        }))
     } else {
         Vec::new()
     };
@@ -909,7 +917,6 @@ pub(super) fn read_entry(
         read.flatten().collect()
     };
     let (local, with) = (sourced(&raw.local), sourced(&raw.with));
-    let mut assume = Vec::new();
     for value in raw.assume.iter().filter(|_| wanted) {
         let source = Source::new(lines, value);
         match read_conditions(&source.tex, &vocabulary.names) {
@@ -971,6 +978,47 @@ fn no_label(found: &str, positions: &BTreeMap<&str, usize>) -> Fault {
         "follows from `{found}`, which is no label here ({meant}there are: {}{more})",
         shown.join(", ")
     ))
+}
+
+/// What a formula of this role states, and the conditions on it. An inequality behind an equation, `, \\quad x < 0`, is a
+/// condition of an identity where it compares a symbol with a number or another symbol; of other claims it could be
+/// either, and of a premise or definition it is one statement more.
+fn stated(source: &Source, vocabulary: &Vocabulary, role: Role, is_identity: bool) -> Result<Display, Fault> {
+    let display = read_display(&source.tex, &vocabulary.names);
+    let mut display = display.map_err(|error| source.fault(error.at, error.reason.to_string()))?;
+    if role != Role::Claim {
+        if let Some(at) = display.conditions_at {
+            let problem = format!("a {role} under a condition: what holds only there cannot be taken as true");
+            return Err(source.fault(at, problem));
+        }
+        display.equations.append(&mut display.beside);
+    }
+    for equation in std::mem::take(&mut display.beside) {
+        if !(is_identity && is_bare(&equation.left) && is_bare(&equation.right)) {
+            let problem = format!(
+                "`{equation}` can be a condition or one claim more: write `\\text{{for }} {equation}`, or give it an entry of its own"
+            );
+            return Err(source.fault(equation.at.0, problem));
+        }
+        display.conditions.push(Condition::Relation(equation));
+    }
+    display.equations = display
+        .equations
+        .into_iter()
+        .flat_map(|equation| two_of_pair(equation, vocabulary))
+        .collect();
+    Ok(display)
+}
+
+/// Whether a side is a symbol, its modulus or a number.
+fn is_bare(side: &Tree) -> bool {
+    match side {
+        Tree::Negate(inner) => is_bare(inner),
+        Tree::Call(function, inner, _) => function.base == "\\abs" && is_bare(inner),
+        Tree::Quotient(above, below, _) => [above, below].iter().all(|part| matches!(***part, Tree::Number(_))),
+        Tree::Symbol(..) | Tree::Number(_) => true,
+        _ => false,
+    }
 }
 
 fn read_tex(source: &Source, vocabulary: &Vocabulary) -> Result<Vec<Equation>, Fault> {

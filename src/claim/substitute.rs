@@ -108,23 +108,7 @@ pub fn rewrite_equation(equation: &Equation, new: &dyn Fn(&Name) -> Option<Tree>
 
 /// Whether any node of the tree passes the test.
 pub fn any(tree: &Tree, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
-    test(tree) || below(tree, &mut |part| any(part, test).then_some(())).is_some()
-}
-
-/// What the test finds first among the parts directly below a node.
-pub(super) fn below<'t, T>(tree: &'t Tree, test: &mut dyn FnMut(&'t Tree) -> Option<T>) -> Option<T> {
-    match tree {
-        Tree::Number(_) | Tree::Symbol(..) | Tree::Partial { .. } | Tree::Invariant { .. } => None,
-        Tree::Call(_, inner, _)
-        | Tree::Negate(inner)
-        | Tree::Power(inner, ..)
-        | Tree::Root(inner, ..)
-        | Tree::PlusMinus(inner)
-        | Tree::MinusPlus(inner) => test(inner),
-        Tree::Sum(parts) | Tree::Product(parts) => parts.iter().find_map(test),
-        Tree::Quotient(above, below, _) | Tree::RealPower(above, below, _) => test(above).or_else(|| test(below)),
-        Tree::Operation(operation, _) => operation.parts().into_iter().find_map(|(part, _)| test(part)),
-    }
+    test(tree) || tree.find_below(&mut |part| any(part, test).then_some(())).is_some()
 }
 
 /// The value of a tree that is written with numbers alone.

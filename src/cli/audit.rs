@@ -4,7 +4,7 @@ use super::source::{ANSWERS_AT_MOST, TOML_AT_MOST};
 use super::verdicts::{Audited, Row, compare, exit, explained, table};
 use super::{Answer, Content, Exit, Failure, Options, Source, document};
 use crate::claim::{self, Fault, Sheet, Verdict};
-use crate::evidence::witness;
+use crate::evidence::witness_near;
 use crate::prove::{self, mention_refuted};
 use crate::repair::repairs;
 use crate::report::{Baseline, Format, OutputError, OutputProblem, Table};
@@ -225,7 +225,16 @@ fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: bool
     let decision = prove::decide(sheet, position, options);
     let read = decision.verdict != Verdict::Unread && sheet.unread_below(position).is_empty();
     let evidence = read
-        .then(|| witness(sheet, position, decision.verdict, POINTS))
+        .then(|| {
+            let counterexample = decision.counterexample.as_ref().map(|own| own.point.as_slice());
+            witness_near(
+                sheet,
+                position,
+                decision.verdict,
+                POINTS,
+                counterexample.unwrap_or_default(),
+            )
+        })
         .transpose()?;
     let repairs = match decision.verdict {
         Verdict::Refuted if repair => repairs(sheet, position, options),

@@ -12,9 +12,9 @@ use super::tolerance::{
     APART_EXACT, APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE, ROUNDED_AWAY, STEADY,
 };
 use super::value::{Complexes, Function, Numbers, Real, Reals, Value};
-use crate::claim::{Fault, Goal, Sheet, Statements, Verdict, Vocabulary, along_a_sequence, reduced};
+use crate::claim::{Fault, Goal, Sheet, Statements, Verdict, Vocabulary, along_a_sequence, number_of, reduced};
 use crate::number::{Sequence, Wide};
-use crate::tex::{Equation, Relation, Tree};
+use crate::tex::{Equation, Names, Relation, Tree, read_expression};
 use std::collections::BTreeMap;
 
 /// What numbers say of one claim.
@@ -57,18 +57,37 @@ const PROBE_WORK: u64 = 20_000;
 /// # Errors
 /// The [`Fault`] of a claim or premise that makes no sense.
 pub fn witness(sheet: &Sheet, position: usize, verdict: Verdict, points: usize) -> Result<Evidence, Fault> {
+    witness_near(sheet, position, verdict, points, &[])
+}
+
+/// The same, with a start at the counterexample of a refutation, `x` and `3/2 \pi` say: a claim may fail where no random point
+/// lies.
+///
+/// # Errors
+/// As of [`witness`].
+pub fn witness_near(
+    sheet: &Sheet,
+    position: usize,
+    verdict: Verdict,
+    points: usize,
+    counterexample: &[(String, String)],
+) -> Result<Evidence, Fault> {
+    let named = counterexample.iter();
+    let named: Vec<(&str, f64)> = named
+        .filter_map(|(name, value)| Some((name.as_str(), printed_value(value)?)))
+        .collect();
     let statements = Statements::gather(sheet, position)?;
     let (is_whole, goals, lemmas) = match reduced(&statements, &sheet.vocabulary) {
         Ok(None) => match along_a_sequence(&statements, &sheet.vocabulary) {
             Some(reduced) if !reduced.necessary.is_empty() => (false, reduced.necessary, Vec::new()),
-            _ => return Ok(of_goal(&statements, &sheet.vocabulary, verdict, points)),
+            _ => return Ok(of_goal(&statements, &sheet.vocabulary, verdict, points, &named)),
         },
         Ok(Some(reduced)) if reduced.is_equivalent => (true, reduced.sufficient, reduced.lemmas),
         Ok(Some(reduced)) => (false, reduced.necessary, reduced.lemmas),
         Err(reason) => return Ok(without_points(format!("no witness: {reason}"))),
     };
     let against = |goal: &Goal, verdict| {
-        let mut evidence = of_goal(&goal.statements, &goal.vocabulary, verdict, points);
+        let mut evidence = of_goal(&goal.statements, &goal.vocabulary, verdict, points, &named);
         if !goal.part.is_empty() && !evidence.worst.is_empty() {
             evidence.worst = format!("{}: {}", goal.part, evidence.worst);
         }
@@ -122,7 +141,27 @@ fn together(mut all: Vec<Evidence>, verdict: Verdict) -> Evidence {
     }
 }
 
-fn of_goal(statements: &Statements, vocabulary: &Vocabulary, verdict: Verdict, points: usize) -> Evidence {
+/// The value of a number as a counterexample prints it: a rational one, or one times pi.
+fn printed_value(printed: &str) -> Option<f64> {
+    let (factor, unit) = match printed.trim().strip_suffix(r"\pi") {
+        Some(factor) => (factor.trim(), std::f64::consts::PI),
+        None => (printed, 1.0),
+    };
+    let factor = match factor {
+        "" => 1.0,
+        "-" => -1.0,
+        factor => number_of(&read_expression(factor, &Names::default()).ok()?)?.embed::<f64>()?,
+    };
+    Some(factor * unit)
+}
+
+fn of_goal(
+    statements: &Statements,
+    vocabulary: &Vocabulary,
+    verdict: Verdict,
+    points: usize,
+    named: &[(&str, f64)],
+) -> Evidence {
     let system = match System::new(statements, vocabulary, Forcing::Any) {
         Ok(system) => system,
         Err(reason) => return without_points(no_witness(&reason)),
@@ -132,6 +171,7 @@ fn of_goal(statements: &Statements, vocabulary: &Vocabulary, verdict: Verdict, p
         statements,
         system,
         verdict,
+        named,
     };
     if over.system.is_complex {
         over.evidence::<Complexes>(points)
@@ -157,6 +197,8 @@ struct Witness<'a> {
     statements: &'a Statements,
     system: System,
     verdict: Verdict,
+    /// Values of the counterexample by the names that these have.
+    named: &'a [(&'a str, f64)],
 }
 
 /// A point with the worst gap of the claim's equations there.
@@ -227,8 +269,10 @@ impl Witness<'_> {
             self.look::<N>(&mut search, many, 1);
         }
         if !search.found.is_empty() && agrees(&search) {
-            if self.verdict == Verdict::Proved {
-                self.probe::<N>(&mut search);
+            match self.verdict {
+                Verdict::Proved => self.probe::<N>(&mut search),
+                Verdict::Refuted => self.look_at_counterexample::<N>(&mut search),
+                _ => {}
             }
             self.look_closer::<N>(&mut search);
         }
@@ -301,6 +345,26 @@ impl Witness<'_> {
                 Some(gap) => search.found.push((point, gap)),
                 None => search.undefined += 1,
             }
+        }
+    }
+
+    /// Looks at the point that starts at the values of the counterexample.
+    fn look_at_counterexample<N: Numbers>(&self, search: &mut Search<N::Of<f64>>) {
+        let slots = 0..self.system.space.slots.len();
+        let value = |slot: usize| {
+            let name = self.system.space.show(slot, &self.system.letter)?;
+            let (_, value) = self.named.iter().find(|(known, _)| *known == name)?;
+            Some((slot, *value))
+        };
+        let values: BTreeMap<usize, f64> = slots.filter_map(value).collect();
+        if values.is_empty() {
+            return;
+        }
+        if let Ok(point) = self.system.point_at::<N>(0, Style::Moderate, &values)
+            && let Some(gap) = self.gap::<N>(&point)
+            && !self.system.is_excluded::<N>(&point)
+        {
+            search.found.push((point, gap));
         }
     }
 

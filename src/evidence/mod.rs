@@ -26,6 +26,6 @@ mod tolerance;
 mod value;
 
 pub use compiler::Unwitnessed;
-pub use judgement::{Evidence, witness};
+pub use judgement::{Evidence, witness, witness_near};
 pub use motion::Flown;
 pub use samples::samples;

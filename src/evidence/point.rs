@@ -9,6 +9,7 @@ use super::value::{Numbers, Value};
 use crate::number::{Sequence, Wide};
 use crate::tex::Relation;
 use num_traits::Zero;
+use std::collections::BTreeMap;
 
 /// Sets the sequences of neighbouring seeds far apart.
 const SPREAD: u64 = 0xd134_2543_de82_ef95;
@@ -70,13 +71,32 @@ const SPECIAL: [f64; 14] = [
 impl System {
     /// The point that a random start leads to, if it does.
     pub fn point<N: Numbers>(&self, seed: u64, style: Style) -> Result<Point<N::Of<f64>>, Miss> {
+        self.point_at::<N>(seed, style, &BTreeMap::new())
+    }
+
+    /// The point that a start leads to with these values in their slots, and random ones in the others.
+    pub fn point_at<N: Numbers>(
+        &self,
+        seed: u64,
+        style: Style,
+        values: &BTreeMap<usize, f64>,
+    ) -> Result<Point<N::Of<f64>>, Miss> {
         let mut random = Sequence::new(seed.wrapping_mul(SPREAD).wrapping_add(START));
-        let mut point = self.start::<N>(&mut random, style);
+        let mut start = || {
+            let mut start = self.start::<N>(&mut random, style);
+            for (slot, value) in values {
+                if let Some(place) = start.values.get_mut(*slot) {
+                    *place = N::Of::<f64>::float(*value);
+                }
+            }
+            start
+        };
+        let mut point = start();
         for _ in 0..DRAWS {
             if self.allows::<N>(&point) {
                 break;
             }
-            point = self.start::<N>(&mut random, style);
+            point = start();
         }
         let is_allowed = self.allows::<N>(&point);
         if self.rows.is_empty() && (is_allowed || self.slacks.is_empty()) {

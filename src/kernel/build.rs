@@ -185,6 +185,8 @@ struct Builder<'a> {
     /// The names that the premises write, and whether one of them is a law of flight.
     spoken: BTreeSet<Name>,
     has_flight: bool,
+    /// The parameters that the claim assumes to be integers.
+    assumed_integers: BTreeSet<Name>,
 }
 
 impl<'a> Builder<'a> {
@@ -225,6 +227,7 @@ impl<'a> Builder<'a> {
             implied: Vec::new(),
             spoken: BTreeSet::new(),
             has_flight: false,
+            assumed_integers: statements.assume.iter().filter_map(assumed_integer).collect(),
         };
         for premise in &statements.premises {
             builder.has_flight |= crate::claim::flies(&premise.equation, vocabulary);
@@ -981,15 +984,19 @@ impl<'a> Builder<'a> {
         Ok(self.statement.terms.add(Node::RealPower(base, exponent)))
     }
 
-    /// Whether a term is written with numbers and symbols declared to be integers alone, and is, multiplied out, a sum of
-    /// whole multiples of products of these.
+    fn is_assumed_integer(&self, quantity: &Quantity) -> bool {
+        matches!(quantity, Quantity::Parameter(name) if self.assumed_integers.contains(name))
+    }
+
+    /// Whether a term is written with numbers and symbols declared or assumed to be integers alone, and is, multiplied out, a polynomial
+    /// that is an integer wherever these are.
     fn is_integer(&self, term: Term) -> bool {
         let terms = &self.statement.terms;
         let may_stand = |inner: Term| match terms.node(inner) {
             Node::Number(_) | Node::Sum(_) | Node::Product(_) | Node::Power(..) | Node::Quotient(..) => true,
             Node::Symbol(symbol) => self.statement.quantity(*symbol).is_some_and(|quantity| {
                 let is_index = matches!(quantity, Quantity::Parameter(name) if self.vocabulary.indices.contains(name));
-                is_index || self.is_listed(quantity, &self.vocabulary.integers)
+                is_index || self.is_listed(quantity, &self.vocabulary.integers) || self.is_assumed_integer(quantity)
             }),
             _ => false,
         };
@@ -997,10 +1004,9 @@ impl<'a> Builder<'a> {
             return false;
         }
         let mut expansion = super::expand::Expansion::new(BTreeSet::new(), 1000);
-        let is_whole = |value: &dashu_ratio::RBig| *value.denominator() == dashu_int::UBig::ONE;
-        expansion.of(terms, term).is_ok_and(|quotient| {
-            quotient.divisors.is_empty() && quotient.numerator.terms().iter().all(|(_, value)| is_whole(value))
-        })
+        expansion
+            .of(terms, term)
+            .is_ok_and(|quotient| quotient.divisors.is_empty() && quotient.numerator.is_integer_valued())
     }
 
     fn is_declared(&self, name: &Name) -> bool {
@@ -1684,6 +1690,14 @@ const MOST_ROOT_STEPS: u64 = 100_000;
 
 /// The label of what must hold for the claim to be defined.
 pub const CLAIM_DOMAIN: &str = "the domain of the claim";
+
+/// The symbol that a condition says to be an integer.
+fn assumed_integer(condition: &Condition) -> Option<Name> {
+    match condition {
+        Condition::Integer(Tree::Symbol(name, _)) => Some(name.clone()),
+        _ => None,
+    }
+}
 
 /// The label of what is assumed of the claim.
 pub const ASSUMPTIONS: &str = "the assumptions";

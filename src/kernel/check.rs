@@ -149,12 +149,8 @@ impl<'a> Checker<'a> {
         by_itself || self.facts.iter().any(|fact| implies(fact, property, polynomial))
     }
 
-    /// Whether a polynomial with integer coefficients holds only generators that are known to be integers.
+    /// Whether a polynomial holds only generators that are known to be integers, and is an integer wherever they are.
     fn is_integer(&self, polynomial: &Polynomial) -> bool {
-        let whole = polynomial
-            .terms()
-            .iter()
-            .all(|(_, value)| *value.denominator() == dashu_int::UBig::ONE);
         let integer = |term: &Term| {
             let fact = Fact {
                 property: Property::Integer,
@@ -162,7 +158,7 @@ impl<'a> Checker<'a> {
             };
             self.assumed.contains(&(Property::Integer, *term)) || self.facts.contains(&fact)
         };
-        whole && polynomial.generators().iter().all(integer)
+        polynomial.generators().iter().all(integer) && polynomial.is_integer_valued()
     }
 
     /// The polynomial of which the property is that of the term, where the divisors of the term are not 0.

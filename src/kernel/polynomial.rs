@@ -88,6 +88,49 @@ impl Polynomial {
         self.0.iter().map(|(monomial, _)| of(monomial)).max().unwrap_or(0)
     }
 
+    /// Whether it is an integer wherever its generators are: where it is one at each point of the grid 0, ..., degree in each
+    /// generator, so are all its forward differences there, and it is a sum of these times products of binomial
+    /// coefficients (Polya, Ueber ganzwertige ganze Funktionen, 1915). Of more than a thousand such points only whole
+    /// coefficients tell.
+    pub fn is_integer_valued(&self) -> bool {
+        if self.0.iter().all(|(_, value)| *value.denominator() == UBig::ONE) {
+            return true;
+        }
+        let generators = self.generators();
+        let degree = |of: &Term| {
+            let powers = self.0.iter().flat_map(|(monomial, _)| monomial.iter());
+            powers
+                .filter(|(term, _)| term == of)
+                .map(|(_, power)| *power)
+                .max()
+                .unwrap_or(0)
+        };
+        let degrees: Vec<u32> = generators.iter().map(degree).collect();
+        let points = degrees
+            .iter()
+            .try_fold(1_u32, |points, degree| points.checked_mul(degree.checked_add(1)?));
+        let Some(points) = points.filter(|points| *points <= 1000) else {
+            return false;
+        };
+        let is_integer_at = |number: u32| {
+            let mut rest = number;
+            let mut at: HashMap<Term, u32> = HashMap::new();
+            for (generator, degree) in generators.iter().zip(&degrees) {
+                at.insert(*generator, rest % (degree + 1));
+                rest /= degree + 1;
+            }
+            let value = self.0.iter().fold(RBig::ZERO, |sum, (monomial, coefficient)| {
+                let factors = monomial.iter().map(|(term, power)| {
+                    let base = at.get(term).copied().unwrap_or_default();
+                    RBig::from(UBig::from(base).pow(*power as usize))
+                });
+                sum + factors.fold(coefficient.clone(), |product, factor| product * factor)
+            });
+            *value.denominator() == UBig::ONE
+        };
+        (0..points).all(is_integer_at)
+    }
+
     /// The sum.
     pub fn plus(&self, other: &Self) -> Self {
         self.merged(other, false)

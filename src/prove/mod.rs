@@ -100,7 +100,12 @@ fn together(goals: &Reduced, start: &Decision, reason: &str, options: &Options) 
             // what is enough for the claim may fail where the claim holds
             Verdict::Refuted if !goals.is_equivalent => {
                 decision = start.clone();
-                decision.reason = format!("no counterexample is found, nor a proof: {} fails", goal.part);
+                let part = if goal.part.is_empty() {
+                    "what would prove it"
+                } else {
+                    &goal.part
+                };
+                decision.reason = format!("no counterexample is found, nor a proof: {part} fails");
                 break;
             }
             Verdict::Refuted | Verdict::Unread => {

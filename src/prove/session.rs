@@ -294,6 +294,12 @@ impl<'a> Session<'a> {
         found.map(|(number, _)| number).collect()
     }
 
+    /// Takes from the budget what a look at every fact costs.
+    fn look_at_facts(&mut self) -> Option<()> {
+        let looked_at = self.checker.facts.len() as u64;
+        self.budget.take(looked_at / LOOKS_OF_A_STEP).ok()
+    }
+
     /// Every generator of the facts and of these polynomials.
     pub fn generators(&self, more: &[Polynomial]) -> BTreeSet<Term> {
         let facts = self.checker.facts.iter().flat_map(|fact| fact.polynomial.generators());
@@ -302,6 +308,7 @@ impl<'a> Session<'a> {
 
     /// Known nonzero facts whose product is the polynomial up to a number, with that number.
     pub fn nonzero_product(&mut self, polynomial: &Polynomial) -> Option<(Rational, Vec<(usize, u32)>)> {
+        self.look_at_facts()?;
         let mut rest = polynomial.clone();
         let mut factors: Vec<(usize, u32)> = Vec::new();
         for number in self.nonzeros() {
@@ -334,9 +341,12 @@ impl<'a> Session<'a> {
 
     /// A known nonzero fact that is a multiple of the polynomial, with the quotient.
     fn nonzero_multiple(&mut self, polynomial: &Polynomial) -> Option<(Polynomial, Vec<(usize, u32)>)> {
-        for number in self.nonzeros() {
+        let mut own = self.nonzeros();
+        own.retain(|&number| !self.is_derived(number));
+        for number in own {
             self.reduced_fact(number);
         }
+        self.look_at_facts()?;
         self.nonzeros().into_iter().find_map(|number| {
             let fact = self.polynomial(number);
             let quotient = exact_quotient(&fact, polynomial, &mut self.budget).ok()??;

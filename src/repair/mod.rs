@@ -15,7 +15,7 @@ mod values;
 
 pub use path::{Path, node, parts, replaced};
 
-use crate::claim::{Sheet, Verdict};
+use crate::claim::{Sheet, Verdict, any_side};
 use crate::prove::{self, Options};
 use crate::tex::{Equation, Tree};
 use search::{Formula, Found, Search};
@@ -78,7 +78,10 @@ impl fmt::Display for Repair {
 
 /// The repairs of the refuted claim at a position, the smallest first; each is proved.
 pub fn repairs(sheet: &Sheet, position: usize, options: &Options) -> Vec<Repair> {
-    let Some(search) = Search::new(sheet, position, options.effort) else {
+    // what is compared with printed figures is no equation
+    let entry = sheet.entries.get(position);
+    let is_approximate = entry.is_some_and(|entry| entry.tex.tex.contains(r"\approx") || entry.tex.tex.contains('≈'));
+    let Some(search) = Search::new(sheet, position, options.effort).filter(|_| !is_approximate) else {
         return Vec::new();
     };
     for edits in 1..=search::MOST_EDITS {
@@ -100,14 +103,32 @@ fn proved(sheet: &Sheet, position: usize, search: &Search, found: Vec<Found>, op
             break;
         }
         let mended = found.mended(&search.formulas);
+        if mended
+            .iter()
+            .any(|(number, equation)| says_nothing(equation, search.formulas.get(*number)))
+        {
+            continue;
+        }
         put(&mut edited, sheet, position, &search.formulas, &mended);
         proofs += 1;
         let decision = prove::decide(&edited, position, options);
         if decision.verdict == Verdict::Proved && !decision.is_vacuous {
-            repairs.push(found.repair(&search.formulas, mended));
+            let repair = found.repair(&search.formulas, mended);
+            let shown = repair.to_string();
+            if repairs.iter().all(|known: &Repair| known.to_string() != shown) {
+                repairs.push(repair);
+            }
         }
     }
     repairs
+}
+
+/// Whether both sides are the same as written, or speak of no symbol where the printed formula does.
+fn says_nothing(equation: &Equation, printed: Option<&Formula>) -> bool {
+    let is_symbol = |node: &Tree| matches!(node, Tree::Symbol(name, _) if name.base != r"\pi");
+    let speaks = |equation: &Equation| any_side(equation, &mut |node| is_symbol(node));
+    let is_same = equation.left.to_string() == equation.right.to_string();
+    is_same || (!speaks(equation) && printed.is_some_and(|printed| speaks(&printed.equation)))
 }
 
 /// Puts formulas into the entry at a position of a copy of the sheet.

@@ -19,6 +19,9 @@ const COEFFICIENTS: &[&str] = &[
     "\\Omega",
 ];
 
+/// Letters in which no argument of several letters ends: `\sin a b` may be a product.
+const CONSTANTS: &[&str] = &["a", "b", "c"];
+
 /// Letters that commonly are what a factor before them is of.
 const VARIABLES: &[&str] = &["x", "y", "z", "t", "\\theta", "\\vartheta", "\\phi", "\\psi"];
 
@@ -130,7 +133,10 @@ impl<'a> Reader<'a> {
             return false;
         }
         match symbol_of(before) {
-            Some(before) => plain(&before) && COEFFICIENTS.contains(&before.base.as_str()),
+            Some(before) => {
+                let is_factor = |name: &Name, of: &[&str]| of.contains(&name.base.as_str());
+                plain(&before) && is_factor(before, COEFFICIENTS) && !is_factor(next, CONSTANTS)
+            }
             None => is_number(before),
         }
     }

@@ -269,6 +269,7 @@ fn sign(text: &str) -> Option<Command> {
         "\\approx" => Kind::Approximately,
         "\\to" | "\\rightarrow" => Kind::To,
         "\\in" => Kind::Element,
+        "\\forall" => Kind::Said,
         "\\infty" => Kind::Infinity,
         "\\circ" | "\\degree" | "\\textdegree" => Kind::Degree,
         "\\max" | "\\min" => Kind::Extremum,

@@ -1,8 +1,8 @@
 //! Conditions on symbols: relations, integers, intervals.
 
-use super::display::divided;
 use super::error::{Fault, Reason};
 use super::reader::Reader;
+use super::statement::{Statement, divided};
 use super::token::{Bracket, Kind, Set};
 use super::{At, Condition, Equation, Name, Names, Operation, ReadError, Relation, Tree};
 
@@ -15,13 +15,18 @@ pub fn read_conditions(tex: &str, names: &Names) -> Result<Vec<Condition>, ReadE
         if statements.is_empty() {
             return Err(Fault::new(0, Reason::NoCondition));
         }
-        let mut conditions = Vec::new();
-        for statement in statements {
-            Reader::new(statement.tokens, names).condition(&mut conditions)?;
-        }
-        Ok(conditions)
+        conditions_of(statements, names)
     };
     read().map_err(|fault: Fault| fault.located(tex))
+}
+
+/// The conditions that statements say.
+pub(super) fn conditions_of(statements: Vec<Statement<'_>>, names: &Names) -> Result<Vec<Condition>, Fault> {
+    let mut conditions = Vec::new();
+    for statement in statements {
+        Reader::new(statement.tokens, names).condition(&mut conditions)?;
+    }
+    Ok(conditions)
 }
 
 impl Reader<'_> {

@@ -1,19 +1,52 @@
 //! A whole display: its equations, an expression or a name.
 
-use super::bars::pair_bars;
+use super::conditions::conditions_of;
 use super::error::{Fault, Reason};
-use super::lexer::lex;
 use super::reader::Reader;
-use super::statement::{Statement, statements};
+use super::statement::{Stands, Statement, divided};
 use super::token::{Bracket, Kind, Token};
-use super::{At, Equation, Name, Names, ReadError, Relation, Tree};
+use super::{At, Condition, Equation, Name, Names, ReadError, Relation, Tree};
 
-/// The longest formula that is read, in bytes.
-const LONGEST: usize = 100_000;
+/// What a display says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Display {
+    /// Its equations and inequalities, in order; a chain `a = b < c` gives `a = b` and `b < c`.
+    pub equations: Vec<Equation>,
+    /// The inequalities behind an equation and a comma or a wide blank, each of which can be one statement more or a
+    /// condition: `\sqrt{x^2} = -x, \quad x < 0`.
+    pub beside: Vec<Equation>,
+    /// The conditions on its one equation or chain: those behind "for", "if", "when" or `\forall`, inequalities behind "where"
+    /// or "with", those in brackets behind a wide blank, and `n \in \mathbb{Z}`.
+    pub conditions: Vec<Condition>,
+    /// Where the first of the conditions stands, in bytes.
+    pub conditions_at: Option<usize>,
+}
 
-/// Reads the equations and inequalities of a display, in order; a chain `a = b < c` gives `a = b` and `b < c`.
+/// Reads a display with the conditions that stand in it.
+///
+/// # Errors
+/// The first place that cannot be read, or only in two ways: conditions behind more than one statement among them.
+pub fn read_display(tex: &str, names: &Names) -> Result<Display, ReadError> {
+    read_statements(tex, names).map_err(|fault| fault.located(tex))
+}
+
+/// Reads the equations and inequalities of a display without conditions, in order.
+///
+/// # Errors
+/// The first place that cannot be read, or a condition.
 pub fn read(tex: &str, names: &Names) -> Result<Vec<Equation>, ReadError> {
-    read_equations(tex, names).map_err(|fault| fault.located(tex))
+    let read = || {
+        let display = read_statements(tex, names)?;
+        match display.conditions_at {
+            Some(at) => Err(Fault::unsupported(
+                at,
+                "a condition within a formula",
+                "write it as an `assume` of the entry",
+            )),
+            None => Ok(display.equations.into_iter().chain(display.beside).collect()),
+        }
+    };
+    read().map_err(|fault: Fault| fault.located(tex))
 }
 
 /// Reads an expression, without a relation.
@@ -51,23 +84,44 @@ pub fn functions_given(tex: &str, names: &Names) -> Vec<(Name, Name)> {
     statements.into_iter().filter_map(given).collect()
 }
 
-fn read_equations(tex: &str, names: &Names) -> Result<Vec<Equation>, Fault> {
-    let mut equations = Vec::new();
-    for Statement { tokens, explains } in divided(tex)? {
+fn read_statements(tex: &str, names: &Names) -> Result<Display, Fault> {
+    let (mut display, mut conditions, mut stated) = (Display::default(), Vec::new(), 0);
+    for statement in divided(tex)? {
+        let Statement { tokens, stands } = statement;
         // Text taken from a PDF carries the number of the display along.
-        if !equations.is_empty() && is_number_of_display(&tokens) {
+        if stated > 0 && is_number_of_display(&tokens) {
             continue;
         }
-        let known = equations.len();
-        Reader::new(tokens, names).chain(&mut equations)?;
-        for equation in equations.iter_mut().skip(known) {
-            equation.explains = explains;
+        if stands == Stands::Condition {
+            let first = tokens.first().map(|token| token.at);
+            display.conditions_at = display.conditions_at.or(first);
+            conditions.push(Statement { tokens, stands });
+            continue;
         }
+        let list = match stands {
+            Stands::Beside => &mut display.beside,
+            _ => &mut display.equations,
+        };
+        let known = list.len();
+        Reader::new(tokens, names).chain(list)?;
+        for equation in list.iter_mut().skip(known) {
+            equation.explains = stands == Stands::Explains;
+        }
+        stated += usize::from(stands != Stands::Explains);
     }
-    match equations.is_empty() {
-        true => Err(Fault::new(0, Reason::NoEquation)),
-        false => Ok(equations),
+    if display.equations.is_empty() {
+        return Err(Fault::new(0, Reason::NoEquation));
     }
+    if let Some(at) = display.conditions_at.filter(|_| stated > 1) {
+        let instead = "give each statement an entry of its own, or write it as an `assume`";
+        return Err(Fault::ambiguous(
+            at,
+            "a condition beside more than one statement",
+            instead,
+        ));
+    }
+    display.conditions = conditions_of(conditions, names)?;
+    Ok(display)
 }
 
 /// `(23)` or `(20a)`.
@@ -75,18 +129,6 @@ fn is_number_of_display(tokens: &[Token<'_>]) -> bool {
     let kinds: Vec<Kind> = tokens.iter().map(|token| token.kind).take(5).collect();
     let (open, close) = (Kind::Open(Bracket::Round), Kind::Close(Bracket::Round));
     kinds == [open, Kind::Number, close] || kinds == [open, Kind::Number, Kind::Letter, close]
-}
-
-pub(super) fn divided(tex: &str) -> Result<Vec<Statement<'_>>, Fault> {
-    let (bytes, most) = (tex.len(), LONGEST);
-    if bytes > most {
-        return Err(Fault::new(0, Reason::TooLong { bytes, most }));
-    }
-    let mut statements = statements(lex(tex)?)?;
-    for statement in &mut statements {
-        pair_bars(&mut statement.tokens)?;
-    }
-    Ok(statements)
 }
 
 fn single<'a>(tex: &'a str, names: &'a Names) -> Result<Reader<'a>, Fault> {
@@ -183,6 +225,7 @@ impl Reader<'_> {
 mod tests {
     use super::super::reader::DEEPEST;
     use super::super::spelled::names;
+    use super::super::statement::LONGEST;
     use super::*;
 
     #[test]

@@ -1,4 +1,4 @@
-//! `n!`, `(2n - 1)!!` and `\binom{n}{k}`: functions of their own, and numbers where they are of small integers.
+//! `n!`, `(2n - 1)!!` and `\binom{n}{k}`, which are numbers where they are of small integers.
 
 use super::command::{ABSOLUTE, DOUBLE_FACTORIAL, FACTORIAL};
 use super::error::Fault;
@@ -6,7 +6,7 @@ use super::part::{Form, Part};
 use super::reader::Reader;
 use super::symbol::base;
 use super::token::Kind;
-use super::{At, Relation, Tree};
+use super::{At, Operation, Relation, Tree};
 use crate::number::{Field, Rational};
 
 /// The largest integer whose factorial is read as a number: that of the next is no `i64`.
@@ -47,18 +47,14 @@ impl Reader<'_> {
         self.carried(Box::new(value), Form::Plain)
     }
 
-    /// The binomial coefficient whose command stands next: n!/(k!(n - k)!).
+    /// The binomial coefficient whose command stands next.
     pub(super) fn binomial(&mut self) -> Result<Part, Fault> {
         let at = self.here();
         self.next += 1;
         let (of, chosen) = (*self.argument()?, *self.argument()?);
         let tree = match (small(&of), small(&chosen)) {
             (Some(of), Some(chosen)) => Tree::Number(Rational::from_integer(choices(of, chosen))),
-            _ => {
-                let others = Tree::Sum(vec![of.clone(), Tree::Negate(Box::new(chosen.clone()))]);
-                let below = vec![factorial(chosen, 1, at), factorial(others, 1, at)];
-                Tree::Quotient(Box::new(factorial(of, 1, at)), Box::new(Tree::Product(below)), At(at))
-            }
+            _ => Tree::Operation(Box::new(Operation::Binomial(of, chosen)), At(at)),
         };
         self.carried(Box::new(tree), Form::Plain)
     }
@@ -109,11 +105,6 @@ mod tests {
             ("((n)!)!", r"<\factorial <\factorial n>>"),
             (r"\frac{1}{n!}", r"(/ 1 <\factorial n>)"),
             ("21!", r"<\factorial 21>"),
-            (
-                r"\binom{n}{k}",
-                r"(/ <\factorial n> (* <\factorial k> <\factorial (+ n (- k))>))",
-            ),
-            (r"\binom n2", r"(/ <\factorial n> (* 2 <\factorial (+ n (- 2))>))"),
             (r"|n!|", r"<\operatorname{abs} <\factorial n>>"),
         ]);
         for tex in [

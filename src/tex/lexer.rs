@@ -287,6 +287,8 @@ impl<'a> Lexer<'a> {
         let word = content.trim_matches(|c: char| c.is_whitespace() || c == ',');
         match word {
             "and" | "where" | "with" => self.push_as(Kind::And, word, at, after),
+            "for all" | "for any" | "for each" | "for every" => self.push_as(Kind::Said, "for", at, after),
+            "provided" | "provided that" | "whenever" => self.push_as(Kind::Said, "when", at, after),
             "if" | "for" | "when" | "otherwise" | "else" | "even" | "odd" => self.push_as(Kind::Said, word, at, after),
             "" if content.contains(',') => self.push_as(Kind::Comma, ",", at, after),
             "" => {

@@ -537,6 +537,10 @@ impl Writer<'_> {
                 vec![over("msup", [base, vec![mi("\u{22a4}")]])]
             }
             Operation::Cross(left, right) => row([factor(left), vec![infix("\u{d7}")], factor(right)]),
+            Operation::Binomial(of, chosen) => {
+                let stacked = element("mfrac", [self.sum(of), self.sum(chosen)].map(one)).with("linethickness", "0");
+                vec![fenced("(", vec![stacked.into()], ")")]
+            }
             Operation::Dot(left, right) => row([factor(left), vec![infix(DOT)], factor(right)]),
             Operation::Derivative { of, by, order: 0, at } => {
                 let at = row([vec![name(by, None), infix("=")], self.sum(at)]);
@@ -772,6 +776,7 @@ mod tests {
             (Operation::Transpose(x()), "<msup><mi>x</mi><mi>⊤</mi></msup>"),
             (Operation::Cross(x(), x()), "<mo>×</mo>"),
             (Operation::Dot(x(), x()), "<mo>⋅</mo>"),
+            (Operation::Binomial(x(), x()), "linethickness=\"0\""),
             (Operation::Approaches(x()), "<mo>→</mo><mi>x</mi>"),
             (Operation::OneSided(x(), true), "<msup><mi>x</mi><mo>+</mo></msup>"),
             (Operation::Infinity, "<mi>∞</mi>"),

@@ -58,7 +58,7 @@ pub(crate) use command::with_commands;
 pub use conditions::read_conditions;
 pub use difference::{difference, difference_of};
 pub(crate) use display::functions_given;
-pub use display::{read, read_expression, read_name};
+pub use display::{Display, read, read_display, read_expression, read_name};
 pub use error::{ReadError, Reason};
 pub use evaluate::{EvaluationError, Scope, Unsupported, evaluate};
 pub use mathml::{letter, mathml, mathml_display, mathml_of_condition, mathml_of_name};

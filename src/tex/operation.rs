@@ -662,13 +662,14 @@ impl<'a> Reader<'a> {
     fn differentiated(&mut self) -> Result<Box<Tree>, Fault> {
         let of = self.factor()?;
         self.skip_empty();
-        let goes_on = matches!(of.form, Form::Bracketed)
-            || !self
-                .peek_kind()
-                .is_some_and(|kind| starts_factor(kind) || matches!(kind, Kind::Slash | Kind::Times | Kind::Star));
-        match goes_on {
-            true => Ok(of.tree),
-            false => Err(Fault::ambiguous(
+        // behind brackets a sign of multiplication tells where they end
+        let is_sign = |kind| matches!(kind, Kind::Slash | Kind::Times | Kind::Star) && of.form != Form::Bracketed;
+        match self
+            .peek_kind()
+            .is_some_and(|kind| starts_factor(kind) || is_sign(kind))
+        {
+            false => Ok(of.tree),
+            true => Err(Fault::ambiguous(
                 self.here(),
                 "a factor behind what is differentiated",
                 WHAT_IS_DERIVED,
@@ -798,7 +799,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The two inequalities that `left \approx right` means, one side a printed number: the other lies within half a
-    /// unit of its last figure. The right side is what was read from token `start` on, the left one what was from
+    /// unit of its last figure, of two printed numbers within that of the coarser. The right side is what was read from token `start` on, the left one what was from
     /// token `before` on.
     pub(super) fn approximately(
         &self,
@@ -811,9 +812,12 @@ impl<'a> Reader<'a> {
             let mut numbers = tokens.iter().filter(|token| token.kind == Kind::Number);
             printed_unit(tree, numbers.next()?.text)
         };
-        let unit = match side(start, self.next, right) {
-            Some(unit) => Some(unit),
-            None => side(before, start, left),
+        // of two printed numbers the coarser one tells
+        let unit = match (side(start, self.next, right), side(before, start, left)) {
+            (Some(Tree::Number(one)), Some(Tree::Number(other))) => {
+                Some(Tree::Number(if one < other { other } else { one }))
+            }
+            (unit, other) => unit.or(other),
         };
         let Some(unit) = unit else {
             let instead = "one of its sides must be a printed number";
@@ -989,31 +993,15 @@ fn mentions(tree: &Tree, name: &Name) -> bool {
 
 /// The names of the symbols in a tree, each once.
 fn symbols(tree: &Tree, met: &mut Vec<Name>) {
-    let mut all = |parts: &[Tree]| parts.iter().for_each(|part| symbols(part, met));
-    match tree {
-        Tree::Number(_) | Tree::Partial { .. } | Tree::Invariant { .. } => {}
-        Tree::Symbol(name, _) => {
-            if !met.contains(name) {
-                met.push(name.clone());
-            }
-        }
-        Tree::Sum(parts) | Tree::Product(parts) => all(parts),
-        Tree::Call(_, inner, _)
-        | Tree::Negate(inner)
-        | Tree::Power(inner, ..)
-        | Tree::Root(inner, ..)
-        | Tree::PlusMinus(inner)
-        | Tree::MinusPlus(inner) => symbols(inner, met),
-        Tree::Quotient(one, other, _) | Tree::RealPower(one, other, _) => {
-            symbols(one, met);
-            symbols(other, met);
-        }
-        Tree::Operation(operation, _) => {
-            for (part, _) in operation.parts() {
-                symbols(part, met);
-            }
-        }
+    if let Tree::Symbol(name, _) = tree
+        && !met.contains(name)
+    {
+        met.push(name.clone());
     }
+    tree.find_below(&mut |part| {
+        symbols(part, met);
+        None::<()>
+    });
 }
 
 #[cfg(test)]

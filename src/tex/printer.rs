@@ -182,6 +182,7 @@ fn operation(operation: &Operation) -> String {
         Operation::Trace(of) => format!("\\operatorname{{tr}}({})", sum(of)),
         Operation::Transpose(of) => format!("({})^{{\\top}}", sum(of)),
         Operation::Cross(left, right) => format!("{} \\times {}", factor(left), factor(right)),
+        Operation::Binomial(of, chosen) => format!("\\binom{{{}}}{{{}}}", sum(of), sum(chosen)),
         Operation::Dot(left, right) => format!("{} \\cdot {}", factor(left), factor(right)),
         Operation::Derivative { of, by, order: 0, at } => format!("[{}]_{{{by} = {}}}", sum(of), sum(at)),
         Operation::Derivative { of, by, order, .. } => {

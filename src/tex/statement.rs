@@ -2,16 +2,35 @@
 //!
 //! A comma, a full stop or an "and" outside brackets always divides. A new row or a wide blank divides too,
 //! unless one side of it cannot stand alone: `x = a \\ + b` and `x = \\ a` are one equation each.
+//!
+//! Conditions stand behind "for", "if", "when" or `\forall`, in brackets behind a wide blank, or say `n \in \mathbb{Z}`.
 
 use super::Relation;
-use super::error::Fault;
+use super::bars::pair_bars;
+use super::error::{Fault, Reason};
+use super::lexer::lex;
 use super::token::{Bracket, Kind, Token};
+
+/// The longest formula that is read, in bytes.
+pub(super) const LONGEST: usize = 100_000;
 
 /// The tokens of an equation, never none.
 pub(super) struct Statement<'a> {
     pub tokens: Vec<Token<'a>>,
-    /// Whether it stands behind "where" or "with".
-    pub explains: bool,
+    pub stands: Stands,
+}
+
+/// What a statement is to the others of its display.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stands {
+    /// One of what the display states.
+    Stated,
+    /// Behind "where" or "with".
+    Explains,
+    /// An inequality behind an equation and a comma or a wide blank: one statement more, or a condition.
+    Beside,
+    /// A condition on the others.
+    Condition,
 }
 
 /// What stands between two dividers.
@@ -23,15 +42,28 @@ struct Piece<'a> {
     related: bool,
     /// Begins behind a `&` or a wide blank, in line with what stands above it.
     aligned: bool,
-    /// Begins behind "where" or "with".
-    explains: bool,
+    /// Begins a row, or behind "and".
+    apart: bool,
+    stands: Stands,
 }
 
-/// The equations, in order.
-pub(super) fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Statement<'_>>, Fault> {
+/// The statements of a display, with its bars paired.
+pub(super) fn divided(tex: &str) -> Result<Vec<Statement<'_>>, Fault> {
+    let (bytes, most) = (tex.len(), LONGEST);
+    if bytes > most {
+        return Err(Fault::new(0, Reason::TooLong { bytes, most }));
+    }
+    let mut statements = statements(lex(tex)?)?;
+    for statement in &mut statements {
+        pair_bars(&mut statement.tokens)?;
+    }
+    Ok(statements)
+}
+
+/// The statements, in order.
+fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Statement<'_>>, Fault> {
     let mut whole: Vec<Piece<'_>> = Vec::new();
     for piece in pieces(tokens) {
-        no_condition(&piece)?;
         match whole.last_mut() {
             Some(before) if continues(before, &piece)? => {
                 before.related |= piece.related;
@@ -40,20 +72,81 @@ pub(super) fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Statement<'_>>, F
             _ => whole.push(piece),
         }
     }
-    let statement = |Piece { tokens, explains, .. }| Statement { tokens, explains };
-    Ok(whole.into_iter().map(statement).collect())
+    let mut found: Vec<Statement<'_>> = Vec::new();
+    for piece in whole {
+        let stands = found.first().map_or(piece.stands, |first| standing(&piece, first));
+        match conditions_in_brackets(&piece) {
+            Some(inside) if stands == Stands::Condition => {
+                let conditions = statements(inside)?.into_iter();
+                found.extend(conditions.map(|Statement { tokens, .. }| Statement { tokens, stands }));
+            }
+            _ => found.push(Statement {
+                tokens: piece.tokens,
+                stands,
+            }),
+        }
+    }
+    Ok(found)
+}
+
+/// What a piece is to a display that begins with the statement `first`.
+fn standing(piece: &Piece<'_>, first: &Statement<'_>) -> Stands {
+    let equal = Kind::Relation(Relation::Equal);
+    let mut outside = outside_brackets(&piece.tokens).filter(|kind| is_relation(*kind));
+    let is_equation = |statement: &Statement<'_>| outside_brackets(&statement.tokens).any(|kind| kind == equal);
+    let (mut orders, mut equates, mut belongs) = (false, false, false);
+    for kind in &mut outside {
+        match kind {
+            Kind::Element => belongs = true,
+            Kind::Relation(Relation::Equal) | Kind::Approximately => equates = true,
+            _ => orders = true,
+        }
+    }
+    match piece.stands {
+        Stands::Explains if orders || belongs => Stands::Condition,
+        Stands::Stated if belongs || conditions_in_brackets(piece).is_some() => Stands::Condition,
+        Stands::Stated if orders && !equates && !piece.apart && is_equation(first) => Stands::Beside,
+        stands => stands,
+    }
+}
+
+/// The conditions of `\quad (x > 0)`.
+fn conditions_in_brackets<'a>(piece: &Piece<'a>) -> Option<Vec<Token<'a>>> {
+    let [open, inside @ .., close] = piece.tokens.as_slice() else {
+        return None;
+    };
+    let round = (Kind::Open(Bracket::Round), Kind::Close(Bracket::Round));
+    let is_pair = piece.aligned && (open.kind, close.kind) == round && outside_brackets(&piece.tokens).count() == 0;
+    (is_pair && outside_brackets(inside).any(is_relation)).then(|| inside.to_vec())
+}
+
+/// The kinds of the tokens that stand in no bracket.
+fn outside_brackets<'b>(tokens: &'b [Token<'_>]) -> impl Iterator<Item = Kind> + 'b {
+    let mut depth = 0_usize;
+    tokens.iter().filter_map(move |token| {
+        match token.kind {
+            Kind::Open(_) | Kind::BraceOpen => depth += 1,
+            Kind::Close(_) | Kind::BraceClose => {
+                depth = depth.saturating_sub(1);
+                return None;
+            }
+            _ => {}
+        }
+        (depth == 0).then_some(token.kind)
+    })
 }
 
 fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
-    let fresh = |hard| Piece {
+    let fresh = |hard, stands| Piece {
         tokens: Vec::new(),
         hard,
         related: false,
         aligned: false,
-        explains: false,
+        apart: false,
+        stands,
     };
     // which brackets are open: true for those that hold rows
-    let (mut done, mut piece, mut open) = (Vec::new(), fresh(true), Vec::<bool>::new());
+    let (mut done, mut piece, mut open) = (Vec::new(), fresh(true, Stands::Stated), Vec::<bool>::new());
     let mut tokens = tokens.into_iter().peekable();
     while let Some(token) = tokens.next() {
         let depth = open.len();
@@ -67,7 +160,8 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
                 });
                 piece.aligned |= piece.tokens.is_empty();
                 if depth == 0 && piece.related && !ends_open(&piece.tokens) && !goes_on {
-                    done.push(std::mem::replace(&mut piece, fresh(true)));
+                    let stands = piece.stands;
+                    done.push(std::mem::replace(&mut piece, fresh(true, stands)));
                 }
                 continue;
             }
@@ -81,13 +175,26 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
             kind if is_relation(kind) => piece.related |= depth == 0,
             Kind::Comma | Kind::Stop | Kind::And | Kind::Row | Kind::Quad if depth == 0 => {
                 let hard = !matches!(token.kind, Kind::Row | Kind::Quad);
+                let stands = match (token.kind, token.text) {
+                    (Kind::And, "where" | "with") => Stands::Explains,
+                    // what a condition of a row is about ends with it
+                    (Kind::Row, _) if piece.stands == Stands::Condition => Stands::Stated,
+                    _ => piece.stands,
+                };
                 if piece.tokens.is_empty() {
                     piece.hard |= hard;
+                    piece.stands = stands;
                 } else {
-                    done.push(std::mem::replace(&mut piece, fresh(hard)));
+                    done.push(std::mem::replace(&mut piece, fresh(hard, stands)));
                 }
                 piece.aligned |= token.kind == Kind::Quad;
-                piece.explains |= token.kind == Kind::And && token.text != "and";
+                piece.apart |= matches!(token.kind, Kind::Row | Kind::And);
+                continue;
+            }
+            Kind::Said if depth == 0 && is_about(token.text) && !(done.is_empty() && piece.tokens.is_empty()) => {
+                let condition = fresh(true, Stands::Condition);
+                let before = std::mem::replace(&mut piece, condition);
+                done.extend((!before.tokens.is_empty()).then_some(before));
                 continue;
             }
             _ => {}
@@ -100,17 +207,9 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
     done
 }
 
-/// Refuses `\text{where } a > 0`: a condition, which would be read as one claim more.
-fn no_condition(piece: &Piece<'_>) -> Result<(), Fault> {
-    let is_condition = |kind| is_relation(kind) && kind != Kind::Relation(Relation::Equal);
-    let mut relations = piece.tokens.iter().filter(|token| is_condition(token.kind));
-    match relations.next() {
-        Some(token) if piece.explains => {
-            let instead = "write it as an `assume` of the entry";
-            Err(Fault::unsupported(token.at, "a condition within a formula", instead))
-        }
-        _ => Ok(()),
-    }
+/// Whether a word says that a condition follows.
+fn is_about(word: &str) -> bool {
+    matches!(word, "for" | "if" | "when" | "\\forall")
 }
 
 /// Whether `piece` belongs to the equation `before`.
@@ -205,17 +304,37 @@ mod tests {
     }
 
     #[test]
-    fn a_condition_is_no_equation() {
-        for tex in [
-            r"|a| = a \text{ where } a > 0",
-            r"a = n b \text{ with } n \in \mathbb{Z}",
+    fn conditions_stand_beside_what_they_are_about() {
+        let stand = |tex: &str| -> Vec<Stands> {
+            let statements = statements(lex(tex).unwrap()).unwrap();
+            statements.into_iter().map(|statement| statement.stands).collect()
+        };
+        use Stands::{Beside, Condition, Explains, Stated};
+        for (tex, wanted) in [
+            (r"|a| = a \text{ where } a > 0", vec![Stated, Condition]),
+            (r"a = n b \text{ with } n \in \mathbb{Z}", vec![Stated, Condition]),
+            (
+                r"a = b \text{ where } c = d \text{ and } e < f",
+                vec![Stated, Explains, Condition],
+            ),
+            (
+                r"a = b \quad \text{for } x > 0, y = 0",
+                vec![Stated, Condition, Condition],
+            ),
+            (r"a = b \text{ for all } x > 0", vec![Stated, Condition]),
+            (r"a = b \quad \forall x > 0", vec![Stated, Condition]),
+            (r"a = b \quad (x > 0, y > 0)", vec![Stated, Condition, Condition]),
+            (r"a = b, \quad n \in \mathbb{Z}", vec![Stated, Condition]),
+            (r"a = b, \quad x < 0", vec![Stated, Beside]),
+            (r"a = b, x < 0", vec![Stated, Beside]),
+            (r"a = b \\ x < 0", vec![Stated, Stated]),
+            (r"a < b, x < 0", vec![Stated, Stated]),
+            (r"a = b \text{ for } x > 0 \\ c = d", vec![Stated, Condition, Stated]),
+            (r"a = b, \quad (x - y) = c", vec![Stated, Stated]),
+            (r"a = b \quad (x - y)", vec![Stated, Stated]),
         ] {
-            assert!(statements(lex(tex).unwrap()).is_err(), "{tex}");
+            assert_eq!(stand(tex), wanted, "{tex}");
         }
-        assert_eq!(
-            divided(r"a = b \text{ where } c = d \text{ and } e < f"),
-            ["a=b", "c=d", "e<f"]
-        );
     }
 
     #[test]

@@ -92,6 +92,8 @@ pub enum Operation {
     /// `\vec{a} \times \vec{b}`, `\vec{a} \cdot \vec{b}`; of numbers their product.
     Cross(Tree, Tree),
     Dot(Tree, Tree),
+    /// `\binom{n}{k}`: the coefficient of x^k in (1 + x)^n.
+    Binomial(Tree, Tree),
     /// The derivative of this order of `of` by `by`, at the value `at` of it; that of order 0 is the value there.
     Derivative {
         of: Tree,
@@ -166,6 +168,50 @@ impl Tree {
     }
 }
 
+impl Tree {
+    /// What the test finds first among the parts directly below it.
+    pub fn find_below<'t, T>(&'t self, test: &mut dyn FnMut(&'t Self) -> Option<T>) -> Option<T> {
+        match self {
+            Self::Number(_) | Self::Symbol(..) | Self::Partial { .. } | Self::Invariant { .. } => None,
+            Self::Call(_, inner, _)
+            | Self::Negate(inner)
+            | Self::Power(inner, ..)
+            | Self::Root(inner, ..)
+            | Self::PlusMinus(inner)
+            | Self::MinusPlus(inner) => test(inner),
+            Self::Sum(parts) | Self::Product(parts) => parts.iter().find_map(test),
+            Self::Quotient(above, below, _) | Self::RealPower(above, below, _) => test(above).or_else(|| test(below)),
+            Self::Operation(operation, _) => operation.parts().into_iter().find_map(|(part, _)| test(part)),
+        }
+    }
+
+    /// Whether a symbol stands in it where no operation binds it.
+    pub fn has_free(&self, name: &Name) -> bool {
+        self.has_free_that(name, &|other| other == name)
+    }
+
+    /// Whether a letter stands in it, as a symbol or first in a subscript, where no operation binds it.
+    pub(crate) fn has_free_letter(&self, letter: &Name) -> bool {
+        self.has_free_that(letter, &|other| {
+            other == letter || other.subscript.starts_with(&letter.base)
+        })
+    }
+
+    fn has_free_that(&self, letter: &Name, test: &dyn Fn(&Name) -> bool) -> bool {
+        match self {
+            Self::Symbol(other, _) => test(other),
+            Self::Operation(operation, _) => {
+                let parts = operation.parts().into_iter();
+                let mut free = parts.filter(|(_, is_bound)| !(*is_bound && operation.letter() == Some(letter)));
+                free.any(|(part, _)| part.has_free_that(letter, test))
+            }
+            tree => tree
+                .find_below(&mut |part| part.has_free_that(letter, test).then_some(()))
+                .is_some(),
+        }
+    }
+}
+
 impl Operation {
     /// The letter that it binds in some of its [`parts`](Self::parts).
     pub fn letter(&self) -> Option<&Name> {
@@ -189,7 +235,9 @@ impl Operation {
             | Self::OneSided(of, _) => vec![free(of)],
             Self::Infinity => Vec::new(),
             Self::Limit { of, to, .. } => vec![free(to), (of, true)],
-            Self::Cross(left, right) | Self::Dot(left, right) => vec![free(left), free(right)],
+            Self::Cross(left, right) | Self::Dot(left, right) | Self::Binomial(left, right) => {
+                vec![free(left), free(right)]
+            }
             Self::Derivative { of, at, .. } => vec![(of, true), free(at)],
             Self::Integral { of, limits, .. } => {
                 let limits = limits.iter().flat_map(|(low, high)| [free(low), free(high)]);
@@ -223,6 +271,7 @@ impl Operation {
             },
             Self::Cross(left, right) => Self::Cross(new(left, false), new(right, false)),
             Self::Dot(left, right) => Self::Dot(new(left, false), new(right, false)),
+            Self::Binomial(of, chosen) => Self::Binomial(new(of, false), new(chosen, false)),
             Self::Derivative { of, by, order, at } => Self::Derivative {
                 of: new(of, true),
                 by: by.clone(),

@@ -1341,6 +1341,24 @@ TABLE = {
         "x := 1.5; claim x = 3/2",
     "reading/decimal-wrong":
         "x := 1.5; claim x = 1.500000000000000000001",
+    "reading/conditions-within-a-formula:2":
+        "x; if x > 0; claim abs(x) = x",
+    "reading/conditions-beside-a-formula:c1":
+        "x; if x < 0; claim sqrt(x**2) = -x",
+    "reading/conditions-beside-a-formula:c2":
+        "x; if x < 0; claim sqrt(x**2) = -x",
+    "reading/conditions-beside-a-formula:c3":
+        "x; if x < 0; claim sqrt(x**2) = -x",
+    "reading/conditions-beside-a-formula:c4":
+        "x := 1; claim sqrt(x**2) = -x",
+    "reading/conditions-beside-a-formula:c6":
+        "n := 1/2; claim cos(n*pi)**2 = 1",
+    "reading/conditions-beside-a-formula:c7":
+        "x y; if x < 0; if y > 0; claim abs(x*y) = -x*y",
+    "reading/conditions-beside-a-formula:c8":
+        "x := -1; y := 1; claim (x+y)**2 = x**2+y**2",
+    "reading/conditions-beside-a-formula:c9":
+        "x; if x != 1; claim (x**2-1)/(x-1) = x+1",
     "reading/unread-stops-nothing:c2":
         "x y; claim x+y = y+x",
     # relations

@@ -7,7 +7,7 @@ use super::super::substitute::any;
 use super::super::symbols::{Pairs, Symbols};
 use super::super::vocabulary::Vocabulary;
 use super::scan::Formula;
-use crate::tex::{Equation, Name, Names, Relation, Tree, read, read_name, with_commands};
+use crate::tex::{Equation, Name, Names, Relation, Tree, read_display, read_name, with_commands};
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// What is guessed of one formula.
@@ -76,7 +76,7 @@ impl Guess {
         };
         let stated = |formula: &Formula| {
             let tex = formula.tex.as_deref().unwrap_or_default();
-            read(tex, &names).unwrap_or_default()
+            read_display(tex, &names).unwrap_or_default().equations
         };
         Self {
             read: formulas.iter().map(stated).collect(),

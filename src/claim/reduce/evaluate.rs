@@ -3,10 +3,10 @@
 use super::super::premise::Statements;
 use super::super::substitute::{any, nodes_of, number_of, rewrite};
 use super::super::vocabulary::{Vocabulary, index_of};
-use super::build::{integer, symbol};
+use super::build::{integer, sum, symbol};
 use super::derivative::By;
-use super::factorial;
 use super::matrix::{self, Value};
+use super::{factorial, instances};
 use crate::number::Rational;
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
 
@@ -16,16 +16,24 @@ const LARGEST: usize = 400_000;
 
 /// The statements with every operation written out.
 pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
-    let out = but_factorials(statements, vocabulary)?;
+    let WithFactorials { statements: out, .. } = but_factorials(statements, vocabulary)?;
     match super::trees(&out).into_iter().any(factorial::stands_in) {
         true => Err("the factorial of a symbol".to_owned()),
         false => Ok(out),
     }
 }
 
+/// Statements in which nothing is left to be written out but factorials of symbols.
+pub(super) struct WithFactorials {
+    pub statements: Statements,
+    /// What must hold where the statements are looked at: 0 <= k <= n of each binomial coefficient that became factorials, as -1 < k < n + 1.
+    pub needed: Vec<Equation>,
+}
+
 /// The statements with every operation written out but factorials of symbols.
-pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
+pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -> Result<WithFactorials, String> {
     let mut out = statements.clone();
+    let mut needed: Vec<Equation> = Vec::new();
     out.claims.clear();
     out.premises.clear();
     let mut size = 0;
@@ -33,6 +41,7 @@ pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -
         let mut over = Over::new(statements, vocabulary);
         let claims = over.equation(claim)?;
         out.claims.extend(claims);
+        needed.append(&mut over.needed);
         let beside = over.beside.into_iter();
         out.claims
             .extend(beside.map(|tree| Equation::between(tree.clone(), tree)));
@@ -40,6 +49,7 @@ pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -
     for premise in &statements.premises {
         let mut over = Over::new(statements, vocabulary);
         let equations = over.equation(&premise.equation)?;
+        needed.append(&mut over.needed);
         let beside = over.beside.into_iter();
         let beside = beside.map(|tree| Equation::between(tree.clone(), tree));
         for equation in equations.into_iter().chain(beside) {
@@ -52,6 +62,7 @@ pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -
         let mut over = Over::new(statements, vocabulary);
         if let Condition::Relation(relation) = condition {
             let mut relations = over.equation(relation)?;
+            needed.append(&mut over.needed);
             if relations.len() != 1 || !over.beside.is_empty() {
                 return Err("an operation in a condition".to_owned());
             }
@@ -63,7 +74,22 @@ pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -
     }
     match size > LARGEST {
         true => Err("what is written out is too large".to_owned()),
-        false => Ok(out),
+        false => Ok(WithFactorials {
+            statements: out,
+            needed,
+        }),
+    }
+}
+
+/// The statements with every operation written out but factorials of symbols, where nothing more must hold.
+///
+/// # Errors
+/// What is not written out, and the condition of a binomial coefficient.
+pub(super) fn only_factorials(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
+    let WithFactorials { statements, needed } = but_factorials(statements, vocabulary)?;
+    match needed.first() {
+        Some(condition) => Err(format!("a binomial coefficient where {condition} is to be shown")),
+        None => Ok(statements),
     }
 }
 
@@ -73,6 +99,8 @@ struct Over<'a> {
     vocabulary: &'a Vocabulary,
     /// What must have a value, beside what is left: what was differentiated, entries of matrices.
     beside: Vec<Tree>,
+    /// What must hold for what is written.
+    needed: Vec<Equation>,
 }
 
 impl<'a> Over<'a> {
@@ -81,6 +109,7 @@ impl<'a> Over<'a> {
             statements,
             vocabulary,
             beside: Vec::new(),
+            needed: Vec::new(),
         }
     }
 
@@ -125,6 +154,29 @@ impl<'a> Over<'a> {
 
     fn boxed(&mut self, tree: &Tree) -> Result<Box<Tree>, String> {
         self.number(tree).map(Box::new)
+    }
+
+    /// A binomial coefficient: by factorials only of integers, and where it is not 0.
+    fn binomial(&mut self, of: &Tree, chosen: &Tree) -> Result<Tree, String> {
+        let written = factorial::binomial(of, chosen)?;
+        if whole(chosen).is_none() {
+            let integers = instances::integers(self.statements, self.vocabulary);
+            if !factorial::is_linear_in(of, &integers) {
+                return Err(format!("a binomial coefficient of {of} over a symbol"));
+            }
+            if !factorial::is_linear_in(chosen, &integers) {
+                return Err(format!(
+                    "a binomial coefficient over {chosen}, which need not be an integer"
+                ));
+            }
+            // of integers: not less is more than one less
+            let more = |left: &Tree, right: Tree| Equation {
+                relation: Relation::Greater,
+                ..Equation::between(sum(vec![left.clone(), integer(1)]), right)
+            };
+            self.needed.extend([more(chosen, integer(0)), more(of, chosen.clone())]);
+        }
+        Ok(written)
     }
 
     fn values(&mut self, trees: &[Tree]) -> Result<Vec<Value>, String> {
@@ -221,6 +273,11 @@ impl<'a> Over<'a> {
                 number => number,
             },
             Operation::Cross(left, right) => matrix::cross(&self.value(left)?, &self.value(right)?)?,
+            Operation::Binomial(of, chosen) => {
+                let (of, chosen) = (self.number(of)?, self.number(chosen)?);
+                self.beside.extend(may_be_undefined(&of).then(|| of.clone()));
+                Value::Number(self.binomial(&of, &chosen)?)
+            }
             Operation::Dot(left, right) => {
                 let (left, right) = (self.value(left)?, self.value(right)?);
                 let is_complex = |value: &Value| matches!(value, Value::Matrix(rows) if self.is_complex_in(rows));

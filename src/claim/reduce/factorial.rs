@@ -1,9 +1,10 @@
-//! Factorials: of numbers their values, of letters positive quantities of which n! = n (n - 1)! is known.
+//! Factorials and binomial coefficients: of numbers their values, of letters positive quantities of which n! = n (n - 1)! is
+//! known.
 
 use super::super::premise::Statements;
-use super::super::substitute::{any, mapped};
+use super::super::substitute::{any, mapped, number_of};
 use super::super::vocabulary::Vocabulary;
-use super::build::{integer, product, quotient, real_power, sum, symbol};
+use super::build::{call, difference, integer, product, quotient, real_power, sum, symbol};
 use super::evaluate::whole;
 use super::{fresh, rewritten, trees};
 use crate::number::{Field, Rational};
@@ -13,8 +14,9 @@ use std::collections::BTreeMap;
 pub(super) const FACTORIAL: &str = "\\factorial";
 const DOUBLE: &str = "\\doublefactorial";
 
-/// The largest number whose factorial is written out.
+/// The largest number whose factorial is written out, and the most factors n (n - 1) ... of a symbol.
 const LARGEST: i64 = 200;
+const MOST_FACTORS: i64 = 20;
 
 /// Whether a tree holds a factorial.
 pub(super) fn stands_in(tree: &Tree) -> bool {
@@ -43,6 +45,43 @@ pub(super) fn of_number(name: &Name, argument: &Tree) -> Option<Result<Tree, Str
         value -= step;
     }
     Some(Ok(Tree::Number(total)))
+}
+
+/// A binomial coefficient with its arguments written out: (n + 1) n / 2 for a number below.
+///
+/// # Errors
+/// What stands below where it is no integer, or larger than what is written out.
+pub(super) fn binomial(of: &Tree, chosen: &Tree) -> Result<Tree, String> {
+    let Some(chosen) = whole(chosen) else {
+        return match number_of(chosen) {
+            Some(_) => Err(format!("a binomial coefficient over {chosen}, which is no integer")),
+            None => Ok(by_factorials(of, chosen)),
+        };
+    };
+    let most = if whole(of).is_some() { LARGEST } else { MOST_FACTORS };
+    match chosen {
+        ..0 => Ok(integer(0)),
+        0 => Ok(integer(1)),
+        chosen if chosen > most => Err(format!("a binomial coefficient over {chosen}")),
+        chosen => {
+            let falling = (0..chosen).map(|less| sum(vec![of.clone(), integer(-less)]));
+            let below = (1..=chosen).fold(Rational::from_integer(1), |product, factor| {
+                product * Rational::from_integer(factor)
+            });
+            Ok(quotient(product(falling.collect()), Tree::Number(below)))
+        }
+    }
+}
+
+/// n!/(k! (n - k)!), which a binomial coefficient is for integers with 0 <= k <= n.
+pub(super) fn by_factorials(of: &Tree, chosen: &Tree) -> Tree {
+    let factorial = |tree: Tree| match linear(&tree) {
+        Some(linear) => call(FACTORIAL, tree_of(&linear)),
+        None => call(FACTORIAL, tree),
+    };
+    let others = difference(of.clone(), chosen.clone());
+    let below = product(vec![factorial(chosen.clone()), factorial(others)]);
+    quotient(factorial(of.clone()), below)
 }
 
 /// Letters times integers, by their names, and an integer.
@@ -115,7 +154,7 @@ fn simple(tree: &Tree) -> Tree {
                 .collect(),
             (constant + up) / 2,
         );
-        let of = |tree: Tree| super::build::call(FACTORIAL, tree);
+        let of = |tree: Tree| call(FACTORIAL, tree);
         let even = product(vec![real_power(integer(2), tree_of(&half)), of(tree_of(&half))]);
         Some(match up {
             0 => even,
@@ -187,6 +226,11 @@ pub(super) fn as_quantities(
 /// Whether a tree is letters times integers and an integer, added up.
 pub(super) fn is_linear(tree: &Tree) -> bool {
     linear(tree).is_some()
+}
+
+/// Whether a tree is such with letters that are among these.
+pub(super) fn is_linear_in(tree: &Tree, letters: &[Name]) -> bool {
+    linear(tree).is_some_and(|(own, _)| own.keys().all(|name| letters.contains(name)))
 }
 
 /// Whether a tree is such with letters that are integers.

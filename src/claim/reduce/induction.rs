@@ -2,11 +2,11 @@
 //! has a value at each.
 
 use super::super::premise::{Premise, Statements};
-use super::super::substitute::{any, mapped, rewrite};
+use super::super::substitute::{any, any_side, mapped, rewrite};
 use super::super::vocabulary::{Vocabulary, index_of, subscript_of};
 use super::build::{difference, integer, product, sum, symbol};
 use super::derivative::mentions;
-use super::evaluate::{but_factorials, whole};
+use super::evaluate::{WithFactorials, but_factorials, whole};
 use super::{Goal, defined, factorial, fresh, holds, instances, rewritten};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
 
@@ -27,8 +27,7 @@ pub(super) struct Moving {
 pub(super) fn goals(statements: &Statements, vocabulary: &Vocabulary) -> Result<Vec<Goal>, String> {
     let is_series = |operation: &Operation| matches!(operation, Operation::Series { .. });
     if !statements.claims.iter().any(|claim| holds(claim, &is_series)) {
-        let (quantities, vocabulary) = factorial::as_quantities(&but_factorials(statements, vocabulary)?, vocabulary)?;
-        return Ok(vec![Goal::of(&quantities, &vocabulary, String::new())]);
+        return with_factorials(statements, vocabulary, String::new());
     }
     if statements
         .premises
@@ -52,6 +51,34 @@ pub(super) fn goals(statements: &Statements, vocabulary: &Vocabulary) -> Result<
         }
     }
     Err(reason)
+}
+
+/// The goal with factorials as quantities, and one for each condition of a binomial coefficient: that is decided without what
+/// factorials say of their arguments.
+fn with_factorials(statements: &Statements, vocabulary: &Vocabulary, part: String) -> Result<Vec<Goal>, String> {
+    let WithFactorials {
+        statements: written,
+        needed,
+    } = but_factorials(statements, vocabulary)?;
+    let mut goals = Vec::new();
+    for condition in needed {
+        let mut alone = written.clone();
+        alone
+            .premises
+            .retain(|premise| !any_side(&premise.equation, &mut factorial::is_one));
+        alone.claims = vec![condition.clone()];
+        if super::trees(&alone).into_iter().any(factorial::stands_in) {
+            return Err(format!("{condition} is not decided"));
+        }
+        let part = match part.as_str() {
+            "" => condition.to_string(),
+            part => format!("{part}: {condition}"),
+        };
+        goals.push(Goal::of(&alone, vocabulary, part));
+    }
+    let (quantities, vocabulary) = factorial::as_quantities(&written, vocabulary)?;
+    goals.push(Goal::of(&quantities, &vocabulary, part));
+    Ok(goals)
 }
 
 fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Result<Vec<Goal>, String> {
@@ -97,9 +124,7 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
     next.premises.extend(claims.map(|claim| Premise::known(&known, claim)));
     let mut goals = Vec::new();
     let mut push = |statements: &Statements, part: String| -> Result<(), String> {
-        let (quantities, vocabulary) =
-            factorial::as_quantities(&but_factorials(statements, &vocabulary)?, &vocabulary)?;
-        goals.push(Goal::of(&quantities, &vocabulary, part));
+        goals.extend(with_factorials(statements, &vocabulary, part)?);
         Ok(())
     };
     let base = instances::at(statements, &vocabulary, &[(letter, first)]).ok_or("the first value is not admissible")?;

@@ -12,7 +12,7 @@ use super::super::vocabulary::Vocabulary;
 use super::build::{difference, integer, negative, product, sum, symbol};
 use super::derivative::{By, mentions};
 use super::series::{guess_at, seed};
-use super::{Goal, defined, fresh_like, has_operation, is_free_in, is_spoken_of, trees, written_out};
+use super::{Goal, defined, fresh_like, has_operation, is_spoken_of, trees, written_out};
 use crate::number::{Field, Rational};
 use crate::tex::{Condition, Equation, Name, Relation, Tree};
 
@@ -138,7 +138,7 @@ impl Range {
                 _ => continue,
             };
             match kind {
-                _ if is_free_in(other, letter) => {}
+                _ if other.has_free(letter) => {}
                 Relation::NotEqual => excluded.push(other.clone()),
                 Relation::Equal => {}
                 kind => bounds.push((kind, other.clone())),
@@ -222,7 +222,7 @@ fn in_letter(
     let mut extended = vocabulary.clone();
     extended.let_be_parameter(&between, false);
     let mut given = statements.clone();
-    let is_of_letter = |condition: &Condition| condition.sides().into_iter().any(|side| is_free_in(side, letter));
+    let is_of_letter = |condition: &Condition| condition.sides().into_iter().any(|side| side.has_free(letter));
     given.assume.retain(|condition| !is_of_letter(condition));
     let mut found = Vec::new();
     for (function, denominator) in [(positive.function.clone(), None)]

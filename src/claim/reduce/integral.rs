@@ -1,7 +1,7 @@
 //! Integrals: indefinite ones by differentiation, definite ones by an antiderivative whose own claims are lemmas.
 
 use super::super::premise::Statements;
-use super::super::substitute::{any, any_side, below, mapped, rewrite};
+use super::super::substitute::{any, any_side, mapped, rewrite};
 use super::super::vocabulary::Vocabulary;
 use super::antiderivative::{antiderivative, quadratic_exponential};
 use super::build::{call, difference, integer, is_zero, negative, plain, power, product, quotient, root, sum, symbol};
@@ -63,7 +63,7 @@ pub(super) fn differentiated(statements: &Statements, vocabulary: &Vocabulary) -
         let pins = |condition: &Condition| {
             let is_equation =
                 matches!(condition, Condition::Relation(relation) if relation.relation == Relation::Equal);
-            is_equation && condition.sides().into_iter().any(|side| super::is_free_in(side, &by))
+            is_equation && condition.sides().into_iter().any(|side| side.has_free(&by))
         };
         if super::is_spoken_of(statements, vocabulary, &by) || statements.assume.iter().any(pins) {
             return Err(format!("premises speak of `{by}`, which the integral is by"));
@@ -78,7 +78,7 @@ pub(super) fn differentiated(statements: &Statements, vocabulary: &Vocabulary) -
                 let slope = match integrand(&term) {
                     Some((of, _)) => of.clone(),
                     None if is_free && matches!(&term, Tree::Symbol(name, _) if *name == constant) => integer(0),
-                    None if is_free && super::is_free_in(&term, &constant) => {
+                    None if is_free && term.has_free(&constant) => {
                         return Err(format!(
                             "the constant {CONSTANT} stands elsewhere than added: declare it"
                         ));
@@ -190,7 +190,7 @@ fn collect_outermost(tree: &Tree, found: &mut Vec<Operation>) {
         found.push((**operation).clone());
         return;
     }
-    below(tree, &mut |part| {
+    tree.find_below(&mut |part| {
         collect_outermost(part, found);
         None::<()>
     });
@@ -359,7 +359,7 @@ fn may_be_bound(statements: &Statements, vocabulary: &Vocabulary, by: &Name, of:
         .premises
         .iter()
         .map(|premise| &premise.equation)
-        .filter(|equation| super::is_free_in(&equation.left, by) || super::is_free_in(&equation.right, by));
+        .filter(|equation| equation.left.has_free(by) || equation.right.has_free(by));
     let is_allowed = vocabulary.running.as_ref() == Some(by)
         && !super::is_tied(statements, vocabulary, by)
         && !super::stands_in_symbols(vocabulary, by)

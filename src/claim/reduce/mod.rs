@@ -26,7 +26,7 @@ mod series;
 
 use super::definition::{Local, inlined};
 use super::premise::Statements;
-use super::substitute::{any, below, put_in};
+use super::substitute::{any, put_in};
 use super::vocabulary::{Map, Vocabulary};
 pub use inequality::ways as ways_by_derivatives;
 pub(super) use integral::{holds_indefinite, is_constant_of_integration};
@@ -329,19 +329,6 @@ fn rewritten(statements: &Statements, new: &dyn Fn(&Tree) -> Tree) -> Statements
     rewritten
 }
 
-/// Whether a symbol stands in a tree where no operation binds it.
-fn is_free_in(tree: &Tree, name: &Name) -> bool {
-    match tree {
-        Tree::Symbol(other, _) => other == name,
-        Tree::Operation(operation, _) => {
-            let parts = operation.parts().into_iter();
-            let mut free = parts.filter(|(_, is_bound)| !(*is_bound && operation.letter() == Some(name)));
-            free.any(|(part, _)| is_free_in(part, name))
-        }
-        tree => below(tree, &mut |part| is_free_in(part, name).then_some(())).is_some(),
-    }
-}
-
 /// Whether a sum, an integral or a limit binds the running symbol of functions that stand in it without their argument.
 fn binds_bare_function(tree: &Tree, vocabulary: &Vocabulary) -> bool {
     let is_bare = |node: &Tree| match node {
@@ -369,7 +356,7 @@ fn is_antiderivative(operation: &Operation) -> bool {
 
 /// Whether premises, relations or assumed equations say anything of a symbol: then other symbols may depend on it.
 fn is_spoken_of(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -> bool {
-    let speaks = |equation: &Equation| is_free_in(&equation.left, name) || is_free_in(&equation.right, name);
+    let speaks = |equation: &Equation| equation.left.has_free(name) || equation.right.has_free(name);
     let mut premises = statements.premises.iter();
     is_tied(statements, vocabulary, name)
         || premises.any(|premise| speaks(&premise.equation))
@@ -378,7 +365,7 @@ fn is_spoken_of(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -
 
 /// Whether an assumed equation ties a symbol to others.
 fn is_tied(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -> bool {
-    let speaks = |equation: &Equation| is_free_in(&equation.left, name) || is_free_in(&equation.right, name);
+    let speaks = |equation: &Equation| equation.left.has_free(name) || equation.right.has_free(name);
     let is_other = |node: &Tree| match node {
         Tree::Symbol(other, _) => other != name && vocabulary.parameters.contains(other),
         _ => false,
@@ -397,7 +384,7 @@ fn is_tied(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -> boo
 /// Whether relations, periods, derivatives of functions or maps of `[symbols]` speak of a symbol: it is not replaced there.
 /// The running time in the derivative of a function is the function's argument, whatever it is.
 fn stands_in_symbols(vocabulary: &Vocabulary, name: &Name) -> bool {
-    let in_equation = |equation: &Equation| is_free_in(&equation.left, name) || is_free_in(&equation.right, name);
+    let in_equation = |equation: &Equation| equation.left.has_free(name) || equation.right.has_free(name);
     let is_argument = vocabulary.running.as_ref() == Some(name);
     let slopes = vocabulary.functions.iter().filter(|_| !is_argument);
     let slopes = slopes.filter_map(|(_, slope)| slope.as_ref());
@@ -407,7 +394,7 @@ fn stands_in_symbols(vocabulary: &Vocabulary, name: &Name) -> bool {
         Map::Premises { .. } | Map::Product(_) => false,
     };
     vocabulary.relations.iter().any(in_equation)
-        || trees.any(|tree| is_free_in(tree, name))
+        || trees.any(|tree| tree.has_free(name))
         || vocabulary.maps.iter().any(|(_, map)| in_map(map))
 }
 

@@ -13,7 +13,7 @@ use super::super::substitute::{any, mapped, number_of, rewrite};
 use super::super::vocabulary::{Vocabulary, index_of, subscript_of};
 use super::build::{integer, negative, product, quotient, sum, symbol};
 use super::derivative::mentions;
-use super::evaluate::{at_index, but_factorials};
+use super::evaluate::{at_index, only_factorials};
 use super::induction::{self, Moving};
 use super::instances::{self, relation_holds};
 use super::series::is_zero;
@@ -280,7 +280,33 @@ impl<'a> Sequence<'a> {
         let Some(there) = instances::at(&numbered, &self.plain, &[]).filter(|_| admissible) else {
             return Ok(None);
         };
-        but_factorials(&there, &self.plain).map(Some)
+        only_factorials(&there, &self.plain).map(Some)
+    }
+
+    /// What must hold at numbers for the recurrence to have a value behind the last member that is met: where it has none
+    /// there, the premises hold no longer.
+    fn next(&self, statements: &Statements) -> Result<Vec<Equation>, String> {
+        let members = self.members(statements).numbered;
+        let Some(index) = members.last().map(|end| end + 1 - self.highest) else {
+            return Ok(Vec::new());
+        };
+        if self.least.is_some_and(|least| index < least) {
+            return Ok(Vec::new());
+        }
+        let mut conditions = defined::conditions(&self.law_at(index)?.right, &self.plain)?;
+        conditions.retain(|condition| relation_holds(condition).is_none());
+        Ok(conditions)
+    }
+
+    /// What the recurrence says at a number.
+    fn law_at(&self, index: i64) -> Result<Equation, String> {
+        let mut alone = self.rest.clone();
+        alone.premises.clear();
+        alone.assume.clear();
+        alone.claims = vec![self.each(&self.law.equation, &|tree| at_index(tree, &self.letter, index))];
+        let there = instances::at(&alone, &self.plain, &[]);
+        let equation = there.and_then(|there| there.claims.into_iter().next());
+        equation.ok_or_else(|| "the recurrence cannot be read at a number".to_owned())
     }
 
     /// What the recurrence says at numbers, for all members from the first to the last that are met.
@@ -304,12 +330,7 @@ impl<'a> Sequence<'a> {
             if self.least.is_some_and(|least| index < least) {
                 continue;
             }
-            let mut alone = self.rest.clone();
-            alone.premises.clear();
-            alone.assume.clear();
-            alone.claims = vec![self.each(&self.law.equation, &|tree| at_index(tree, &self.letter, index))];
-            let there = instances::at(&alone, &self.plain, &[]).ok_or("the recurrence cannot be read at a number")?;
-            said.extend(there.claims);
+            said.push(self.law_at(index)?);
         }
         Ok(said)
     }
@@ -346,7 +367,7 @@ impl<'a> Sequence<'a> {
     /// A claim about parameters: each member is one.
     fn goal(&self, statements: &Statements, vocabulary: &Vocabulary, part: String) -> Result<Goal, String> {
         let (statements, mut vocabulary) =
-            factorial::as_quantities(&but_factorials(statements, vocabulary)?, vocabulary)?;
+            factorial::as_quantities(&only_factorials(statements, vocabulary)?, vocabulary)?;
         let mut names: BTreeSet<Name> = BTreeSet::new();
         for tree in trees(&statements) {
             any(tree, &mut |node| {
@@ -386,6 +407,8 @@ impl<'a> Sequence<'a> {
         let tried = (self.start()..self.start() + MOST_TRIED).filter_map(|index| {
             let mut there = self.at(index).ok()??;
             there.assume.extend(condition.clone().map(Condition::Relation));
+            let next = self.next(&there).ok()?.into_iter();
+            there.assume.extend(next.map(Condition::Relation));
             for equation in self.unrolled(&there).ok()? {
                 let mut conditions = defined::conditions(&equation.right, &self.plain).ok()?.into_iter();
                 // where it has no value, the recurrence says nothing

@@ -8,8 +8,8 @@ use crate::prove::{Counterexample, Decision};
 use crate::repair::{Part as Place, Repair};
 use crate::report::{Cell, Table};
 use crate::tex::{
-    Equation, Names, Tree, difference_of, mathml, mathml_display, mathml_of_condition, read, read_conditions,
-    read_expression,
+    Condition, Equation, Names, Tree, difference_of, mathml, mathml_display, mathml_of_condition, read,
+    read_conditions, read_display, read_expression,
 };
 use std::collections::HashSet;
 
@@ -20,8 +20,8 @@ struct Typeset(Vec<Element>);
 impl Typeset {
     /// A display, as it is printed.
     pub fn display(tex: &str, names: &Names) -> Self {
-        match read(tex, names) {
-            Ok(equations) => Self(mathml_display(&equations, &[])),
+        match read_display(tex, names) {
+            Ok(display) => Self::equations(&display.equations, &[]),
             Err(_) => Self::expression(tex, names),
         }
     }
@@ -33,11 +33,8 @@ impl Typeset {
         }
     }
 
-    fn conditions(tex: &str, names: &Names) -> Self {
-        match read_conditions(tex, names) {
-            Ok(conditions) => Self(joined(conditions.iter().map(mathml_of_condition).collect())),
-            Err(_) => Self(vec![source(tex)]),
-        }
+    fn conditions<'c>(conditions: impl IntoIterator<Item = &'c Condition>) -> Self {
+        Self(joined(conditions.into_iter().map(mathml_of_condition).collect()))
     }
 
     fn equations(equations: &[Equation], marked: &[&Tree]) -> Self {
@@ -86,7 +83,7 @@ fn excluded(text: &str, names: &Names) -> Vec<Element> {
             element("div", [text_in("span", DERIVATIVES)]).and(joined(of.collect()))
         }
         None => match read_conditions(part, names) {
-            Ok(_) => element("div", Typeset::conditions(part, names).0),
+            Ok(conditions) => element("div", Typeset::conditions(&conditions).0),
             Err(_) => element("div", [sentence(part, names)]),
         },
     };
@@ -157,11 +154,9 @@ impl Printed {
         if let Some(entry) = entry {
             said.push(("where", displays(once(&entry.local))));
             said.push(("with", displays(once(&entry.with))));
-            let assumed = once(&entry.assume).into_iter();
-            said.push((
-                "assuming",
-                assumed.map(|own| Typeset::conditions(&own.tex, names)).collect(),
-            ));
+            let assumed =
+                (!entry.assume.is_empty()).then(|| Typeset::conditions(entry.assume.iter().map(|(own, _)| own)));
+            said.push(("assuming", assumed.into_iter().collect()));
         }
         let labels = entry.iter().flat_map(|entry| &entry.follows_from);
         let labels = labels.filter_map(|&position| sheet.entries.get(position));
@@ -289,9 +284,11 @@ fn link(label: &str) -> Element {
     element("a", [shown]).with("href", format!("#{}", anchor("eq", label)))
 }
 
-/// A formula, which may be wider than the page.
+/// A formula, which may be wider than the page: it is scrolled by keys too.
 fn formula(typeset: &Typeset) -> Element {
-    element("div", typeset.0.clone()).with("class", "formula")
+    element("div", typeset.0.clone())
+        .with("class", "formula")
+        .with("tabindex", "0")
 }
 
 fn tex_source(tex: &str) -> Element {
