@@ -47,8 +47,8 @@ impl<'a> Reader<'a> {
             }
             Kind::Invariant(kind) => self.invariant(kind, 1),
             Kind::Number => self.number(token),
-            Kind::Open(Bracket::Bar) => {
-                let tree = self.absolute_value(token)?;
+            Kind::Open(bar @ (Bracket::Bar | Bracket::DoubleBar)) => {
+                let tree = self.absolute_value(token, bar)?;
                 self.carried(tree, Form::Bracketed)
             }
             Kind::Open(Bracket::Rows(rows)) => {
