@@ -50,6 +50,8 @@ pub struct Certificate {
 const MOST_ATOMS: usize = 400;
 /// With so few monomials, sums with weights up to 3 are squared, too.
 const FEW_MONOMIALS: usize = 5;
+/// What it costs, in steps, to look for what reduces a term.
+const COST_OF_TERM: u64 = 10;
 /// The most monomials whose sums and differences are squared.
 const MOST_MONOMIALS: usize = 12;
 
@@ -96,9 +98,13 @@ struct Search<'a> {
 
 impl Search<'_> {
     fn normal_form(&self, p: &Polynomial, steps: &mut Steps) -> Result<Polynomial> {
-        self.basis
-            .as_ref()
-            .map_or_else(|| Ok(p.clone()), |basis| basis.normal_form(p, steps))
+        match &self.basis {
+            None => Ok(p.clone()),
+            Some(basis) => {
+                steps.take(COST_OF_TERM * p.terms().len() as u64)?;
+                basis.normal_form(p, steps)
+            }
+        }
     }
 
     fn none(&self) -> Vec<u32> {

@@ -897,12 +897,17 @@ pub(super) fn read_entry(
             Vec::new()
         })
     };
+    let implication = match raw.role {
+        Role::Claim => implication(&tex),
+        _ => None,
+    };
     let mut assume = Vec::new();
-    let printed = |conditions: Vec<Condition>| conditions.into_iter().map(|condition| (condition, tex.clone()));
     let equations = if wanted {
         let is_identity = raw.follows_from.as_ref().is_none_or(Vec::is_empty) && raw.local.is_empty();
-        keep(stated(&tex, vocabulary, raw.role, is_identity).map(|display| {
-            assume.extend(printed(display.conditions));
+        let source = implication.as_ref().map_or(&tex, |(_, then)| then);
+        keep(stated(source, vocabulary, raw.role, is_identity).map(|display| {
+            let printed = display.conditions.into_iter();
+            assume.extend(printed.map(|condition| (condition, source.clone())));
             display.equations
         }))
     } else {
@@ -917,8 +922,13 @@ pub(super) fn read_entry(
         read.flatten().collect()
     };
     let (local, with) = (sourced(&raw.local), sourced(&raw.with));
-    for value in raw.assume.iter().filter(|_| wanted) {
-        let source = Source::new(lines, value);
+    let assumed = raw.assume.iter().map(|value| Source::new(lines, value));
+    for source in implication
+        .map(|(when, _)| when)
+        .into_iter()
+        .chain(assumed)
+        .filter(|_| wanted)
+    {
         match read_conditions(&source.tex, &vocabulary.names) {
             Ok(conditions) => assume.extend(conditions.into_iter().map(|condition| (condition, source.clone()))),
             Err(error) => faults.push(source.fault(error.at, error.reason.to_string())),
@@ -944,6 +954,28 @@ pub(super) fn read_entry(
         given: Vec::new(),
         borrowed: Vec::new(),
     })
+}
+
+/// The signs of an implication between what is assumed and what is claimed.
+const IMPLIES: [&str; 5] = ["\\Rightarrow", "\\Longrightarrow", "\\implies", "\u{21d2}", "\u{27f9}"];
+
+/// What a claim `A \Rightarrow B` assumes, and what it states, both at their places; `None` where it is no implication,
+/// or more than one.
+fn implication(source: &Source) -> Option<(Source, Source)> {
+    let is_word = |end: usize| {
+        source
+            .tex
+            .get(end..)
+            .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_alphabetic()))
+    };
+    let found = IMPLIES.iter().flat_map(|sign| source.tex.match_indices(sign));
+    let mut found = found.filter(|(at, sign)| !(sign.starts_with('\\') && is_word(at + sign.len())));
+    let (at, sign) = found.next().filter(|_| found.next().is_none())?;
+    let (when, rest) = source.tex.split_at_checked(at)?;
+    let then = rest.get(sign.len()..)?;
+    let blank = |text: &str| " ".repeat(text.len());
+    let before = source.tex.get(..source.tex.len() - then.len())?;
+    Some((source.with_tex(when.to_owned()), source.with_tex(blank(before) + then)))
 }
 
 /// What a condition says to tend to something.

@@ -55,6 +55,11 @@ pub struct Source {
 const MOST_SHOWN: usize = 160;
 
 impl Source {
+    /// Another text of the same length at the same place.
+    pub(super) fn with_tex(&self, tex: String) -> Self {
+        Self { tex, ..self.clone() }
+    }
+
     pub(super) fn new(text: &Text, value: &Spanned<String>) -> Self {
         let span = value.span();
         let raw = text.lines.text.get(span.clone()).unwrap_or_default();

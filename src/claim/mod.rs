@@ -25,7 +25,7 @@ pub use fault::{Fault, Source};
 pub use nearest::nearest;
 pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Premise, Statements};
-pub use reduce::{Goal, Reduced, along_a_sequence, reduced, reduced_by_cases, ways_by_derivatives};
+pub use reduce::{Goal, Reduced, along_a_sequence, other_ways, reduced, reduced_by_cases};
 pub use sheet::{Sheet, read_symbols};
 pub use substitute::{any, any_side, flies, number_of, rewrite, rewrite_equation};
 pub use verdict::Verdict;

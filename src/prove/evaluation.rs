@@ -7,13 +7,15 @@ use crate::kernel::{Expansion, Node, Property, Quantity, Statement, Symbol, Term
 use crate::number::{Field, Rational};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The values of the symbols in turn, as numerators and denominators; last units, whose powers stay small.
-const VALUES: [&[(i64, i64)]; 5] = [
+/// The values of the symbols in turn, as numerators and denominators: units have powers that stay small, fractions are near both ends of (-1, 1).
+const VALUES: [&[(i64, i64)]; 7] = [
     &[(2, 1), (3, 1), (5, 1), (7, 1), (11, 1), (4, 1), (9, 1), (6, 1)],
     &[(1, 2), (1, 3), (2, 3), (3, 4), (1, 5), (4, 5), (5, 6)],
     &[(-1, 1), (1, 1), (2, 1), (-2, 1), (3, 1), (1, 2)],
     &[(1, 1), (2, 1), (-1, 1), (1, 2), (-3, 1)],
     &[(1, 1), (-1, 1)],
+    &[(4, 5), (-3, 4), (1, 6), (-2, 3)],
+    &[(-5, 6), (2, 5), (3, 4), (-1, 5)],
 ];
 /// The most digits of a value; those of chains of squares double at each link.
 const MOST_DIGITS: usize = 400;

@@ -24,7 +24,7 @@ pub use decision::{Decision, mention_refuted};
 pub use explanation::explain;
 pub use script::{CHECKER, Decided, Found, decided, scripts};
 
-use crate::claim::{Goal, Reduced, Sheet, Verdict, reduced, reduced_by_cases, ways_by_derivatives};
+use crate::claim::{Goal, Reduced, Sheet, Verdict, other_ways, reduced, reduced_by_cases};
 use crate::kernel;
 
 /// How far the search goes.
@@ -49,15 +49,17 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     };
     let start = Decision::of(sheet, position);
     let decision = together(&goals, &start, &follows_from(sheet, position), options);
-    let is_plain =
-        goals.is_equivalent && goals.lemmas.is_empty() && goals.sufficient.iter().all(|goal| goal.part.is_empty());
+    let is_plain = goals.is_equivalent && goals.sufficient.iter().all(|goal| goal.part.is_empty());
     let further = match (decision.verdict, goals.sufficient.as_slice()) {
         (Verdict::Undecided, [goal]) if is_plain && !decision.is_vacuous => {
             reduced_by_cases(&goal.statements, &goal.vocabulary)
         }
         _ => None,
     };
-    let further = further.map(|goals| together(&goals, &start, &follows_from(sheet, position), options));
+    let further = further.map(|mut further| {
+        further.lemmas.extend(goals.lemmas.iter().cloned());
+        together(&further, &start, &follows_from(sheet, position), options)
+    });
     let decision = match further {
         Some(further) if further.verdict != Verdict::Undecided || !further.reason.ends_with(": ") => further,
         _ => decision,
@@ -68,7 +70,7 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
 /// What the goals of a claim come to together; `reason` is that of a proof.
 fn together(goals: &Reduced, start: &Decision, reason: &str, options: &Options) -> Decision {
     let mut decision = start.clone();
-    let settle = |goal: &Goal| settled_by_derivatives(goal, start, options);
+    let settle = |goal: &Goal| settled_otherwise(goal, start, options);
     for lemma in &goals.lemmas {
         let found = settle(lemma);
         if found.verdict != Verdict::Proved {
@@ -151,7 +153,7 @@ fn goals(sheet: &Sheet, position: usize) -> Result<Reduced, Box<Decision>> {
 }
 
 /// Decides one goal of a claim, an inequality by the signs of derivatives where it is not decided as it stands.
-fn settled_by_derivatives(goal: &Goal, start: &Decision, options: &Options) -> Decision {
+fn settled_otherwise(goal: &Goal, start: &Decision, options: &Options) -> Decision {
     let decision = settled(goal, start, options);
     if decision.verdict != Verdict::Undecided || decision.is_vacuous {
         return decision;
@@ -161,7 +163,7 @@ fn settled_by_derivatives(goal: &Goal, start: &Decision, options: &Options) -> D
         let mut goals = way.iter().map(|goal| settled(goal, start, options));
         goals.all(|found| found.verdict == Verdict::Proved && found.provided.is_empty())
     };
-    let claims = ways_by_derivatives(&goal.statements, &goal.vocabulary);
+    let claims = other_ways(&goal.statements, &goal.vocabulary);
     if claims.is_empty() || !claims.iter().all(|ways| ways.iter().any(holds)) {
         return decision;
     }

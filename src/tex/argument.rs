@@ -10,7 +10,7 @@ use super::part::{Form, Part, starts_factor};
 use super::reader::{Reader, product};
 use super::symbol::base;
 use super::token::{Kind, Token};
-use super::{At, Name, Tree};
+use super::{At, Name, Operation, Tree};
 
 /// Letters that commonly are the factor of a variable, as in `\cos\omega t`. Any other may be the whole argument: in
 /// `v_0\cos\alpha t` and `\sin\theta F` it is.
@@ -101,6 +101,7 @@ impl<'a> Reader<'a> {
             (Form::Literal | Form::Fraction | Form::Bracketed | Form::Bare, _) => true,
             (Form::Plain, Tree::Call(name, ..)) => elementary(&name.base).is_some() && !self.names.is_function(name),
             (Form::Plain, Tree::Symbol(..) | Tree::Root(..)) => true,
+            (Form::Plain, Tree::Operation(operation, _)) => matches!(**operation, Operation::Root { .. }),
             // an angle in degrees
             (Form::Knot, Tree::Quotient(..)) => true,
             (Form::Knot, tree) => kind != Kind::Root && (is_number(tree) || symbol_of(tree).is_some()),

@@ -2,11 +2,13 @@
 
 use super::call::raise;
 use super::error::Fault;
+use super::evaluate::evaluate;
 use super::part::{Form, Part, starts_factor};
 use super::reader::Reader;
 use super::token::{Bracket, Kind, Token};
-use super::{At, Name, Tree};
+use super::{At, Name, Operation, Tree};
 use crate::number::Rational;
+use std::collections::BTreeMap;
 
 /// The most digits of a number: exact arithmetic on longer ones would take noticeable time.
 const LONGEST: usize = 1000;
@@ -45,8 +47,8 @@ impl<'a> Reader<'a> {
             }
             Kind::Invariant(kind) => self.invariant(kind, 1),
             Kind::Number => self.number(token),
-            Kind::Open(Bracket::Bar) => {
-                let tree = self.absolute_value(token)?;
+            Kind::Open(bar @ (Bracket::Bar | Bracket::DoubleBar)) => {
+                let tree = self.absolute_value(token, bar)?;
                 self.carried(tree, Form::Bracketed)
             }
             Kind::Open(Bracket::Rows(rows)) => {
@@ -239,26 +241,40 @@ impl<'a> Reader<'a> {
         self.next += 1;
         let index = match self.peek_kind() {
             Some(Kind::Open(Bracket::Square)) => self.index()?,
-            _ => 2,
+            _ => Ok(2),
         };
         let radicand = self.argument()?;
-        self.carried(Box::new(Tree::Root(radicand, index, At(token.at))), Form::Plain)
+        let root = match index {
+            Ok(index) => Tree::Root(radicand, index, At(token.at)),
+            Err(index) => {
+                let of = *radicand;
+                Tree::Operation(Box::new(Operation::Root { of, index }), At(token.at))
+            }
+        };
+        self.carried(Box::new(root), Form::Plain)
     }
 
-    /// The index of a root, between the brackets that stand next.
-    fn index(&mut self) -> Result<u32, Fault> {
+    /// The index of a root, between the brackets that stand next: a number, or a formula with a symbol.
+    fn index(&mut self) -> Result<Result<u32, Tree>, Fault> {
         let at = self.here();
         let index = self.look(1).and_then(|token| token.text.parse().ok());
-        match (index, self.look(2).map(|token| token.kind)) {
-            (Some(index), Some(Kind::Close(Bracket::Square))) if (2..=HIGHEST_INDEX).contains(&index) => {
-                self.next += 3;
-                Ok(index)
-            }
-            _ => {
-                let instead = "the index of a root is a number from 2 to 1000; write x^{1/n} for any other";
-                Err(Fault::unsupported(at, "this root", instead))
-            }
+        if let (Some(index), Some(Kind::Close(Bracket::Square))) = (index, self.look(2).map(|token| token.kind))
+            && (2..=HIGHEST_INDEX).contains(&index)
+        {
+            self.next += 3;
+            return Ok(Ok(index));
         }
+        self.next += 1;
+        let index = *self.sum()?;
+        if evaluate(&index, &mut BTreeMap::<Name, Rational>::new()).is_ok() {
+            let instead = "the index of a root is a number from 2 to 1000, or has a symbol in it";
+            return Err(Fault::unsupported(at, "this root", instead));
+        }
+        if self.peek_kind() != Some(Kind::Close(Bracket::Square)) {
+            return Err(self.instead_of("`]` after the index of a root"));
+        }
+        self.next += 1;
+        Ok(Err(index))
     }
 
     /// `\frac{\partial a}{\partial b}` or `\frac{\partial}{\partial b} a`, after its command.
@@ -389,10 +405,9 @@ mod tests {
             (r"\frac123", "write { }"),
             (r"\sqrt23", "write { }"),
             (r"\sqrt x_k", "only a name"),
-            (r"\sqrt[n]{x}", "from 2 to 1000"),
             (r"\sqrt[1]{x}", "from 2 to 1000"),
             (r"\sqrt[1001]{x}", "from 2 to 1000"),
-            (r"\sqrt[3{x}", "from 2 to 1000"),
+            (r"\sqrt[3{x}", "after the index of a root"),
             (r"1.5\mathrm{e}3", r"`1.5e3` can be read"),
             ("1.5 e 3", r"`1.5e3` can be read"),
             ("1e3", r"`1e3` can be read as 1 \cdot 10^{3} or as 1 e \cdot 3"),

@@ -17,9 +17,14 @@ struct Bar {
     may_close: bool,
 }
 
-/// Replaces each plain bar by an opening or a closing one.
+/// Replaces each plain bar, single or double, by an opening or a closing one.
 pub(super) fn pair_bars(tokens: &mut [Token<'_>]) -> Result<(), Fault> {
-    if !tokens.iter().any(|token| token.kind == Kind::Bar) {
+    pair(tokens, Kind::DoubleBar, Bracket::DoubleBar)?;
+    pair(tokens, Kind::Bar, Bracket::Bar)
+}
+
+fn pair(tokens: &mut [Token<'_>], plain: Kind, bracket: Bracket) -> Result<(), Fault> {
+    if !tokens.iter().any(|token| token.kind == plain) {
         return Ok(());
     }
     // The bars of each bracket that is open, and where it starts.
@@ -33,7 +38,7 @@ pub(super) fn pair_bars(tokens: &mut [Token<'_>]) -> Result<(), Fault> {
                     done.push((start, place, bars));
                 }
             }
-            Some(Kind::Bar) => {
+            Some(kind) if kind == plain => {
                 let bar = neighbours(tokens, place);
                 match levels.last_mut() {
                     Some((_, bars)) => bars.push(bar),
@@ -46,7 +51,7 @@ pub(super) fn pair_bars(tokens: &mut [Token<'_>]) -> Result<(), Fault> {
     let end = tokens.len();
     done.extend(levels.into_iter().map(|(start, bars)| (start, end, bars)));
     for (start, end, bars) in done {
-        resolve(tokens, start, end, &bars)?;
+        resolve(tokens, start, end, &bars, bracket)?;
     }
     Ok(())
 }
@@ -66,7 +71,7 @@ fn neighbours(tokens: &[Token<'_>], place: usize) -> Bar {
 
 fn starts_content(kind: Kind) -> bool {
     let sign = matches!(kind, Kind::Plus | Kind::Minus | Kind::PlusMinus | Kind::MinusPlus);
-    sign || kind == Kind::Bar || super::part::starts_factor(kind)
+    sign || matches!(kind, Kind::Bar | Kind::DoubleBar) || super::part::starts_factor(kind)
 }
 
 fn ends_factor(kind: Kind) -> bool {
@@ -79,13 +84,14 @@ fn ends_factor(kind: Kind) -> bool {
             | Kind::BraceClose
             | Kind::Prime
             | Kind::Bar
+            | Kind::DoubleBar
             | Kind::Degree
             | Kind::Factorial
     )
 }
 
 /// Decides the bars of one level of brackets, whose tokens are `start..end`.
-fn resolve(tokens: &mut [Token<'_>], start: usize, end: usize, bars: &[Bar]) -> Result<(), Fault> {
+fn resolve(tokens: &mut [Token<'_>], start: usize, end: usize, bars: &[Bar], bracket: Bracket) -> Result<(), Fault> {
     let Some(first) = bars.first().and_then(|bar| tokens.get(bar.place)).copied() else {
         return Ok(());
     };
@@ -99,14 +105,15 @@ fn resolve(tokens: &mut [Token<'_>], start: usize, end: usize, bars: &[Bar]) -> 
     };
     if let Some(other) = pairing.other_than(&one) {
         let level = tokens.get(start..end).unwrap_or_default();
-        let [one, other] = [one, other].map(|opens| printed(level, &opens));
+        let plain = first.kind;
+        let [one, other] = [one, other].map(|opens| printed(level, plain, &opens));
         return Err(Fault::two_readings(first.at, "these bars", &one, &other));
     }
     for (bar, opens) in bars.iter().zip(one) {
         if let Some(token) = tokens.get_mut(bar.place) {
             token.kind = match opens {
-                true => Kind::Open(Bracket::Bar),
-                false => Kind::Close(Bracket::Bar),
+                true => Kind::Open(bracket),
+                false => Kind::Close(bracket),
             };
         }
     }
@@ -190,11 +197,14 @@ impl<'a> Pairing<'a> {
 }
 
 /// The tokens of a level with its plain bars as `opens` has them.
-fn printed(tokens: &[Token<'_>], opens: &[bool]) -> String {
+fn printed(tokens: &[Token<'_>], plain: Kind, opens: &[bool]) -> String {
     let mut opens = opens.iter();
     let mut out = String::new();
     for token in tokens {
         let text = match token.kind {
+            Kind::DoubleBar if opens.next() == Some(&true) => "\\left\\|",
+            Kind::DoubleBar => "\\right\\|",
+            Kind::Bar if plain != Kind::Bar => token.text,
             Kind::Bar if opens.next() == Some(&true) => "\\left|",
             Kind::Open(Bracket::Bar) => "\\left|",
             Kind::Bar | Kind::Close(Bracket::Bar) => "\\right|",

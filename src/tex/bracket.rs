@@ -17,11 +17,19 @@ impl<'a> Reader<'a> {
         self.close(open, kind).map(|()| tree)
     }
 
-    /// The absolute value whose opening bar stands next.
-    pub(super) fn absolute_value(&mut self, open: Token<'a>) -> Result<Box<Tree>, Fault> {
+    /// The absolute value, or the Euclidean norm, whose opening bar stands next.
+    pub(super) fn absolute_value(&mut self, open: Token<'a>, bar: Bracket) -> Result<Box<Tree>, Fault> {
         self.next += 1;
         let argument = self.sum()?;
-        self.close(open, Bracket::Bar)?;
+        self.close(open, bar)?;
+        // `\|x\|_2`
+        let is_two = |token: &Token<'_>| token.kind == Kind::Number && token.text == "2";
+        if bar == Bracket::DoubleBar
+            && self.peek_kind() == Some(Kind::Sub)
+            && self.look(1).is_some_and(|token| is_two(&token))
+        {
+            self.next += 2;
+        }
         Ok(Box::new(Tree::Call(base(ABSOLUTE), argument, At(open.at))))
     }
 
@@ -31,7 +39,7 @@ impl<'a> Reader<'a> {
         let Kind::Open(kind) = token.kind else {
             return None;
         };
-        if matches!(kind, Bracket::Bar | Bracket::Rows(_)) {
+        if matches!(kind, Bracket::Bar | Bracket::DoubleBar | Bracket::Rows(_)) {
             return None;
         }
         self.next += 1;

@@ -1,6 +1,9 @@
 //! What a bracket makes of a name: calls, elementary functions, traces and determinants.
 
-use super::command::{CONJUGATE, DECIMAL_LOGARITHM, elementary, elementary_at_start, has_powers, invariant, is_part};
+use super::command::{
+    CONJUGATE, DECIMAL_LOGARITHM, HYPERBOLIC_COSECANT, HYPERBOLIC_SECANT, elementary, elementary_at_start, has_powers,
+    invariant, is_part,
+};
 use super::error::{Fault, Reason};
 use super::exponent::Exponent;
 use super::part::{Form, Part};
@@ -84,7 +87,7 @@ impl<'a> Reader<'a> {
     fn bracketed_argument(&mut self) -> Result<Option<Box<Tree>>, Fault> {
         self.skip_empty();
         match self.peek_kind() {
-            Some(Kind::Open(kind)) if kind != Bracket::Bar => {
+            Some(Kind::Open(kind)) if !matches!(kind, Bracket::Bar | Bracket::DoubleBar) => {
                 self.argument_bracket(kind)?;
                 self.bracketed().map(Some)
             }
@@ -308,7 +311,13 @@ const FOREIGN_FUNCTIONS: [&str; 19] = [
 ];
 
 fn elementary_call(function: &str, argument: Box<Tree>, at: usize) -> Box<Tree> {
-    Box::new(Tree::Call(base(function), argument, At(at)))
+    let reciprocal = match function {
+        HYPERBOLIC_SECANT => "\\cosh",
+        HYPERBOLIC_COSECANT => "\\sinh",
+        _ => return Box::new(Tree::Call(base(function), argument, At(at))),
+    };
+    let one = Box::new(Tree::Number(Rational::from_integer(1)));
+    Box::new(Tree::Quotient(one, elementary_call(reciprocal, argument, at), At(at)))
 }
 
 /// `\log_a x` = ln x / ln a.

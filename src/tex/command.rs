@@ -146,6 +146,10 @@ pub(super) const WORD_SPACE: u32 = 6;
 /// The logarithm with base 10; never read from letters, which are a product as in `m l g(1 - \cos\theta)`.
 pub(super) const DECIMAL_LOGARITHM: &str = "\\lg";
 
+/// Reciprocals of hyperbolic functions, read as quotients; never read from letters.
+pub(super) const HYPERBOLIC_SECANT: &str = "\\sech";
+pub(super) const HYPERBOLIC_COSECANT: &str = "\\csch";
+
 /// The command of the elementary function `word`, as `cos` or `\cos`.
 pub(super) fn elementary(word: &str) -> Option<&'static str> {
     let word = match word.strip_prefix('\\').unwrap_or(word) {
@@ -153,6 +157,8 @@ pub(super) fn elementary(word: &str) -> Option<&'static str> {
         "arccosh" => "arcosh",
         "arctanh" => "artanh",
         "lg" => return Some(DECIMAL_LOGARITHM),
+        "sech" => return Some(HYPERBOLIC_SECANT),
+        "csch" => return Some(HYPERBOLIC_COSECANT),
         word => word,
     };
     let known = |command: &&&str| command.strip_prefix('\\') == Some(word);
@@ -178,6 +184,8 @@ pub(super) fn has_powers(function: &str) -> bool {
         "\\cosh",
         "\\tanh",
         "\\coth",
+        HYPERBOLIC_SECANT,
+        HYPERBOLIC_COSECANT,
         "\\ln",
         "\\log",
         DECIMAL_LOGARITHM,
@@ -277,6 +285,9 @@ fn sign(text: &str) -> Option<Command> {
         "\\vert" | "\\mid" => Kind::Bar,
         "\\lvert" => Kind::Open(Bracket::Bar),
         "\\rvert" => Kind::Close(Bracket::Bar),
+        "\\|" | "\\Vert" => Kind::DoubleBar,
+        "\\lVert" => Kind::Open(Bracket::DoubleBar),
+        "\\rVert" => Kind::Close(Bracket::DoubleBar),
         "\\{" | "\\lbrace" => Kind::Open(Bracket::Curly),
         "\\}" | "\\rbrace" => Kind::Close(Bracket::Curly),
         "\\lbrack" => Kind::Open(Bracket::Square),
@@ -392,7 +403,6 @@ fn hint(text: &str) -> &'static str {
     match text {
         "\\over" => ": write \\frac{..}{..}",
         "\\bigg/" | "\\middle" => ": write / alone",
-        "\\|" | "\\Vert" | "\\lVert" | "\\rVert" => ": norms are not supported; an absolute value has single bars",
         "\\sim" | "\\simeq" | "\\cong" | "\\propto" | "\\ll" | "\\gg" => {
             ": it has no exact meaning; write =, \\neq, <, >, \\leq or \\geq"
         }

@@ -5,10 +5,12 @@ use super::reader::Reader;
 use super::statement::{Statement, divided};
 use super::token::{Bracket, Kind, Set};
 use super::{At, Condition, Equation, Name, Names, Operation, ReadError, Relation, Tree};
+use crate::number::{Field, Rational};
 
 /// Reads conditions parted by commas: relations and chains of them, `n \in \mathbb{Z}`, `x \in [a, b)`. An interval
 /// gives its two inequalities, an end at infinity none; `x \in \mathbb{R}` gives nothing, for symbols are real, and
-/// `z \in \mathbb{C}` nothing where `z` is declared complex.
+/// `z \in \mathbb{C}` nothing where `z` is declared complex. What is said of the last of a list of symbols, as in
+/// `m, n \ge 0`, is said of each; `(x, y) \ne (0, 0)` of real numbers says that their differences are not all 0.
 pub fn read_conditions(tex: &str, names: &Names) -> Result<Vec<Condition>, ReadError> {
     let read = || {
         let statements = divided(tex)?;
@@ -22,44 +24,172 @@ pub fn read_conditions(tex: &str, names: &Names) -> Result<Vec<Condition>, ReadE
 
 /// The conditions that statements say.
 pub(super) fn conditions_of(statements: Vec<Statement<'_>>, names: &Names) -> Result<Vec<Condition>, Fault> {
-    let mut conditions = Vec::new();
+    let (mut conditions, mut listed) = (Vec::new(), Listed::default());
     for statement in statements {
-        Reader::new(statement.tokens, names).condition(&mut conditions)?;
+        Reader::new(statement.tokens, names).condition(&mut listed, &mut conditions)?;
     }
-    Ok(conditions)
+    match listed.first {
+        Some(at) => Err(Fault::new(at, Reason::NoCondition)),
+        None => Ok(conditions),
+    }
+}
+
+/// Symbols before a comma, of which the next condition speaks too, and where the first of them stands.
+#[derive(Default)]
+struct Listed {
+    first: Option<usize>,
+    symbols: Vec<Tree>,
+}
+
+impl Listed {
+    /// Says of each what the conditions say of a symbol.
+    fn share(&mut self, said: &Tree, conditions: &mut Vec<Condition>, from: usize) {
+        let of = |tree: &Tree, symbol: &Tree| if tree == said { symbol.clone() } else { tree.clone() };
+        let own: Vec<Condition> = conditions.iter().skip(from).cloned().collect();
+        for symbol in std::mem::take(&mut self.symbols) {
+            conditions.extend(own.iter().map(|condition| match condition {
+                Condition::Integer(tree) => Condition::Integer(of(tree, &symbol)),
+                Condition::Relation(relation) => Condition::Relation(Equation {
+                    left: of(&relation.left, &symbol),
+                    right: of(&relation.right, &symbol),
+                    ..relation.clone()
+                }),
+            }));
+        }
+        self.first = None;
+    }
 }
 
 impl Reader<'_> {
-    fn condition(&mut self, conditions: &mut Vec<Condition>) -> Result<(), Fault> {
+    fn condition(&mut self, listed: &mut Listed, conditions: &mut Vec<Condition>) -> Result<(), Fault> {
         if let Some(about) = self.tokens.iter().find(|token| token.kind == Kind::Approximately) {
             let instead = ": it has no exact meaning in a condition; write the bounds";
             return Err(Fault::unreadable(about.at, about.text, instead));
         }
         let at = self.here();
-        let left = *self.sum()?;
-        if self.peek().is_none() {
-            return Err(Fault::new(at, Reason::NoCondition));
+        if listed.first.is_none() && self.is_tuple() {
+            return self.between_tuples(at, conditions);
         }
+        let left = *self.sum()?;
+        let is_symbol = matches!(left, Tree::Symbol(..));
+        if self.peek().is_none() && is_symbol {
+            listed.first.get_or_insert(at);
+            listed.symbols.push(left);
+            return Ok(());
+        }
+        if self.peek().is_none() || (listed.first.is_some() && !is_symbol) {
+            return Err(Fault::new(listed.first.unwrap_or(at), Reason::NoCondition));
+        }
+        let (from, said) = (conditions.len(), left.clone());
         if self.peek_kind() == Some(Kind::To) {
             let to = self.approached()?;
             let right = Tree::Operation(Box::new(Operation::Approaches(to)), At(at));
             let mut condition = Equation::between(left, right);
             (condition.at, condition.end) = (At(at), At(self.look_back()));
             conditions.push(Condition::Relation(condition));
-            return self.finish("the end of the condition");
+            self.finish("the end of the condition")?;
+        } else if self.take(Kind::Element).is_some() {
+            self.membership(at, left, &listed.symbols, conditions)?;
+            self.finish("the end of the condition")?;
+        } else {
+            let mut equations = Vec::new();
+            self.links(at, left, &mut equations)?;
+            conditions.extend(equations.into_iter().map(Condition::Relation));
         }
-        if self.take(Kind::Element).is_some() {
-            self.membership(at, left, conditions)?;
-            return self.finish("the end of the condition");
+        listed.share(&said, conditions, from);
+        Ok(())
+    }
+
+    /// Whether a bracket stands next that holds a comma of its own.
+    fn is_tuple(&self) -> bool {
+        let mut depth = 0_usize;
+        for token in self.tokens.iter().skip(self.next) {
+            match token.kind {
+                Kind::Open(Bracket::Round) | Kind::BraceOpen => depth += 1,
+                Kind::Open(_) if depth > 0 => depth += 1,
+                Kind::Close(_) | Kind::BraceClose => depth = depth.saturating_sub(1),
+                Kind::Comma if depth == 1 => return true,
+                _ => {}
+            }
+            if depth == 0 {
+                return false;
+            }
         }
-        let mut equations = Vec::new();
-        self.links(at, left, &mut equations)?;
-        conditions.extend(equations.into_iter().map(Condition::Relation));
+        false
+    }
+
+    fn tuple(&mut self) -> Result<Vec<Tree>, Fault> {
+        let mut entries = Vec::new();
+        if self.peek_kind() != Some(Kind::Open(Bracket::Round)) {
+            return Err(self.instead_of("`(`"));
+        }
+        while self.peek_kind() != Some(Kind::Close(Bracket::Round)) {
+            self.next += 1;
+            entries.push(*self.sum()?);
+            if !matches!(self.peek_kind(), Some(Kind::Comma | Kind::Close(Bracket::Round))) {
+                return Err(self.instead_of("a comma or `)`"));
+            }
+        }
+        self.next += 1;
+        Ok(entries)
+    }
+
+    /// `(x, y) = (a, b)`, or that these differ.
+    fn between_tuples(&mut self, at: usize, conditions: &mut Vec<Condition>) -> Result<(), Fault> {
+        let left = self.tuple()?;
+        let relation = match self.peek_kind() {
+            Some(Kind::Relation(relation @ (Relation::Equal | Relation::NotEqual))) => relation,
+            _ => return Err(self.instead_of("= or \\ne")),
+        };
+        self.next += 1;
+        let other = self.here();
+        let right = self.tuple()?;
+        self.finish("the end of the condition")?;
+        if left.len() != right.len() {
+            return Err(Fault::unsupported(
+                other,
+                "this condition",
+                "both sides have as many entries",
+            ));
+        }
+        if !self.names.complex.is_empty() {
+            return Err(Fault::unsupported(
+                at,
+                "this condition",
+                "write it for each of the numbers",
+            ));
+        }
+        let (start, end) = (At(at), At(self.look_back()));
+        let mut push = |left: Tree, right: Tree| {
+            conditions.push(Condition::Relation(Equation {
+                relation,
+                at: start,
+                end,
+                ..Equation::between(left, right)
+            }));
+        };
+        let pairs = left.into_iter().zip(right);
+        if relation == Relation::Equal {
+            pairs.for_each(|(left, right)| push(left, right));
+            return Ok(());
+        }
+        // real numbers are all 0 where the sum of their squares is
+        let squares = pairs.map(|(left, right)| {
+            let difference = Tree::Sum(vec![left, Tree::Negate(Box::new(right))]);
+            Tree::Power(Box::new(difference), 2, start)
+        });
+        push(Tree::Sum(squares.collect()), Tree::Number(Rational::from_integer(0)));
         Ok(())
     }
 
     /// What follows `element \in`.
-    fn membership(&mut self, at: usize, element: Tree, conditions: &mut Vec<Condition>) -> Result<(), Fault> {
+    fn membership(
+        &mut self,
+        at: usize,
+        element: Tree,
+        others: &[Tree],
+        conditions: &mut Vec<Condition>,
+    ) -> Result<(), Fault> {
         match self.peek_kind() {
             Some(Kind::Set(set)) => {
                 self.next += 1;
@@ -67,7 +197,9 @@ impl Reader<'_> {
                     let instead = "write the bound as an inequality";
                     return Err(Fault::unsupported(self.here(), "a set with a script", instead));
                 }
-                self.is_in(at, set, &element)?;
+                for element in others.iter().chain([&element]) {
+                    self.is_in(at, set, element)?;
+                }
                 if set == Set::Integer {
                     conditions.push(Condition::Integer(element));
                 }
@@ -193,10 +325,11 @@ mod tests {
             (r"x > 0, r_B r_T \neq 1", vec!["x > 0", r"r_B r_T \neq 1"]),
             (r"0 \le u < \pi/2", vec![r"0 \leq u", r"u < \frac{\pi}{2}"]),
             (r"n \in \mathbb{Z}", vec!["n integer"]),
-            (
-                r"n, m \in \mathbb Z",
-                vec!["line 1, column 1: no condition here: write `x > 0`, `x \\in [0, 1]` or `n \\in \\mathbb{Z}`"],
-            ),
+            (r"n, m \in \mathbb Z", vec!["m integer", "n integer"]),
+            (r"x, y, u \ge 0", vec![r"u \geq 0", r"x \geq 0", r"y \geq 0"]),
+            (r"x, y \in (0, 1]", vec!["0 < y", r"y \leq 1", "0 < x", r"x \leq 1"]),
+            (r"(x, y) \ne (0, 1)", vec![r"(x - 0)^{2} + (y - 1)^{2} \neq 0"]),
+            (r"(x, y) = (0, 1)", vec!["x = 0", "y = 1"]),
             (r"x \in \mathbb{R}", vec![]),
             (
                 r"x \in \mathbb{R}, 2 k \in \mathbb{Z}, y = 1",
@@ -240,6 +373,10 @@ mod tests {
         for (tex, wanted) in [
             ("", "no condition"),
             ("x", "no condition"),
+            ("x, y", "no condition"),
+            ("x, y + 1 > 0", "no condition"),
+            ("(x, y) > (0, 0)", "= or"),
+            ("(x, y) = (0, 0, 0)", "as many entries"),
             (r"x \in", "an interval"),
             (r"x \in y", "an interval"),
             (r"x \in \{1, 2\}", "an interval"),

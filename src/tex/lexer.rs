@@ -94,6 +94,8 @@ impl<'a> Lexer<'a> {
         let kind = match (kind, self.side.take()) {
             (Kind::Bar, Some(Side::Opening)) => Kind::Open(Bracket::Bar),
             (Kind::Bar, Some(Side::Closing)) => Kind::Close(Bracket::Bar),
+            (Kind::DoubleBar, Some(Side::Opening)) => Kind::Open(Bracket::DoubleBar),
+            (Kind::DoubleBar, Some(Side::Closing)) => Kind::Close(Bracket::DoubleBar),
             _ => kind,
         };
         if let Some((_, sized)) = self.sized.take()

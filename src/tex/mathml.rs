@@ -536,6 +536,7 @@ impl Writer<'_> {
                 };
                 vec![over("msup", [base, vec![mi("\u{22a4}")]])]
             }
+            Operation::Root { of, index } => vec![over("mroot", [self.sum(of), self.sum(index)])],
             Operation::Cross(left, right) => row([factor(left), vec![infix("\u{d7}")], factor(right)]),
             Operation::Binomial(of, chosen) => {
                 let stacked = element("mfrac", [self.sum(of), self.sum(chosen)].map(one)).with("linethickness", "0");
@@ -712,6 +713,7 @@ mod tests {
             (r"\frac{a}{b}", "<mfrac><mi>a</mi><mi>b</mi></mfrac>"),
             (r"\sqrt{x}", "<msqrt><mi>x</mi></msqrt>"),
             (r"\sqrt[3]{x}", "<mroot><mi>x</mi><mn>3</mn></mroot>"),
+            (r"\sqrt[n]{x}", "<mroot><mi>x</mi><mi>n</mi></mroot>"),
             ("x^{-1}", "<msup><mi>x</mi><mrow><mo>−</mo><mn>1</mn></mrow></msup>"),
             ("x^a", "<msup><mi>x</mi><mi>a</mi></msup>"),
             (

@@ -180,6 +180,7 @@ fn operation(operation: &Operation) -> String {
         }
         Operation::Determinant(of) => format!("\\det({})", sum(of)),
         Operation::Trace(of) => format!("\\operatorname{{tr}}({})", sum(of)),
+        Operation::Root { of, index } => format!("\\sqrt[{}]{{{}}}", sum(index), sum(of)),
         Operation::Transpose(of) => format!("({})^{{\\top}}", sum(of)),
         Operation::Cross(left, right) => format!("{} \\times {}", factor(left), factor(right)),
         Operation::Binomial(of, chosen) => format!("\\binom{{{}}}{{{}}}", sum(of), sum(chosen)),

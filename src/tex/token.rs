@@ -10,6 +10,8 @@ pub(super) enum Bracket {
     Curly,
     /// The bars of an absolute value.
     Bar,
+    /// The double bars of a norm.
+    DoubleBar,
     /// `\begin{pmatrix}` and its like: rows and columns.
     Rows(Rows),
 }
@@ -73,6 +75,8 @@ pub(super) enum Kind {
     Approximately,
     /// A bar that does not show whether it opens or closes.
     Bar,
+    /// A double bar that does not show it either.
+    DoubleBar,
     /// `\in`.
     Element,
     Set(Set),

@@ -89,6 +89,11 @@ pub enum Operation {
     Trace(Tree),
     /// `A^\top`.
     Transpose(Tree),
+    /// The root of this index, which is no number: `\sqrt[n]{x}`.
+    Root {
+        of: Tree,
+        index: Tree,
+    },
     /// `\vec{a} \times \vec{b}`, `\vec{a} \cdot \vec{b}`; of numbers their product.
     Cross(Tree, Tree),
     Dot(Tree, Tree),
@@ -238,6 +243,7 @@ impl Operation {
             Self::Cross(left, right) | Self::Dot(left, right) | Self::Binomial(left, right) => {
                 vec![free(left), free(right)]
             }
+            Self::Root { of, index } => vec![free(index), free(of)],
             Self::Derivative { of, at, .. } => vec![(of, true), free(at)],
             Self::Integral { of, limits, .. } => {
                 let limits = limits.iter().flat_map(|(low, high)| [free(low), free(high)]);
@@ -272,6 +278,10 @@ impl Operation {
             Self::Cross(left, right) => Self::Cross(new(left, false), new(right, false)),
             Self::Dot(left, right) => Self::Dot(new(left, false), new(right, false)),
             Self::Binomial(of, chosen) => Self::Binomial(new(of, false), new(chosen, false)),
+            Self::Root { of, index } => Self::Root {
+                index: new(index, false),
+                of: new(of, false),
+            },
             Self::Derivative { of, by, order, at } => Self::Derivative {
                 of: new(of, true),
                 by: by.clone(),

@@ -30,6 +30,16 @@ pub(super) fn conditions_beside(
     Ok(found)
 }
 
+/// That a tree is not 0: none of its factors is.
+fn nonzero(tree: &Tree, found: &mut Vec<Equation>) {
+    match tree {
+        Tree::Product(factors) => factors.iter().for_each(|factor| nonzero(factor, found)),
+        Tree::Negate(inner) | Tree::Power(inner, 1.., _) => nonzero(inner, found),
+        Tree::Number(value) if *value != Rational::from_integer(0) => {}
+        tree => found.push(relation(tree.clone(), Relation::NotEqual, integer(0))),
+    }
+}
+
 fn collect(
     tree: &Tree,
     vocabulary: &Vocabulary,
@@ -48,14 +58,12 @@ fn collect(
         Tree::Quotient(above, below, _) => {
             collect(above, vocabulary, is_smooth, found)?;
             collect(below, vocabulary, is_smooth, found)?;
-            if !matches!(**below, Tree::Number(_)) {
-                found.push(relation((**below).clone(), Relation::NotEqual, zero()));
-            }
+            nonzero(below, found);
         }
         Tree::Power(base, exponent, _) => {
             collect(base, vocabulary, is_smooth, found)?;
             if *exponent < 0 {
-                found.push(relation((**base).clone(), Relation::NotEqual, zero()));
+                nonzero(base, found);
             }
         }
         Tree::Root(radicand, index, _) => {
@@ -69,7 +77,7 @@ fn collect(
             collect(exponent, vocabulary, is_smooth, found)?;
             let euler = plain("e");
             let is_positive = match &**base {
-                Tree::Number(value) => *value != Rational::from_integer(0),
+                Tree::Number(value) => *value > Rational::from_integer(0),
                 Tree::Symbol(name, _) => {
                     (*name == euler && !vocabulary.declares(&euler)) || vocabulary.positive.contains(name)
                 }

@@ -320,6 +320,7 @@ impl<'a> Over<'a> {
                 }
             }
             Operation::Integral { .. } => return Err("an integral".to_owned()),
+            Operation::Root { .. } => return Err("a root whose index is a symbol".to_owned()),
             Operation::Limit { .. }
             | Operation::Order(_)
             | Operation::Approaches(_)

@@ -215,12 +215,23 @@ pub(super) fn as_quantities(
             return None;
         }
         let (letters, constant) = linear(argument)?;
+        if letters.is_empty() {
+            return of_number(name, &integer(constant))?.ok();
+        }
         let (least, quantity) = quantities.get(&letters)?;
         let rising = (least + 1..=constant).map(|more| tree_of(&(letters.clone(), more)));
         Some(product(std::iter::once(symbol(quantity)).chain(rising).collect()))
     };
     let out = rewritten(&out, &|tree| mapped(tree, &written));
-    Ok((out, vocabulary))
+    match trees(&out).into_iter().any(stands_in) {
+        true => Err("the factorial of what is no natural number".to_owned()),
+        false => Ok((out, vocabulary)),
+    }
+}
+
+/// Letters times integers and an integer, added up; `None` where a tree is something else.
+pub(super) fn added_up(tree: &Tree) -> Option<Tree> {
+    linear(tree).map(|linear| tree_of(&linear))
 }
 
 /// Whether a tree is letters times integers and an integer, added up.

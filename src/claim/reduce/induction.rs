@@ -7,7 +7,7 @@ use super::super::vocabulary::{Vocabulary, index_of, subscript_of};
 use super::build::{difference, integer, product, sum, symbol};
 use super::derivative::mentions;
 use super::evaluate::{WithFactorials, but_factorials, whole};
-use super::{Goal, defined, factorial, fresh, holds, instances, rewritten};
+use super::{Goal, defined, factorial, fresh, holds, instances, rewritten, telescope};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
 
 /// A sum or product whose limits move with the integer.
@@ -18,6 +18,8 @@ pub(super) struct Moving {
     /// The terms that the next value has more, and those that it has no longer.
     added: Vec<Tree>,
     pub removed: Vec<Tree>,
+    /// What stands for its next value, where that is known by an equation.
+    next: Option<Name>,
 }
 
 /// The goals that prove the claim.
@@ -42,7 +44,7 @@ pub(super) fn goals(statements: &Statements, vocabulary: &Vocabulary) -> Result<
     {
         return Err("sums of complex numbers have no induction here".to_owned());
     }
-    let letters = instances::integers(statements, vocabulary);
+    let letters = instances::free_integers(statements, vocabulary);
     let mut reason = "the length of a sum is no integer".to_owned();
     for letter in &letters {
         match over(statements, vocabulary, letter) {
@@ -95,10 +97,39 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
             series_in(side, &mut found);
         }
     }
+    // what is known of sums whose terms depend on the letter, and over which numbers the terms are
+    let (mut telescoped, mut over_terms) = (Vec::new(), Vec::new());
     for operation in found {
         let name = fresh(statements, &vocabulary, "S");
         vocabulary.let_be_parameter(&name, false);
-        moving.push(moved(&operation, letter, first, name, None)?);
+        let Some(sum) = telescope::Sum::read(&operation, letter) else {
+            moving.push(moved(&operation, letter, first, name, None)?);
+            continue;
+        };
+        let next = fresh(statements, &vocabulary, "S");
+        vocabulary.let_be_parameter(&next, false);
+        let index = fresh(statements, &vocabulary, "k");
+        vocabulary.let_be_parameter(&index, false);
+        vocabulary.integers.push(index.clone());
+        let of = rewrite(sum.of, &|name| (name == sum.index).then(|| symbol(&index)));
+        let sum = telescope::Sum {
+            of: &of,
+            index: &index,
+            ..sum
+        };
+        let length = motion(sum.to, letter, first).filter(|_| factorial::is_linear(sum.to));
+        let is_plain = length.is_some_and(|(last, step)| step == 1 && last - sum.from >= -1);
+        let known = is_plain.then(|| sum.telescoped(&name, &next)).flatten();
+        let known = known.ok_or_else(|| format!("the terms of a sum depend on {letter}"))?;
+        over_terms.push((index.clone(), sum.from, sum.to.clone(), of.clone(), known.of_terms));
+        telescoped.push(known.of_sums);
+        moving.push(Moving {
+            next: Some(next),
+            added: Vec::new(),
+            removed: Vec::new(),
+            operation,
+            name,
+        });
     }
     let named = |tree: &Tree| mapped(tree, &|node| name_of(node, &moving));
     let now = rewritten(statements, &named);
@@ -122,14 +153,52 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
     let known = format!("the claim at {letter}");
     let claims = now.claims.iter().cloned();
     next.premises.extend(claims.map(|claim| Premise::known(&known, claim)));
+    let of_sums = telescoped
+        .into_iter()
+        .map(|equation| Premise::known("the sum telescopes", equation));
+    next.premises.extend(of_sums);
     let mut goals = Vec::new();
-    let mut push = |statements: &Statements, part: String| -> Result<(), String> {
-        goals.extend(with_factorials(statements, &vocabulary, part)?);
-        Ok(())
-    };
-    let base = instances::at(statements, &vocabulary, &[(letter, first)]).ok_or("the first value is not admissible")?;
-    push(&base, format!("{letter} = {first}"))?;
-    push(&next, format!("the step from {letter} to {letter} + 1"))?;
+    // what an equation gives of the next sum may be nothing at the first value
+    let bases = first..=first + i64::from(!over_terms.is_empty());
+    if !over_terms.is_empty() {
+        next.assume.push(Condition::Relation(Equation {
+            relation: Relation::GreaterOrEqual,
+            ..Equation::between(symbol(letter), integer(first + 1))
+        }));
+    }
+    for base in bases {
+        let at_base = instances::at(statements, &vocabulary, &[(letter, base)]);
+        let at_base = at_base.ok_or("the first value is not admissible")?;
+        push_in(&mut goals, &at_base, &vocabulary, format!("{letter} = {base}"))?;
+    }
+    push_in(
+        &mut goals,
+        &next,
+        &vocabulary,
+        format!("the step from {letter} to {letter} + 1"),
+    )?;
+    for (index, from, to, of, equation) in over_terms {
+        let mut terms = statements.clone();
+        let bound = |relation: Relation, bound: Tree| {
+            Condition::Relation(Equation {
+                relation,
+                ..Equation::between(symbol(&index), bound)
+            })
+        };
+        terms.assume.push(bound(Relation::GreaterOrEqual, integer(from)));
+        terms.assume.push(bound(Relation::LessOrEqual, to));
+        let conditions = defined::conditions(&of, &vocabulary)?;
+        let conditions = conditions.into_iter().filter(|condition| {
+            let sides = [&condition.left, &condition.right];
+            sides
+                .into_iter()
+                .any(|side| mentions(side, letter) || mentions(side, &index))
+        });
+        for claim in conditions.chain([equation]) {
+            terms.claims = vec![claim.clone()];
+            push_in(&mut goals, &terms, &vocabulary, format!("{claim} at each {index}"))?;
+        }
+    }
     // where the claim has no value at one integer, no step leads over it
     let mut needed: Vec<Equation> = Vec::new();
     for claim in &now.claims {
@@ -145,9 +214,19 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
     for condition in needed {
         let mut alone = now.clone();
         alone.claims = vec![condition.clone()];
-        push(&alone, format!("{condition} at each {letter}"))?;
+        push_in(&mut goals, &alone, &vocabulary, format!("{condition} at each {letter}"))?;
     }
     Ok(goals)
+}
+
+fn push_in(
+    goals: &mut Vec<Goal>,
+    statements: &Statements,
+    vocabulary: &Vocabulary,
+    part: String,
+) -> Result<(), String> {
+    goals.extend(with_factorials(statements, vocabulary, part)?);
+    Ok(())
 }
 
 /// The first value of the integer, by its conditions; `None` where it has no lower bound.
@@ -280,6 +359,7 @@ pub(super) fn moved(
         }))
     };
     Ok(Moving {
+        next: None,
         operation: operation.clone(),
         name,
         added: (1..=higher).map(|more| term(to, more)).collect::<Result<_, _>>()?,
@@ -294,6 +374,9 @@ fn offset_of(limit: &Tree, letter: &Name) -> Option<i64> {
 }
 
 pub(super) fn next_value(moving: &Moving) -> Tree {
+    if let Some(next) = &moving.next {
+        return symbol(next);
+    }
     let own = symbol(&moving.name);
     let Operation::Series { kind, .. } = &moving.operation else {
         return own;

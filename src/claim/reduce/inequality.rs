@@ -12,7 +12,7 @@ use super::super::vocabulary::Vocabulary;
 use super::build::{difference, integer, negative, product, sum, symbol};
 use super::derivative::{By, mentions};
 use super::series::{guess_at, seed};
-use super::{Goal, defined, fresh_like, has_operation, is_spoken_of, trees, written_out};
+use super::{Goal, defined, fresh_like, has_operation, is_spoken_of, ranges, trees, written_out};
 use crate::number::{Field, Rational};
 use crate::tex::{Condition, Equation, Name, Relation, Tree};
 
@@ -44,7 +44,7 @@ struct Positive {
     is_strict: bool,
 }
 
-/// Ways to prove each claim, each a list of goals that are enough together; empty where none is an inequality of this kind.
+/// Ways to prove each claim, each a list of goals that are enough together; empty where none is of this kind.
 pub fn ways(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Vec<Vec<Goal>>> {
     let Ok(written) = written_out(statements, vocabulary) else {
         return Vec::new();
@@ -61,15 +61,16 @@ pub fn ways(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Vec<Vec<Goa
     };
     let mut is_any = false;
     let of_claim = |claim: &Equation| {
-        let mut own = Vec::new();
+        let mut own = ranges::ways(&written, vocabulary, claim);
         if let Some(positive) = positive(claim) {
             let ways = |letter| in_letter(&written, vocabulary, &positive, letter, &letters);
             own.extend(letters.iter().flat_map(ways).take(MOST_WAYS));
-            // what is given must hold somewhere, all of it together
-            let defined = Equation::between(positive.function.clone(), positive.function);
-            let goal = alone(defined, "what is given holds somewhere".to_owned());
-            own.iter_mut().for_each(|way| way.push(goal.clone()));
         }
+        // what is given must hold somewhere, all of it together
+        let written = difference(claim.left.clone(), claim.right.clone());
+        let defined = Equation::between(written.clone(), written);
+        let goal = alone(defined, "what is given holds somewhere".to_owned());
+        own.iter_mut().for_each(|way| way.push(goal.clone()));
         match own.is_empty() {
             true => vec![vec![alone(claim.clone(), claim.to_string())]],
             false => {

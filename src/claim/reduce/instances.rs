@@ -6,7 +6,8 @@ use super::super::vocabulary::Vocabulary;
 use super::build::integer;
 use super::derivative::mentions;
 use super::evaluate::evaluated;
-use super::{Goal, rewritten, trees};
+use super::integral::by_antiderivatives;
+use super::{Goal, Reduced, rewritten, trees};
 use crate::number::Rational;
 use crate::tex::{Condition, Equation, Name, Relation, Tree};
 
@@ -14,6 +15,7 @@ use crate::tex::{Condition, Equation, Name, Relation, Tree};
 const HIGHEST: i64 = 7;
 const MOST_LETTERS: usize = 3;
 const MOST_GOALS: usize = 8;
+const MOST_WITH_INTEGRALS: usize = 4;
 
 /// The letters that are integers and stand in the statements.
 pub(super) fn integers(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Name> {
@@ -31,29 +33,75 @@ pub(super) fn integers(statements: &Statements, vocabulary: &Vocabulary) -> Vec<
     found
 }
 
+/// Those of them that stand where no operation binds them.
+pub(super) fn free_integers(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Name> {
+    let mut letters = integers(statements, vocabulary);
+    letters.retain(|letter| trees(statements).into_iter().any(|tree| tree.has_free(letter)));
+    letters
+}
+
 /// The claim at small numbers for its integers, in all the places where they stand.
 pub(super) fn of(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Goal> {
-    let letters = integers(statements, vocabulary);
-    let mut goals = Vec::new();
+    let goal = |instance: &Statements, part: String| {
+        let evaluated = evaluated(instance, vocabulary).ok()?;
+        if trees(&evaluated).into_iter().any(super::factorial::stands_in) {
+            return None;
+        }
+        Some(Goal::of(&evaluated, vocabulary, part))
+    };
+    first_found(statements, vocabulary, MOST_GOALS, &goal)
+}
+
+/// The claim with integrals at small numbers for its integers; each instance holds where its lemmas do.
+pub(super) fn with_integrals(statements: &Statements, vocabulary: &Vocabulary) -> Option<Reduced> {
+    let reduced = |instance: &Statements, part: String| {
+        let mut reduced = by_antiderivatives(instance, vocabulary).ok()??;
+        for goal in &mut reduced.sufficient {
+            goal.part.clone_from(&part);
+        }
+        Some(reduced)
+    };
+    let all = first_found(statements, vocabulary, MOST_WITH_INTEGRALS, &reduced);
+    let mut all = all.into_iter();
+    let mut together = all.next()?;
+    for more in all {
+        together.lemmas.extend(more.lemmas);
+        together.sufficient.extend(more.sufficient);
+    }
+    Some(Reduced {
+        necessary: together.sufficient,
+        sufficient: Vec::new(),
+        is_equivalent: false,
+        ..together
+    })
+}
+
+/// What is found at the first numbers for the integers, at most so many.
+fn first_found<T>(
+    statements: &Statements,
+    vocabulary: &Vocabulary,
+    most: usize,
+    found: &dyn Fn(&Statements, String) -> Option<T>,
+) -> Vec<T> {
+    let letters = free_integers(statements, vocabulary);
+    let mut all = Vec::new();
     let is_kept = |letter: &Name| super::stands_in_symbols(vocabulary, letter);
     if letters.is_empty() || letters.len() > MOST_LETTERS || letters.iter().any(is_kept) {
-        return goals;
+        return all;
     }
     for total in 0..=HIGHEST * 2 {
         for values in tuples(letters.len(), total) {
-            if goals.len() >= MOST_GOALS {
-                return goals;
+            if all.len() >= most {
+                return all;
             }
             let pairs: Vec<(&Name, i64)> = letters.iter().zip(values).collect();
-            if let Some(instance) = at(statements, vocabulary, &pairs)
-                && let Ok(evaluated) = evaluated(&instance, vocabulary)
-            {
+            if let Some(instance) = at(statements, vocabulary, &pairs) {
                 let part: Vec<String> = pairs.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-                goals.push(Goal::of(&evaluated, vocabulary, part.join(", ")));
+                all.extend(found(&instance, part.join(", ")));
             }
         }
     }
-    goals
+    all
 }
 
 /// The tuples of numbers from 0 that add up to `total`.

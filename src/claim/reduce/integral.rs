@@ -111,7 +111,7 @@ pub(super) fn differentiated(statements: &Statements, vocabulary: &Vocabulary) -
 }
 
 /// The terms of a side with their signs.
-fn terms(tree: &Tree, is_negative: bool, found: &mut Vec<(bool, Tree)>) {
+pub(super) fn terms(tree: &Tree, is_negative: bool, found: &mut Vec<(bool, Tree)>) {
     match tree {
         Tree::Sum(parts) => parts.iter().for_each(|part| terms(part, is_negative, found)),
         Tree::Negate(inner) => terms(inner, !is_negative, found),

@@ -21,14 +21,17 @@ mod law;
 mod limit;
 mod matrix;
 mod parts;
+mod ranges;
 mod recurrence;
+mod roots;
 mod series;
+mod telescope;
 
 use super::definition::{Local, inlined};
 use super::premise::Statements;
 use super::substitute::{any, put_in};
 use super::vocabulary::{Map, Vocabulary};
-pub use inequality::ways as ways_by_derivatives;
+pub use inequality::ways as other_ways;
 pub(super) use integral::{holds_indefinite, is_constant_of_integration};
 
 use crate::tex::{Condition, Equation, Name, Operation, Tree};
@@ -133,6 +136,7 @@ fn without_operations(statements: &Statements, vocabulary: &Vocabulary) -> Resul
         return Ok(None);
     }
     let written = written_out(statements, vocabulary)?;
+    let (written, mut lemmas) = roots::as_powers(&written, vocabulary)?;
     let laws = law::Laws {
         statements: &written,
         vocabulary,
@@ -154,9 +158,10 @@ fn without_operations(statements: &Statements, vocabulary: &Vocabulary) -> Resul
     if integral::is_indefinite(&statements) && all.iter().any(has_cases) {
         return Err("an antiderivative by cases".to_owned());
     }
-    let mut lemmas = Vec::new();
     if limit::stands_in(&statements) {
-        (statements, lemmas) = limit::evaluated(&statements, vocabulary)?;
+        let needed;
+        (statements, needed) = limit::evaluated(&statements, vocabulary)?;
+        lemmas.extend(needed);
     }
     let mut goals = Vec::new();
     for (part, statements) in cases::split(&statements, vocabulary)? {
@@ -245,7 +250,13 @@ fn over_an_index(statements: &Statements, vocabulary: &Vocabulary, reason: Strin
         Err(why) => (Vec::new(), why),
     };
     if necessary.is_empty() && sufficient.is_empty() {
-        return Err(reason);
+        let found = instances::with_integrals(statements, vocabulary);
+        return found
+            .map(|found| Reduced {
+                reason: reason.clone(),
+                ..found
+            })
+            .ok_or(reason);
     }
     Ok(Reduced {
         lemmas: Vec::new(),
