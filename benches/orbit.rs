@@ -6,7 +6,7 @@ mod work;
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use vibro_audit::number::Interval;
-use vibro_audit::orbit::{Condition, Conditioned, Prepared, nearest_event, prove};
+use vibro_audit::orbit::{Condition, Conditioned, OneOneBranches, newton_one_one_bifurcation, prove};
 use vibro_audit::scene::{self, Scene};
 
 fn orbits(criterion: &mut Criterion) {
@@ -23,7 +23,7 @@ fn sweeps(criterion: &mut Criterion) {
     let text = scene::find("fig02").expect("a built-in scene");
     let scene = Scene::read(text, "fig02").expect("a scene");
     let setting = scene.swept_setting().expect("a sweep");
-    let prepared = Prepared::new(&setting, 1, Interval::new(0.1, 0.5)).expect("a cover");
+    let prepared = OneOneBranches::new(&setting, 1, Interval::new(0.1, 0.5)).expect("a cover");
     let mut d = 0.1;
     criterion.bench_function("all orbits of a d, prepared", |b| {
         b.iter(|| {
@@ -40,10 +40,16 @@ fn sweeps(criterion: &mut Criterion) {
     };
     let guess = [1.3, 2.2, 0.26];
     criterion.bench_function("period doubling from a guess, parameters of a scene", |b| {
-        b.iter(|| nearest_event(&system, black_box(guess)));
+        b.iter(|| newton_one_one_bifurcation(&system, black_box(guess)));
     });
     criterion.bench_function("the same, proved", |b| {
-        b.iter(|| prove(&system, &nearest_event(&system, black_box(guess))?, &[1e-4; 3]));
+        b.iter(|| {
+            prove(
+                &system,
+                &newton_one_one_bifurcation(&system, black_box(guess))?,
+                &[1e-4; 3],
+            )
+        });
     });
 }
 

@@ -5,7 +5,10 @@ use vibro_audit::accuracy::{COSTS, Purpose, cheapest, costs};
 use vibro_audit::impact::{Event, Extent, Start, Widening, history, history_in_decimals};
 use vibro_audit::model::{Motion, Side};
 use vibro_audit::number::{Analytic, Decimals, FIGURES_OF_F64, Rung, Sequence, Told, Wide};
-use vibro_audit::orbit::{Estimate, Further, Goal, Length, Measure, Rounded, Settled, Statistics, Word, find_as};
+use vibro_audit::orbit::{
+    Averaging, AveragingLength, Estimate, LongRun, OutputPrecision, RoundedOrbit, Statistics, SteadyState, Word,
+    find_as,
+};
 
 type Exact = Wide<200>;
 
@@ -47,7 +50,7 @@ fn excess(purpose: Purpose, [first, landed, best]: [Rung; 3]) -> f64 {
     tried / cost(best)
 }
 
-fn lists<N: Told>(orbit: &Rounded<N>, read: impl Fn(&N) -> Exact) -> Vec<Exact> {
+fn lists<N: Told>(orbit: &RoundedOrbit<N>, read: impl Fn(&N) -> Exact) -> Vec<Exact> {
     let lists = [&orbit.phases, &orbit.velocities, &orbit.times];
     let scalars = [&orbit.trace, &orbit.determinant].into_iter();
     lists.into_iter().flatten().chain(scalars).map(read).collect()
@@ -70,14 +73,14 @@ fn parse(text: &str) -> Exact {
 fn asked(motion: &Motion<f64>, digits: u32, first: Rung) -> Vec<(Vec<Exact>, Rung)> {
     let word = Word::pair();
     if digits <= FIGURES_OF_F64 {
-        let found = find_as(&Goal::doubles(digits, first), motion, &word, 1).expect("a search");
-        let told = |orbit: &Rounded| (lists(orbit, |value| Analytic::from_f64(*value)), orbit.computed_in);
+        let found = find_as(&OutputPrecision::doubles(digits, first), motion, &word, 1).expect("a search");
+        let told = |orbit: &RoundedOrbit| (lists(orbit, |value| Analytic::from_f64(*value)), orbit.computed_in);
         found.orbits.iter().map(told).collect()
     } else {
-        let goal = Goal::decimals(Decimals(digits as usize + 1), first);
+        let goal = OutputPrecision::decimals(Decimals(digits as usize + 1), first);
         let found = find_as(&goal, motion, &word, 1).expect("a search");
-        let told = |orbit: &Rounded<_>| {
-            let orbit: &Rounded<vibro_audit::number::Decimal> = orbit;
+        let told = |orbit: &RoundedOrbit<_>| {
+            let orbit: &RoundedOrbit<vibro_audit::number::Decimal> = orbit;
             assert!(orbit.error_bound.is_some(), "certified to {digits} digits");
             (lists(orbit, |value| parse(value.as_str())), orbit.computed_in)
         };
@@ -93,7 +96,7 @@ fn orbits_have_the_digits_asked_at_close_to_the_least_cost() {
         let first = cheapest(Purpose::Orbit, digits).expect("a choice");
         let found = asked(motion, digits, first);
         let narrowest = asked(motion, digits, Rung::Double);
-        let exact = Goal::decimals(Decimals(190), Rung::Wide(200));
+        let exact = OutputPrecision::decimals(Decimals(190), Rung::Wide(200));
         let exact = find_as(&exact, motion, &Word::pair(), 1).expect("a search").orbits;
         assert_eq!(found.len(), exact.len());
         for (((values, landed), (_, best)), exact) in found.iter().zip(&narrowest).zip(&exact) {
@@ -184,15 +187,15 @@ fn runs_have_the_digits_asked_at_close_to_the_least_cost() {
 }
 
 /// The statistics of voltage-like velocities of a motion, after 500 impacts.
-fn measured(motion: &Motion<f64>, length: Length) -> Option<Statistics> {
+fn measured(motion: &Motion<f64>, length: AveragingLength) -> Option<Statistics> {
     let start = Start {
         side: Side::Bottom,
         phase: 6.18,
         velocity: 0.5293,
     };
-    let settled = Settled::after(Widening::new(motion, &start), 500, 60);
+    let settled = SteadyState::after(Widening::new(motion, &start), 500, 60);
     let voltage = |impact: &Event<f64>| impact.velocity.abs();
-    let measure = Measure {
+    let measure = Averaging {
         motion,
         length,
         voltage: Some(&voltage),
@@ -200,8 +203,8 @@ fn measured(motion: &Motion<f64>, length: Length) -> Option<Statistics> {
         at_releases: true,
     };
     match measure.after(&settled.end.filter(|_| settled.attractor.is_none())?) {
-        Further::Measured(found) => Some(found),
-        Further::Released(..) => None,
+        LongRun::Measured(found) => Some(found),
+        LongRun::Released(..) => None,
     }
 }
 
@@ -219,7 +222,7 @@ fn an_error_asked_for_costs_close_to_the_least_and_holds() {
             between(0.6, 0.95),
         );
         let (motion, part) = (motion.expect("a motion"), 10_f64.powf(between(-2.5, -2.0)));
-        let over = |impacts, error, most| measured(&motion, Length { impacts, error, most });
+        let over = |impacts, error, most| measured(&motion, AveragingLength { impacts, error, most });
         let Some(long) = over(LONG, None, LONG) else { continue };
         let found = over(500, Some(part), LONG).expect("a motion that does not repeat");
         // the impacts that have the error, as the long run knows it; the first look is at 500

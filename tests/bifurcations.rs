@@ -6,7 +6,9 @@ mod motions;
 use std::f64::consts::{PI, TAU};
 use vibro_audit::model::{Motion, MotionError, Side};
 use vibro_audit::number::{Analytic, Interval};
-use vibro_audit::orbit::{Event, Family, Found, Instant, Kind, Parameters, Prepared, Rounded, Word, find};
+use vibro_audit::orbit::{
+    BifurcationKind, Family, FoundOrbits, Instant, OneOneBranches, OrbitKind, Parameters, RoundedOrbit, Word, find,
+};
 
 /// g in hundred thousandths, restitutions in hundredths, so that they are the same in every number.
 #[derive(Clone, Copy, Debug)]
@@ -44,8 +46,8 @@ impl Along {
         }
     }
 
-    fn found(&self, d: f64, periods: u32) -> Vec<Rounded> {
-        let Found { orbits, open } = find(&self.fixed(&d), &Word::pair(), periods).expect("a search");
+    fn found(&self, d: f64, periods: u32) -> Vec<RoundedOrbit> {
+        let FoundOrbits { orbits, open } = find(&self.fixed(&d), &Word::pair(), periods).expect("a search");
         assert!(open.is_empty(), "{self:?} {d} {open:?}");
         orbits.into_iter().filter(|row| row.periods == periods).collect()
     }
@@ -73,8 +75,8 @@ impl Sweep {
     }
 }
 
-fn prepared(family: &Along, periods: u32, [from, to]: [f64; 2]) -> Prepared<&Along> {
-    Prepared::new(family, periods, Interval::new(from, to)).expect("a cover")
+fn prepared(family: &Along, periods: u32, [from, to]: [f64; 2]) -> OneOneBranches<&Along> {
+    OneOneBranches::new(family, periods, Interval::new(from, to)).expect("a cover")
 }
 
 fn along(g: i64, r_b: i64, r_t: i64) -> Along {
@@ -109,9 +111,9 @@ static SWEEPS: std::sync::LazyLock<Vec<Sweep>> = std::sync::LazyLock::new(sweeps
 /// How many orbits an event makes or ends.
 fn change(event: &Instant) -> usize {
     match event.event {
-        Event::Fold | Event::SymmetryBreaking => 2,
+        BifurcationKind::Fold | BifurcationKind::SymmetryBreaking => 2,
         // the other orbits that graze pass through the wall and are listed on both sides
-        Event::Grazing if event.trace.is_infinite() => 1,
+        BifurcationKind::Grazing if event.trace.is_infinite() => 1,
         _ => 0,
     }
 }
@@ -187,7 +189,7 @@ fn prepared_orbits_are_those_of_the_search_at_that_value() {
     }
 }
 
-fn apart(one: &Rounded, other: &Rounded) -> f64 {
+fn apart(one: &RoundedOrbit, other: &RoundedOrbit) -> f64 {
     let pairs = [(&one.velocities, &other.velocities), (&one.times, &other.times)];
     let differences = pairs
         .iter()
@@ -197,8 +199,8 @@ fn apart(one: &Rounded, other: &Rounded) -> f64 {
 }
 
 /// The orbit nearest to the motion of an event, in times and velocities.
-fn nearest(orbits: &[Rounded], event: &Instant) -> Option<Rounded> {
-    let distance = |row: &&Rounded| {
+fn nearest(orbits: &[RoundedOrbit], event: &Instant) -> Option<RoundedOrbit> {
+    let distance = |row: &&RoundedOrbit| {
         let times = (row.times[0] - event.times[0]).abs();
         let velocities: f64 = (0..2).map(|i| (row.velocities[i] - event.velocities[i]).abs()).sum();
         let around = (row.phases[0] - event.phases[0]).rem_euclid(TAU);
@@ -222,20 +224,20 @@ fn the_trace_crosses_its_level_and_the_clearance_0_at_each_event() {
             let near = [0, 1].map(|side| nearest(&sides[side], event));
             let what = || format!("{:?} {event:?}", sweep.family);
             match (event.event, &near) {
-                (Event::PeriodDoubling | Event::NodeFocus, [Some(below), Some(above)]) => {
+                (BifurcationKind::PeriodDoubling | BifurcationKind::NodeFocus, [Some(below), Some(above)]) => {
                     let signs = [below, above].map(|row| row.trace - event.trace);
                     assert!(signs[0] * signs[1] < 0.0, "{signs:?}: {}", what());
                     let size = signs[0].abs() + signs[1].abs();
                     assert!(size < 1e-2 * (1.0 + event.trace.abs()), "{signs:?}: {}", what());
-                    if event.event == Event::NodeFocus {
+                    if event.event == BifurcationKind::NodeFocus {
                         assert_ne!(below.kind, above.kind, "{}", what());
                     } else {
                         // without a loss nothing is stable, but the multipliers still leave the circle
-                        let saddles = [below, above].map(|row| row.kind == Kind::Saddle);
+                        let saddles = [below, above].map(|row| row.kind == OrbitKind::Saddle);
                         assert_ne!(saddles[0], saddles[1], "{}", what());
                     }
                 }
-                (Event::Grazing, [Some(below), Some(above)]) if event.trace.is_finite() => {
+                (BifurcationKind::Grazing, [Some(below), Some(above)]) if event.trace.is_finite() => {
                     let signs = [below.clearance, above.clearance].map(|clearance| clearance.min(1.0));
                     // where it is not least, another turning point lies beyond a wall
                     let other = signs.iter().all(|clearance| *clearance < -1e-3);
@@ -246,7 +248,7 @@ fn the_trace_crosses_its_level_and_the_clearance_0_at_each_event() {
                         what()
                     );
                 }
-                (Event::Grazing, [below, above]) => {
+                (BifurcationKind::Grazing, [below, above]) => {
                     assert!(sides[0].len().abs_diff(sides[1].len()) == 1, "{}", what());
                     let slow = below
                         .iter()
@@ -254,7 +256,7 @@ fn the_trace_crosses_its_level_and_the_clearance_0_at_each_event() {
                         .map(|row| row.velocities[0].min(-row.velocities[1]));
                     assert!(slow.fold(f64::INFINITY, f64::min) < 1e-4, "{}", what());
                 }
-                (Event::Fold | Event::SymmetryBreaking, _) => {
+                (BifurcationKind::Fold | BifurcationKind::SymmetryBreaking, _) => {
                     assert!(sides[0].len().abs_diff(sides[1].len()) == 2, "{}", what());
                 }
                 _ => panic!("no orbit beside it: {}", what()),
@@ -272,11 +274,13 @@ fn each_event_satisfies_its_own_equation_in_its_range_and_is_listed_once() {
         let (sum, twice) = (1.0 + (r_b * r_t).powi(2), 2.0 * r_b * r_t);
         for (index, event) in sweep.events.iter().enumerate() {
             let holds = match event.event {
-                Event::PeriodDoubling => (event.trace + sum).abs() < 1e-14,
-                Event::Fold | Event::SymmetryBreaking => (event.trace - sum).abs() < 1e-14,
-                Event::NodeFocus => (event.trace.abs() - twice).abs() < 1e-14,
-                Event::Grazing if event.trace.is_infinite() => event.velocities.iter().any(|v| v.abs() < 1e-15),
-                Event::Grazing => event.clearance <= 0.0,
+                BifurcationKind::PeriodDoubling => (event.trace + sum).abs() < 1e-14,
+                BifurcationKind::Fold | BifurcationKind::SymmetryBreaking => (event.trace - sum).abs() < 1e-14,
+                BifurcationKind::NodeFocus => (event.trace.abs() - twice).abs() < 1e-14,
+                BifurcationKind::Grazing if event.trace.is_infinite() => {
+                    event.velocities.iter().any(|v| v.abs() < 1e-15)
+                }
+                BifurcationKind::Grazing => event.clearance <= 0.0,
             };
             assert!(holds, "{:?} {event:?}", sweep.family);
             assert!(
@@ -335,7 +339,7 @@ fn a_weightless_equal_pair_grazes_both_walls_at_once_and_that_is_told() {
         assert!(open.is_empty(), "{open:?}");
         let at = 2.0 / (PI * PI);
         let there = events.iter().filter(|event| (event.d - at).abs() < 1e-15);
-        let graze = there.filter(|event| event.event == Event::Grazing && event.admissible);
+        let graze = there.filter(|event| event.event == BifurcationKind::Grazing && event.admissible);
         assert!(graze.count() >= 1, "{r_b} {r_t} {periods}");
     }
 }
@@ -440,7 +444,7 @@ fn every_parameter_type_gives_the_same_motion() {
 }
 
 /// Kinds and places of the events over a range.
-fn events(family: &Along, periods: u32, range: [f64; 2]) -> Vec<(Event, f64)> {
+fn events(family: &Along, periods: u32, range: [f64; 2]) -> Vec<(BifurcationKind, f64)> {
     let (events, open) = prepared(family, periods, range).bifurcations();
     assert!(open.is_empty(), "{family:?} {range:?} {open:?}");
     events.iter().map(|event| (event.event, event.parameter)).collect()
@@ -472,18 +476,24 @@ fn over_a_wide_range_the_events_are_those_of_its_parts() {
 
 #[test]
 fn events_that_wide_ranges_lost_are_found() {
-    let holds = |found: &[(Event, f64)], event, at: f64| {
+    let holds = |found: &[(BifurcationKind, f64)], event, at: f64| {
         found
             .iter()
             .any(|(other, there)| *other == event && (there / at - 1.0).abs() < 1e-13)
     };
     let found = events(&along(PAPER, 50, 50), 1, [0.1, 250.0]);
-    assert!(holds(&found, Event::NodeFocus, 0.300_277_382_732_094_14), "{found:?}");
+    assert!(
+        holds(&found, BifurcationKind::NodeFocus, 0.300_277_382_732_094_14),
+        "{found:?}"
+    );
     let found = events(&along(19_700, 43, 21), 1, [0.1, 300.0]);
-    assert!(holds(&found, Event::Fold, 0.221_666_364_289_678_06), "{found:?}");
+    assert!(
+        holds(&found, BifurcationKind::Fold, 0.221_666_364_289_678_06),
+        "{found:?}"
+    );
     let found = events(&along(12_200, 50, 50), 1, [2e-3, 10.0]);
     assert!(
-        holds(&found, Event::PeriodDoubling, 0.004_153_745_486_343_401),
+        holds(&found, BifurcationKind::PeriodDoubling, 0.004_153_745_486_343_401),
         "{found:?}"
     );
 }

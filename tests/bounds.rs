@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use vibro_audit::impact::{Event, Extent, Kind, Row, Simulation, Start, history, history_in_decimals};
 use vibro_audit::model::{Motion, Side};
 use vibro_audit::number::{Analytic, Decimal, Decimals, FIGURES_OF_F64, Field, Rung, Sequence, Told, Wide};
-use vibro_audit::orbit::{Goal, Parameters, Rounded, Word, find, find_as, returning};
+use vibro_audit::orbit::{OutputPrecision, Parameters, RoundedOrbit, Word, find, find_as, shoot};
 
 /// Exact values have fifty digits.
 type Number = Wide<50>;
@@ -53,23 +53,23 @@ fn phases_apart<const DIGITS: usize>(printed: &Wide<DIGITS>, exact: &Wide<DIGITS
 type Fixes = Vec<[Number; 3]>;
 
 /// By the return map, which shares no equation with the first means; none where it does not settle.
-fn returned(motion: &Motion<f64>, orbit: &Rounded) -> Option<Fixes> {
-    let exact = returning(&motion.motion::<Number>().ok()?, orbit).ok()?;
+fn returned(motion: &Motion<f64>, orbit: &RoundedOrbit) -> Option<Fixes> {
+    let exact = shoot(&motion.motion::<Number>().ok()?, orbit).ok()?;
     let fixes = exact.fixes.into_iter();
     Some(fixes.map(|fix| [fix.phase, fix.velocity, fix.time]).collect())
 }
 
 /// By the first means in 45 figures: the motion of the word that is nearest.
-fn widened(motion: &Motion<f64>, orbit: &Rounded) -> Option<Fixes> {
+fn widened(motion: &Motion<f64>, orbit: &RoundedOrbit) -> Option<Fixes> {
     let found = find_as(
-        &Goal::decimals(Decimals(45), Rung::Wide(50)),
+        &OutputPrecision::decimals(Decimals(45), Rung::Wide(50)),
         motion,
         &orbit.word,
         orbit.periods,
     )
     .ok()?;
     let number = |value: &Decimal| Number::parse(value.as_str()).expect("a number");
-    let lists = |other: &Rounded<Decimal>| -> Fixes {
+    let lists = |other: &RoundedOrbit<Decimal>| -> Fixes {
         let lists = other.phases.iter().zip(&other.velocities).zip(&other.times);
         lists
             .map(|((phase, velocity), time)| [phase, velocity, time].map(number))
@@ -85,7 +85,7 @@ fn widened(motion: &Motion<f64>, orbit: &Rounded) -> Option<Fixes> {
 }
 
 /// The largest error of the phases, velocities and times.
-fn largest_error<N>(orbit: &Rounded<N>, exact: &Fixes, read: fn(&N) -> Number) -> f64 {
+fn largest_error<N>(orbit: &RoundedOrbit<N>, exact: &Fixes, read: fn(&N) -> Number) -> f64 {
     let lists = orbit.phases.iter().zip(&orbit.velocities).zip(&orbit.times);
     let errors = lists.zip(exact).flat_map(|(((phase, velocity), time), exact)| {
         [
@@ -144,7 +144,7 @@ const WORDS: [&str; 10] = ["BT", "BT", "BT", "BT", "BT", "BT", "BT", "BTT", "BBT
 fn bounds_of<N, W>(seed: u64, count: usize, wanted: W, read: fn(&N) -> Number) -> Bounds
 where
     N: Told,
-    W: Fn(&Motion<f64>, &Word) -> Vec<Rounded<N>>,
+    W: Fn(&Motion<f64>, &Word) -> Vec<RoundedOrbit<N>>,
 {
     let mut sequence = Sequence::new(seed);
     let mut bounds = Bounds::default();
@@ -186,7 +186,13 @@ fn bounds_of_doubles(seed: u64, count: usize) -> Bounds {
 
 fn bounds_of_decimals(seed: u64, count: usize, figures: usize) -> Bounds {
     let wanted = |motion: &Motion<f64>, word: &Word| {
-        let found = find_as(&Goal::decimals(Decimals(figures), Rung::DoubleDouble), motion, word, 1).expect("a search");
+        let found = find_as(
+            &OutputPrecision::decimals(Decimals(figures), Rung::DoubleDouble),
+            motion,
+            word,
+            1,
+        )
+        .expect("a search");
         found.orbits
     };
     bounds_of(seed, count, wanted, |value: &Decimal| {

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use vibro_audit::model::{Forcing, Impact, Motion, Side, next_impact};
 use vibro_audit::number::Interval;
-use vibro_audit::orbit::{Event, Family, Followed, Moment, Prepared, Rounded, Word, find};
+use vibro_audit::orbit::{BifurcationKind, Family, Moment, OneOneBranches, RoundedOrbit, Word, WordBranches, find};
 
 const G: f64 = 0.12201;
 
@@ -15,16 +15,16 @@ fn word(text: &str) -> Word {
     text.parse().expect("a word")
 }
 
-fn followed<'a>(family: &'a Motion<f64>, text: &str, periods: u32) -> Followed<&'a Motion<f64>> {
-    Followed::new(family, &word(text), periods, Interval::new(0.1, 0.5)).expect("a sweep")
+fn followed<'a>(family: &'a Motion<f64>, text: &str, periods: u32) -> WordBranches<&'a Motion<f64>> {
+    WordBranches::new(family, &word(text), periods, Interval::new(0.1, 0.5)).expect("a sweep")
 }
 
-fn at(followed: &Followed<&Motion<f64>>, d: f64) -> Vec<Rounded> {
+fn at(followed: &WordBranches<&Motion<f64>>, d: f64) -> Vec<RoundedOrbit> {
     followed.orbits(&d).expect("a value").orbits
 }
 
 /// How far a motion is from an event, in its times and velocities.
-fn apart(orbit: &Rounded, moment: &Moment) -> f64 {
+fn apart(orbit: &RoundedOrbit, moment: &Moment) -> f64 {
     let listed = |values: &[f64], first: usize| -> Vec<f64> {
         values.iter().cycle().skip(first).take(values.len()).copied().collect()
     };
@@ -58,7 +58,7 @@ fn continuation_loses_no_motion_that_a_search_at_the_value_finds() {
             let here = at(&followed, d);
             let found = find(&family.fixed(&d), &word(text), periods).expect("a search");
             for orbit in found.orbits.iter().filter(|orbit| orbit.periods == periods) {
-                let same = |other: &&Rounded| {
+                let same = |other: &&RoundedOrbit| {
                     let pairs = orbit
                         .phases
                         .iter()
@@ -98,27 +98,32 @@ fn each_event_is_seen_in_the_motions_on_both_sides_of_it() {
         });
         let traces = || (below[0].trace, above[0].trace);
         match moment.event {
-            Event::Fold => assert_eq!(below.len().abs_diff(above.len()), 2, "{moment:?}"),
-            Event::PeriodDoubling => {
+            BifurcationKind::Fold => assert_eq!(below.len().abs_diff(above.len()), 2, "{moment:?}"),
+            BifurcationKind::PeriodDoubling => {
                 let (one, other) = traces();
                 assert!(
                     (one + 1.0 + determinant) * (other + 1.0 + determinant) < 0.0,
                     "{moment:?}"
                 );
             }
-            Event::NodeFocus => assert_ne!(below[0].kind, above[0].kind, "{moment:?}"),
-            Event::Grazing if moment.trace.is_infinite() => {
+            BifurcationKind::NodeFocus => assert_ne!(below[0].kind, above[0].kind, "{moment:?}"),
+            BifurcationKind::Grazing if moment.trace.is_infinite() => {
                 assert_eq!(below.len() + above.len(), 1, "{moment:?}");
             }
-            Event::Grazing => {
+            BifurcationKind::Grazing => {
                 assert_eq!(moment.clearance, 0.0);
                 assert_ne!(below[0].admissible, above[0].admissible, "{moment:?}");
             }
-            Event::SymmetryBreaking => panic!("{moment:?}"),
+            BifurcationKind::SymmetryBreaking => panic!("{moment:?}"),
         }
         kinds.push(moment.event);
     }
-    for kind in [Event::Fold, Event::PeriodDoubling, Event::NodeFocus, Event::Grazing] {
+    for kind in [
+        BifurcationKind::Fold,
+        BifurcationKind::PeriodDoubling,
+        BifurcationKind::NodeFocus,
+        BifurcationKind::Grazing,
+    ] {
         assert!(kinds.contains(&kind), "{kind}");
     }
 }
@@ -131,12 +136,14 @@ fn three_impacts_a_period_are_born_where_the_pair_grazes() {
     let mut born = moments.iter().filter(|moment| moment.trace.is_infinite());
     let born = born.next().expect("an end at an impact of velocity 0");
     // another system of equations, with a proof of its own, that all events are found
-    let prepared = Prepared::new(&family, 1, Interval::new(0.25, 0.27)).expect("a sweep");
+    let prepared = OneOneBranches::new(&family, 1, Interval::new(0.25, 0.27)).expect("a sweep");
     let (instants, open) = prepared.bifurcations();
     assert!(open.is_empty());
-    let mut grazing = instants.iter().filter(|instant| instant.event == Event::Grazing);
+    let mut grazing = instants
+        .iter()
+        .filter(|instant| instant.event == BifurcationKind::Grazing);
     assert!(grazing.any(|instant| (instant.parameter - born.parameter).abs() < 1e-15));
-    assert_eq!((born.event, born.velocities[2]), (Event::Grazing, 0.0));
+    assert_eq!((born.event, born.velocities[2]), (BifurcationKind::Grazing, 0.0));
     assert!((born.parameter - 0.2612231724143).abs() < 1e-13);
 }
 
@@ -181,8 +188,8 @@ fn the_ball_moves_as_an_event_says() {
         };
         let trace = slope(0) + slope(1);
         let level = match moment.event {
-            Event::PeriodDoubling => -(1.0 + determinant),
-            Event::Fold => 1.0 + determinant,
+            BifurcationKind::PeriodDoubling => -(1.0 + determinant),
+            BifurcationKind::Fold => 1.0 + determinant,
             _ => 2.0 * determinant.sqrt() * trace.signum(),
         };
         assert!((trace - level).abs() < 1e-6, "{trace} {moment:?}");
@@ -201,12 +208,12 @@ fn twice_the_pair_appears_where_its_period_doubles() {
     let at_end = at_end.expect("the end of the branch");
     assert_eq!(
         (at_end.event, at_end.word.clone()),
-        (Event::PeriodDoubling, word("BTBT"))
+        (BifurcationKind::PeriodDoubling, word("BTBT"))
     );
     assert!(at_end.error_bound.is_some_and(|bound| bound < 1e-14));
     assert!(at_end.phases[0] == at_end.phases[2] && at_end.times[1] == at_end.times[3]);
     let [below, above] = [-1e-5, 1e-5].map(|step| at(&followed, double + step).into_iter());
-    let near = |orbit: &Rounded| apart(orbit, at_end) < 0.02;
+    let near = |orbit: &RoundedOrbit| apart(orbit, at_end) < 0.02;
     assert_eq!((below.filter(near).count(), above.filter(near).count()), (1, 0));
 }
 
@@ -249,11 +256,11 @@ fn a_sweep_over_restitution_is_followed_to_its_end_at_one() {
             false
         }
     }
-    let followed = Followed::new(&Restitution, &word("BTT"), 1, Interval::new(0.2, 1.0)).expect("a sweep");
+    let followed = WordBranches::new(&Restitution, &word("BTT"), 1, Interval::new(0.2, 1.0)).expect("a sweep");
     let (branches, lost) = followed.branches();
     assert!(branches > 0 && lost == 0, "{branches} {lost}");
     let velocities = [0.7017134314, -0.5554716630, -0.1204679448];
-    let printed = |orbit: &Rounded| {
+    let printed = |orbit: &RoundedOrbit| {
         orbit
             .velocities
             .iter()

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use std::process::Command;
 use vibro_audit::model::Motion;
 use vibro_audit::number::{Analytic, Decimal, Decimals, Interval, Rung, Wide};
-use vibro_audit::orbit::{Goal, Parameters, Word, confirmed, find_as};
+use vibro_audit::orbit::{OutputPrecision, Parameters, Word, confirm_orbit, find_as};
 use vibro_audit::reference::{Certified, Directory};
 
 type Number = Wide<100>;
@@ -30,9 +30,9 @@ proptest! {
         let motion = Motion::new(g, d, r_b, r_t).expect("a motion");
         let word: Word = ["BT", "BTT", "BBT"][long].parse().expect("a word");
         let decimals = Decimals(40);
-        let found = find_as(&Goal::decimals(decimals, Rung::DoubleDouble), &motion, &word, 1).expect("a search");
+        let found = find_as(&OutputPrecision::decimals(decimals, Rung::DoubleDouble), &motion, &word, 1).expect("a search");
         for orbit in found.orbits.iter().filter(|orbit| orbit.error_bound.is_some()) {
-            let again = confirmed(&motion, orbit, decimals).expect("a return");
+            let again = confirm_orbit(&motion, orbit, decimals).expect("a return");
             let lists = [(&orbit.phases, &again.phases), (&orbit.velocities, &again.velocities), (&orbit.times, &again.times)];
             for (one, other) in lists.into_iter().flat_map(|(one, other)| one.iter().zip(other)) {
                 prop_assert!(agree(one, other, 30), "{one} {other}");
@@ -123,7 +123,7 @@ fn a_proved_bound_holds_against_twice_the_digits() {
     let motion = Motion::new(0.12201, 0.26, 0.6, 0.3).expect("a motion");
     let decimals = |figures| {
         let found = find_as(
-            &Goal::decimals(Decimals(figures), Rung::DoubleDouble),
+            &OutputPrecision::decimals(Decimals(figures), Rung::DoubleDouble),
             &motion,
             &"BTT".parse().expect("a word"),
             1,

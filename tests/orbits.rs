@@ -10,13 +10,15 @@ use std::f64::consts::{PI, TAU};
 use std::sync::LazyLock;
 use vibro_audit::model::{Flight, Forcing, Impact, Motion, Passage, Side, next_impact};
 use vibro_audit::number::{Analytic, DoubleDouble, Dual, Field, Interval, Sequence, seeded};
-use vibro_audit::orbit::{Balance, Equations, Found, Kind, Limits, Rounded, Word, find, isolate};
+use vibro_audit::orbit::{
+    Equations, FoundOrbits, OneOneEquations, OrbitKind, RoundedOrbit, SearchLimits, Word, find, isolate,
+};
 
 /// A motion, the most periods, and all its orbits.
 struct Case {
     motion: Motion<f64>,
     periods: u32,
-    found: Found,
+    found: FoundOrbits,
 }
 
 impl Case {
@@ -25,7 +27,7 @@ impl Case {
         Self { motion, periods, found }
     }
 
-    fn of(&self, periods: u32) -> impl Iterator<Item = &Rounded> {
+    fn of(&self, periods: u32) -> impl Iterator<Item = &RoundedOrbit> {
         self.found.orbits.iter().filter(move |row| row.periods == periods)
     }
 }
@@ -33,7 +35,7 @@ impl Case {
 static GALLERY: LazyLock<Vec<Case>> = LazyLock::new(|| scenes(1).take(150).map(Case::new).collect());
 
 /// Every orbit of the gallery with its motion.
-fn gallery() -> impl Iterator<Item = (&'static Motion<f64>, &'static Rounded)> {
+fn gallery() -> impl Iterator<Item = (&'static Motion<f64>, &'static RoundedOrbit)> {
     GALLERY
         .iter()
         .flat_map(|case| case.found.orbits.iter().map(move |row| (&case.motion, row)))
@@ -41,14 +43,14 @@ fn gallery() -> impl Iterator<Item = (&'static Motion<f64>, &'static Rounded)> {
 
 #[test]
 fn the_gallery_has_orbits_of_all_kinds_and_nothing_open() {
-    let count = |is: fn(&Motion<f64>, &Rounded) -> bool| gallery().filter(|(motion, row)| is(motion, row)).count();
+    let count = |is: fn(&Motion<f64>, &RoundedOrbit) -> bool| gallery().filter(|(motion, row)| is(motion, row)).count();
     for (name, number) in [
         ("admissible", count(|_, row| row.admissible)),
         ("inadmissible", count(|_, row| !row.admissible)),
         ("stable", count(|_, row| row.stable)),
-        ("focus", count(|_, row| row.kind == Kind::Focus)),
-        ("node", count(|_, row| row.kind == Kind::Node)),
-        ("saddle", count(|_, row| row.kind == Kind::Saddle)),
+        ("focus", count(|_, row| row.kind == OrbitKind::Focus)),
+        ("node", count(|_, row| row.kind == OrbitKind::Node)),
+        ("saddle", count(|_, row| row.kind == OrbitKind::Saddle)),
         ("of three periods", count(|_, row| row.periods == 3)),
         ("weightless", count(|motion, _| *motion.g() == 0.0)),
         ("heavy", count(|motion, _| motion.g().abs() > 1.0)),
@@ -67,7 +69,7 @@ fn the_gallery_has_orbits_of_all_kinds_and_nothing_open() {
 // ---- what every orbit satisfies
 
 /// The law, or what breaks it.
-type Law = fn(&Motion<f64>, &Rounded) -> Result<(), String>;
+type Law = fn(&Motion<f64>, &RoundedOrbit) -> Result<(), String>;
 
 fn hold(law: Law) {
     for (motion, row) in gallery() {
@@ -86,7 +88,7 @@ fn the_determinant_is_the_product_of_squared_restitutions() {
     hold(determinant);
 }
 
-fn determinant(motion: &Motion<f64>, row: &Rounded) -> Result<(), String> {
+fn determinant(motion: &Motion<f64>, row: &RoundedOrbit) -> Result<(), String> {
     let product = (motion.restitution(Side::Bottom) * motion.restitution(Side::Top)).powi(2);
     ensure((row.determinant - product).abs() <= 1e-15 * product, || {
         format!("determinant {}", row.determinant)
@@ -98,7 +100,7 @@ fn printed_values_satisfy_9_to_13_within_the_bound_times_the_derivative() {
     hold(residuals);
 }
 
-fn residuals(motion: &Motion<f64>, row: &Rounded) -> Result<(), String> {
+fn residuals(motion: &Motion<f64>, row: &RoundedOrbit) -> Result<(), String> {
     let bound = row.error_bound.ok_or("no bound")?;
     let pair = Pair::<Digits>::printed(row);
     let wide = motion.convert(|&x| Digits::from_f64(x)).expect("the same numbers");
@@ -144,7 +146,7 @@ fn residuals(motion: &Motion<f64>, row: &Rounded) -> Result<(), String> {
 }
 
 /// The farthest that a printed value is from the orbit of 40 digits.
-fn error(motion: &Motion<f64>, row: &Rounded) -> f64 {
+fn error(motion: &Motion<f64>, row: &RoundedOrbit) -> f64 {
     let [exact, printed] = [improved(motion, row), Pair::printed(row)];
     let apart = |[a, b]: &[Digits; 2], [c, d]: &[Digits; 2]| {
         let [one, other] = [a.clone() - c.clone(), b.clone() - d.clone()];
@@ -164,7 +166,7 @@ fn printed_values_are_within_the_bound_of_forty_digits_and_the_bound_is_no_more_
     assert!(20 * number >= 19 * tight.len(), "{number} of {}", tight.len());
 }
 
-fn within(motion: &Motion<f64>, row: &Rounded) -> Result<(), String> {
+fn within(motion: &Motion<f64>, row: &RoundedOrbit) -> Result<(), String> {
     let (error, bound) = (error(motion, row), row.error_bound.ok_or("no bound")?);
     ensure(error <= bound && bound < 2e-15, || {
         format!("off by {error:e}, bound {bound:e}")
@@ -172,7 +174,7 @@ fn within(motion: &Motion<f64>, row: &Rounded) -> Result<(), String> {
 }
 
 /// The product of the derivatives of both maps, in 40 digits, by dual numbers.
-fn product(motion: &Motion<f64>, row: &Rounded) -> Matrix2<Digits> {
+fn product(motion: &Motion<f64>, row: &RoundedOrbit) -> Matrix2<Digits> {
     let wide = motion.convert(|&x| Digits::from_f64(x)).expect("the same numbers");
     let pair = improved(motion, row);
     let forcing = Forcing::harmonic(&Digits::from_f64(0.0));
@@ -191,7 +193,7 @@ fn trace_multipliers_kind_and_stability_are_those_of_the_product_of_jacobians() 
     hold(stability);
 }
 
-fn stability(motion: &Motion<f64>, row: &Rounded) -> Result<(), String> {
+fn stability(motion: &Motion<f64>, row: &RoundedOrbit) -> Result<(), String> {
     let entries = product(motion, row);
     let trace = entries.trace();
     let [a, b, c, d] = [(0, 0), (0, 1), (1, 0), (1, 1)].map(|at| entries[at].clone());
@@ -227,9 +229,9 @@ fn stability(motion: &Motion<f64>, row: &Rounded) -> Result<(), String> {
         || format!("multipliers of size {sizes:?}"),
     )?;
     let kind = match (is_focus, sizes[0] > 1.0) {
-        (true, _) => Kind::Focus,
-        (false, true) => Kind::Saddle,
-        (false, false) => Kind::Node,
+        (true, _) => OrbitKind::Focus,
+        (false, true) => OrbitKind::Saddle,
+        (false, false) => OrbitKind::Node,
     };
     ensure((level < 1e-12 && !is_focus) || kind == row.kind, || format!("{kind}"))?;
     let printed = row
@@ -242,11 +244,11 @@ fn stability(motion: &Motion<f64>, row: &Rounded) -> Result<(), String> {
     ensure(near(0) && near(1), || format!("multipliers {printed:?}, not {sizes:?}"))
 }
 
-fn flight(motion: &Motion<f64>, row: &Rounded, index: usize) -> Flight<f64> {
+fn flight(motion: &Motion<f64>, row: &RoundedOrbit, index: usize) -> Flight<f64> {
     Flight::after(motion, &Forcing::harmonic(&0.0), &impact(row, index)).expect("a flight")
 }
 
-fn impact(row: &Rounded, index: usize) -> Impact<f64> {
+fn impact(row: &RoundedOrbit, index: usize) -> Impact<f64> {
     Impact {
         side: [Side::Bottom, Side::Top][index],
         time: row.phases[index] / PI,
@@ -259,7 +261,7 @@ fn clearance_and_admissible_are_those_of_densely_sampled_flights() {
     hold(clearance);
 }
 
-fn clearance(motion: &Motion<f64>, row: &Rounded) -> Result<(), String> {
+fn clearance(motion: &Motion<f64>, row: &RoundedOrbit) -> Result<(), String> {
     let sampled = |samples: u32| {
         (0..2)
             .map(|index| least(motion, row, index, samples))
@@ -281,7 +283,7 @@ fn clearance(motion: &Motion<f64>, row: &Rounded) -> Result<(), String> {
 }
 
 /// The least distance from a wall over the turning points strictly inside a flight.
-fn least(motion: &Motion<f64>, row: &Rounded, index: usize, samples: u32) -> f64 {
+fn least(motion: &Motion<f64>, row: &RoundedOrbit, index: usize, samples: u32) -> f64 {
     let flight = flight(motion, row, index);
     let at = |sample: u32| row.times[index] * f64::from(sample) / f64::from(samples);
     let velocity = |time: f64| flight.state(&time).velocity;
@@ -310,7 +312,7 @@ fn the_simulated_ball_follows_an_admissible_orbit_and_leaves_an_inadmissible_one
     hold(simulation);
 }
 
-fn simulation(motion: &Motion<f64>, row: &Rounded) -> Result<(), String> {
+fn simulation(motion: &Motion<f64>, row: &RoundedOrbit) -> Result<(), String> {
     let speed = row.velocities[0].min(-row.velocities[1]);
     if speed < 1e-4 || row.clearance.abs() < 1e-9 {
         return Ok(()); // rounding decides
@@ -405,7 +407,7 @@ fn mirror(case: &Case) -> Result<(), String> {
     })?;
     for row in &case.found.orbits {
         let image = [-row.velocities[1], -row.velocities[0], row.times[1], row.phases[1] + PI];
-        let near = |other: &&Rounded| other.periods == row.periods && is_near(other, &image, 1e-14 * (2.0 + TAU));
+        let near = |other: &&RoundedOrbit| other.periods == row.periods && is_near(other, &image, 1e-14 * (2.0 + TAU));
         let found = images.iter().filter(near).collect::<Vec<_>>();
         ensure(found.len() == 1, || format!("{} images of {row:?}", found.len()))?;
         let close = |a: f64, b: f64| a == b || (a - b).abs() <= 1e-14 * (1.0 + a.abs());
@@ -427,7 +429,7 @@ fn an_orbit_that_a_motion_was_made_around_is_found() {
 fn planted_is_found(motion: &Motion<f64>, periods: u32, orbit: &[f64; 4]) -> Result<(), String> {
     let found = find(motion, &Word::pair(), periods).expect("a search");
     // near a fold the rounding of g and d moves an orbit by the root of it
-    let near = |row: &&Rounded| row.periods == periods && is_near(row, orbit, 1e-6);
+    let near = |row: &&RoundedOrbit| row.periods == periods && is_near(row, orbit, 1e-6);
     let number = found.orbits.iter().filter(near).count();
     ensure(number == 1 || (number == 0 && !found.open.is_empty()), || {
         format!("{number} orbits near {orbit:?} over {periods}")
@@ -452,7 +454,7 @@ fn beside_a_fold_two_orbits_are_found_and_beyond_it_none_wherever_the_phase_is()
                 let motion = Motion::new(g, d, r_b, r_t).expect("a motion");
                 let found = find(&motion, &Word::pair(), periods).expect("a search");
                 assert!(found.open.is_empty(), "{motion:?} {:?}", found.open);
-                let is_near = |row: &&Rounded| {
+                let is_near = |row: &&RoundedOrbit| {
                     let middle = row.phases[0] + 0.5 * PI * row.times[0] - psi;
                     row.periods == periods && (row.times[0] - t_1).abs() < 0.02 && (0.5 * middle).sin().abs() < 0.01
                 };
@@ -553,7 +555,7 @@ fn counted(case: &Case) -> Result<(), String> {
     let motion = case.motion.convert(|&x| Line::from_f64(x)).expect("the same numbers");
     let line = |low: f64, high: f64| Line::new(DoubleDouble::from_f64(low), DoubleDouble::from_f64(high));
     for periods in 1..=case.periods {
-        let balance = Balance::new(&motion, periods);
+        let balance = OneOneEquations::new(&motion, periods);
         let total = 2.0 * f64::from(periods);
         let times = [line(0.0, 0.413 * total), line(0.413 * total, total)];
         // one turn from elsewhere, a little more than whole
@@ -561,7 +563,7 @@ fn counted(case: &Case) -> Result<(), String> {
         let cells = times
             .iter()
             .flat_map(|time| phases.iter().map(move |phase| [*time, *phase]));
-        let limits = Limits {
+        let limits = SearchLimits {
             finest: 1e-16,
             most_cells: 400_000,
         };

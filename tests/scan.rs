@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use vibro_audit::model::Motion;
 use vibro_audit::number::{Analytic, Field, Interval, Sequence, Wide};
-use vibro_audit::orbit::{Event, Instant, OpenEvent, Prepared};
+use vibro_audit::orbit::{BifurcationKind, Instant, OneOneBranches, OpenBifurcation};
 
 type Digits = Wide<60>;
 
@@ -118,21 +118,27 @@ impl Device {
     }
 
     /// The trace at a bifurcation of a kind.
-    fn levels(&self) -> Vec<(Event, Digits)> {
+    fn levels(&self) -> Vec<(BifurcationKind, Digits)> {
         let product = self.r[0].clone() * self.r[1].clone();
         let one = whole(1);
         let edge = one.clone() + product.clone() * product.clone();
-        let mut levels = vec![(Event::Fold, edge.clone()), (Event::PeriodDoubling, -edge)];
+        let mut levels = vec![
+            (BifurcationKind::Fold, edge.clone()),
+            (BifurcationKind::PeriodDoubling, -edge),
+        ];
         // without loss these are those
         if self.has_loss() {
             let twice = product.clone() + product;
-            levels.extend([(Event::NodeFocus, twice.clone()), (Event::NodeFocus, -twice)]);
+            levels.extend([
+                (BifurcationKind::NodeFocus, twice.clone()),
+                (BifurcationKind::NodeFocus, -twice),
+            ]);
         }
         levels
     }
 
     /// The bifurcations on a grid of angles, in order: (event, gap).
-    fn scanned(&self, grid: &[Digits]) -> Vec<(Event, f64)> {
+    fn scanned(&self, grid: &[Digits]) -> Vec<(BifurcationKind, f64)> {
         let mut found = Vec::new();
         for pair in grid.windows(2) {
             let [low, high] = pair else { continue };
@@ -283,7 +289,7 @@ fn examined(seed: u64, fine: u32) -> Outcome {
         is_special,
     } = drawn(seed);
     let said = format!("seed {seed}: {motion:?}, {periods} periods, d in [{from}, {to}]");
-    let prepared = Prepared::new(&motion, periods, Interval::new(from, to)).expect("a range");
+    let prepared = OneOneBranches::new(&motion, periods, Interval::new(from, to)).expect("a range");
     let (listed, open) = prepared.bifurcations();
     let device = Device {
         g: Digits::from_f64(*motion.g()),
@@ -296,7 +302,7 @@ fn examined(seed: u64, fine: u32) -> Outcome {
     // grazing is a matter of clearance; where both flights last as long, a device without loss leaves the velocity free
     let is_scanned = |instant: &&Instant| {
         let is_free = !device.has_loss() && (instant.times[0] - instant.times[1]).abs() < 1e-9;
-        instant.event != Event::Grazing && !is_free
+        instant.event != BifurcationKind::Grazing && !is_free
     };
     let is_complete = open.is_empty();
     let mut wrong = Vec::new();
@@ -306,8 +312,8 @@ fn examined(seed: u64, fine: u32) -> Outcome {
     for (event, d) in device.scanned(&grid(&device.total, fine)) {
         let inside = from * (1.0 + 1e-9) < d && d < to * (1.0 - 1e-9);
         // a symmetric motion parts at the trace of a fold
-        let as_well = if event == Event::Fold {
-            Event::SymmetryBreaking
+        let as_well = if event == BifurcationKind::Fold {
+            BifurcationKind::SymmetryBreaking
         } else {
             event
         };
@@ -319,7 +325,7 @@ fn examined(seed: u64, fine: u32) -> Outcome {
     }
     // about each that is listed the scan finds it, however close to others it is
     for instant in listed.iter().filter(is_scanned) {
-        if !device.has_loss() && instant.event == Event::NodeFocus {
+        if !device.has_loss() && instant.event == BifurcationKind::NodeFocus {
             continue;
         }
         let at = Digits::from_f64(instant.times[0]) * Digits::pi();
@@ -335,7 +341,7 @@ fn examined(seed: u64, fine: u32) -> Outcome {
             wrong.push(format!("{said}: invented {instant:?}"));
         }
     }
-    let width = |open: &OpenEvent| {
+    let width = |open: &OpenBifurcation| {
         let parameter = open.cell()[2];
         (parameter.high() - parameter.low()) / (to - from)
     };

@@ -7,7 +7,7 @@ use std::process::{Command, Output, Stdio};
 use vibro_audit::impact::{Start, Widening};
 use vibro_audit::model::{Motion, Side};
 use vibro_audit::number::Sequence;
-use vibro_audit::orbit::{Further, Length, Measure, Settled, Statistics};
+use vibro_audit::orbit::{Averaging, AveragingLength, LongRun, Statistics, SteadyState};
 use vibro_audit::scene::{MeanOver, Scene, find};
 
 fn run_with(arguments: &[&str], stdin: &str, threads: Option<u32>) -> Output {
@@ -463,7 +463,7 @@ fn measured(motion: &Motion<f64>, start: u64, impacts: u32) -> Option<Statistics
     let mut sequence = Sequence::new(start);
     let (phase, velocity) = (sequence.between(0.0, std::f64::consts::TAU), sequence.between(0.2, 1.2));
     let side = Side::Bottom;
-    let settled = Settled::after(
+    let settled = SteadyState::after(
         Widening::new(motion, &Start { side, phase, velocity }).without_growth(),
         500,
         60,
@@ -471,9 +471,9 @@ fn measured(motion: &Motion<f64>, start: u64, impacts: u32) -> Option<Statistics
     if settled.attractor.is_some() || settled.release.is_some() {
         return None;
     }
-    let measure = Measure {
+    let measure = Averaging {
         motion,
-        length: Length {
+        length: AveragingLength {
             impacts,
             error: None,
             most: impacts,
@@ -483,8 +483,8 @@ fn measured(motion: &Motion<f64>, start: u64, impacts: u32) -> Option<Statistics
         at_releases: true,
     };
     match measure.after(&settled.end?) {
-        Further::Measured(found) => Some(found),
-        Further::Released(..) => None,
+        LongRun::Measured(found) => Some(found),
+        LongRun::Released(..) => None,
     }
 }
 

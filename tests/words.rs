@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use vibro_audit::impact::{Simulation, Start};
 use vibro_audit::model::{Forcing, Impact, Leg, Map, Motion, Order, Passage, Side, next_impact};
 use vibro_audit::number::{Analytic, DoubleDouble, Field, Interval, Rung, Sequence, Wide};
-use vibro_audit::orbit::{Orbit, Question, Rounded, Unsettled, Word, find, search};
+use vibro_audit::orbit::{Inconclusive, Orbit, Property, RoundedOrbit, Word, find, search_word};
 
 type Digits = Wide<40>;
 type Line = Interval<f64>;
@@ -38,7 +38,7 @@ impl Case {
 
     fn orbits(self, word: &str, periods: u32) -> Vec<Orbit<f64>> {
         let motion = self.motion::<Line>();
-        let cycles = search(&word.parse().expect("a word"), periods, &motion).expect("a search");
+        let cycles = search_word(&word.parse().expect("a word"), periods, &motion).expect("a search");
         assert!(cycles.iter().all(|cycle| cycle.is_certified()), "{self:?} {word}");
         cycles
             .iter()
@@ -46,15 +46,15 @@ impl Case {
             .collect()
     }
 
-    fn rows(self, word: &str, periods: u32) -> Vec<Rounded> {
+    fn rows(self, word: &str, periods: u32) -> Vec<RoundedOrbit> {
         self.orbits(word, periods).iter().map(Orbit::rounded).collect()
     }
 }
 
 /// An orbit that f64 can tell all about; the few that need a wider number are not what is tested here.
-fn settled(orbit: Result<Orbit<f64>, Unsettled>) -> Option<Orbit<f64>> {
+fn settled(orbit: Result<Orbit<f64>, Inconclusive>) -> Option<Orbit<f64>> {
     match orbit {
-        Err(Unsettled::Undecided { .. } | Unsettled::Backwards { .. }) => None,
+        Err(Inconclusive::Undecided { .. } | Inconclusive::Backwards { .. }) => None,
         orbit => Some(orbit.expect("an orbit")),
     }
 }
@@ -77,9 +77,9 @@ const WORDS: [(&str, u32); 8] = [
 ];
 
 /// Cases of all kinds, with the orbits of each word.
-static GALLERY: LazyLock<Vec<(Case, Rounded)>> = LazyLock::new(gallery);
+static GALLERY: LazyLock<Vec<(Case, RoundedOrbit)>> = LazyLock::new(gallery);
 
-fn gallery() -> Vec<(Case, Rounded)> {
+fn gallery() -> Vec<(Case, RoundedOrbit)> {
     let mut sequence = Sequence::new(11);
     let mut draw = |low: f64, high: f64| sequence.between(low, high) as i64;
     let mut found = Vec::new();
@@ -97,14 +97,14 @@ fn gallery() -> Vec<(Case, Rounded)> {
     found
 }
 
-fn impact<T: Analytic>(row: &Rounded, index: usize) -> Impact<T> {
+fn impact<T: Analytic>(row: &RoundedOrbit, index: usize) -> Impact<T> {
     let side = row.word.sides().nth(index).expect("an impact");
     let time = T::from_f64(row.phases[index]) / T::pi();
     let velocity = T::from_f64(row.velocities[index]);
     Impact { side, time, velocity }
 }
 
-fn passages(case: Case, row: &Rounded) -> Vec<Passage<f64>> {
+fn passages(case: Case, row: &RoundedOrbit) -> Vec<Passage<f64>> {
     let (motion, forcing) = (case.motion(), Forcing::harmonic(&0.0));
     let passage = |index| Passage::new(&motion, &forcing, &impact(row, index), &row.times[index]);
     (0..row.phases.len()).map(passage).collect()
@@ -162,7 +162,7 @@ fn the_printed_pairs_are_orbits_of_the_word_bt() {
     ];
     for (case, velocities, phase, time) in known {
         let rows = case.rows("BT", 1);
-        let is_known = |row: &&Rounded| (row.velocities[0] - velocities[0]).abs() < 1e-9;
+        let is_known = |row: &&RoundedOrbit| (row.velocities[0] - velocities[0]).abs() < 1e-9;
         let row = rows.iter().find(is_known).expect("the printed orbit");
         assert!((row.velocities[1] - velocities[1]).abs() < 1e-10 && (row.times[0] - time).abs() < 1e-8);
         assert!((row.phases[0] - phase).abs() < 1e-8 && row.stable && row.admissible);
@@ -199,7 +199,7 @@ fn every_orbit_satisfies_9_to_13_in_forty_digits_within_its_bound() {
 
 /// Phases, velocities and times in 40 digits: Newton's method on (9) to (13) with all of them as unknowns, from the
 /// printed values. Written here from the paper, so that the equations of the search are checked by others.
-fn improved(case: Case, row: &Rounded) -> [Vec<Digits>; 3] {
+fn improved(case: Case, row: &RoundedOrbit) -> [Vec<Digits>; 3] {
     let count = row.phases.len();
     let motion = case.motion::<Digits>();
     let wide = |values: &[f64]| values.iter().map(|value| Digits::from_f64(*value)).collect::<Vec<_>>();
@@ -239,7 +239,7 @@ fn improved(case: Case, row: &Rounded) -> [Vec<Digits>; 3] {
 }
 
 /// (9), (11) and (10), (12) of each flight, and (13): velocities, then times, then the first phase.
-fn equations(motion: &Motion<Digits>, row: &Rounded, unknowns: &[Digits]) -> Vec<Digits> {
+fn equations(motion: &Motion<Digits>, row: &RoundedOrbit, unknowns: &[Digits]) -> Vec<Digits> {
     let count = row.phases.len();
     let (velocities, times) = (&unknowns[..count], &unknowns[count..2 * count]);
     let forcing = Forcing::harmonic(&Digits::from_f64(0.0));
@@ -317,7 +317,7 @@ fn the_mirrored_motion_has_the_mirrored_orbits() {
             assert_eq!(rows.len(), images.len(), "{case:?} {word}");
             for row in &rows {
                 // impacts in another order: as sets
-                let near = |image: &Rounded| {
+                let near = |image: &RoundedOrbit| {
                     let same = (image.trace - row.trace).abs() < 1e-9 * (1.0 + row.trace.abs());
                     let velocities = row.velocities.iter().zip(&row.phases).all(|(velocity, phase)| {
                         let impacts = image.velocities.iter().zip(&image.phases);
@@ -369,7 +369,7 @@ fn in_double_double_the_bound_is_the_rounding_of_what_is_printed_and_in_many_dig
         (paper(440, 60, 30), "BT", 2),
     ] {
         let word: Word = word.parse().expect("a word");
-        let cycles = search(&word, periods, &case.motion::<Interval<DoubleDouble>>()).expect("a search");
+        let cycles = search_word(&word, periods, &case.motion::<Interval<DoubleDouble>>()).expect("a search");
         assert!(!cycles.is_empty());
         for cycle in &cycles {
             let narrow = cycle.orbit(&case.motion::<Line>()).expect("decided");
@@ -384,7 +384,7 @@ fn in_double_double_the_bound_is_the_rounding_of_what_is_printed_and_in_many_dig
             );
             assert_eq!(
                 row,
-                Rounded {
+                RoundedOrbit {
                     error_bound: Some(bound),
                     computed_in: Rung::DoubleDouble,
                     ..wide.rounded()
@@ -408,12 +408,12 @@ fn what_f64_cannot_tell_a_wider_number_can() {
         Motion::new(g, Interval::point(d), r_b, r_t).expect("a motion")
     };
     let near = motion("0.25905782991527197");
-    let cycles = search(&Word::pair(), 1, &near).expect("a search");
+    let cycles = search_word(&Word::pair(), 1, &near).expect("a search");
     assert_eq!(cycles.len(), 1);
     let line = near.convert(|value| Line::new(value.low().to_f64().next_down(), value.high().to_f64().next_up()));
     let undecided = cycles[0].orbit(&line.expect("a motion"));
-    let what = Question::Kind;
-    assert_eq!(undecided, Err(Unsettled::Undecided { what }));
+    let what = Property::Kind;
+    assert_eq!(undecided, Err(Inconclusive::Undecided { what }));
     let orbit = cycles[0].orbit(&near).expect("decided");
     assert!((orbit.trace.to_f64() + 1.0 + orbit.determinant.to_f64()).abs() < 1e-12);
 }

@@ -9,7 +9,8 @@ use vibro_audit::impact::{Event, Kind, Simulation, Start};
 use vibro_audit::model::{Motion, MotionError, Side};
 use vibro_audit::number::{Analytic, Interval, Wide};
 use vibro_audit::orbit::{
-    Balance, Condition, Conditioned, Orbit, Parameters, Proved, Root, nearest, nearest_event, one_to_one,
+    Condition, Conditioned, OneOneEquations, Orbit, Parameters, ProvedOrbit, ProvedRoot, isolate_one_one,
+    newton_one_one, newton_one_one_bifurcation,
 };
 use vibro_audit::prove::{self, Decision, Options};
 
@@ -81,12 +82,12 @@ pub fn sweep() -> impl FnMut() -> f64 {
 
 /// (T_1, psi, v, w) of the 1-1 motion of Fig. 2 at d = 0.4, from a start 5% off in T_1 and in the phase.
 pub fn orbit() -> impl FnMut() -> Option<[f64; 4]> {
-    let balance = Balance::new(&motion(0.4, 0.5, 0.5), 1);
+    let balance = OneOneEquations::new(&motion(0.4, 0.5, 0.5), 1);
     // as every peer starts: 1.05 T_1, 0.95 phase
     let (t_1, phase) = (1.05 * 1.116_500_659_3, 0.95 * 0.489_395_114_7);
     let guess = [t_1, phase + std::f64::consts::FRAC_PI_2 * t_1];
     move || {
-        let [t_1, middle] = nearest(&balance, black_box(guess))?;
+        let [t_1, middle] = newton_one_one(&balance, black_box(guess))?;
         let [v, w] = balance.velocities(&t_1, &middle);
         Some([t_1, middle, v, w])
     }
@@ -102,27 +103,27 @@ pub fn doubling() -> impl FnMut() -> Option<[f64; 3]> {
             condition: Condition::MultiplierMinusOne,
             apart: Vec::new(),
         };
-        nearest_event(&system, black_box([1.3, 2.2, 0.26]))
+        newton_one_one_bifurcation(&system, black_box([1.3, 2.2, 0.26]))
     }
 }
 
 /// How many 1-1 motions of one period there are at d = 0.4: all, guaranteed, without a guess and nothing prepared.
 pub fn all_orbits() -> impl FnMut() -> usize {
     let enclosed: Motion<Interval<f64>> = Exactly.motion().expect("a motion");
-    move || one_to_one(black_box(&enclosed), 1).motions.len()
+    move || isolate_one_one(black_box(&enclosed), 1).motions.len()
 }
 
 /// The stable 1-1 motion at d = 0.4 to 50 digits, with its bound, stability and clearance, from its proved f64 enclosure.
 pub fn many_digits() -> impl FnMut() -> Orbit<Wide<50>> {
     let enclosed: Motion<Interval<f64>> = Exactly.motion().expect("a motion");
-    let motions = one_to_one(&enclosed, 1).motions;
-    let stable = |root: &Root<f64, 2>| {
-        let orbit = Proved::Pair { root, periods: 1 }.orbit::<f64>(&Exactly);
+    let motions = isolate_one_one(&enclosed, 1).motions;
+    let stable = |root: &ProvedRoot<f64, 2>| {
+        let orbit = ProvedOrbit::Pair { root, periods: 1 }.orbit::<f64>(&Exactly);
         orbit.is_ok_and(|orbit| orbit.stable)
     };
     let root = motions.into_iter().find(stable).expect("a stable motion");
     move || {
-        let proved = Proved::Pair {
+        let proved = ProvedOrbit::Pair {
             root: black_box(&root),
             periods: 1,
         };

@@ -5,7 +5,7 @@ use super::trade::{TradeError, TradeOptions, motions, quantile, starts};
 use super::weights::Weights;
 use crate::impact::{Kind, Simulation};
 use crate::number::{Analytic, Any, Counted, Counts, Interval, Rung, of_type};
-use crate::orbit::{Orbit, Proved, one_to_one};
+use crate::orbit::{Orbit, ProvedOrbit, isolate_one_one};
 
 /// The problems of each purpose.
 const PROBLEMS: usize = 30;
@@ -75,8 +75,8 @@ fn orbits() -> (Vec<f64>, Counts) {
         let Ok(line) = motion.convert(|value| Interval::from_f64(*value)) else {
             continue;
         };
-        for root in &one_to_one(&line, 1).motions {
-            let proved = Proved::Pair { root, periods: 1 };
+        for root in &isolate_one_one(&line, 1).motions {
+            let proved = ProvedOrbit::Pair { root, periods: 1 };
             let (orbit, counts) = Counts::of(|| proved.orbit::<Number>(&motion));
             let Ok(orbit) = orbit else { continue };
             digits.push(digits_of_bounds(&orbit));

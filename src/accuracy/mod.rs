@@ -2,6 +2,7 @@
 
 mod choice;
 mod costs;
+mod paper_equations;
 pub mod problems;
 pub mod score;
 pub mod stress;

@@ -5,7 +5,8 @@ use super::complete::{Complete, incomplete};
 use super::{Answer, Asked, Failure, Options, SceneArguments, note};
 use crate::number::{Decimals, Interval, Rung, Told};
 use crate::orbit::{
-    Family, Followed, Found, Goal, Instant, Moment, Open, OpenEvent, Prepared, Rounded, Wanted, Word, confirmed_at,
+    Family, FoundOrbits, Instant, Moment, OneOneBranches, OpenBifurcation, OpenOrbit, Output, OutputPrecision,
+    RoundedOrbit, Word, WordBranches, confirm_bifurcation,
 };
 use crate::report::{Cell, Column, Table};
 use crate::scene::{Over, Quantity, Scene, Setting, Sweep, Want};
@@ -59,7 +60,7 @@ pub fn rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
     }
 }
 
-fn rows_as<W: Wanted + Clone + 'static>(scene: &Scene, wanted: W) -> Result<Rows, Failure>
+fn rows_as<W: Output + Clone + 'static>(scene: &Scene, wanted: W) -> Result<Rows, Failure>
 where
     Cell: From<W::Number> + From<Vec<W::Number>>,
 {
@@ -102,24 +103,24 @@ struct BranchRows<W> {
 /// Where motions at a value are looked for.
 enum Motions {
     /// The 1-1 motions: all of them.
-    Pairs(Prepared<Setting>),
+    Pairs(OneOneBranches<Setting>),
     /// Those of any other word: the branches that a search leads to.
-    Others(Followed<Setting>),
+    Others(WordBranches<Setting>),
 }
 
-impl<W: Wanted + Clone> BranchRows<W>
+impl<W: Output + Clone> BranchRows<W>
 where
     Cell: From<W::Number> + From<Vec<W::Number>>,
 {
     fn new(wanted: &W, setting: &Setting, sweep: &Sweep, word: Word, periods: u32) -> Result<Self, Failure> {
         let [from, to] = [&sweep.from, &sweep.to].map(|end| end.value::<Interval<f64>>());
         let (motions, mut events) = if word == Word::pair() {
-            let prepared = Prepared::new(setting.clone(), periods, from.hull(&to))?;
+            let prepared = OneOneBranches::new(setting.clone(), periods, from.hull(&to))?;
             let events = events_of_pairs(&prepared, wanted, sweep.over, periods);
             (Motions::Pairs(prepared), events)
         } else {
             // the ends as f64: rounded outward they reach beyond a restitution of 1
-            let followed = Followed::new(setting.clone(), &word, periods, nearest(sweep))?;
+            let followed = WordBranches::new(setting.clone(), &word, periods, nearest(sweep))?;
             let events = events_of_others(&followed, wanted, sweep.over, &word, periods);
             (Motions::Others(followed), events)
         };
@@ -158,9 +159,9 @@ where
             let passed = self.events.partition_point(|(event, _)| sign * *event < sign * at);
             self.ready.extend(self.events.drain(..passed).map(|(_, row)| row));
             let complete = found.is_complete(&self.word, self.periods);
-            let row = |orbit: &Rounded<_>| point(over, told.clone(), d.clone(), orbit.clone(), complete);
+            let row = |orbit: &RoundedOrbit<_>| point(over, told.clone(), d.clone(), orbit.clone(), complete);
             self.ready.extend(found.orbits.iter().map(row));
-            let place = |open: &Open| [open.place(), vec![Interval::point(at)]].concat();
+            let place = |open: &OpenOrbit| [open.place(), vec![Interval::point(at)]].concat();
             let open = |open| undecided(over, &self.word, self.periods, &place(open));
             self.ready.extend(found.open.iter().map(open));
         }
@@ -175,7 +176,7 @@ where
     }
 }
 
-impl<W: Wanted + Clone> Iterator for BranchRows<W>
+impl<W: Output + Clone> Iterator for BranchRows<W>
 where
     Cell: From<W::Number> + From<Vec<W::Number>>,
 {
@@ -209,12 +210,12 @@ fn direction(sweep: &Sweep) -> f64 {
 type Events = Vec<(f64, Vec<Cell>)>;
 
 /// Every event of the 1-1 motions.
-fn events_of_pairs<W: Wanted>(prepared: &Prepared<Setting>, wanted: &W, over: Over, periods: u32) -> Events
+fn events_of_pairs<W: Output>(prepared: &OneOneBranches<Setting>, wanted: &W, over: Over, periods: u32) -> Events
 where
     Cell: From<W::Number> + From<Vec<W::Number>>,
 {
     let (events, open) = prepared.bifurcations_as(wanted);
-    let is_complete = OpenEvent::are_all_there(&open);
+    let is_complete = OpenBifurcation::are_all_there(&open);
     let mut rows = Vec::new();
     for open in &open {
         note(&open.to_string());
@@ -235,8 +236,8 @@ where
 }
 
 /// The events seen on the branches of any other word.
-fn events_of_others<W: Wanted>(
-    followed: &Followed<Setting>,
+fn events_of_others<W: Output>(
+    followed: &WordBranches<Setting>,
     wanted: &W,
     over: Over,
     word: &Word,
@@ -276,11 +277,11 @@ pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
     let columns = columns(&sweep);
     let mut tables = [Table::new(columns.clone()), Table::new(columns)];
     for periods in 1..=scene.max_periods()? {
-        let (events, open) = Prepared::new(&setting, periods, from.hull(&to))?
-            .bifurcations_as(&Goal::decimals(decimals, Rung::Wide(50)));
-        let is_complete = OpenEvent::are_all_there(&open);
+        let (events, open) = OneOneBranches::new(&setting, periods, from.hull(&to))?
+            .bifurcations_as(&OutputPrecision::decimals(decimals, Rung::Wide(50)));
+        let is_complete = OpenBifurcation::are_all_there(&open);
         for event in events {
-            if let Ok(again) = confirmed_at(&setting, &event, decimals) {
+            if let Ok(again) = confirm_bifurcation(&setting, &event, decimals) {
                 tables[1].push(instant(sweep.over, again, is_complete))?;
             }
             tables[0].push(instant(sweep.over, event, is_complete))?;
@@ -297,7 +298,7 @@ fn columns(sweep: &Sweep) -> Vec<&'static str> {
     columns
 }
 
-fn tell<N>(value: &Quantity, found: &Found<N>) {
+fn tell<N>(value: &Quantity, found: &FoundOrbits<N>) {
     for open in &found.open {
         note(&format!("at {value}: {open}"));
     }
@@ -315,7 +316,7 @@ fn undecided(over: Over, word: &Word, periods: u32, place: &[Interval<f64>]) -> 
     row
 }
 
-fn point<N>(over: Over, parameter: N, d: N, orbit: Rounded<N>, complete: bool) -> Vec<Cell>
+fn point<N>(over: Over, parameter: N, d: N, orbit: RoundedOrbit<N>, complete: bool) -> Vec<Cell>
 where
     Cell: From<N> + From<Vec<N>>,
 {

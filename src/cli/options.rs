@@ -3,7 +3,7 @@
 use super::Failure;
 use crate::accuracy::{Purpose, cheapest};
 use crate::number::{Decimals, Doubles, FIGURES_OF_F64};
-use crate::orbit::{Goal, most_figures};
+use crate::orbit::{OutputPrecision, most_figures};
 use crate::report::{DEFAULT_DIGITS, Format, Output, is_same_file};
 use crate::scene::{MOST_DIGITS, Scene};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -13,9 +13,9 @@ use std::path::PathBuf;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Asked {
     /// In f64.
-    Doubles(Goal<Doubles>),
+    Doubles(OutputPrecision<Doubles>),
     /// In decimals.
-    Decimals(Goal<Decimals>),
+    Decimals(OutputPrecision<Decimals>),
 }
 
 /// The options that every command knows.
@@ -77,14 +77,14 @@ impl Options {
     /// As [`Options::asked_of`].
     pub fn goal_for(&self, scene: &Scene) -> Result<Asked, Failure> {
         Ok(match self.asked_of(scene)? {
-            None => Asked::Doubles(Goal::DOUBLES),
+            None => Asked::Doubles(OutputPrecision::DOUBLES),
             Some(digits) => {
                 let first = cheapest(Purpose::Orbit, digits)?;
                 if digits <= FIGURES_OF_F64 {
-                    Asked::Doubles(Goal::doubles(digits, first))
+                    Asked::Doubles(OutputPrecision::doubles(digits, first))
                 } else {
                     // of as many figures the last one may be off by more than so many digits allow
-                    Asked::Decimals(Goal::decimals(Decimals(digits as usize + 1), first))
+                    Asked::Decimals(OutputPrecision::decimals(Decimals(digits as usize + 1), first))
                 }
             }
         })

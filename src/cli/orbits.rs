@@ -3,7 +3,10 @@
 use super::complete::{Complete, incomplete};
 use super::{Answer, Asked, Content, Exit, Failure, Options, SceneArguments, note};
 use crate::number::{Decimals, Interval, Rung};
-use crate::orbit::{Found, Goal, Isolation, Parameters, Rounded, Search, Wanted, Word, confirmed, find_as, one_to_one};
+use crate::orbit::{
+    FoundOrbits, Isolation, OneOneSearch, Output, OutputPrecision, Parameters, RoundedOrbit, Word, confirm_orbit,
+    find_as, isolate_one_one,
+};
 use crate::report::{Cell, Table};
 use crate::scene::{Scene, Want};
 
@@ -66,7 +69,7 @@ pub fn table(scene: &Scene, options: &Options) -> Result<Table, Failure> {
     }
 }
 
-fn table_as<W: Wanted>(scene: &Scene, wanted: &W) -> Result<Table, Failure>
+fn table_as<W: Output>(scene: &Scene, wanted: &W) -> Result<Table, Failure>
 where
     Cell: From<W::Number> + From<Vec<W::Number>>,
 {
@@ -99,14 +102,14 @@ where
 /// not reach has no row there.
 pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
     let setting = scene.setting()?;
-    let goal = Goal::decimals(decimals, Rung::Wide(50));
+    let goal = OutputPrecision::decimals(decimals, Rung::Wide(50));
     let parameters = goal.parameters(&setting)?;
     let mut tables = [Table::new(COLUMNS), Table::new(COLUMNS)];
     for word in scene.words()? {
         let found = find_as(&goal, &setting, &word, scene.max_periods()?)?;
         for orbit in found.orbits.clone() {
             let complete = found.is_complete(&word, orbit.periods);
-            if let Ok(again) = confirmed(&setting, &orbit, decimals) {
+            if let Ok(again) = confirm_orbit(&setting, &orbit, decimals) {
                 tables[1].push(row(parameters.clone(), again, complete))?;
             }
             tables[0].push(row(parameters.clone(), orbit, complete))?;
@@ -116,7 +119,7 @@ pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
 }
 
 /// What a reader of the rows alone would miss.
-fn tell<N>(word: &Word, found: &Found<N>) {
+fn tell<N>(word: &Word, found: &FoundOrbits<N>) {
     for open in &found.open {
         note(&open.to_string());
     }
@@ -155,7 +158,7 @@ where
     row
 }
 
-fn row<N>([g, d, r_b, r_t]: [N; 4], orbit: Rounded<N>, complete: bool) -> Vec<Cell>
+fn row<N>([g, d, r_b, r_t]: [N; 4], orbit: RoundedOrbit<N>, complete: bool) -> Vec<Cell>
 where
     Cell: From<N> + From<Vec<N>>,
 {
@@ -195,13 +198,13 @@ fn explain(scene: &Scene) -> Result<String, Failure> {
             continue;
         }
         for periods in 1..=scene.max_periods()? {
-            lines.extend(told(&one_to_one(&motion, periods)));
+            lines.extend(told(&isolate_one_one(&motion, periods)));
         }
     }
     Ok(lines.join("\n"))
 }
 
-fn told(search: &Search) -> Vec<String> {
+fn told(search: &OneOneSearch) -> Vec<String> {
     let total = 2 * search.periods;
     let Isolation {
         roots,

@@ -3,7 +3,9 @@
 use super::{Asked, Failure};
 use crate::model::{Membrane, Side};
 use crate::number::{Analytic, Decimal, Decimals, Field, Interval, Rung, Telling, Told, Wide};
-use crate::orbit::{Family, Fixed, Goal, Prepared, Rounded, Wanted, Word, confirmed, find_as};
+use crate::orbit::{
+    Family, Fixed, OneOneBranches, Output, OutputPrecision, RoundedOrbit, Word, confirm_orbit, find_as,
+};
 use crate::report::{Cell, Table};
 use crate::scene::{Quantity, Scene, Setting};
 
@@ -58,9 +60,9 @@ fn read(text: &Decimal) -> Wide<DIGITS> {
 /// As [`table`].
 pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
     let mut tables = [Table::new(COLUMNS), Table::new(COLUMNS)];
-    let goal = Goal::decimals(decimals, Rung::Wide(50));
+    let goal = OutputPrecision::decimals(decimals, Rung::Wide(50));
     each(scene, &goal, |fixed, voltages, orbit| {
-        if let Ok(again) = confirmed(fixed, &orbit, decimals) {
+        if let Ok(again) = confirm_orbit(fixed, &orbit, decimals) {
             tables[1].push(voltages.row(&again, read))?;
         }
         Ok(tables[0].push(voltages.row(&orbit, read))?)
@@ -69,10 +71,10 @@ pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
 }
 
 /// Hands each orbit over, with the motion it is one of and what makes its voltages.
-fn each<W: Wanted>(
+fn each<W: Output>(
     scene: &Scene,
     wanted: &W,
-    mut take: impl FnMut(&Fixed<'_, Setting, Quantity>, &Voltages<'_, W>, Rounded<W::Number>) -> Result<(), Failure>,
+    mut take: impl FnMut(&Fixed<'_, Setting, Quantity>, &Voltages<'_, W>, RoundedOrbit<W::Number>) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let membrane = scene.membrane::<Number>()?;
     let sweep = scene.sweep()?;
@@ -96,13 +98,13 @@ fn each<W: Wanted>(
 }
 
 /// The orbits of a word at each value, those with fewer periods first.
-fn found<W: Wanted>(
+fn found<W: Output>(
     setting: &Setting,
     values: &[Quantity],
     word: &Word,
     max_periods: u32,
     wanted: &W,
-) -> Result<Vec<Vec<Rounded<W::Number>>>, Failure> {
+) -> Result<Vec<Vec<RoundedOrbit<W::Number>>>, Failure> {
     let ends = values.first().zip(values.last()).filter(|_| *word == Word::pair());
     let Some((from, to)) = ends else {
         let at = |value| Ok(find_as(wanted, &setting.fixed(value), word, max_periods)?.orbits);
@@ -112,7 +114,7 @@ fn found<W: Wanted>(
     let [from, to] = [from, to].map(|end| end.value::<Interval<f64>>());
     let mut orbits = vec![Vec::new(); values.len()];
     for periods in 1..=max_periods {
-        let prepared = Prepared::new(setting, periods, from.hull(&to))?;
+        let prepared = OneOneBranches::new(setting, periods, from.hull(&to))?;
         for (orbits, found) in orbits.iter_mut().zip(prepared.points_as(wanted, values)?) {
             orbits.extend(found.orbits);
         }
@@ -129,11 +131,11 @@ struct Voltages<'a, W> {
     d: Number,
 }
 
-impl<N: Told, W: Wanted<Number = N> + Telling<Wide<DIGITS>, Number = N>> Voltages<'_, W>
+impl<N: Told, W: Output<Number = N> + Telling<Wide<DIGITS>, Number = N>> Voltages<'_, W>
 where
     Cell: From<N> + From<Vec<N>>,
 {
-    fn row(&self, orbit: &Rounded<N>, read: impl Fn(&N) -> Wide<DIGITS>) -> Vec<Cell> {
+    fn row(&self, orbit: &RoundedOrbit<N>, read: impl Fn(&N) -> Wide<DIGITS>) -> Vec<Cell> {
         let bound = orbit.error_bound.as_ref().map(&read);
         let room = bound.clone().unwrap_or_else(|| Wide::from_integer(0));
         let voltage = |velocity: &N| {
@@ -213,7 +215,7 @@ mod tests {
     fn both_means_and_f64_agree_within_the_bound() {
         let at = ["sweep.from=0.4", "sweep.points=1", "words=['BT']"];
         let [first, second] = twice(&scene("fig02", &at), Decimals(30)).unwrap();
-        let float = table(&scene("fig02", &at), &Asked::Doubles(Goal::DOUBLES)).unwrap();
+        let float = table(&scene("fig02", &at), &Asked::Doubles(OutputPrecision::DOUBLES)).unwrap();
         let bound = |table: &Table| numbers(table, "error_bound")[0].to_f64();
         assert!(bound(&first) < 1e-21 && bound(&float) < 1e-9);
         for column in ["velocities", "voltages", "mean_voltage", "apart"] {
@@ -231,7 +233,7 @@ mod tests {
     #[test]
     fn the_mean_is_that_of_all_impacts_and_apart_that_of_the_walls() {
         let three = scene("fig03", &["sweep.from=0.25", "sweep.points=1", "words=['BTT']"]);
-        let table = table(&three, &Asked::Doubles(Goal::DOUBLES)).unwrap();
+        let table = table(&three, &Asked::Doubles(OutputPrecision::DOUBLES)).unwrap();
         let of = |column: &str| {
             numbers(&table, column)
                 .iter()

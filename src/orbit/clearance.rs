@@ -1,13 +1,13 @@
 //! How far a flight keeps off the walls where it turns.
 
-use super::unsettled::{Question, Unsettled, undecided};
 use crate::model::Side;
 use crate::number::{Analytic, Endpoint, Field, Interval};
+use crate::orbit::inconclusive::{Inconclusive, Property, undecided};
 use std::f64::consts::PI;
 
 /// A flight whose start, launch and duration are enclosed. The forcing is cos(phase).
 #[derive(Clone, Debug, PartialEq)]
-pub struct Path<E: Endpoint> {
+pub struct OrbitFlight<E: Endpoint> {
     /// The wall it starts from.
     pub side: Side,
     /// At the start.
@@ -34,7 +34,7 @@ const ROUNDING: f64 = 1e-6;
 /// About a turning point proposed in f64 the proof looks this far: well above its rounding, well below a flight.
 const PROPOSED: f64 = 1e-9;
 
-impl<E: Endpoint> Path<E> {
+impl<E: Endpoint> OrbitFlight<E> {
     /// The least distance from a wall over the turning points strictly inside the flight, negative beyond the wall;
     /// `None` where the flight does not turn.
     ///
@@ -43,9 +43,9 @@ impl<E: Endpoint> Path<E> {
     ///
     /// # Errors
     /// `Undecided`, where the flight comes near to turning without doing so, or g near to 1 in size.
-    pub fn clearance(&self) -> Result<Option<Interval<E>>, Unsettled> {
+    pub fn clearance(&self) -> Result<Option<Interval<E>>, Inconclusive> {
         let (sin, cos) = self.phase.sincos();
-        let course = Course { path: self, sin, cos };
+        let course = FlightFromStart { path: self, sin, cos };
         let mut nodes = vec![(Interval::from_integer(0), sign(&self.launch)?)];
         for change in self.changes()? {
             if let Some(rising) = course.sign_at(&change)? {
@@ -65,7 +65,7 @@ impl<E: Endpoint> Path<E> {
     }
 
     /// The times at which f + g changes sign, in order; all that may lie inside the flight, and some outside.
-    fn changes(&self) -> Result<Vec<Interval<E>>, Unsettled> {
+    fn changes(&self) -> Result<Vec<Interval<E>>, Inconclusive> {
         let one = || Interval::<E>::from_integer(1);
         let [above, below] = [self.g.clone() - one(), -self.g.clone() - one()];
         // g = 1 itself belongs here: f + g touches 0 and keeps its sign
@@ -73,7 +73,7 @@ impl<E: Endpoint> Path<E> {
             return Ok(Vec::new());
         }
         if !(above.is_negative() && below.is_negative()) {
-            return undecided(Question::Turning);
+            return undecided(Property::Turning);
         }
         let reach = (-self.g.clone()).acos();
         let (pi, turn) = (Interval::<E>::pi(), Interval::<E>::pi() + Interval::pi());
@@ -113,13 +113,13 @@ impl<E: Endpoint> Path<E> {
 }
 
 /// A path with sine and cosine of its start.
-struct Course<'a, E: Endpoint> {
-    path: &'a Path<E>,
+struct FlightFromStart<'a, E: Endpoint> {
+    path: &'a OrbitFlight<E>,
     sin: Interval<E>,
     cos: Interval<E>,
 }
 
-impl<E: Endpoint> Course<'_, E> {
+impl<E: Endpoint> FlightFromStart<'_, E> {
     fn phase_at(&self, s: &Interval<E>) -> Interval<E> {
         self.path.phase.clone() + Interval::<E>::pi() * s.clone()
     }
@@ -141,7 +141,7 @@ impl<E: Endpoint> Course<'_, E> {
 
     /// The sign of the velocity at a change of sign of f + g, if that lies inside the flight. If it may be either
     /// side of an end, the velocity must have one sign from there to the end: then the change makes no difference.
-    fn sign_at(&self, change: &Interval<E>) -> Result<Option<bool>, Unsettled> {
+    fn sign_at(&self, change: &Interval<E>) -> Result<Option<bool>, Inconclusive> {
         let after = change.clone() - self.path.time.clone();
         if change.high() <= E::zero() || after.low() >= E::zero() {
             return Ok(None);
@@ -156,7 +156,7 @@ impl<E: Endpoint> Course<'_, E> {
 
     /// An enclosure of the one time in `within` at which the velocity, monotone there, is 0; `rising` says how it
     /// changes its sign.
-    fn turn(&self, within: &Interval<E>, rising: bool) -> Result<Interval<E>, Unsettled> {
+    fn turn(&self, within: &Interval<E>, rising: bool) -> Result<Interval<E>, Inconclusive> {
         let proposal = Interval::<E>::from_f64(self.path.proposal(within, rising));
         let around = proposal + Interval::new(E::from_f64(-PROPOSED), E::from_f64(PROPOSED));
         let mut turn = within.clone();
@@ -189,7 +189,7 @@ impl<E: Endpoint> Course<'_, E> {
                 return Ok(turn);
             }
         }
-        undecided(Question::Turning)
+        undecided(Property::Turning)
     }
 
     /// Leaves off what lies on the wrong side of the time `at`, if the velocity there has a sign.
@@ -216,7 +216,7 @@ impl<E: Endpoint> Course<'_, E> {
 }
 
 /// The lesser of two clearances, of which either may be none.
-pub(super) fn least<E: Endpoint>(one: Option<Interval<E>>, other: Option<Interval<E>>) -> Option<Interval<E>> {
+pub(crate) fn least<E: Endpoint>(one: Option<Interval<E>>, other: Option<Interval<E>>) -> Option<Interval<E>> {
     match (one, other) {
         (Some(one), Some(other)) => Some(smaller(one, other)),
         (one, other) => one.or(other),
@@ -230,9 +230,9 @@ fn smaller<E: Endpoint>(one: Interval<E>, other: Interval<E>) -> Interval<E> {
 }
 
 /// Whether a velocity is positive.
-fn sign<E: Endpoint>(velocity: &Interval<E>) -> Result<bool, Unsettled> {
+fn sign<E: Endpoint>(velocity: &Interval<E>) -> Result<bool, Inconclusive> {
     if velocity.contains_zero() {
-        return undecided(Question::Turning);
+        return undecided(Property::Turning);
     }
     Ok(velocity.is_positive())
 }
@@ -242,9 +242,9 @@ mod tests {
     use super::*;
     use crate::number::Sequence;
 
-    fn path(side: Side, [phase, launch, time, g, d]: [f64; 5]) -> Path<f64> {
+    fn path(side: Side, [phase, launch, time, g, d]: [f64; 5]) -> OrbitFlight<f64> {
         let [phase, launch, time, g, d] = [phase, launch, time, g, d].map(Interval::point);
-        Path {
+        OrbitFlight {
             side,
             phase,
             launch,
@@ -317,8 +317,8 @@ mod tests {
         let mut near = path(Side::Bottom, [0.0, -0.5, 1.5, 0.0, 1.0]);
         // without gravity the velocity is largest at sin(phase) = 1, where it is launch + 1/pi
         near.launch = Interval::new(-1.0 / PI - 1e-9, -1.0 / PI + 1e-9);
-        let what = Question::Turning;
-        assert_eq!(near.clearance(), Err(Unsettled::Undecided { what }));
+        let what = Property::Turning;
+        assert_eq!(near.clearance(), Err(Inconclusive::Undecided { what }));
         near.launch = Interval::point(-1.0 / PI - 1e-6);
         assert_eq!(near.clearance(), Ok(None));
         near.launch = Interval::point(-1.0 / PI + 1e-6);

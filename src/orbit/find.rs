@@ -1,37 +1,40 @@
 //! Every motion that is asked for, to the last digit of f64, with what could not be decided.
 
-use super::cell::{Cell, joined};
-use super::cycle;
-use super::one_to_one::{Equations, FINEST, again, one_to_one};
-use super::orbit::{Fix, Orbit};
-use super::refine::refined;
-use super::root::Root;
-use super::rounded::Rounded;
-use super::unsettled::{Question, Unsettled};
-use super::wanted::{Goal, Wanted};
-use super::{Balance, Cycle, Word, narrowed};
 use crate::model::Parameters;
 use crate::model::{Motion, MotionError};
 use crate::number::{Analytic, DoubleDouble, Endpoint, Interval, Told};
+use crate::orbit::bifurcation::instant::prove_over;
+use crate::orbit::equations::one_one::OneOneEquations;
+use crate::orbit::inconclusive::{Inconclusive, Property};
+use crate::orbit::interval_box::{IntervalBox, joined};
+use crate::orbit::orbit::{Orbit, OrbitImpact};
+use crate::orbit::output::{Output, OutputPrecision};
+use crate::orbit::rounding::RoundedOrbit;
+use crate::orbit::solve::krawczyk::ProvedRoot;
+use crate::orbit::solve::one_one::{Equations, FINEST, again, isolate_one_one};
+use crate::orbit::solve::refine::refine_one_one;
+use crate::orbit::solve::words;
+use crate::orbit::solve::words::WordOrbit;
+use crate::orbit::word::Word;
 
 /// Motions found, and the boxes in which more may be.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found<N = f64> {
+pub struct FoundOrbits<N = f64> {
     /// In order of periods, then of the first phase.
-    pub orbits: Vec<Rounded<N>>,
+    pub orbits: Vec<RoundedOrbit<N>>,
     /// What could not be decided.
-    pub open: Vec<Open>,
+    pub open: Vec<OpenOrbit>,
 }
 
 /// Something that no number at hand could decide.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Open {
+pub enum OpenOrbit {
     /// 1-1 motions, none, one or several, in (T_1, psi).
     Box {
         /// The forcing periods they take.
         periods: u32,
         /// Where.
-        cell: Cell<f64, 2>,
+        cell: IntervalBox<f64, 2>,
     },
     /// A motion that is there, but of which something is open.
     Motion {
@@ -42,11 +45,11 @@ pub enum Open {
         /// Where: of a 1-1 motion (T_1, psi), of any other its phases.
         place: Vec<Interval<f64>>,
         /// What.
-        why: Unsettled,
+        why: Inconclusive,
     },
 }
 
-impl Open {
+impl OpenOrbit {
     /// The forcing periods of the motions.
     pub fn periods(&self) -> u32 {
         match self {
@@ -63,7 +66,7 @@ impl Open {
     }
 }
 
-impl std::fmt::Display for Open {
+impl std::fmt::Display for OpenOrbit {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Box {
@@ -85,8 +88,8 @@ impl std::fmt::Display for Open {
 ///
 /// # Errors
 /// A parameter out of its range.
-pub fn find(parameters: &impl Parameters, word: &Word, max_periods: u32) -> Result<Found, MotionError> {
-    find_as(&Goal::DOUBLES, parameters, word, max_periods)
+pub fn find(parameters: &impl Parameters, word: &Word, max_periods: u32) -> Result<FoundOrbits, MotionError> {
+    find_as(&OutputPrecision::DOUBLES, parameters, word, max_periods)
 }
 
 /// All motions of `word` over 1 to `max_periods` periods, told as they are wanted: [`Doubles`](crate::number::Doubles)
@@ -96,21 +99,21 @@ pub fn find(parameters: &impl Parameters, word: &Word, max_periods: u32) -> Resu
 ///
 /// # Errors
 /// A parameter out of its range.
-pub fn find_as<W: Wanted>(
+pub fn find_as<W: Output>(
     wanted: &W,
     parameters: &impl Parameters,
     word: &Word,
     max_periods: u32,
-) -> Result<Found<W::Number>, MotionError> {
+) -> Result<FoundOrbits<W::Number>, MotionError> {
     let motion = parameters.motion::<Interval<f64>>()?;
-    let mut found = Found::new();
+    let mut found = FoundOrbits::new();
     for periods in 1..=max_periods {
-        let settled: Vec<Settled<W::Number>> = if *word == Word::pair() {
-            let search = one_to_one(&motion, periods);
+        let settled: Vec<Outcome<W::Number>> = if *word == Word::pair() {
+            let search = isolate_one_one(&motion, periods);
             let undecided = &search.isolation.undecided;
             pairs(wanted, parameters, periods, &search.motions, undecided, &mut found.open)?
         } else {
-            let cycles = cycle::search(word, periods, &motion)?;
+            let cycles = words::search_word(word, periods, &motion)?;
             cycles.iter().map(|cycle| settled(wanted, parameters, cycle)).collect()
         };
         found.take(word, periods, settled);
@@ -119,38 +122,38 @@ pub fn find_as<W: Wanted>(
 }
 
 /// A motion as it is wanted, or why not, and where it is.
-pub(super) type Settled<N> = Result<Rounded<N>, (Unsettled, Vec<Interval<f64>>)>;
+pub(crate) type Outcome<N> = Result<RoundedOrbit<N>, (Inconclusive, Vec<Interval<f64>>)>;
 
 /// A motion of any word, and where it is if it cannot be told.
-pub(super) fn settled<W: Wanted>(wanted: &W, parameters: &impl Parameters, cycle: &Cycle) -> Settled<W::Number> {
+pub(crate) fn settled<W: Output>(wanted: &W, parameters: &impl Parameters, cycle: &WordOrbit) -> Outcome<W::Number> {
     let place = || cycle.phases().iter().map(|phase| Interval::point(*phase)).collect();
-    let settled = wanted.orbit(parameters, &Proved::Cycle(cycle));
+    let settled = wanted.orbit(parameters, &ProvedOrbit::Word(cycle));
     settled.map_err(|why| (why, place()))
 }
 
 /// The motions at proved roots, and those in boxes that f64 left undecided; what stays so is added to `open`.
-pub(super) fn pairs<W: Wanted>(
+pub(crate) fn pairs<W: Output>(
     wanted: &W,
     parameters: &impl Parameters,
     periods: u32,
-    roots: &[Root<f64, 2>],
-    undecided: &[Cell<f64, 2>],
-    open: &mut Vec<Open>,
-) -> Result<Vec<Settled<W::Number>>, MotionError> {
-    let settle = |root: &Root<f64, 2>| {
-        let settled = wanted.orbit(parameters, &Proved::Pair { root, periods });
+    roots: &[ProvedRoot<f64, 2>],
+    undecided: &[IntervalBox<f64, 2>],
+    open: &mut Vec<OpenOrbit>,
+) -> Result<Vec<Outcome<W::Number>>, MotionError> {
+    let settle = |root: &ProvedRoot<f64, 2>| {
+        let settled = wanted.orbit(parameters, &ProvedOrbit::Pair { root, periods });
         settled.map_err(|why| (why, root.enclosure.to_vec()))
     };
     let mut pairs: Vec<_> = roots.iter().map(settle).collect();
     if !undecided.is_empty() {
         let search = again(&parameters.motion()?, periods, undecided);
         let narrow = |side: &Interval<DoubleDouble>| Interval::new(side.low().to_f64(), side.high().to_f64());
-        let settle = |root: &Root<DoubleDouble, 2>| {
-            let settled = wanted.orbit(parameters, &Proved::Close { root, periods });
+        let settle = |root: &ProvedRoot<DoubleDouble, 2>| {
+            let settled = wanted.orbit(parameters, &ProvedOrbit::Close { root, periods });
             settled.map_err(|why| (why, root.enclosure.iter().map(narrow).collect()))
         };
         // The boxes examined again reach a little into those of the roots proved before.
-        let is_new = |root: &&Root<DoubleDouble, 2>| {
+        let is_new = |root: &&ProvedRoot<DoubleDouble, 2>| {
             let point = root.enclosure.each_ref().map(|side| side.midpoint().to_f64());
             !roots
                 .iter()
@@ -158,15 +161,15 @@ pub(super) fn pairs<W: Wanted>(
         };
         pairs.extend(search.motions.iter().filter(is_new).map(settle));
         let cells = search.isolation.undecided.iter();
-        let cells: Vec<Cell<f64, 2>> = cells.map(|cell| cell.each_ref().map(narrow)).collect();
+        let cells: Vec<IntervalBox<f64, 2>> = cells.map(|cell| cell.each_ref().map(narrow)).collect();
         let told = joined(&cells, FINEST).into_iter();
-        open.extend(told.map(|cell| Open::Box { periods, cell }));
+        open.extend(told.map(|cell| OpenOrbit::Box { periods, cell }));
     }
     Ok(pairs)
 }
 
-impl<N: Told> Found<N> {
-    pub(super) fn new() -> Self {
+impl<N: Told> FoundOrbits<N> {
+    pub(crate) fn new() -> Self {
         let (orbits, open) = (Vec::new(), Vec::new());
         Self { orbits, open }
     }
@@ -174,20 +177,20 @@ impl<N: Told> Found<N> {
     /// Whether it is proved that there is no other motion of this word over so many periods: of BT alone, where no box is
     /// left open.
     pub fn is_complete(&self, word: &Word, periods: u32) -> bool {
-        let is_box = |open: &Open| matches!(open, Open::Box { .. }) && open.periods() == periods;
+        let is_box = |open: &OpenOrbit| matches!(open, OpenOrbit::Box { .. }) && open.periods() == periods;
         *word == Word::pair() && !self.open.iter().any(is_box)
     }
 
-    pub(super) fn take(&mut self, word: &Word, periods: u32, settled: Vec<Settled<N>>) {
+    pub(crate) fn take(&mut self, word: &Word, periods: u32, settled: Vec<Outcome<N>>) {
         let mut orbits = Vec::new();
         for outcome in settled {
             match outcome {
                 Ok(orbit) => orbits.push(orbit),
                 // The equations hold, but nothing moves so.
-                Err((Unsettled::Backwards { .. } | Unsettled::Timeless { .. }, _)) => {}
+                Err((Inconclusive::Backwards { .. } | Inconclusive::Timeless { .. }, _)) => {}
                 Err((why, place)) => {
                     let word = word.clone();
-                    self.open.push(Open::Motion {
+                    self.open.push(OpenOrbit::Motion {
                         word,
                         periods,
                         place,
@@ -202,42 +205,42 @@ impl<N: Told> Found<N> {
 }
 
 /// A motion known to be there, not yet to the last digit.
-pub enum Proved<'a> {
+pub enum ProvedOrbit<'a> {
     /// A 1-1 motion.
     Pair {
         /// (T_1, psi)
-        root: &'a Root<f64, 2>,
+        root: &'a ProvedRoot<f64, 2>,
         /// The forcing periods it takes.
         periods: u32,
     },
     /// One of two or more that f64 could not tell apart.
     Close {
         /// (T_1, psi)
-        root: &'a Root<DoubleDouble, 2>,
+        root: &'a ProvedRoot<DoubleDouble, 2>,
         /// The forcing periods it takes.
         periods: u32,
     },
     /// One of any other word.
-    Cycle(&'a Cycle),
+    Word(&'a WordOrbit),
 }
 
-impl Proved<'_> {
+impl ProvedOrbit<'_> {
     /// The orbit over `E`.
     ///
     /// # Errors
     /// `Undecided` where `E` is too narrow, and what else [`Orbit::settle`] says.
-    pub fn orbit<E: Endpoint>(&self, parameters: &impl Parameters) -> Result<Orbit<E>, Unsettled> {
-        let open = |what| Unsettled::Undecided { what };
+    pub fn orbit<E: Endpoint>(&self, parameters: &impl Parameters) -> Result<Orbit<E>, Inconclusive> {
+        let open = |what| Inconclusive::Undecided { what };
         let motion = parameters
             .motion::<Interval<E>>()
-            .map_err(|_| open(Question::Existence))?;
+            .map_err(|_| open(Property::Existence))?;
         self.at(&motion)
     }
 
     /// One copy for all parameters.
-    fn at<E: Endpoint>(&self, motion: &Motion<Interval<E>>) -> Result<Orbit<E>, Unsettled> {
+    fn at<E: Endpoint>(&self, motion: &Motion<Interval<E>>) -> Result<Orbit<E>, Inconclusive> {
         match self {
-            Self::Cycle(cycle) => cycle.orbit(motion),
+            Self::Word(cycle) => cycle.orbit(motion),
             Self::Pair { root, periods } => pair(root, *periods, motion),
             Self::Close { root, periods } => pair(root, *periods, motion),
         }
@@ -249,32 +252,32 @@ const REFINED: std::ops::Range<f64> = 40.0..65.0;
 
 /// The 1-1 motion at a root.
 fn pair<F: Endpoint, E: Endpoint>(
-    root: &Root<F, 2>,
+    root: &ProvedRoot<F, 2>,
     periods: u32,
     motion: &Motion<Interval<E>>,
-) -> Result<Orbit<E>, Unsettled> {
-    let balance = Balance::new(motion, periods);
+) -> Result<Orbit<E>, Inconclusive> {
+    let balance = OneOneEquations::new(motion, periods);
     let digits = -E::epsilon().to_f64().log10();
     let quickly = if REFINED.contains(&digits) {
-        refined(motion, periods, root)
+        refine_one_one(motion, periods, root)
     } else {
         None
     };
-    let found = quickly.or_else(|| narrowed(&Equations(&balance), root));
-    let [t_1, middle] = found.ok_or(Unsettled::Undecided {
-        what: Question::Existence,
+    let found = quickly.or_else(|| prove_over(&Equations(&balance), root));
+    let [t_1, middle] = found.ok_or(Inconclusive::Undecided {
+        what: Property::Existence,
     })?;
     let [v, w] = balance.velocities(&t_1, &middle);
     let [bottom, top] = balance.phases(&t_1, &middle);
     let t_2 = balance.total() - t_1.clone();
-    let fix = |phase, velocity, time| Fix { phase, velocity, time };
+    let fix = |phase, velocity, time| OrbitImpact { phase, velocity, time };
     Orbit::settle(&Word::pair(), periods, motion, &[fix(bottom, v, t_1), fix(top, w, t_2)])
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::one_to_one::one_to_one;
     use super::*;
+    use crate::orbit::solve::one_one::isolate_one_one;
 
     #[test]
     fn what_is_found_over_several_periods_is_in_order_and_each_of_its_own() {
@@ -296,7 +299,7 @@ mod tests {
         ];
         let motion = Motion::new(g, d, r, 1.0).expect("a motion");
         let line = motion.convert(|&x| Interval::from_f64(x)).expect("a motion");
-        let search = one_to_one(&line, 3);
+        let search = isolate_one_one(&line, 3);
         assert!(search.motions.len() == 5 && search.isolation.is_complete());
         assert!(search.motions.iter().all(|root| root.enclosure[0].is_positive()));
     }
@@ -318,7 +321,7 @@ mod tests {
     #[test]
     fn what_is_open_says_where() {
         let cell = [Interval::new(0.5, 0.75), Interval::new(1.0, 1.5)];
-        let open = Open::Box { periods: 2, cell }.to_string();
+        let open = OpenOrbit::Box { periods: 2, cell }.to_string();
         assert!(open.contains("2 forcing periods") && open.contains("0.5"), "{open}");
     }
 }

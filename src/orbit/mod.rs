@@ -1,95 +1,69 @@
-//! Periodic motions: all 1-1 motions of a scene, motions of general words, their stability, clearance and bifurcations.
+//! Periodic motions: all 1-1 motions of a scene, motions of other words, their stability, clearance and bifurcations; and
+//! what simulated motions come to in the long run.
+//!
+//! One pipeline: `equations/` states what holds at a motion and at a bifurcation, `solve/` finds and proves solutions,
+//! `continuation/` follows branches of them along a parameter, `bifurcation/` detects and locates the special points, and
+//! the files of this folder put these together: [`find`] at one value of the parameters, [`OneOneBranches`] and
+//! [`WordBranches`] over a range. `shooting/` confirms by other equations, `long_run/` looks at simulated motions.
 //!
 //! Every value of an [`Orbit`] is an enclosure. The forcing is the paper's cos(pi t), of phase 0 at t = 0. Uses
 //! `number/`, `model/` and, for what a simulated motion comes to, `impact/`.
 
-mod along;
-mod arc;
-mod attractor;
-mod balance;
 mod bifurcation;
-mod branch;
-mod cell;
-mod certify;
-mod chord;
 mod clearance;
-mod confirm;
-mod cover;
-mod curve;
-mod cycle;
-mod cycle_means;
+mod continuation;
 mod equations;
-mod event;
 mod family;
 mod find;
-mod follow;
-mod gauge;
-mod happening;
-mod instant;
-mod isolate;
-mod leap;
-mod letter;
-mod lyapunov;
-mod mark;
-mod moment;
-mod nearest;
-mod newton;
-mod one_to_one;
+mod inconclusive;
+mod interval_box;
+mod long_run;
+mod one_one_branches;
 // the folder holds periodic motions, the file one of them
 #[allow(clippy::module_inception)]
 mod orbit;
+mod output;
 mod parallel;
-mod refine;
-mod repeat;
-mod resting;
-mod returning;
-mod root;
-mod rounded;
-mod settled;
-mod slopes;
+mod rounding;
+mod shooting;
+mod solve;
 mod stability;
-mod statistics;
-mod strand;
-mod system;
-mod triple;
-mod unsettled;
-mod wanted;
 mod word;
+mod word_branches;
 
 pub use crate::model::{Exact, Parameters};
-pub use attractor::{Attractor, LONGEST_WORD, LONGEST_WRITTEN, SETTLED};
-pub use balance::Balance;
-pub use bifurcation::{Bifurcations, CROSSING, Located, bifurcations};
-pub use branch::{OpenEvent, Prepared};
-pub use cell::Cell;
-pub use clearance::Path;
-pub use confirm::{confirmed, confirmed_at};
-pub use cover::{Cover, CoverError};
-pub use cycle::{Cycle, search, search_from};
-pub use cycle_means::CycleMeans;
-pub use equations::{Conditioned, Symmetric, Touching};
-pub use event::{Condition, Event, Touch};
+pub use bifurcation::instant::{EnclosedBifurcation, Instant};
+pub use bifurcation::moment::Moment;
+pub use bifurcation::one_one::{Bifurcations, CROSSING, LocatedBifurcation, bifurcations};
+pub use clearance::OrbitFlight;
+pub use equations::conditions::{BifurcationKind, Condition, Touch};
+pub use equations::one_one::OneOneEquations;
+pub use equations::one_one_bifurcations::{Conditioned, Symmetric, Touching};
+pub use equations::square_system::Decision;
+pub use equations::words::{FlightBoundaryDerivatives, FlightBoundaryValues, WordEquations};
 pub use family::{Family, Fixed};
-pub use find::{Found, Open, Proved, find, find_as};
-pub use follow::Followed;
-pub use instant::{Enclosed, Instant, narrowed};
-pub use isolate::{Isolation, Limits, isolate};
-pub use leap::{Leap, Slopes, System};
-pub use lyapunov::{largest_multiplier, lyapunov};
-pub use moment::Moment;
-pub use nearest::{nearest, nearest_event};
-pub use one_to_one::{Equations, Search, one_to_one};
-pub use orbit::{Fix, Orbit, links};
-pub use refine::refined;
-pub use resting::RestingCycle;
-pub use returning::{NoReturn, Returning, returning, returning_at};
-pub use root::{Root, prove, sharpen};
-pub use rounded::Rounded;
-pub use settled::Settled;
-pub use stability::{Kind, Link, Multiplier, determinant, loss_factor, multipliers, trace};
-pub use statistics::{BATCHES, Estimate, Further, Length, Measure, OfImpact, Statistics};
-pub use system::Decision;
-pub use triple::{Sixteen, Slopes as TripleSlopes, Triple};
-pub use unsettled::{Question, Unsettled};
-pub use wanted::{Goal, Wanted, most_figures};
+pub use find::{FoundOrbits, OpenOrbit, ProvedOrbit, find, find_as};
+pub use inconclusive::{Inconclusive, Property};
+pub use interval_box::IntervalBox;
+pub use long_run::attractor::{Attractor, LONGEST_WORD, LONGEST_WRITTEN, SETTLED};
+pub use long_run::cycle_means::CycleMeans;
+pub use long_run::lyapunov::{largest_multiplier, lyapunov};
+pub use long_run::resting::RestingCycle;
+pub use long_run::statistics::{Averaging, AveragingLength, BATCHES, Estimate, LongRun, OfImpact, Statistics};
+pub use long_run::steady_state::SteadyState;
+pub use one_one_branches::{OneOneBranches, OpenBifurcation};
+pub use orbit::{Orbit, OrbitImpact, flight_jacobians};
+pub use output::{Output, OutputPrecision, most_figures};
+pub use rounding::RoundedOrbit;
+pub use shooting::confirm::{confirm_bifurcation, confirm_orbit};
+pub use shooting::return_map::{ShootingError, ShootingSolution, shoot, shoot_bifurcation};
+pub use solve::cover::{Cover, CoverError};
+pub use solve::isolate::{Isolation, SearchLimits, isolate};
+pub use solve::krawczyk::{ProvedRoot, prove, sharpen};
+pub use solve::nearest::{newton_one_one, newton_one_one_bifurcation};
+pub use solve::one_one::{Equations, OneOneSearch, isolate_one_one};
+pub use solve::refine::refine_one_one;
+pub use solve::words::{WordOrbit, search_word, search_word_from};
+pub use stability::{FlightJacobian, Multiplier, OrbitKind, determinant, loss_factor, multipliers, trace};
 pub use word::{Word, WordError};
+pub use word_branches::WordBranches;

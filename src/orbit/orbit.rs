@@ -1,15 +1,15 @@
 //! A periodic motion of which every value is an enclosure.
 
-use super::clearance::{Path, least};
-use super::stability::{Kind, Link, Multiplier, determinant, loss_factor, multipliers, trace};
-use super::unsettled::{Question, Unsettled, undecided};
-use super::word::Word;
 use crate::model::{Motion, Side};
 use crate::number::{Analytic, Endpoint, Field, Interval};
+use crate::orbit::clearance::{OrbitFlight, least};
+use crate::orbit::inconclusive::{Inconclusive, Property, undecided};
+use crate::orbit::stability::{FlightJacobian, Multiplier, OrbitKind, determinant, loss_factor, multipliers, trace};
+use crate::orbit::word::Word;
 
 /// One impact of a periodic motion, and how long the flight after it lasts.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Fix<T> {
+pub struct OrbitImpact<T> {
     /// pi t at the impact: the forcing is cos(phase). Any number of turns.
     pub phase: T,
     /// Just before the impact: positive at the bottom, negative at the top.
@@ -42,7 +42,7 @@ pub struct Orbit<E: Endpoint> {
     /// Its eigenvalues, see [`multipliers`].
     pub multipliers: [Multiplier<Interval<E>>; 2],
     /// Node, focus or saddle.
-    pub kind: Kind,
+    pub kind: OrbitKind,
     /// Whether it attracts: |trace| < 1 + determinant < 2. Where every restitution is 1 the determinant is 1 and
     /// nothing attracts.
     pub stable: bool,
@@ -67,11 +67,11 @@ impl<E: Endpoint> Orbit<E> {
         word: &Word,
         periods: u32,
         motion: &Motion<Interval<E>>,
-        fixes: &[Fix<Interval<E>>],
-    ) -> Result<Self, Unsettled> {
+        fixes: &[OrbitImpact<Interval<E>>],
+    ) -> Result<Self, Inconclusive> {
         let (wanted, found) = (word.impacts(), fixes.len());
         if wanted != found {
-            return Err(Unsettled::Count { wanted, found });
+            return Err(Inconclusive::Count { wanted, found });
         }
         check_signs(word, fixes)?;
         let first = first_of(word, fixes);
@@ -79,7 +79,7 @@ impl<E: Endpoint> Orbit<E> {
         let fixes: Vec<_> = fixes.iter().cycle().skip(first).take(found).cloned().collect();
 
         let sides: Vec<Side> = word.sides().collect();
-        let links = links(&sides, motion, &fixes);
+        let links = flight_jacobians(&sides, motion, &fixes);
         let (trace, determinant) = (trace(&links), determinant(&links));
         let kind = kind(&trace, &determinant)?;
         let damped = is_damped(&links)?;
@@ -89,15 +89,15 @@ impl<E: Endpoint> Orbit<E> {
             None => true,
             Some(clearance) if clearance.is_positive() => true,
             Some(clearance) if clearance.is_negative() => false,
-            Some(_) => return undecided(Question::Clearance),
+            Some(_) => return undecided(Property::Clearance),
         };
-        let values = |value: fn(&Fix<Interval<E>>) -> Interval<E>| fixes.iter().map(value).collect();
+        let values = |value: fn(&OrbitImpact<Interval<E>>) -> Interval<E>| fixes.iter().map(value).collect();
         Ok(Self {
             phases: values(|fix| reduced(&fix.phase)),
             velocities: values(|fix| fix.velocity.clone()),
             times: values(|fix| fix.time.clone()),
             multipliers: multipliers(&trace, &loss_factor(&links), kind),
-            stable: damped && kind != Kind::Saddle,
+            stable: damped && kind != OrbitKind::Saddle,
             certified: true,
             word,
             periods,
@@ -117,7 +117,7 @@ impl<E: Endpoint> Orbit<E> {
 }
 
 /// `phase` less whole turns.
-pub(super) fn reduced<E: Endpoint>(phase: &Interval<E>) -> Interval<E> {
+pub(crate) fn reduced<E: Endpoint>(phase: &Interval<E>) -> Interval<E> {
     let turn = Interval::<E>::pi() + Interval::pi();
     let turns = (phase.to_f64() / turn.to_f64()).floor();
     let mut phase = match turns == 0.0 {
@@ -134,27 +134,27 @@ pub(super) fn reduced<E: Endpoint>(phase: &Interval<E>) -> Interval<E> {
     phase
 }
 
-fn check_signs<E: Endpoint>(word: &Word, fixes: &[Fix<Interval<E>>]) -> Result<(), Unsettled> {
+fn check_signs<E: Endpoint>(word: &Word, fixes: &[OrbitImpact<Interval<E>>]) -> Result<(), Inconclusive> {
     for (impact, (side, fix)) in word.sides().zip(fixes).enumerate() {
         let towards = side.signed(fix.velocity.clone());
         if (-towards.clone()).low() >= E::zero() {
-            return Err(Unsettled::Backwards { impact });
+            return Err(Inconclusive::Backwards { impact });
         }
         if fix.time.high() <= E::zero() {
-            return Err(Unsettled::Timeless { impact });
+            return Err(Inconclusive::Timeless { impact });
         }
         if !towards.is_positive() {
-            return undecided(Question::Direction);
+            return undecided(Property::Direction);
         }
         if !fix.time.is_positive() {
-            return undecided(Question::Order);
+            return undecided(Property::Order);
         }
     }
     Ok(())
 }
 
 /// The index of the fastest impact that may stand first.
-pub(super) fn first_of<E: Endpoint>(word: &Word, fixes: &[Fix<Interval<E>>]) -> usize {
+pub(crate) fn first_of<E: Endpoint>(word: &Word, fixes: &[OrbitImpact<Interval<E>>]) -> usize {
     let sides: Vec<Side> = word.sides().collect();
     let speed = |index: usize| sides[index].signed(fixes[index].velocity.clone());
     let starts = (0..word.impacts()).filter(|index| word.may_start_at(*index));
@@ -169,14 +169,14 @@ pub(super) fn first_of<E: Endpoint>(word: &Word, fixes: &[Fix<Interval<E>>]) -> 
 ///
 /// # Errors
 /// `Undecided` where a flight turns within rounding of one of its ends.
-pub(super) fn clearance<E: Endpoint>(
+pub(crate) fn clearance<E: Endpoint>(
     sides: &[Side],
     motion: &Motion<Interval<E>>,
-    fixes: &[Fix<Interval<E>>],
-) -> Result<Option<Interval<E>>, Unsettled> {
+    fixes: &[OrbitImpact<Interval<E>>],
+) -> Result<Option<Interval<E>>, Inconclusive> {
     let mut nearest = None;
     for (side, fix) in sides.iter().zip(fixes) {
-        let path = Path {
+        let path = OrbitFlight {
             side: *side,
             phase: fix.phase.clone(),
             launch: -(motion.restitution(*side).clone() * fix.velocity.clone()),
@@ -191,14 +191,18 @@ pub(super) fn clearance<E: Endpoint>(
 
 /// What the derivative of a periodic motion is made of: a link for each impact, at the wall of `sides`, and the flight
 /// after it; the last flight ends at the first impact.
-pub fn links<T: Analytic>(sides: &[Side], motion: &Motion<T>, fixes: &[Fix<T>]) -> Vec<Link<T>> {
+pub fn flight_jacobians<T: Analytic>(
+    sides: &[Side],
+    motion: &Motion<T>,
+    fixes: &[OrbitImpact<T>],
+) -> Vec<FlightJacobian<T>> {
     let pushes: Vec<_> = fixes
         .iter()
         .map(|fix| fix.phase.sincos().1 + motion.g().clone())
         .collect();
     let link = |(index, side): (usize, &Side)| {
         let next = (index + 1) % fixes.len();
-        Link {
+        FlightJacobian {
             restitution: motion.restitution(*side).clone(),
             velocity: fixes[index].velocity.clone(),
             time: fixes[index].time.clone(),
@@ -210,24 +214,24 @@ pub fn links<T: Analytic>(sides: &[Side], motion: &Motion<T>, fixes: &[Fix<T>]) 
     sides.iter().enumerate().map(link).collect()
 }
 
-fn kind<E: Endpoint>(trace: &Interval<E>, determinant: &Interval<E>) -> Result<Kind, Unsettled> {
+fn kind<E: Endpoint>(trace: &Interval<E>, determinant: &Interval<E>) -> Result<OrbitKind, Inconclusive> {
     let apart = trace.square() - Interval::from_integer(4) * determinant.clone();
     if apart.is_negative() {
-        return Ok(Kind::Focus);
+        return Ok(OrbitKind::Focus);
     }
     let level = Interval::from_integer(1) + determinant.clone();
     let [above, below] = [trace.clone() - level.clone(), -trace.clone() - level];
     if above.is_positive() || below.is_positive() {
-        return Ok(Kind::Saddle);
+        return Ok(OrbitKind::Saddle);
     }
     if apart.is_positive() && above.is_negative() && below.is_negative() {
-        return Ok(Kind::Node);
+        return Ok(OrbitKind::Node);
     }
-    undecided(Question::Kind)
+    undecided(Property::Kind)
 }
 
 /// Whether some restitution is below 1, so that the determinant is.
-fn is_damped<E: Endpoint>(links: &[Link<Interval<E>>]) -> Result<bool, Unsettled> {
+fn is_damped<E: Endpoint>(links: &[FlightJacobian<Interval<E>>]) -> Result<bool, Inconclusive> {
     let losses = links
         .iter()
         .map(|link| Interval::<E>::from_integer(1) - link.restitution.clone());
@@ -236,14 +240,14 @@ fn is_damped<E: Endpoint>(links: &[Link<Interval<E>>]) -> Result<bool, Unsettled
         return Ok(true);
     }
     let none = losses.iter().all(|loss| loss.magnitude() == E::zero());
-    if none { Ok(false) } else { undecided(Question::Damping) }
+    if none { Ok(false) } else { undecided(Property::Damping) }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::cycle::search;
-    use super::super::leap::System;
     use super::*;
+    use crate::orbit::equations::words::WordEquations;
+    use crate::orbit::solve::words::search_word;
     use std::f64::consts::TAU;
 
     type Line = Interval<f64>;
@@ -255,13 +259,13 @@ mod tests {
 
     fn pair(d: i64, r_b: i64, r_t: i64) -> Orbit<f64> {
         let motion = motion(12_201, d, r_b, r_t);
-        let found = search(&Word::pair(), 1, &motion).expect("a search");
+        let found = search_word(&Word::pair(), 1, &motion).expect("a search");
         found[0].orbit(&motion).expect("decided")
     }
 
-    fn fixes(orbit: &Orbit<f64>) -> Vec<Fix<Line>> {
+    fn fixes(orbit: &Orbit<f64>) -> Vec<OrbitImpact<Line>> {
         let impacts = orbit.phases.iter().zip(&orbit.velocities).zip(&orbit.times);
-        let fix = |((phase, velocity), time): ((&Line, &Line), &Line)| Fix {
+        let fix = |((phase, velocity), time): ((&Line, &Line), &Line)| OrbitImpact {
             phase: *phase,
             velocity: *velocity,
             time: *time,
@@ -273,7 +277,7 @@ mod tests {
     fn a_printed_orbit_has_its_trace_determinant_and_kind() {
         let orbit = pair(40, 50, 50);
         assert!(orbit.trace.contains(&orbit.rounded().trace) && (orbit.rounded().trace + 0.371_267_776).abs() < 1e-9);
-        assert!(orbit.determinant.contains(&0.0625) && orbit.kind == Kind::Focus && orbit.stable);
+        assert!(orbit.determinant.contains(&0.0625) && orbit.kind == OrbitKind::Focus && orbit.stable);
         let [up, down] = orbit.multipliers;
         assert!((up.re + down.re - orbit.trace).contains_zero() && up.im.is_positive() && down.im.is_negative());
     }
@@ -282,7 +286,7 @@ mod tests {
     fn listed_from_anywhere_and_turns_later_it_is_the_same_orbit() {
         let motion = motion(12_201, 26, 60, 30);
         let word: Word = "BTT".parse().expect("a word");
-        let found = search(&word, 1, &motion).expect("a search");
+        let found = search_word(&word, 1, &motion).expect("a search");
         let orbit = found[0].orbit(&motion).expect("decided");
         let mut later = fixes(&orbit);
         for fix in &mut later {
@@ -302,7 +306,7 @@ mod tests {
     fn of_several_starts_the_fastest_is_first() {
         let motion = motion(12_201, 25, 60, 30);
         let word: Word = "BTBT".parse().expect("a word");
-        let found = search(&word, 2, &motion).expect("a search");
+        let found = search_word(&word, 2, &motion).expect("a search");
         let orbit = found[0].orbit(&motion).expect("decided");
         assert!((orbit.velocities[0] - orbit.velocities[2]).is_positive());
         let mut turned = fixes(&orbit);
@@ -315,40 +319,40 @@ mod tests {
     fn what_is_no_motion_says_why() {
         let motion = motion(12_201, 40, 50, 50);
         let orbit = pair(40, 50, 50);
-        let settle = |fixes: &[Fix<Line>]| Orbit::settle(&Word::pair(), 1, &motion, fixes);
+        let settle = |fixes: &[OrbitImpact<Line>]| Orbit::settle(&Word::pair(), 1, &motion, fixes);
         let good = fixes(&orbit);
         assert_eq!(settle(&good), Ok(orbit.clone()));
-        assert_eq!(settle(&good[..1]), Err(Unsettled::Count { wanted: 2, found: 1 }));
-        let changed = |change: fn(&mut Fix<Line>)| {
+        assert_eq!(settle(&good[..1]), Err(Inconclusive::Count { wanted: 2, found: 1 }));
+        let changed = |change: fn(&mut OrbitImpact<Line>)| {
             let mut fixes = good.clone();
             change(&mut fixes[1]);
             settle(&fixes)
         };
         let backwards = changed(|fix| fix.velocity = -fix.velocity);
-        assert_eq!(backwards, Err(Unsettled::Backwards { impact: 1 }));
+        assert_eq!(backwards, Err(Inconclusive::Backwards { impact: 1 }));
         let at_rest = changed(|fix| fix.velocity = Line::point(0.0));
-        assert_eq!(at_rest, Err(Unsettled::Backwards { impact: 1 }));
+        assert_eq!(at_rest, Err(Inconclusive::Backwards { impact: 1 }));
         let timeless = changed(|fix| fix.time = Line::point(0.0));
-        assert_eq!(timeless, Err(Unsettled::Timeless { impact: 1 }));
-        let undecided = |what| Err(Unsettled::Undecided { what });
+        assert_eq!(timeless, Err(Inconclusive::Timeless { impact: 1 }));
+        let undecided = |what| Err(Inconclusive::Undecided { what });
         let wide = changed(|fix| fix.velocity = Line::new(-1.0, 1.0));
-        assert_eq!(wide, undecided(Question::Direction));
+        assert_eq!(wide, undecided(Property::Direction));
         let wide = changed(|fix| fix.time = Line::new(-1.0, 1.0));
-        assert_eq!(wide, undecided(Question::Order));
+        assert_eq!(wide, undecided(Property::Order));
         let wide = changed(|fix| fix.velocity = Line::new(-0.9, -0.2));
-        assert_eq!(wide, undecided(Question::Kind));
+        assert_eq!(wide, undecided(Property::Kind));
     }
 
     #[test]
     fn without_a_loss_nothing_attracts() {
         let [g, d, r] = [0.12201, 0.3, 1.0].map(Line::point);
         let motion = Motion::new(g, d, r, r).expect("a motion");
-        let found = search(&Word::pair(), 1, &motion).expect("a search");
+        let found = search_word(&Word::pair(), 1, &motion).expect("a search");
         let orbits: Vec<_> = found
             .iter()
             .map(|cycle| cycle.orbit(&motion).expect("decided"))
             .collect();
-        assert!(orbits.iter().any(|orbit| orbit.kind == Kind::Focus));
+        assert!(orbits.iter().any(|orbit| orbit.kind == OrbitKind::Focus));
         assert!(
             orbits
                 .iter()
@@ -369,7 +373,7 @@ mod tests {
     fn enclosures_hold_the_equations_in_every_number() {
         let motion = motion(12_201, 33, 60, 30);
         let orbit = pair(33, 60, 30);
-        let system = System {
+        let system = WordEquations {
             motion,
             word: Word::pair(),
             periods: 1,

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 /// What `work` gives for each of `values`, in their order, whatever the number of threads.
 ///
 /// The bounds are those of threads on either path, so that what compiles does not depend on the feature.
-pub(super) fn each<V: Sync, R: Send>(values: &[V], work: impl Fn(&V) -> R + Sync + Send) -> Vec<R> {
+pub(crate) fn each<V: Sync, R: Send>(values: &[V], work: impl Fn(&V) -> R + Sync + Send) -> Vec<R> {
     #[cfg(feature = "parallel")]
     let values = values.par_iter();
     #[cfg(not(feature = "parallel"))]

@@ -8,7 +8,7 @@ use std::fmt;
 
 /// What the derivative of a one-impact map is made of: the impact a flight starts from, and the flight.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Link<T> {
+pub struct FlightJacobian<T> {
     /// Of the wall the flight starts from.
     pub restitution: T,
     /// Just before the impact that the flight starts from.
@@ -23,7 +23,7 @@ pub struct Link<T> {
     pub arrival: T,
 }
 
-impl<T: Field> Link<T> {
+impl<T: Field> FlightJacobian<T> {
     /// The derivative (20), (21) of (time, velocity) of the next impact by those of this one, times the velocity of
     /// arrival: entries without a division, so that they have values where the flight grazes.
     pub fn scaled_jacobian(&self) -> Matrix2<T> {
@@ -47,13 +47,13 @@ impl<T: Field> Link<T> {
 
 /// The trace of the derivative of one period: of the product of the Jacobians of `links`, in order. The only
 /// division is the last one, by the product of the velocities; the links must close.
-pub fn trace<T: Field>(links: &[Link<T>]) -> T {
+pub fn trace<T: Field>(links: &[FlightJacobian<T>]) -> T {
     let (product, velocities) = product(links);
     product.trace() / velocities
 }
 
 /// The product of the scaled Jacobians of `links`, and that of the velocities by which they are scaled.
-pub(super) fn product<T: Field>(links: &[Link<T>]) -> (Matrix2<T>, T) {
+pub(crate) fn product<T: Field>(links: &[FlightJacobian<T>]) -> (Matrix2<T>, T) {
     let start = (Matrix2::identity(), T::one());
     links.iter().fold(start, |(product, velocities), link| {
         (link.scaled_jacobian() * product, velocities * link.arrival.clone())
@@ -61,13 +61,13 @@ pub(super) fn product<T: Field>(links: &[Link<T>]) -> (Matrix2<T>, T) {
 }
 
 /// The determinant of the derivative of one period: the product of r² over the impacts, whatever the motion.
-pub fn determinant<T: Field>(links: &[Link<T>]) -> T {
+pub fn determinant<T: Field>(links: &[FlightJacobian<T>]) -> T {
     let root = loss_factor(links);
     root.clone() * root
 }
 
 /// The product of r over the impacts: the root of the determinant, and the size of a complex multiplier.
-pub fn loss_factor<T: Field>(links: &[Link<T>]) -> T {
+pub fn loss_factor<T: Field>(links: &[FlightJacobian<T>]) -> T {
     links
         .iter()
         .fold(T::one(), |product, link| product * link.restitution.clone())
@@ -75,7 +75,7 @@ pub fn loss_factor<T: Field>(links: &[Link<T>]) -> T {
 
 /// The type of a fixed point by its multipliers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kind {
+pub enum OrbitKind {
     /// Two real multipliers, both inside the unit circle or (never here, where D <= 1) both outside:
     /// Tr² > 4 D and |Tr| < 1 + D.
     Node,
@@ -85,7 +85,7 @@ pub enum Kind {
     Saddle,
 }
 
-impl fmt::Display for Kind {
+impl fmt::Display for OrbitKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
             Self::Node => "node",
@@ -110,10 +110,10 @@ pub struct Multiplier<T> {
 ///
 /// Delta/4 is taken as (Tr/2 - loss)(Tr/2 + loss): Tr² - 4 Det loses half of the digits where it is near 0. So the
 /// multipliers are accurate to a few roundings of the trace and the loss factor, times their condition, for any trace.
-pub fn multipliers<T: Analytic>(trace: &T, loss_factor: &T, kind: Kind) -> [Multiplier<T>; 2] {
+pub fn multipliers<T: Analytic>(trace: &T, loss_factor: &T, kind: OrbitKind) -> [Multiplier<T>; 2] {
     let half = trace.clone() * T::from_ratio(1, 2);
     let apart = (half.clone() - loss_factor.clone()) * (half.clone() + loss_factor.clone());
-    if kind == Kind::Focus {
+    if kind == OrbitKind::Focus {
         let im = (-apart).sqrt();
         let at = |im| Multiplier { re: half.clone(), im };
         return [at(im.clone()), at(-im)];
@@ -131,7 +131,7 @@ mod tests {
     use std::f64::consts::PI;
 
     /// Passage and link of the same flight, at any velocities and times: no wall has to be there.
-    fn both(side: Side, phase: f64, velocity: f64, time: f64) -> (Passage<f64>, Link<f64>) {
+    fn both(side: Side, phase: f64, velocity: f64, time: f64) -> (Passage<f64>, FlightJacobian<f64>) {
         let (g, r_b, r_t) = (0.12, 0.6, 0.3);
         let motion = Motion::new(g, 0.4, r_b, r_t).expect("a motion");
         let impact = Impact {
@@ -142,7 +142,7 @@ mod tests {
         let passage = Passage::new(&motion, &Forcing::harmonic(&0.0), &impact, &time);
         let r = *motion.restitution(side);
         let end = phase + PI * time;
-        let link = Link {
+        let link = FlightJacobian {
             restitution: r,
             velocity,
             time,
@@ -170,7 +170,7 @@ mod tests {
     fn the_trace_of_a_pair_is_its_closed_form() {
         // any two links whose velocities join and whose times add up to 2 n, as the closed form asks
         let (r_b, r_t, v, w, t_1, t_2, at_bottom, at_top) = (0.6, 0.3, 0.7, -0.5, 0.9, 3.1, 0.4, -0.8);
-        let link = |restitution, velocity, time, push, pull, arrival| Link {
+        let link = |restitution, velocity, time, push, pull, arrival| FlightJacobian {
             restitution,
             velocity,
             time,
@@ -178,7 +178,7 @@ mod tests {
             pull,
             arrival,
         };
-        let links: [Link<f64>; 2] = [
+        let links: [FlightJacobian<f64>; 2] = [
             link(r_b, v, t_1, at_bottom, at_top, w),
             link(r_t, w, t_2, at_top, at_bottom, v),
         ];
@@ -191,12 +191,12 @@ mod tests {
 
     #[test]
     fn multipliers_have_the_trace_as_sum_and_the_determinant_as_product() {
-        let [large, small] = multipliers::<f64>(&-1e9, &1e-9_f64.sqrt(), Kind::Saddle);
+        let [large, small] = multipliers::<f64>(&-1e9, &1e-9_f64.sqrt(), OrbitKind::Saddle);
         assert!((large.re + 1e9).abs() < 1e-6 && (small.re / -1e-18 - 1.0).abs() < 1e-14);
-        let [up, down] = multipliers::<f64>(&0.2, &0.3, Kind::Focus);
+        let [up, down] = multipliers::<f64>(&0.2, &0.3, OrbitKind::Focus);
         assert!((up.re - 0.1).abs() < 1e-16 && up.im > 0.0 && down.im == -up.im);
         assert!((up.re * up.re + up.im * up.im - 0.09).abs() < 1e-16);
-        let [large, small] = multipliers::<f64>(&0.9, &0.18_f64.sqrt(), Kind::Node);
+        let [large, small] = multipliers::<f64>(&0.9, &0.18_f64.sqrt(), OrbitKind::Node);
         assert!((large.re - 0.6).abs() < 1e-15 && (small.re - 0.3).abs() < 1e-15);
     }
 }

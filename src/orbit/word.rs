@@ -102,26 +102,26 @@ impl Word {
     }
 
     /// The word gone through twice, as long as it may be.
-    pub(super) fn twice(&self) -> Self {
+    pub(crate) fn twice(&self) -> Self {
         Self(self.0.iter().chain(&self.0).copied().collect())
     }
 
     /// The word that this one goes through twice.
-    pub(super) fn half(&self) -> Option<Self> {
+    pub(crate) fn half(&self) -> Option<Self> {
         let half = self.impacts() / 2;
         let repeats = self.impacts().is_multiple_of(2) && self.0[..half] == self.0[half..];
         repeats.then(|| Self(self.0.iter().take(half).copied().collect()))
     }
 
     /// The word with one more impact on the wall of this one, next to it.
-    pub(super) fn doubled(&self, index: usize) -> Self {
+    pub(crate) fn doubled(&self, index: usize) -> Self {
         let mut letters = self.0.clone();
         letters.insert(index, letters[index]);
         Self(letters)
     }
 
     /// The word without this impact, if another one stays.
-    pub(super) fn without(&self, index: usize) -> Option<Self> {
+    pub(crate) fn without(&self, index: usize) -> Option<Self> {
         let mut letters = self.0.clone();
         letters.remove(index);
         (!letters.is_empty()).then_some(Self(letters))

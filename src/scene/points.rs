@@ -7,7 +7,7 @@ use crate::impact::{Event, Kind, Origin, Start, Widening};
 use crate::model::{Membrane, Motion, MotionError, Parameters};
 use crate::number::FIGURES_OF_F64;
 use crate::orbit::{
-    Attractor, CycleMeans, Estimate, Further, Length, Measure, OfImpact, RestingCycle, Settled, lyapunov,
+    Attractor, Averaging, AveragingLength, CycleMeans, Estimate, LongRun, OfImpact, RestingCycle, SteadyState, lyapunov,
 };
 use crate::stop::Token;
 use rayon::prelude::*;
@@ -27,7 +27,7 @@ pub struct Point {
     /// The motion there.
     pub motion: Motion<f64>,
     /// The last impacts, and what the motion has come to.
-    pub settled: Settled,
+    pub settled: SteadyState,
     /// U_k of (6) for each impact that is kept, V; none where no voltage is modelled.
     pub voltages: Option<Vec<f64>>,
     /// The means of the motion; none where the points are [`Points::listed`].
@@ -109,7 +109,7 @@ impl Scene {
             typed: setting,
             start: self.start()?.start(),
             membrane,
-            depth: Depth::Settled,
+            depth: Depth::SteadyState,
             scene: self.clone(),
             next: 0,
             block: Vec::new().into_iter(),
@@ -124,7 +124,7 @@ enum Depth {
     /// Its impacts.
     Listed,
     /// What it has come to.
-    Settled,
+    SteadyState,
     /// How far that can be relied on.
     Reliable,
 }
@@ -203,14 +203,14 @@ impl Points {
     }
 
     /// The impacts and, where that is asked for, what they come to without a rest, and the digits that hold.
-    fn settled(&self, events: Widening) -> (Settled, Option<u32>) {
+    fn settled(&self, events: Widening) -> (SteadyState, Option<u32>) {
         let Diagram { impacts, keep, .. } = self.diagram;
         let mut events = match self.depth {
-            Depth::Listed => return (Settled::listed(events.without_growth(), impacts, keep), None),
-            Depth::Settled => events.without_growth(),
+            Depth::Listed => return (SteadyState::listed(events.without_growth(), impacts, keep), None),
+            Depth::SteadyState => events.without_growth(),
             Depth::Reliable => events,
         };
-        let mut settled = Settled::after(events.by_ref(), impacts, keep);
+        let mut settled = SteadyState::after(events.by_ref(), impacts, keep);
         let end = settled.end.as_ref();
         let digits = end.map_or(0, |end| events.growth().digits_since_release(end.velocity));
         // on to rounding nobody asks what still holds
@@ -239,9 +239,9 @@ impl Points {
             let cycle = RestingCycle::find(&parameters, side, 4 * after.max(1000))?;
             cycle.map(|cycle| Attractor::through(&parameters, cycle)).transpose()
         };
-        let mut measure = Measure {
+        let mut measure = Averaging {
             motion: &point.motion,
-            length: Length { impacts, error, most },
+            length: AveragingLength { impacts, error, most },
             voltage,
             with_growth: self.depth == Depth::Reliable,
             at_releases: true,
@@ -258,7 +258,7 @@ impl Points {
             return Ok(());
         };
         let mut further = measure.after(end);
-        if let Further::Released(side, after) = further {
+        if let LongRun::Released(side, after) = further {
             point.settled.attractor = through(side, after)?;
             if let Some(found) = &point.settled.attractor {
                 point.means = Some(of_cycle(&measure, &parameters, found)?);
@@ -267,7 +267,7 @@ impl Points {
             measure.at_releases = false;
             further = measure.after(end);
         }
-        if let Further::Measured(found) = further {
+        if let LongRun::Measured(found) = further {
             point.means = Some(Means {
                 over: MeanOver::Impacts,
                 impacts: found.impacts,
@@ -308,7 +308,7 @@ impl Points {
 }
 
 /// The means over a cycle, or of a ball that rests for ever.
-fn of_cycle(measure: &Measure, parameters: &impl Parameters, cycle: &Attractor) -> Result<Means, MotionError> {
+fn of_cycle(measure: &Averaging, parameters: &impl Parameters, cycle: &Attractor) -> Result<Means, MotionError> {
     let means = CycleMeans::of(measure, parameters, cycle)?;
     let has_voltage = measure.voltage.is_some();
     let lyapunov = if measure.with_growth {
@@ -328,7 +328,7 @@ fn of_cycle(measure: &Measure, parameters: &impl Parameters, cycle: &Attractor) 
 }
 
 /// The last event after which the motion is known.
-fn known_end(settled: &Settled) -> Option<&Event<f64>> {
+fn known_end(settled: &SteadyState) -> Option<&Event<f64>> {
     let end = settled.end.as_ref().filter(|end| end.kind != Kind::Undecided);
     end.or(settled.kept.last())
 }

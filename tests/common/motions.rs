@@ -7,7 +7,7 @@ use nalgebra::{Matrix4, Vector4};
 use std::f64::consts::{PI, TAU};
 use vibro_audit::model::{Motion, Side};
 use vibro_audit::number::{Analytic, Dual, Field, Sequence, Wide, seeded};
-use vibro_audit::orbit::Rounded;
+use vibro_audit::orbit::RoundedOrbit;
 
 pub type Digits = Wide<40>;
 
@@ -24,7 +24,7 @@ pub struct Pair<T> {
 
 impl<T: Analytic> Pair<T> {
     /// As printed in a row.
-    pub fn printed(row: &Rounded) -> Self {
+    pub fn printed(row: &RoundedOrbit) -> Self {
         let both = |values: &[f64]| [T::from_f64(values[0]), T::from_f64(values[1])];
         let [velocities, times, phases] = [&row.velocities, &row.times, &row.phases].map(|values| both(values));
         Self {
@@ -67,7 +67,7 @@ impl<T: Analytic> Pair<T> {
 }
 
 /// The orbit near a printed one in 40 digits, by Newton's method on (9) to (12) with derivatives from dual numbers.
-pub fn improved(motion: &Motion<f64>, row: &Rounded) -> Pair<Digits> {
+pub fn improved(motion: &Motion<f64>, row: &RoundedOrbit) -> Pair<Digits> {
     let wide = motion.convert(|&x| Digits::from_f64(x)).expect("the same numbers");
     let lifted = motion
         .convert(|&x| Dual::from_re(Digits::from_f64(x)))
@@ -281,7 +281,7 @@ fn velocities([v, w, s, c, right]: &[Vector4<f64>; 5], sin: f64, cos: f64) -> [f
 }
 
 /// Whether a row is near [v, w, T_1, phase at the bottom].
-pub fn is_near(row: &Rounded, [v, w, t_1, phase]: &[f64; 4], tolerance: f64) -> bool {
+pub fn is_near(row: &RoundedOrbit, [v, w, t_1, phase]: &[f64; 4], tolerance: f64) -> bool {
     let around = (row.phases[0] - phase).rem_euclid(TAU);
     (row.velocities[0] - v).abs() < tolerance
         && (row.velocities[1] - w).abs() < tolerance

@@ -6,7 +6,7 @@ use super::{Means, Why, orbits, runs};
 use crate::impact::Origin;
 use crate::model::{Forcing, Impact, JacobianError, Motion, Parameters, Passage, Side, next_impact};
 use crate::number::{Analytic, Field, Wide};
-use crate::orbit::{Rounded, returning};
+use crate::orbit::{RoundedOrbit, shoot};
 use nalgebra::Matrix2;
 
 /// What the answers rest on.
@@ -111,7 +111,7 @@ fn of_flight(problem: &Problem) -> Result<[Values<Number>; 2], Why> {
 /// An impact of a cycle with the flight after it: wall, phase, velocity, duration.
 type Fix<T> = (Side, T, T, T);
 
-fn fixes<N, T>(orbit: &Rounded<N>, read: impl Fn(&N) -> T) -> Vec<Fix<T>> {
+fn fixes<N, T>(orbit: &RoundedOrbit<N>, read: impl Fn(&N) -> T) -> Vec<Fix<T>> {
     let lists = orbit
         .word
         .sides()
@@ -150,7 +150,7 @@ fn of_cycle(problem: &Problem) -> Result<[Values<Number>; 2], Why> {
     let formula = product(&motion, &exact, Passage::by_formula)?;
     let [trace, determinant] = [&orbit.trace, &orbit.determinant].map(|value| read(value).convert::<100>());
 
-    let again = returning::<Many>(&motion, &orbit.nearest())?;
+    let again = shoot::<Many>(&motion, &orbit.nearest())?;
     let impacts = orbit.word.sides().zip(again.fixes);
     let found: Vec<Fix<Many>> = impacts
         .map(|(side, fix)| (side, fix.phase, fix.velocity, fix.time))

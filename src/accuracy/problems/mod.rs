@@ -21,7 +21,7 @@ pub use values::Number;
 pub(super) use values::digits;
 
 use crate::model::{FlightError, JacobianError, MembraneError, MotionError};
-use crate::orbit::NoReturn;
+use crate::orbit::ShootingError;
 
 /// Why a problem has no answer.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -66,7 +66,7 @@ pub enum Why {
     Flight(#[from] FlightError),
     /// The return map has no fixed point there.
     #[error(transparent)]
-    Return(#[from] NoReturn),
+    Return(#[from] ShootingError),
     /// A derivative has no value.
     #[error(transparent)]
     Jacobian(#[from] JacobianError),

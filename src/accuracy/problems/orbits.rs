@@ -5,7 +5,10 @@ use super::values::{Number, Values, read};
 use super::{Means, Why};
 use crate::model::Parameters;
 use crate::number::{Decimal, Decimals, Interval, Rung, Told};
-use crate::orbit::{Found, Goal, Proved, Rounded, Word, confirmed, find, find_as, one_to_one, search};
+use crate::orbit::{
+    FoundOrbits, OutputPrecision, ProvedOrbit, RoundedOrbit, Word, confirm_orbit, find, find_as, isolate_one_one,
+    search_word,
+};
 use std::f64::consts::{PI, TAU};
 
 /// The figures in which enclosures are told.
@@ -15,17 +18,22 @@ const FIGURES: Decimals = Decimals(44);
 pub const MEANS: [&str; 2] = ["proved enclosure", "return map in 100 digits"];
 
 /// The motion by both means.
-pub fn twice(problem: &Problem) -> Result<[Rounded<Decimal>; 2], Why> {
+pub fn twice(problem: &Problem) -> Result<[RoundedOrbit<Decimal>; 2], Why> {
     let given = problem.given()?;
     let (word, periods) = problem.word()?;
     let orbit = nearest(
         problem,
-        find_as(&Goal::decimals(FIGURES, Rung::Wide(50)), &given, &word, periods)?,
+        find_as(
+            &OutputPrecision::decimals(FIGURES, Rung::Wide(50)),
+            &given,
+            &word,
+            periods,
+        )?,
     )?;
     if orbit.error_bound.is_none() {
         return Err(Why::Unproved);
     }
-    let again = confirmed(&given, &orbit, FIGURES)?;
+    let again = confirm_orbit(&given, &orbit, FIGURES)?;
     Ok([orbit, again])
 }
 
@@ -34,13 +42,13 @@ pub fn both(problem: &Problem) -> Result<[Values<Number>; 2], Why> {
     Ok(twice(problem)?.map(|orbit| values(&orbit).convert(|decimal| read(&decimal))))
 }
 
-fn values<N: Clone>(orbit: &Rounded<N>) -> Values<N> {
+fn values<N: Clone>(orbit: &RoundedOrbit<N>) -> Values<N> {
     let lists = [&orbit.phases[..], &orbit.velocities, &orbit.times];
     Values::of_cycle(lists, orbit.trace.clone())
 }
 
 /// The motion in f64.
-pub fn in_f64(problem: &Problem, means: Means) -> Result<Rounded, Why> {
+pub fn in_f64(problem: &Problem, means: Means) -> Result<RoundedOrbit, Why> {
     let given = problem.given()?;
     let (word, periods) = problem.word()?;
     match means {
@@ -49,7 +57,7 @@ pub fn in_f64(problem: &Problem, means: Means) -> Result<Rounded, Why> {
             let all = narrow(&given, &word, periods)?;
             nearest(
                 problem,
-                Found {
+                FoundOrbits {
                     orbits: all,
                     open: Vec::new(),
                 },
@@ -64,25 +72,25 @@ pub fn solved(problem: &Problem, means: Means) -> Result<Values<f64>, Why> {
 }
 
 /// The motions in intervals of f64 and nothing wider: the middles.
-fn narrow(given: &Given, word: &Word, periods: u32) -> Result<Vec<Rounded>, Why> {
+fn narrow(given: &Given, word: &Word, periods: u32) -> Result<Vec<RoundedOrbit>, Why> {
     let motion = given.motion::<Interval<f64>>()?;
-    let orbit = |proved: Proved| proved.orbit::<f64>(given).ok().map(|orbit| orbit.rounded());
+    let orbit = |proved: ProvedOrbit| proved.orbit::<f64>(given).ok().map(|orbit| orbit.rounded());
     Ok(if *word == Word::pair() {
-        let roots = one_to_one(&motion, periods).motions;
-        let pairs = roots.iter().map(|root| Proved::Pair { root, periods });
+        let roots = isolate_one_one(&motion, periods).motions;
+        let pairs = roots.iter().map(|root| ProvedOrbit::Pair { root, periods });
         pairs.filter_map(orbit).collect()
     } else {
-        let cycles = search(word, periods, &motion)?;
-        cycles.iter().map(Proved::Cycle).filter_map(orbit).collect()
+        let cycles = search_word(word, periods, &motion)?;
+        cycles.iter().map(ProvedOrbit::Word).filter_map(orbit).collect()
     })
 }
 
 /// The motion that the problem means: of those over its periods, the one whose first impact is nearest to its start.
-fn nearest<N: Told>(problem: &Problem, found: Found<N>) -> Result<Rounded<N>, Why> {
+fn nearest<N: Told>(problem: &Problem, found: FoundOrbits<N>) -> Result<RoundedOrbit<N>, Why> {
     let start = problem.begin()?;
     let [phase, velocity] = [&start.phase, &start.velocity].map(crate::model::Exact::value::<f64>);
     let (_, periods) = problem.word()?;
-    let away = |orbit: &Rounded<N>| {
+    let away = |orbit: &RoundedOrbit<N>| {
         let turned = orbit.phases[0].to_f64() - phase;
         let around = (turned + PI).rem_euclid(TAU) - PI;
         around.hypot(orbit.velocities[0].to_f64() - velocity)

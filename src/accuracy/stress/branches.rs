@@ -5,7 +5,7 @@ use super::quantity::Exact;
 use super::row::{StressRow, place};
 use crate::model::Motion;
 use crate::number::{Analytic, Decimal, Decimals, Interval, Rung};
-use crate::orbit::{Goal, Instant, Prepared, confirmed_at};
+use crate::orbit::{Instant, OneOneBranches, OutputPrecision, confirm_bifurcation};
 
 /// The device, the bifurcation, and the range of gaps in which it is located.
 const INPUTS: [&str; 6] = ["g", "r_B", "r_T", "d", "low", "high"];
@@ -49,7 +49,7 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
     for instant in &told {
         let gap = instant.parameter;
         let decimal = nearest(&decimals, instant).ok_or_else(|| fault(gap))?;
-        let again = confirmed_at(&motion, decimal, Decimals(FIGURES)).map_err(|_| fault(gap))?;
+        let again = confirm_bifurcation(&motion, decimal, Decimals(FIGURES)).map_err(|_| fault(gap))?;
         let [enclosed, exact] = [decimal, &again].map(|instant| value(&instant.parameter));
         let apart = relative(&enclosed, &exact);
         if apart > AGREED {
@@ -80,13 +80,13 @@ fn motion([g, r_b, r_t]: [f64; 3]) -> Option<Motion<f64>> {
     Motion::new(g, 1.0, r_b, r_t).ok()
 }
 
-fn prepared(motion: &Motion<f64>, [low, high]: [f64; 2]) -> Option<Prepared<&Motion<f64>>> {
-    Prepared::new(motion, 1, Interval::new(low, high)).ok()
+fn prepared(motion: &Motion<f64>, [low, high]: [f64; 2]) -> Option<OneOneBranches<&Motion<f64>>> {
+    OneOneBranches::new(motion, 1, Interval::new(low, high)).ok()
 }
 
 /// The bifurcations in decimals.
-fn located(prepared: &Prepared<&Motion<f64>>) -> Vec<Instant<Decimal>> {
-    let goal = Goal::decimals(Decimals(FIGURES), Rung::Wide(100));
+fn located(prepared: &OneOneBranches<&Motion<f64>>) -> Vec<Instant<Decimal>> {
+    let goal = OutputPrecision::decimals(Decimals(FIGURES), Rung::Wide(100));
     prepared.bifurcations_as(&goal).0
 }
 

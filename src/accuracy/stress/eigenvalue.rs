@@ -5,7 +5,7 @@ use super::approach::{Approach, DELTA, SADDLE};
 use super::paper::{Formula, Paper, Values};
 use super::quantity::{Number, Quantity, Visitor};
 use crate::number::Analytic;
-use crate::orbit::{Kind, multipliers};
+use crate::orbit::{OrbitKind, multipliers};
 
 /// Which multiplier, where.
 #[derive(Clone, Copy, PartialEq)]
@@ -174,9 +174,9 @@ impl Quantity for Eigenvalue {
             return None;
         };
         let kind = match self.extreme {
-            Extreme::Meeting => Kind::Node,
-            Extreme::Parting => Kind::Focus,
-            Extreme::Apart => Kind::Saddle,
+            Extreme::Meeting => OrbitKind::Node,
+            Extreme::Parting => OrbitKind::Focus,
+            Extreme::Apart => OrbitKind::Saddle,
         };
         let [first, second] = multipliers(trace, loss, kind);
         Some(vec![match self.extreme {

@@ -9,7 +9,7 @@ use crate::accuracy::trade::digits_of;
 use crate::impact::{Event, Kind, Simulation, Start};
 use crate::model::{Flight, Forcing, Impact, Motion, Side, Watch};
 use crate::number::{Analytic, Any, Dual, of_type, seeded};
-use crate::orbit::Fix;
+use crate::orbit::OrbitImpact;
 
 /// g, d, r_B, r_T, and phase and velocity of the start impact at the bottom.
 const INPUTS: [&str; 6] = ["g", "d", "r_B", "r_T", "phase", "velocity"];
@@ -27,7 +27,7 @@ pub(super) struct SimulatedImpact {
 
 /// What is known of an impact.
 pub(super) struct KnownImpact {
-    pub fix: Fix<Exact>,
+    pub fix: OrbitImpact<Exact>,
     pub condition: f64,
 }
 
@@ -50,13 +50,13 @@ fn simulated<T: Analytic>(inputs: &[T; 6], impacts: u32) -> Option<Event<T>> {
 }
 
 /// An impact, without the flight after it.
-pub(super) fn fix(phase: Exact, velocity: Exact) -> Fix<Exact> {
+pub(super) fn fix(phase: Exact, velocity: Exact) -> OrbitImpact<Exact> {
     let time = Exact::from(0.0);
-    Fix { phase, velocity, time }
+    OrbitImpact { phase, velocity, time }
 }
 
 /// Of the phase in radians, of the velocity relatively; NaN where there is no answer.
-pub(super) fn error(found: Option<Fix<Exact>>, exact: &Fix<Exact>) -> f64 {
+pub(super) fn error(found: Option<OrbitImpact<Exact>>, exact: &OrbitImpact<Exact>) -> f64 {
     found.map_or(f64::NAN, |found| {
         let exact = fix(exact.phase.clone(), exact.velocity.clone());
         largest(errors(&[found], &[exact]))
@@ -70,7 +70,7 @@ impl SimulatedImpact {
     }
 
     /// As the program simulates; `None` where something else happens.
-    pub fn by_phase<T: Analytic>(&self) -> Option<Fix<Exact>> {
+    pub fn by_phase<T: Analytic>(&self) -> Option<OrbitImpact<Exact>> {
         let found = simulated(&self.inputs.map(T::from_f64), self.impacts)?;
         (found.kind == Kind::Impact).then(|| fix(widen(&found.phase), widen(&found.velocity)))
     }
@@ -82,7 +82,7 @@ impl SimulatedImpact {
     }
 
     /// By the map (8).
-    pub fn by_time<T: Analytic>(&self) -> Option<Fix<Exact>> {
+    pub fn by_time<T: Analytic>(&self) -> Option<OrbitImpact<Exact>> {
         let (motion, start) = motion(&self.inputs.map(T::from_f64))?;
         let forcing = Forcing::harmonic(&T::zero());
         let mut impact = Impact {
@@ -120,7 +120,7 @@ impl SimulatedImpact {
     }
 
     /// The most that phase, in radians, and velocity, relatively, change for relative changes of all inputs.
-    fn condition(&self, exact: &Fix<Exact>) -> Option<f64> {
+    fn condition(&self, exact: &OrbitImpact<Exact>) -> Option<f64> {
         let inputs = self.inputs.map(<Exact as Analytic>::from_f64);
         let mut changes = [0.0; 2];
         for (index, input) in inputs.iter().enumerate() {

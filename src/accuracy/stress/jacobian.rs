@@ -6,7 +6,7 @@ use super::closed::{self, Closed};
 use super::paper::{Formula, Paper, Values};
 use super::quantity::{Number, Quantity, Visitor};
 use crate::model::{Forced, Forcing, Motion, Pair, Passage, Side};
-use crate::orbit::{Fix, Link, determinant, links, trace};
+use crate::orbit::{FlightJacobian, OrbitImpact, determinant, flight_jacobians, trace};
 use nalgebra::Matrix2;
 
 /// What of the derivative.
@@ -91,13 +91,13 @@ fn determinant_of<T: Number>(matrix: &Matrix2<T>) -> T {
 }
 
 impl<'a> Derivative<'a> {
-    fn links<T: Number>(closed: Closed<T>) -> Option<Vec<Link<T>>> {
+    fn links<T: Number>(closed: Closed<T>) -> Option<Vec<FlightJacobian<T>>> {
         let motion = Motion::new(closed.g, closed.d, closed.r_b, closed.r_t).ok()?;
         let [start, end] = closed.times.map(|time| time * T::pi());
         let ([v, w], [t_1, t_2]) = (closed.velocities, closed.flights);
-        let fix = |phase, velocity, time| Fix { phase, velocity, time };
+        let fix = |phase, velocity, time| OrbitImpact { phase, velocity, time };
         let fixes = [fix(start, v, t_1), fix(end, w, t_2)];
-        Some(links(&[Side::Bottom, Side::Top], &motion, &fixes))
+        Some(flight_jacobians(&[Side::Bottom, Side::Top], &motion, &fixes))
     }
 }
 
@@ -188,7 +188,7 @@ impl Quantity for Derivative<'_> {
     fn stable<T: Number>(&self, given: &[T]) -> Option<Vec<T>> {
         let links = Self::links(Closed::of(given)?)?;
         let scaled = |at: usize| {
-            let link: &Link<T> = links.get(at)?;
+            let link: &FlightJacobian<T> = links.get(at)?;
             Some(entries(
                 &link.scaled_jacobian().map(|entry| entry / link.arrival.clone()),
             ))

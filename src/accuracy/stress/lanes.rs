@@ -6,7 +6,7 @@ use super::quantity::{Exact, widen};
 use super::row::StressRow;
 use crate::impact::{Batch, Start};
 use crate::model::{Motion, Side};
-use crate::orbit::Fix;
+use crate::orbit::OrbitImpact;
 
 /// The extremes, each with g, d, r_B, r_T and the start impact at the bottom: nothing is lost, gravity as strong as the
 /// forcing, a gap hardly wider than nothing, a flight that passes a wall a billionth of the gap away.
@@ -58,7 +58,7 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
 }
 
 /// The impact in lanes.
-fn in_lanes([g, d, r_b, r_t, phase, velocity]: &[f64; 6]) -> Option<Fix<Exact>> {
+fn in_lanes([g, d, r_b, r_t, phase, velocity]: &[f64; 6]) -> Option<OrbitImpact<Exact>> {
     let motion = Motion::new(*g, *d, *r_b, *r_t).ok()?;
     let start = Start {
         side: Side::Bottom,

@@ -7,8 +7,8 @@
 //!
 //! | printed | loses where | used by default |
 //! |---|---|---|
-//! | (14), (15), (16) for the velocity | 1 - r_B r_T, T_1 - r_T T_2, r_B vanish | [`Balance`](crate::orbit::Balance): its determinant 1 + 2 r_B + r_B r_T does not |
-//! | (20), (21) | the arrival is slow: their denominator is its velocity as a difference | [`Link::scaled_jacobian`](crate::orbit::Link::scaled_jacobian), divided by the velocity itself |
+//! | (14), (15), (16) for the velocity | 1 - r_B r_T, T_1 - r_T T_2, r_B vanish | [`OneOneEquations`](crate::orbit::OneOneEquations): its determinant 1 + 2 r_B + r_B r_T does not |
+//! | (20), (21) | the arrival is slow: their denominator is its velocity as a difference | [`Link::scaled_jacobian`](crate::orbit::FlightJacobian::scaled_jacobian), divided by the velocity itself |
 //! | (22) | an impact is slow | [`trace`](crate::orbit::trace): one division, by the velocities |
 //! | (23), and m_11 m_22 - m_12 m_21 | an impact is slow | [`determinant`](crate::orbit::determinant): the product of r² |
 //! | (19) | Delta near 0; multipliers far apart | [`multipliers`](crate::orbit::multipliers): Delta as a product, the smaller one from their product |

@@ -6,7 +6,7 @@ use super::quantity::{Exact, Number, largest, narrow, widen};
 use super::row::{Evaluation, Form, StressRow, place};
 use crate::model::{Forcing, Motion, Parameters, Side};
 use crate::number::{Analytic, Decimal, Decimals, DoubleDouble, Dual, Rung, seeded};
-use crate::orbit::{Fix, Goal, Open, Rounded, Word, find, find_as, returning};
+use crate::orbit::{OpenOrbit, OrbitImpact, OutputPrecision, RoundedOrbit, Word, find, find_as, shoot};
 
 /// Parameters at which motions are looked for.
 pub(super) struct Scene {
@@ -36,7 +36,7 @@ const MOVED: f64 = 1e-30;
 
 /// A motion that is known.
 pub(super) struct Known {
-    pub fixes: Vec<Fix<Exact>>,
+    pub fixes: Vec<OrbitImpact<Exact>>,
     pub condition: f64,
 }
 
@@ -111,7 +111,12 @@ impl Triple {
     }
 
     /// Newton's method from the motion as `T` holds it.
-    fn solved<T: Number>(&self, parameters: &Motion<f64>, periods: u32, known: &Known) -> Option<Vec<Fix<Exact>>> {
+    fn solved<T: Number>(
+        &self,
+        parameters: &Motion<f64>,
+        periods: u32,
+        known: &Known,
+    ) -> Option<Vec<OrbitImpact<Exact>>> {
         let motion: Motion<T> = parameters.motion().ok()?;
         let lifted = motion.convert(|value| Dual::from_re(value.clone())).ok()?;
         let first = known.fixes.first()?;
@@ -148,7 +153,7 @@ impl Triple {
         let r_b = motion.restitution(Side::Bottom).clone();
         let w = motion.g().clone() * t_1.clone() - r_b * v.clone() + gain;
         let t_2 = T::from_integer(2 * i64::from(periods)) - t_1.clone();
-        let fix = |time: T, velocity: T, flight: T| Fix {
+        let fix = |time: T, velocity: T, flight: T| OrbitImpact {
             phase: widen(&(time * T::pi())),
             velocity: widen(&velocity),
             time: widen(&flight),
@@ -173,7 +178,7 @@ fn cramer<T: Number>(columns: &[[T; 3]], right: &[T; 3]) -> Option<[T; 3]> {
 }
 
 /// The errors: relative of velocities and times, in radians of phases.
-pub(super) fn errors(found: &[Fix<Exact>], exact: &[Fix<Exact>]) -> Vec<f64> {
+pub(super) fn errors(found: &[OrbitImpact<Exact>], exact: &[OrbitImpact<Exact>]) -> Vec<f64> {
     let relative = |found: &Exact, exact: &Exact| {
         let apart = found.clone() - exact.clone();
         let is_same = num_traits::Zero::is_zero(&apart);
@@ -205,11 +210,11 @@ pub(super) fn errors(found: &[Fix<Exact>], exact: &[Fix<Exact>]) -> Vec<f64> {
 
 /// The motion near one that was found, by its return map in the number that judges, and how it changes with the
 /// parameters.
-pub(super) fn known(parameters: [f64; 4], near: &Rounded) -> Option<Known> {
+pub(super) fn known(parameters: [f64; 4], near: &RoundedOrbit) -> Option<Known> {
     let exact = parameters.map(<Exact as Analytic>::from_f64);
     let returns = |[g, d, r_b, r_t]: [Exact; 4]| {
         let motion = Motion::new(g, d, r_b, r_t).ok()?;
-        Some(returning(&motion, near).ok()?.fixes)
+        Some(shoot(&motion, near).ok()?.fixes)
     };
     let fixes = returns(exact.clone())?;
     let mut changes = vec![0.0; 3 * fixes.len()];
@@ -226,9 +231,9 @@ pub(super) fn known(parameters: [f64; 4], near: &Rounded) -> Option<Known> {
     Some(Known { fixes, condition })
 }
 
-fn fixes_of<N>(orbit: &Rounded<N>, widen: impl Fn(&N) -> Exact) -> Vec<Fix<Exact>> {
+fn fixes_of<N>(orbit: &RoundedOrbit<N>, widen: impl Fn(&N) -> Exact) -> Vec<OrbitImpact<Exact>> {
     let lists = orbit.phases.iter().zip(&orbit.velocities).zip(&orbit.times);
-    let fix = |((phase, velocity), time): ((&N, &N), &N)| Fix {
+    let fix = |((phase, velocity), time): ((&N, &N), &N)| OrbitImpact {
         phase: widen(phase),
         velocity: widen(velocity),
         time: widen(time),
@@ -251,7 +256,7 @@ pub(super) fn rows(triple: &Triple, scene: &Scene) -> Result<Vec<StressRow>, Str
     let word = Word::pair();
     let found = find(&motion, &word, scene.periods).map_err(|_| fault(f64::NAN))?;
     let wider = find_as(
-        &Goal::decimals(Decimals(DECIMALS), Rung::Wide(50)),
+        &OutputPrecision::decimals(Decimals(DECIMALS), Rung::Wide(50)),
         &motion,
         &word,
         scene.periods,
@@ -265,7 +270,7 @@ pub(super) fn rows(triple: &Triple, scene: &Scene) -> Result<Vec<StressRow>, Str
         let phase = orbit.phases.first().copied().unwrap_or(f64::NAN);
         let known = known(scene.parameters, orbit).ok_or_else(|| fault(phase))?;
         let parsed = |decimal: &Decimal| Exact::parse(&decimal.to_string()).unwrap_or(Exact::INVALID);
-        let solved = |fixes: Option<Vec<Fix<Exact>>>| fixes.unwrap_or_default();
+        let solved = |fixes: Option<Vec<OrbitImpact<Exact>>>| fixes.unwrap_or_default();
         let periods = scene.periods;
         let made = [
             (
@@ -299,7 +304,8 @@ pub(super) fn rows(triple: &Triple, scene: &Scene) -> Result<Vec<StressRow>, Str
         }
     }
     // a box or a motion that the search says it cannot decide is not claimed to be anything
-    let refused = |open: &Open| StressRow::refused(scene.case, FORMULA, Rung::Double, at(f64::NAN), open.to_string());
+    let refused =
+        |open: &OpenOrbit| StressRow::refused(scene.case, FORMULA, Rung::Double, at(f64::NAN), open.to_string());
     rows.extend(found.open.iter().map(refused));
     if rows.is_empty() {
         Err(fault(f64::NAN))
@@ -331,7 +337,7 @@ mod tests {
 
     #[test]
     fn phases_are_compared_around_the_circle_and_all_else_relatively() {
-        let fix = |phase: f64, velocity: f64, time: f64| Fix {
+        let fix = |phase: f64, velocity: f64, time: f64| OrbitImpact {
             phase: Exact::from(phase),
             velocity: Exact::from(velocity),
             time: Exact::from(time),

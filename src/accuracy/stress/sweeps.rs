@@ -9,7 +9,10 @@ use super::voltage::{membrane_at, of_paper};
 use crate::impact::{Event, Simulation, Start};
 use crate::model::{Motion, Side};
 use crate::number::Analytic;
-use crate::orbit::{Attractor, CycleMeans, Fix, Further, Length, Measure, Rounded, Settled, Word, find, multipliers};
+use crate::orbit::{
+    Attractor, Averaging, AveragingLength, CycleMeans, LongRun, OrbitImpact, RoundedOrbit, SteadyState, Word, find,
+    multipliers,
+};
 
 /// The extremes, each with g, d, r_B and r_T of a device that has a stable 1-1 motion, and the impacts after which what is
 /// left of a start beside it is less than f64 tells.
@@ -30,7 +33,7 @@ pub(super) fn cases() -> impl Iterator<Item = &'static str> {
 /// The impacts that a voltage per forcing period is measured over, in whole periods: enough for every batch.
 const MEASURED: u32 = 2000;
 
-/// The rows of a case: phases and velocities of the cycle that [`Settled`] finds, the mean (7) of their voltages and
+/// The rows of a case: phases and velocities of the cycle that [`SteadyState`] finds, the mean (7) of their voltages and
 /// their sum per forcing period, of the cycle and as it is measured where a motion does not repeat, against those of the
 /// motion itself.
 ///
@@ -56,7 +59,7 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
     let known = known(device, orbit).ok_or_else(fault)?;
     let condition = known.condition * gathered(orbit);
     let start = start(orbit).ok_or_else(fault)?;
-    let settled = Settled::after(Simulation::new(&motion, &start), impacts, 2);
+    let settled = SteadyState::after(Simulation::new(&motion, &start), impacts, 2);
     let attractor = settled.attractor.ok_or_else(fault)?;
     if attractor.impacts.len() != known.fixes.len() {
         return Err(fault());
@@ -79,12 +82,12 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
 
 /// What roundings of one size at every cycle come to: 1 / (1 - the size of the larger multiplier), the sum of what is left
 /// of each.
-fn gathered(orbit: &Rounded) -> f64 {
+fn gathered(orbit: &RoundedOrbit) -> f64 {
     let [larger, _] = multipliers(&orbit.trace, &orbit.determinant.sqrt(), orbit.kind);
     1.0 / (1.0 - larger.re.hypot(larger.im))
 }
 
-fn start(orbit: &Rounded) -> Option<Start<f64>> {
+fn start(orbit: &RoundedOrbit) -> Option<Start<f64>> {
     let (phase, velocity) = orbit.phases.first().zip(orbit.velocities.first())?;
     Some(Start {
         side: Side::Bottom,
@@ -95,7 +98,7 @@ fn start(orbit: &Rounded) -> Option<Start<f64>> {
 
 /// Of phases and velocities; times are not told.
 fn of_impacts(impacts: &[Event<f64>], known: &Known) -> f64 {
-    let fixes = impacts.iter().zip(&known.fixes).map(|(event, fix)| Fix {
+    let fixes = impacts.iter().zip(&known.fixes).map(|(event, fix)| OrbitImpact {
         phase: widen(&event.phase),
         velocity: widen(&event.velocity),
         time: fix.time.clone(),
@@ -107,9 +110,9 @@ fn of_impacts(impacts: &[Event<f64>], known: &Known) -> f64 {
 fn voltages(motion: &Motion<f64>, attractor: &Attractor, known: &Known) -> Option<[(&'static str, f64); 3]> {
     let (narrow, wide) = (of_paper::<f64>()?, of_paper::<Exact>()?);
     let voltage = |event: &Event<f64>| narrow.voltage(&event.velocity);
-    let measure = Measure {
+    let measure = Averaging {
         motion,
-        length: Length {
+        length: AveragingLength {
             impacts: MEASURED,
             error: None,
             most: MEASURED,
@@ -120,8 +123,8 @@ fn voltages(motion: &Motion<f64>, attractor: &Attractor, known: &Known) -> Optio
     };
     let cycle = CycleMeans::of(&measure, motion, attractor).ok()?;
     let measured = match measure.after(attractor.impacts.last()?) {
-        Further::Measured(statistics) => statistics.rate?.value,
-        Further::Released(..) => return None,
+        LongRun::Measured(statistics) => statistics.rate?.value,
+        LongRun::Released(..) => return None,
     };
     let mut sum = <Exact as Analytic>::from_f64(0.0);
     for fix in &known.fixes {

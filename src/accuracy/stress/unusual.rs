@@ -4,7 +4,7 @@ use super::row::{BAR, Form, StressRow, place};
 use crate::accuracy::trade::digits_of;
 use crate::impact::{Kind as What, Simulation, Start};
 use crate::model::{Device, Flight, Forcing, Impact, Membrane, Motion, Passage, Side, next_impact};
-use crate::orbit::{Balance, Kind, Link, multipliers, trace};
+use crate::orbit::{FlightJacobian, OneOneEquations, OrbitKind, multipliers, trace};
 use std::fmt::Display;
 
 /// A function of one input that varies, the others harmless.
@@ -125,7 +125,7 @@ fn fall(at: &Inputs) -> Result<f64, String> {
 }
 
 fn balance(at: &Inputs) -> Result<f64, String> {
-    Ok(Balance::new(&motion(at)?, 1).velocities(&at.of("T_1"), &at.of("psi"))[0])
+    Ok(OneOneEquations::new(&motion(at)?, 1).velocities(&at.of("T_1"), &at.of("psi"))[0])
 }
 
 fn derivative(at: &Inputs) -> Result<f64, String> {
@@ -134,7 +134,7 @@ fn derivative(at: &Inputs) -> Result<f64, String> {
 }
 
 fn stability(at: &Inputs) -> Result<f64, String> {
-    let link = Link {
+    let link = FlightJacobian {
         restitution: at.of("r"),
         velocity: at.of("velocity"),
         time: at.of("time"),
@@ -251,7 +251,7 @@ const PROBES: &[Probe] = &[
         formula: "(19)",
         input: "Tr",
         harmless: &[&[("Tr", 0.1), ("loss", 0.18)]],
-        ask: |at| Ok(multipliers(&at.of("Tr"), &at.of("loss"), Kind::Focus)[0].im),
+        ask: |at| Ok(multipliers(&at.of("Tr"), &at.of("loss"), OrbitKind::Focus)[0].im),
         right: &[[LEAST, 0.18]],
     },
     Probe {

@@ -6,7 +6,7 @@ use super::closed::{self, Closed};
 use super::paper::{Formula, Paper, Values};
 use super::quantity::{Number, Quantity, Visitor};
 use crate::model::{Forcing, Motion};
-use crate::orbit::Balance;
+use crate::orbit::OneOneEquations;
 use std::f64::consts::PI;
 
 /// Which denominator comes near 0.
@@ -153,7 +153,7 @@ impl Quantity for Velocity {
             ..
         } = Closed::of(given)?;
         let motion = Motion::new(g, d, r_b, r_t).ok()?;
-        let [v, _] = Balance::new(&motion, 1).velocities(&t_1, &middle);
+        let [v, _] = OneOneEquations::new(&motion, 1).velocities(&t_1, &middle);
         Some(vec![v])
     }
 }

@@ -4,7 +4,7 @@
 use super::contest::{self, BITS, EVERY, Form, Means, RIGHT, Task, Twice, worst_relative_error};
 use super::{TradeError, TradeOptions, TradeRow, Unsolved};
 use crate::number::{Analytic, Machine, Rung, Sequence};
-use crate::orbit::{Kind, multipliers};
+use crate::orbit::{OrbitKind, multipliers};
 
 /// A real pair of multipliers, by numbers that f32 holds exactly.
 struct Point {
@@ -68,7 +68,7 @@ impl Means<Point> for Way {
     fn answer<T: Machine>(&self, point: &Point) -> Result<Vec<T>, Unsolved> {
         let [trace, loss] = [point.trace, point.loss].map(<T as Analytic>::from_f64);
         let [larger, smaller] = match self.0 {
-            Form::Stable => multipliers(&trace, &loss, Kind::Saddle).map(|multiplier| multiplier.re),
+            Form::Stable => multipliers(&trace, &loss, OrbitKind::Saddle).map(|multiplier| multiplier.re),
             Form::Printed => {
                 let delta = trace.clone() * trace.clone() - T::from_integer(4) * (loss.clone() * loss);
                 let root = Analytic::sqrt(&delta);

@@ -3,9 +3,10 @@
 
 use super::contest::{self, BITS, EVERY, Exact, Means, OF_THE_MACHINE, RIGHT, Task};
 use super::{TradeError, TradeOptions, TradeRow, Unsolved};
+use crate::accuracy::paper_equations::{DerivativeMethod, Eq16, PaperEquations};
 use crate::model::{Bracket, Motion, Sample, Side, root};
 use crate::number::{Analytic, Digits, Dual, Interval, Machine, Rung, Sequence, at_digits, seeded};
-use crate::orbit::{Balance, Equations, Proved, Sixteen, Triple, TripleSlopes, nearest, one_to_one, sharpen};
+use crate::orbit::{Equations, OneOneEquations, ProvedOrbit, isolate_one_one, newton_one_one, sharpen};
 use roots::{
     SearchError, SimpleConvergency, find_root_brent, find_root_inverse_quadratic, find_root_newton_raphson,
     find_root_regula_falsi, find_root_secant,
@@ -86,7 +87,7 @@ fn miss(point: &Point, found: &[Exact]) -> Unsolved {
     let (Some(motion), Some(t_1)) = (point.motion::<Exact>(), found.last()) else {
         return Unsolved::LeftDomain;
     };
-    let balance = Balance::new(&motion, 1);
+    let balance = OneOneEquations::new(&motion, 1);
     let Some([psi, excess]) = balance.middle(t_1) else {
         return Unsolved::NoOrbit;
     };
@@ -114,9 +115,9 @@ fn points(options: &TradeOptions) -> Vec<Point> {
 
 /// The orbits of a motion with what is known of them in many digits.
 fn orbits(motion: Motion<f64>, sequence: &mut Sequence) -> Option<Vec<Point>> {
-    let search = one_to_one(&motion.convert(|value| Interval::from_f64(*value)).ok()?, 1);
+    let search = isolate_one_one(&motion.convert(|value| Interval::from_f64(*value)).ok()?, 1);
     let points = search.motions.iter().filter_map(|root| {
-        let proved = Proved::Pair { root, periods: 1 };
+        let proved = ProvedOrbit::Pair { root, periods: 1 };
         let exact: Vec<Exact> = at_digits(100, || {
             let orbit = proved.orbit::<Digits>(&motion).ok()?;
             let values = [
@@ -145,7 +146,7 @@ fn orbits(motion: Motion<f64>, sequence: &mut Sequence) -> Option<Vec<Point>> {
 fn exact(point: &Point) -> Option<[Vec<Exact>; 2]> {
     let near = [&point.exact[0], &point.exact[3], &point.exact[1]].map(Analytic::to_f64);
     let near = [near[0] / std::f64::consts::PI, near[1], near[2]].map(<Exact as Analytic>::from_f64);
-    let again = by_triple(point, Sixteen::Mended, TripleSlopes::Duals, near)?;
+    let again = by_triple(point, Eq16::Mended, DerivativeMethod::Duals, near)?;
     Some([point.exact.clone(), again])
 }
 
@@ -164,13 +165,13 @@ fn error(found: &[Exact], exact: &[Exact]) -> f64 {
 #[derive(Clone, Copy)]
 enum Way {
     /// (14) to (16) by Newton's method.
-    Triple(Sixteen, TripleSlopes),
+    PaperEquations(Eq16, DerivativeMethod),
     /// The curve of 1-1 motions, a root of one equation in T_1 alone, by a root finder of the crate `roots`, to what the
     /// number holds or to a tolerance of 10^-n.
     Curve(Finder, Option<i32>),
     /// The same by Newton's method kept within its bracket, with dual numbers.
     OwnOnCurve,
-    /// Newton's method on the two equations of [`Balance`], with derivatives by hand, until its steps no longer shrink or
+    /// Newton's method on the two equations of [`OneOneEquations`], with derivatives by hand, until its steps no longer shrink or
     /// for so many iterations.
     Newton(Option<usize>),
     /// The same, and then Krawczyk's operator: the answer is proved to be within its bound of the only orbit near.
@@ -205,10 +206,11 @@ impl Way {
     fn all_for(off: f64) -> Vec<Self> {
         let is_usual = off == USUAL;
         let mut all = Vec::new();
-        for sixteen in [Sixteen::AsPrinted, Sixteen::Mended] {
-            if is_usual || sixteen == Sixteen::Mended {
+        for sixteen in [Eq16::AsPrinted, Eq16::Mended] {
+            if is_usual || sixteen == Eq16::Mended {
                 all.extend(
-                    [TripleSlopes::Duals, TripleSlopes::Differences].map(|slopes| Self::Triple(sixteen, slopes)),
+                    [DerivativeMethod::Duals, DerivativeMethod::Differences]
+                        .map(|slopes| Self::PaperEquations(sixteen, slopes)),
                 );
             }
         }
@@ -230,10 +232,10 @@ impl Way {
 impl Means<Point> for Way {
     fn name(&self) -> &'static str {
         match self {
-            Self::Triple(Sixteen::AsPrinted, TripleSlopes::Duals) => "printed-dual",
-            Self::Triple(Sixteen::AsPrinted, TripleSlopes::Differences) => "printed-difference",
-            Self::Triple(Sixteen::Mended, TripleSlopes::Duals) => "mended-dual",
-            Self::Triple(Sixteen::Mended, TripleSlopes::Differences) => "mended-difference",
+            Self::PaperEquations(Eq16::AsPrinted, DerivativeMethod::Duals) => "printed-dual",
+            Self::PaperEquations(Eq16::AsPrinted, DerivativeMethod::Differences) => "printed-difference",
+            Self::PaperEquations(Eq16::Mended, DerivativeMethod::Duals) => "mended-dual",
+            Self::PaperEquations(Eq16::Mended, DerivativeMethod::Differences) => "mended-difference",
             Self::Curve(Finder::Brent, _) => "curve-brent",
             Self::Curve(Finder::InverseQuadratic, _) => "curve-inverse-quadratic",
             Self::Curve(Finder::Newton, _) => "curve-newton",
@@ -269,14 +271,14 @@ impl Means<Point> for Way {
     fn answer<T: Machine>(&self, point: &Point) -> Result<Vec<T>, Unsolved> {
         let number = <T as Analytic>::from_f64;
         let [t_1, psi, time, velocity] = point.guess();
-        if let Self::Triple(sixteen, slopes) = self {
+        if let Self::PaperEquations(sixteen, slopes) = self {
             let guess = [time, t_1, velocity].map(number);
             return by_triple(point, *sixteen, *slopes, guess).ok_or(Unsolved::NoConvergence);
         }
         let motion = point.motion::<T>().ok_or(Unsolved::LeftDomain)?;
-        let balance = Balance::new(&motion, 1);
+        let balance = OneOneEquations::new(&motion, 1);
         let [t_1, psi] = match self {
-            Self::Triple(..) => return Err(Unsolved::LeftDomain),
+            Self::PaperEquations(..) => return Err(Unsolved::LeftDomain),
             Self::Curve(finder, zeros) => on_curve(&balance, finder.root(&balance, point, *zeros)?)?,
             Self::OwnOnCurve => on_curve(&balance, bracketed(&motion, &balance, point.bracket())?)?,
             Self::Newton(count) => {
@@ -291,8 +293,8 @@ impl Means<Point> for Way {
 }
 
 /// Phase, velocities and T_1 by (14) to (16), from (t_k, T_1, Zdot_k).
-fn by_triple<T: Machine>(point: &Point, sixteen: Sixteen, slopes: TripleSlopes, guess: [T; 3]) -> Option<Vec<T>> {
-    let triple = Triple::new(&point.motion::<T>()?, sixteen);
+fn by_triple<T: Machine>(point: &Point, sixteen: Eq16, slopes: DerivativeMethod, guess: [T; 3]) -> Option<Vec<T>> {
+    let triple = PaperEquations::new(&point.motion::<T>()?, sixteen);
     let found = triple.solved(guess, slopes)?;
     let top = triple.velocity_at_top(&found);
     let [time, t_1, velocity] = found;
@@ -300,7 +302,7 @@ fn by_triple<T: Machine>(point: &Point, sixteen: Sixteen, slopes: TripleSlopes, 
 }
 
 /// (T_1, psi) on the curve.
-fn on_curve<T: Analytic>(balance: &Balance<T>, t_1: T) -> Result<[T; 2], Unsolved> {
+fn on_curve<T: Analytic>(balance: &OneOneEquations<T>, t_1: T) -> Result<[T; 2], Unsolved> {
     let [psi, _] = balance.middle(&t_1).ok_or(Unsolved::LeftDomain)?;
     Ok([t_1, psi])
 }
@@ -308,7 +310,7 @@ fn on_curve<T: Analytic>(balance: &Balance<T>, t_1: T) -> Result<[T; 2], Unsolve
 impl Finder {
     /// The root near a guess, to 10^-`zeros` or as well as `T` has it. The crate works in f64; the equation is evaluated in
     /// `T`.
-    fn root<T: Machine>(self, balance: &Balance<T>, point: &Point, zeros: Option<i32>) -> Result<T, Unsolved> {
+    fn root<T: Machine>(self, balance: &OneOneEquations<T>, point: &Point, zeros: Option<i32>) -> Result<T, Unsolved> {
         let excess = |t_1: f64| {
             let value = balance.middle(&<T as Analytic>::from_f64(t_1));
             value.map_or(f64::NAN, |[_, excess]| excess.to_f64())
@@ -336,7 +338,7 @@ impl Finder {
 }
 
 /// The root in a bracket by [`root`].
-fn bracketed<T: Machine>(motion: &Motion<T>, balance: &Balance<T>, bracket: [f64; 2]) -> Result<T, Unsolved> {
+fn bracketed<T: Machine>(motion: &Motion<T>, balance: &OneOneEquations<T>, bracket: [f64; 2]) -> Result<T, Unsolved> {
     let [low, high] = bracket.map(<T as Analytic>::from_f64);
     let excess = |t_1: &T| Some(balance.middle(t_1)?[1].to_f64());
     let [Some(at_low), Some(at_high)] = [excess(&low), excess(&high)] else {
@@ -347,7 +349,7 @@ fn bracketed<T: Machine>(motion: &Motion<T>, balance: &Balance<T>, bracket: [f64
         return Err(Unsolved::NoBracket);
     }
     let lifted = motion.convert(|value| Dual::from_re(value.clone()));
-    let lifted = Balance::new(&lifted.map_err(|_| Unsolved::LeftDomain)?, 1);
+    let lifted = OneOneEquations::new(&lifted.map_err(|_| Unsolved::LeftDomain)?, 1);
     let sample = |t_1: &T| {
         let excess = lifted.middle(&seeded(t_1.clone())).map(|[_, excess]| excess);
         let excess = excess.unwrap_or_else(|| Dual::from_re(<T as Analytic>::from_f64(f64::NAN)));
@@ -366,7 +368,7 @@ fn bracketed<T: Machine>(motion: &Motion<T>, balance: &Balance<T>, bracket: [f64
 const MOST_ITERATIONS: usize = 60;
 
 /// Newton's method in `T` for so many iterations, or until the steps no longer shrink.
-fn newton<T: Analytic>(balance: &Balance<T>, guess: [T; 2], count: Option<usize>) -> Option<[T; 2]> {
+fn newton<T: Analytic>(balance: &OneOneEquations<T>, guess: [T; 2], count: Option<usize>) -> Option<[T; 2]> {
     let [mut t_1, mut psi] = guess;
     let mut last = f64::INFINITY;
     for iteration in 1..=count.unwrap_or(MOST_ITERATIONS) {
@@ -395,8 +397,8 @@ fn newton<T: Analytic>(balance: &Balance<T>, guess: [T; 2], count: Option<usize>
 
 /// The middle of a proved enclosure.
 fn certified<T: Machine>(point: &Point, guess: [f64; 2]) -> Option<[T; 2]> {
-    let near = nearest(&Balance::new(&point.motion::<f64>()?, 1), guess)?;
-    let balance = Balance::new(&point.motion::<Interval<T>>()?, 1);
+    let near = newton_one_one(&OneOneEquations::new(&point.motion::<f64>()?, 1), guess)?;
+    let balance = OneOneEquations::new(&point.motion::<Interval<T>>()?, 1);
     let root = sharpen(&Equations(&balance), near.map(<T as Analytic>::from_f64))?;
     Some(root.enclosure.map(|side| side.midpoint()))
 }

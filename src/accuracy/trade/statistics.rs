@@ -11,7 +11,7 @@ use super::{TradeError, TradeOptions, TradeRow, Unsolved};
 use crate::impact::{Batch, Event, Kind, Simulation, Start, Widening};
 use crate::model::{Motion, Side};
 use crate::number::{Analytic, Digits, Machine, Rung, at_digits};
-use crate::orbit::{Attractor, Settled, largest_multiplier};
+use crate::orbit::{Attractor, SteadyState, largest_multiplier};
 
 /// The starts of each device: as many as go side by side in lanes.
 const STARTS: usize = 32;
@@ -113,7 +113,7 @@ fn devices(region: Region, options: &TradeOptions) -> Vec<Device> {
 fn device(region: Region, motion: Motion<f64>) -> Option<Device> {
     let (side, phase, velocity) = (Side::Bottom, 1.0, 0.5);
     let first = Start { side, phase, velocity };
-    let settled = Settled::after(Widening::new(&motion, &first).without_growth(), SETTLED, 1);
+    let settled = SteadyState::after(Widening::new(&motion, &first).without_growth(), SETTLED, 1);
     let found = match &settled.attractor {
         None => Region::Chaotic,
         // at rest for ever there is no voltage
@@ -138,7 +138,7 @@ fn device(region: Region, motion: Motion<f64>) -> Option<Device> {
         None => mean(&device.motion, &device.starts, Quantity::Lyapunov, SETTLED).is_ok_and(|found| found > CHAOTIC),
         Some(attractor) => device.starts.iter().all(|start| {
             let motion = Widening::new(&device.motion, start).without_growth();
-            let again = Settled::after(motion, SETTLED, 1).attractor;
+            let again = SteadyState::after(motion, SETTLED, 1).attractor;
             again.is_some_and(|again| again.word == attractor.word && again.periods == attractor.periods)
         }),
     };

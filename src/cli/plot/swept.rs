@@ -4,7 +4,7 @@ use super::super::{Failure, note};
 use super::claims::{Claims, Column};
 use crate::model::Side;
 use crate::number::Interval;
-use crate::orbit::{Followed, Found, Prepared, Rounded, Word};
+use crate::orbit::{FoundOrbits, OneOneBranches, RoundedOrbit, Word, WordBranches};
 use crate::report::figure::{Bifurcation, Course, Diagram, Energy, Impact, Parameter, Quantity, Step};
 use crate::report::plot::{Panel, Point};
 use crate::scene::{Quantity as Value, Scene, Want};
@@ -106,8 +106,8 @@ fn follow(scene: &Scene, diagram: &mut Diagram) -> Result<(), Failure> {
                 1 => word.to_string(),
                 _ => format!("{word} {periods}T"),
             };
-            let found: Vec<Found> = if word == Word::pair() {
-                let prepared = Prepared::new(&setting, periods, from.hull(&to))?;
+            let found: Vec<FoundOrbits> = if word == Word::pair() {
+                let prepared = OneOneBranches::new(&setting, periods, from.hull(&to))?;
                 let (events, open) = prepared.bifurcations();
                 open.iter().for_each(|open| note(&format!("{}: {open}", scene.name())));
                 let events = events.into_iter().map(|event| Bifurcation {
@@ -123,7 +123,7 @@ fn follow(scene: &Scene, diagram: &mut Diagram) -> Result<(), Failure> {
                 diagram.bifurcations.extend(events);
                 prepared.points(&values)?
             } else {
-                let followed = Followed::new(&setting, &word, periods, Interval::new(low, high))?;
+                let followed = WordBranches::new(&setting, &word, periods, Interval::new(low, high))?;
                 let events = followed.moments().into_iter().map(|event| Bifurcation {
                     step: Step {
                         at: event.parameter,
@@ -151,7 +151,7 @@ fn follow(scene: &Scene, diagram: &mut Diagram) -> Result<(), Failure> {
     Ok(())
 }
 
-fn step(at: f64, name: &str, orbit: Rounded) -> Step {
+fn step(at: f64, name: &str, orbit: RoundedOrbit) -> Step {
     Step {
         at,
         name: name.to_owned(),

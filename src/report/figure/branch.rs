@@ -2,7 +2,7 @@
 
 use super::diagram::Quantity;
 use super::strand::strands;
-use crate::orbit::Event;
+use crate::orbit::BifurcationKind;
 use crate::report::plot::{Colour, Dash, Form, Mark, Marker, Point, Series, Stroke};
 
 /// How a motion goes on when it is disturbed, if it can be at all.
@@ -60,7 +60,7 @@ pub struct Step {
 pub struct Bifurcation {
     /// The motion.
     pub step: Step,
-    pub event: Event,
+    pub event: BifurcationKind,
 }
 
 const WIDTH: f64 = 1.4;
@@ -77,7 +77,7 @@ pub(super) fn series(steps: &[Step], bifurcations: &[Bifurcation], quantity: Qua
     for (name, colour) in names.iter().zip(Colour::LINES.iter().cycle()) {
         let of_name = |step: &&Step| step.name == *name;
         let own: Vec<&Step> = steps.iter().filter(of_name).collect();
-        let folds = bifurcations.iter().filter(|found| found.event == Event::Fold);
+        let folds = bifurcations.iter().filter(|found| found.event == BifurcationKind::Fold);
         let folds: Vec<&Step> = folds.map(|found| &found.step).filter(of_name).collect();
         let strands = strands(&own, &folds);
         for course in [Course::Inadmissible, Course::Unstable, Course::Stable] {
@@ -134,11 +134,11 @@ fn run(strand: &[&Step], course: Course, value: impl Fn(&Step) -> f64) -> Vec<Po
 /// A marker for each kind; grey, as its line, where the motion would pass through a wall.
 fn marks(bifurcations: &[Bifurcation], quantity: Quantity) -> Vec<Series> {
     let kinds = [
-        (Event::PeriodDoubling, "period doubling", Form::Diamond),
-        (Event::Fold, "fold", Form::Square),
-        (Event::SymmetryBreaking, "symmetry breaking", Form::Plus),
-        (Event::NodeFocus, "node\u{2013}focus switch", Form::Circle),
-        (Event::Grazing, "grazing", Form::Wedge),
+        (BifurcationKind::PeriodDoubling, "period doubling", Form::Diamond),
+        (BifurcationKind::Fold, "fold", Form::Square),
+        (BifurcationKind::SymmetryBreaking, "symmetry breaking", Form::Plus),
+        (BifurcationKind::NodeFocus, "node\u{2013}focus switch", Form::Circle),
+        (BifurcationKind::Grazing, "grazing", Form::Wedge),
     ];
     let mut series = Vec::new();
     for (event, name, form) in kinds {
@@ -215,7 +215,7 @@ mod tests {
     fn what_happens_to_a_motion_that_cannot_be_is_told_apart() {
         let at = |course| Bifurcation {
             step: step(0.3, 0.5, course),
-            event: Event::Grazing,
+            event: BifurcationKind::Grazing,
         };
         let found = marks(&[at(Course::Unstable), at(Course::Inadmissible)], Quantity::Phase);
         let colours: Vec<Colour> = found

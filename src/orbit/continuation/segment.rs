@@ -1,0 +1,158 @@
+//! The proof that one curve of motions, and no other, leads from a point to the next.
+
+use crate::number::{Field, Interval};
+use crate::orbit::continuation::extended_system::{ExtendedSystem, apart, dot};
+use crate::orbit::family::Family;
+use nalgebra::DMatrix;
+
+/// How wide a tube is, as a part of its length.
+const SLENDER: f64 = 0.25;
+
+/// A tube reaches beyond its ends by this part of its length: well above the rounding of the ends, so that the curve
+/// in it is the curve in the next one.
+const OVERLAP: f64 = 1e-4;
+
+/// A tube with one piece of curve in it.
+///
+/// c(tau) the chord, X the box around it within R in the maximum norm, Y about the inverse of the derivative with the
+/// direction of the chord as last row: for each tau the plane across the chord at c(tau) holds one motion of the
+/// family within R of it, and no other, if |I - Y G'| <= q < 1 on X and |Y G(c(tau))| < (1 - q) R for all tau
+/// (Krawczyk, as for one motion, with tau as a parameter). Both are checked in intervals: the motions in the tube are
+/// one curve from end to end.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct CertifiedSegment {
+    from: Vec<f64>,
+    chord: Vec<f64>,
+    /// R
+    pub radius: f64,
+}
+
+impl CertifiedSegment {
+    /// The proof for the piece between two points of a curve; `None` where intervals are too coarse for its length.
+    pub fn prove(along: &ExtendedSystem<impl Family>, from: &[f64], to: &[f64]) -> Option<Self> {
+        let chord: Vec<f64> = to.iter().zip(from).map(|(to, from)| to - from).collect();
+        let square = dot(&chord, &chord);
+        let radius = SLENDER * square.sqrt();
+        let normal: Vec<f64> = chord.iter().map(|part| part / square).collect();
+        let middle: Vec<f64> = from.iter().zip(to).map(|(from, to)| 0.5 * (from + to)).collect();
+        let (_, matrix) = along.bordered(&middle, &normal)?;
+        let inverse = matrix.try_inverse()?;
+        if !inverse.iter().all(|entry| entry.is_finite()) {
+            return None;
+        }
+        let ends = from
+            .iter()
+            .zip(to)
+            .map(|(from, to)| Interval::point(*from).hull(&Interval::point(*to)));
+        let cell: Vec<_> = ends.map(|side| side + Interval::new(-radius, radius)).collect();
+        let mut rows = along.slopes(&cell)?;
+        rows.push(normal.iter().map(|part| Interval::point(*part)).collect());
+        let product = times(&inverse, &rows);
+        let contraction = norm_from_identity(&product);
+        if contraction >= 1.0 {
+            return None;
+        }
+        // G at the middle, then along the chord by the mean value theorem
+        let at: Vec<_> = middle.iter().map(|side| Interval::point(*side)).collect();
+        let (phases, place) = at.split_at(along.impacts());
+        let mut values = along.at_place(&place[0])?.residuals(phases);
+        values.push(Interval::point(0.0));
+        let reach = Interval::new(-0.5 - OVERLAP, 0.5 + OVERLAP);
+        let count = values.len();
+        let farthest = (0..count).map(|row| {
+            let at_middle = (0..count).fold(Interval::point(0.0), |sum, k| {
+                sum + Interval::point(inverse[(row, k)]) * values[k]
+            });
+            let across = (0..count).fold(Interval::point(0.0), |sum, k| {
+                sum + product[row][k] * Interval::point(chord[k])
+            });
+            // the plane moves with tau, by as much as the chord does across it
+            let plane = Interval::point(inverse[(row, count - 1)]);
+            (at_middle + (across - plane) * reach).magnitude()
+        });
+        let farthest = farthest.fold(
+            0.0,
+            |most: f64, size| if size.is_nan() { f64::INFINITY } else { most.max(size) },
+        );
+        let room = (Interval::from_integer(1) - Interval::point(contraction)) * Interval::point(radius);
+        (farthest < room.low()).then(|| Self {
+            from: from.to_vec(),
+            chord,
+            radius,
+        })
+    }
+
+    /// Whether a motion is the one of this tube in its plane across the chord, `room` to spare.
+    pub fn holds(&self, point: &[f64], room: f64) -> bool {
+        let ahead: Vec<f64> = point.iter().zip(&self.from).map(|(point, from)| point - from).collect();
+        let part = dot(&ahead, &self.chord) / dot(&self.chord, &self.chord);
+        let on: Vec<f64> = self.chord.iter().map(|chord| part * chord).collect();
+        (-OVERLAP..=1.0 + OVERLAP).contains(&part) && apart(&ahead, &on) + room < self.radius
+    }
+}
+
+fn times(matrix: &DMatrix<f64>, rows: &[Vec<Interval<f64>>]) -> Vec<Vec<Interval<f64>>> {
+    let count = rows.len();
+    let entry = |row: usize, column: usize| {
+        (0..count).fold(Interval::point(0.0), |sum, k| {
+            sum + Interval::point(matrix[(row, k)]) * rows[k][column]
+        })
+    };
+    (0..count)
+        .map(|row| (0..count).map(|column| entry(row, column)).collect())
+        .collect()
+}
+
+/// A bound of |I - product|.
+fn norm_from_identity(product: &[Vec<Interval<f64>>]) -> f64 {
+    let row_sum = |(row, entries): (usize, &Vec<Interval<f64>>)| {
+        let parts = entries.iter().enumerate().map(|(column, entry)| {
+            let identity = Interval::from_integer(i64::from(row == column));
+            (identity - *entry).size()
+        });
+        parts.fold(Interval::from_integer(0), |sum, part| sum + part).high()
+    };
+    // what is no number is taken for infinite
+    product.iter().enumerate().map(row_sum).fold(
+        0.0,
+        |most, sum| if sum.is_nan() { f64::INFINITY } else { most.max(sum) },
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Motion;
+    use crate::orbit::solve::words::search_word;
+
+    #[test]
+    fn a_tube_holds_the_motions_of_its_piece_and_no_others() {
+        let family = Motion::new(0.12201, 0.3, 0.6, 0.3).expect("a motion");
+        let along = ExtendedSystem {
+            family: &family,
+            word: "BTT".parse().expect("a word"),
+            periods: 1,
+            range: Interval::new(0.1, 0.5),
+        };
+        let at = |place: f64| {
+            family
+                .motion_at(&along.parameter(&Interval::point(place)))
+                .expect("a motion")
+        };
+        let cycles = search_word(&along.word, 1, &at(0.25)).expect("a search");
+        assert!(!cycles.is_empty());
+        for cycle in &cycles {
+            let (from, _) = along
+                .settled_at(&[cycle.phases(), &[0.25]].concat(), 0.25)
+                .expect("a motion");
+            let (middle, _) = along.settled_at(&from, 0.2502).expect("a motion");
+            let (to, _) = along.settled_at(&middle, 0.2504).expect("a motion");
+            let arc = CertifiedSegment::prove(&along, &from, &to).expect("a proof");
+            assert!([&from, &middle, &to].iter().all(|point| arc.holds(point, 0.0)));
+            let beside: Vec<f64> = middle.iter().map(|side| side + 2.0 * arc.radius).collect();
+            assert!(!arc.holds(&beside, 0.0));
+            // a chord that leads away from the curve is none
+            assert_eq!(CertifiedSegment::prove(&along, &from, &beside), None);
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! What of a motion changes at its bifurcations, in f64: looked at along a branch to see that there is one.
+
+use crate::model::{Motion, Side};
+use crate::orbit::equations::word_conditions::{Mark, touch};
+use crate::orbit::equations::words::WordEquations;
+use crate::orbit::orbit::{OrbitImpact, flight_jacobians};
+use std::f64::consts::{PI, TAU};
+
+/// Steps to a turning point: bisection alone would take fifty.
+const MOST_STEPS: usize = 60;
+
+/// The signs that change at events.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct TestFunctions {
+    /// Of the marks that ask for a multiplier, each times the velocities of all impacts.
+    pub multipliers: [f64; 4],
+    /// How often each flight goes through the bottom and through the top strictly between its ends.
+    pub crossings: Vec<[usize; 2]>,
+    /// The turning points of each flight.
+    pub turns: Vec<Vec<TurningPoint>>,
+    /// Towards the wall, of each impact.
+    pub speeds: Vec<f64>,
+    /// Of the flight after each.
+    pub times: Vec<f64>,
+}
+
+/// Where a flight turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct TurningPoint {
+    /// Into the flight.
+    pub after: f64,
+    /// From the bottom and the top, negative beyond.
+    pub distances: [f64; 2],
+}
+
+/// The walls, as distances are listed.
+pub(crate) const WALLS: [Side; 2] = [Side::Bottom, Side::Top];
+
+impl TestFunctions {
+    pub fn new(system: &WordEquations<f64>, phases: &[f64]) -> Self {
+        let fixes = system.fixes(phases);
+        let sides: Vec<Side> = system.word.sides().collect();
+        let links = flight_jacobians(&sides, &system.motion, &fixes);
+        let flights = sides.iter().zip(&fixes);
+        let turns: Vec<Vec<TurningPoint>> = flights.map(|(side, fix)| turns(&system.motion, *side, fix)).collect();
+        let crossings = turns.iter().map(|turns| {
+            // a flight starts and ends between the walls
+            std::array::from_fn(|wall| {
+                let beyond = std::iter::once(false).chain(turns.iter().map(|turn| turn.distances[wall] < 0.0));
+                let beyond: Vec<bool> = beyond.chain(std::iter::once(false)).collect();
+                beyond.windows(2).filter(|pair| pair[0] != pair[1]).count()
+            })
+        });
+        Self {
+            multipliers: Mark::MULTIPLIERS.map(|mark| mark.multiplier_excess(&links)),
+            crossings: crossings.collect(),
+            speeds: sides
+                .iter()
+                .zip(&fixes)
+                .map(|(side, fix)| side.signed(fix.velocity))
+                .collect(),
+            times: fixes.iter().map(|fix| fix.time).collect(),
+            turns,
+        }
+    }
+
+    /// Whether the ball moves to its wall at every impact, and every flight takes time.
+    pub fn moves(&self) -> bool {
+        self.speeds.iter().chain(&self.times).all(|value| *value > 0.0)
+    }
+
+    /// The marks that lie between here and there, an odd number of times each.
+    pub fn marks_to(&self, other: &Self) -> Vec<Mark> {
+        let multipliers = Mark::MULTIPLIERS.iter().enumerate();
+        let crossed = multipliers.filter(|(i, _)| self.multipliers[*i] * other.multipliers[*i] < 0.0);
+        let mut marks: Vec<Mark> = crossed.map(|(_, mark)| *mark).collect();
+        for (flight, (here, there)) in self.crossings.iter().zip(&other.crossings).enumerate() {
+            let walls = WALLS.iter().enumerate().filter(|(i, _)| here[*i] != there[*i]);
+            marks.extend(walls.map(|(_, wall)| Mark::Touch(flight, *wall)));
+        }
+        let slow = self.speeds.iter().zip(&other.speeds).enumerate();
+        let slow = slow.filter(|(_, (here, there))| **here > 0.0 && **there <= 0.0);
+        marks.extend(slow.map(|(impact, _)| Mark::Slow(impact)));
+        marks
+    }
+
+    /// The turning point of a flight that is nearest to a wall.
+    pub fn nearest(&self, flight: usize, wall: Side) -> Option<TurningPoint> {
+        let index = usize::from(wall == Side::Top);
+        let turns = self.turns.get(flight)?.iter().copied();
+        turns.min_by(|one, other| one.distances[index].abs().total_cmp(&other.distances[index].abs()))
+    }
+
+    /// The least distance from a wall where a flight turns; infinite where none does.
+    pub fn clearance(&self) -> f64 {
+        let turns = self.turns.iter().flatten();
+        turns.flat_map(|turn| turn.distances).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// The turning points strictly inside a flight, in order: between two changes of sign of f + g the velocity is
+/// monotone and has one zero or none, as its signs at the ends say.
+fn turns(motion: &Motion<f64>, side: Side, fix: &OrbitImpact<f64>) -> Vec<TurningPoint> {
+    let g = *motion.g();
+    let at = |after: f64, wall: Side| touch(motion, side, fix, wall, &after)[0];
+    let velocity = |after: f64| touch(motion, side, fix, side, &after)[1];
+    let mut nodes = vec![0.0];
+    if g.abs() < 1.0 {
+        let reach = (-g).acos();
+        let end = fix.phase + PI * fix.time;
+        let first = (fix.phase / TAU).floor() as i64;
+        let last = (end / TAU).ceil() as i64;
+        let changes = (first..=last).flat_map(|turn| [turn as f64 * TAU - reach, turn as f64 * TAU + reach]);
+        let inside = changes.filter(|phase| *phase > fix.phase && *phase < end);
+        nodes.extend(inside.map(|phase| (phase - fix.phase) / PI));
+    }
+    nodes.push(fix.time);
+    let mut before = velocity(0.0);
+    let mut turns = Vec::new();
+    for pair in nodes.windows(2) {
+        let after = velocity(pair[1]);
+        if before * after < 0.0 {
+            let slope = |after: f64| (fix.phase + PI * after).cos() + g;
+            let after = zero(velocity, slope, pair[0], pair[1], before);
+            let distances = WALLS.map(|wall| at(after, wall));
+            turns.push(TurningPoint { after, distances });
+        }
+        before = after;
+    }
+    turns
+}
+
+/// The zero of a monotone function by Newton's method, bisecting where that leaves the bracket.
+fn zero(value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64, low: f64, high: f64, at_low: f64) -> f64 {
+    let (mut low, mut high) = (low, high);
+    let mut x = 0.5 * (low + high);
+    for _ in 0..MOST_STEPS {
+        let here = value(x);
+        if here * at_low > 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let newton = x - here / slope(x);
+        let next = if newton > low && newton < high {
+            newton
+        } else {
+            0.5 * (low + high)
+        };
+        if (next - x).abs() <= f64::EPSILON * (1.0 + x.abs()) {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Interval;
+    use crate::orbit::solve::words::search_word;
+
+    #[test]
+    fn the_gauge_agrees_with_the_enclosures_of_a_motion() {
+        let mut turning = 0;
+        for (d, word, periods) in [
+            (0.2, "BTT", 1),
+            (0.275, "BTT", 1),
+            (0.12, "BTT", 1),
+            (0.2, "BTT", 2),
+            (0.1, "B", 1),
+        ] {
+            let motion = Motion::new(0.12201, d, 0.6, 0.3).expect("a motion");
+            let line = motion.convert(|value| Interval::point(*value)).expect("a motion");
+            let word: crate::orbit::word::Word = word.parse().expect("a word");
+            for cycle in search_word(&word, periods, &line).expect("a search") {
+                let Ok(orbit) = cycle.orbit(&line) else { continue };
+                let orbit = orbit.rounded();
+                let system = WordEquations {
+                    motion: motion.clone(),
+                    word: word.clone(),
+                    periods,
+                };
+                let gauge = TestFunctions::new(&system, cycle.phases());
+                assert!(gauge.moves());
+                let velocities: f64 = orbit.velocities.iter().product();
+                let above = (orbit.trace + 1.0 + orbit.determinant) * velocities;
+                assert!((gauge.multipliers[0] - above).abs() < 1e-9 * (1.0 + above.abs()));
+                let clearance = gauge.clearance();
+                assert!(clearance == orbit.clearance || (clearance - orbit.clearance).abs() < 1e-9);
+                let through = gauge.crossings.iter().flatten().any(|count| *count > 0);
+                assert_eq!(through, !orbit.admissible);
+                turning += usize::from(clearance.is_finite());
+            }
+        }
+        assert!(turning > 3, "{turning}");
+    }
+}

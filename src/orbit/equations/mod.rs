@@ -1,0 +1,9 @@
+//! The equations of periodic motions, of 1-1 motions and of other words, and those of their bifurcations.
+
+pub(crate) mod conditions;
+pub(crate) mod duals;
+pub(crate) mod one_one;
+pub(crate) mod one_one_bifurcations;
+pub(crate) mod square_system;
+pub(crate) mod word_conditions;
+pub(crate) mod words;
