@@ -104,20 +104,15 @@ fn a_proof_prints_the_combination_of_premises_that_is_the_claim() {
     let output = run(&["audit", "--explain", "14"], "");
     assert_eq!(output.status.code(), Some(0));
     let text = text(&output);
-    // what each number stands for, and the combination of these that is the claim
+    // what each step says, and the combination of these that is the claim
     let number = |label: &str, part: &str| {
         let mut lines = text.lines().zip(text.lines().skip(1));
-        let found = lines.find(|(fact, source)| source.trim() == format!("given: {label}") && fact.contains(part));
-        let (fact, _) = found.unwrap_or_else(|| panic!("no {label} in\n{text}"));
-        fact.split_once(']')
-            .expect("a number")
-            .0
-            .trim_start_matches([' ', '['])
-            .to_string()
+        let by = format!("By {label}:");
+        let found = lines.find(|(source, fact)| source.ends_with(&by) && fact.contains(part));
+        let (source, _) = found.unwrap_or_else(|| panic!("no {label} in\n{text}"));
+        source.trim().split_once('.').expect("a number").0.to_string()
     };
-    let combination = text
-        .lines()
-        .find(|line| line.trim_start().starts_with("N = [") || line.contains("N = ("));
+    let combination = text.lines().find(|line| line.contains("N = (-"));
     let combination = combination.unwrap_or_else(|| panic!("no combination in\n{text}"));
     for part in [
         format!("(-r_T) [{}]", number("(9)", r"\dot{Z}_k")),
@@ -128,11 +123,96 @@ fn a_proof_prints_the_combination_of_premises_that_is_the_claim() {
     }
     for part in [
         "equal arguments of F_1(t_k + T) and F_1(t_{k+2})",
+        // a premise solved, inserted, and nothing left
+        "so T = T_1 + T_2",
+        "Insert T from step",
+        "N = 0\n  so N = 0",
         "evidence",
         "random points",
+        "digits: -log10",
     ] {
         assert!(text.contains(part), "no {part} in\n{text}");
     }
+}
+
+#[test]
+fn json_has_the_counterexample_as_an_object_too() {
+    let output = text(&run(&["audit", "--format", "json"], ""));
+    let rows: serde_json::Value = serde_json::from_str(&output).expect("JSON");
+    let sixteen = rows.as_array().expect("rows").iter().find(|row| row["label"] == "16");
+    let sixteen = sixteen.expect("a row");
+    let values = sixteen["counterexample_values"].as_object().expect("an object");
+    let shown: Vec<String> = values
+        .iter()
+        .map(|(name, value)| format!("{name}={}", value.as_str().expect("a value")))
+        .collect();
+    let mut told: Vec<&str> = sixteen["counterexample"].as_str().expect("text").split("; ").collect();
+    told.sort_unstable();
+    assert_eq!(shown, told);
+}
+
+const WRONG: &str = r"
+[[equation]]
+label = 'p'
+role = 'premise'
+tex = 'd = r_B T_1 + \overline{g}'
+
+[[equation]]
+label = 'c'
+role = 'claim'
+tex = '\overline{g} = d + r_B T_1'
+follows_from = ['p']
+expect = 'refuted'
+";
+
+#[test]
+fn a_repair_fills_its_column_and_names_what_is_wrong_where_it_is_asked_for() {
+    let row = |arguments: &[&str]| {
+        let output = run(arguments, WRONG);
+        assert_eq!(output.status.code(), Some(0));
+        let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
+        reader.records().next().expect("a row").expect("a row")
+    };
+    let without = row(&["audit", "-", "--format", "csv"]);
+    assert_eq!((&without[8], &without[5]), ("", "does not follow from its premises"));
+    let with = row(&["audit", "-", "--repair", "--format", "csv"]);
+    let first = with[8].split(" ;; ").next();
+    assert_eq!(first, Some(r"$\overline{g} = d - r_B T_1$"), "{with:?}");
+    assert!(with[5].ends_with("wrong sign of the term `r_B T_1`"), "{with:?}");
+}
+
+#[test]
+fn the_first_repair_is_written_beside_the_original_and_over_no_input() {
+    let directory = std::env::temp_dir().join(format!("vibro-audit-mended-{}", std::process::id()));
+    std::fs::create_dir_all(&directory).unwrap();
+    let path = |name: &str| directory.join(name).display().to_string();
+    let (sheet, mended) = (path("sheet.toml"), path("mended.toml"));
+    std::fs::write(&sheet, WRONG).unwrap();
+    let refused = run(&["audit", &sheet, "--repair-into", &sheet], "");
+    assert_eq!(refused.status.code(), Some(2));
+    assert_eq!(std::fs::read_to_string(&sheet).unwrap(), WRONG);
+    assert_eq!(
+        run(&["audit", &sheet, "--repair-into", &mended], "").status.code(),
+        Some(0)
+    );
+    let written = std::fs::read_to_string(&mended).unwrap();
+    let comment = "# repair of (c): $\\overline{g} = d - r_B T_1$ (wrong sign of the term `r_B T_1`)\n";
+    assert!(written.contains(&format!("{comment}tex = ")), "{written}");
+    assert_eq!(written.replace(comment, ""), WRONG);
+    // what is written is audited as the original is
+    let verdicts = |path: &str| text(&run(&["audit", path, "--format", "csv"], "")).replace("15:8", "14:8");
+    assert_eq!(verdicts(&mended), verdicts(&sheet));
+    let document = path("paper.tex");
+    let tex =
+        "\\begin{equation} % audit: claim; symbols parameters x, y\n  (x + y)^2 = x^2 + 2 x y - y^2\n\\end{equation}\n";
+    std::fs::write(&document, tex).unwrap();
+    run(&["audit", &document, "--repair-into", &path("mended.tex")], "");
+    let written = std::fs::read_to_string(path("mended.tex")).unwrap();
+    assert!(
+        written.contains("\n  % repair of (1): $(x + y)^2 = x^2 + 2 x y + y^2$"),
+        "{written}"
+    );
+    std::fs::remove_dir_all(&directory).unwrap();
 }
 
 #[test]

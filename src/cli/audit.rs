@@ -1,6 +1,7 @@
 //! `vibro-audit audit [SHEET] [--explain LABEL] [--effort N] [--template]`.
 
-use super::source::{ANSWERS_AT_MOST, TOML_AT_MOST};
+use super::mended::{self, Comment};
+use super::source::{ANSWERS_AT_MOST, DOCUMENT_AT_MOST, TOML_AT_MOST};
 use super::verdicts::{Audited, Row, compare, exit, explained, table};
 use super::{Answer, Content, Exit, Failure, Options, Source, document};
 use crate::claim::{self, Fault, Sheet, Verdict};
@@ -28,8 +29,11 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=MOST_EFFORT))]
     effort: u64,
     /// Look for the smallest edits that make a refuted formula true: the column `repair`
-    #[arg(long)]
+    #[arg(long, conflicts_with = "explain")]
     repair: bool,
+    /// Write the sheet or document to this file, with the first repair of each refuted formula as a comment before it
+    #[arg(long, value_name = "FILE", conflicts_with = "explain")]
+    repair_into: Option<std::path::PathBuf>,
     /// Write each proof and each counterexample into this directory, as a Python script that checks itself with SymPy
     /// and mpmath
     #[arg(long, value_name = "DIR", conflicts_with = "explain")]
@@ -39,10 +43,10 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", conflicts_with = "explain")]
     baseline: Option<Source>,
     /// Print a sheet to start from, with every key explained
-    #[arg(long, conflicts_with_all = ["sheet", "explain", "effort", "proof"])]
+    #[arg(long, conflicts_with_all = ["sheet", "explain", "effort", "proof", "repair", "repair_into"])]
     template: bool,
     /// Print the sheet that a document is taken for, what is guessed of it included
-    #[arg(long, requires = "sheet", conflicts_with_all = ["explain", "effort", "proof"])]
+    #[arg(long, requires = "sheet", conflicts_with_all = ["explain", "effort", "proof", "repair", "repair_into"])]
     draft: bool,
 }
 
@@ -94,13 +98,19 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
             exit: document::exit(&document, Exit::AsExpected),
         });
     }
+    let text = match (&document, &arguments.sheet) {
+        (None, Some(source)) => source.read(TOML_AT_MOST)?,
+        (Some(_), Some(source)) if arguments.repair_into.is_some() => source.read(DOCUMENT_AT_MOST)?,
+        (None, None) => claim::EQUATIONS.to_owned(),
+        (Some(_), _) => String::new(),
+    };
+    let mended = global.beside(arguments.repair_into.as_ref())?;
     let sheet = match (&document, &arguments.sheet) {
         (Some(document), _) => {
             document::tell(document, &name);
             document.sheet(&vocabulary)
         }
-        (None, Some(source)) => Sheet::read(&source.read(TOML_AT_MOST)?, &vocabulary),
-        (None, None) => Sheet::read(claim::EQUATIONS, &vocabulary),
+        (None, _) => Sheet::read(&text, &vocabulary),
     };
     let sheet = sheet.map_err(in_sheet)?;
     let options = prove::Options {
@@ -113,7 +123,11 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
         Some(label) => explain(&sheet, label, &options).map_err(in_sheet),
         None => {
             let baseline = arguments.baseline.as_ref().map(known).transpose()?;
-            let mut rows = decide_sheet(&sheet, &name, &options, arguments.repair)?;
+            let mut rows = decide_sheet(&sheet, &name, &options, arguments.repair || mended.is_some())?;
+            if let Some(mended) = &mended {
+                let text = with_repairs(&text, &name, &sheet, &rows);
+                mended.write(|to| to.write_all(text.as_bytes()))?;
+            }
             if let (Some(baseline), Some(source)) = (&baseline, &arguments.baseline) {
                 tell_gone(&mut rows, &sheet, baseline, source)?;
             }
@@ -210,6 +224,13 @@ fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair: boo
         super::note(&format!("{name}: {fault}"));
     }
     Ok(rows)
+}
+
+/// The text of the sheet or document with the first repair of each formula as a comment.
+fn with_repairs(text: &str, name: &str, sheet: &Sheet, rows: &[Row]) -> String {
+    let repaired = sheet.rows().into_iter().zip(rows);
+    let said = repaired.filter_map(|(position, row)| mended::said(sheet, position, row.repairs.first()?));
+    mended::with_comments(text, Comment::of(name), &said.collect::<Vec<_>>())
 }
 
 /// Decides each claim, looks for witnesses and, where asked, for repairs, on all cores; in the order of the sheet.

@@ -61,7 +61,7 @@ pub enum Failure {
     #[error(transparent)]
     Advice(#[from] crate::accuracy::AdviceError),
     /// Two outputs for one file.
-    #[error("{0} cannot hold both the table and the drawing: name two files by --out and --plot")]
+    #[error("{0} cannot hold both the table and what stands beside it: name two files")]
     SameFile(String),
     /// The model by which numbers are chosen cannot be read.
     #[error("{0}: this is a fault of vibro-audit, please report it")]

@@ -9,6 +9,7 @@ mod document;
 mod exit;
 mod failure;
 mod golden;
+mod mended;
 #[cfg(test)]
 mod modelled;
 mod options;

@@ -39,11 +39,11 @@ impl Options {
         self.out.clone().map_or(Output::Stdout, Output::File)
     }
 
-    /// Where a drawing beside the table goes, if one is wanted; looked at before a long computation.
+    /// Where a file beside the table goes, if one is wanted; looked at before a long computation.
     ///
     /// # Errors
     /// A file that cannot be written, or that the table is to go to.
-    pub fn drawing(&self, file: Option<&PathBuf>) -> Result<Option<Output>, Failure> {
+    pub fn beside(&self, file: Option<&PathBuf>) -> Result<Option<Output>, Failure> {
         let Some(file) = file else {
             return Ok(None);
         };

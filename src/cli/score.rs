@@ -77,7 +77,7 @@ struct Run {
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
-    options.drawing(arguments.plot.as_ref())?;
+    options.beside(arguments.plot.as_ref())?;
     match &arguments.exec {
         Some(command) => by_program(arguments, command, options),
         None => by_file(arguments, options),

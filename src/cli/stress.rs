@@ -94,7 +94,7 @@ const CURVE_COLUMNS: [&str; 9] = [
 
 /// The curves, drawn where that is asked for.
 fn curve(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
-    let drawing = options.drawing(arguments.plot.as_ref())?;
+    let drawing = options.beside(arguments.plot.as_ref())?;
     let rows = curves(arguments.case.as_deref())?;
     if let Some(output) = drawing {
         let svg = extremes(&rows).svg()?;

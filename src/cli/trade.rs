@@ -62,7 +62,7 @@ fn measured(value: f64) -> f64 {
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
-    let drawing = options.drawing(arguments.plot.as_ref())?;
+    let drawing = options.beside(arguments.plot.as_ref())?;
     let tasks: Vec<Task> = arguments.task.map_or_else(|| Task::ALL.to_vec(), |task| vec![task]);
     let ordinary = TradeOptions::default();
     let asked = TradeOptions {

@@ -3,7 +3,7 @@
 use super::{Answer, Content, Exit, Failure, Options, check};
 use crate::claim::{Sheet, Source, Verdict};
 use crate::evidence::Evidence;
-use crate::prove::{self, Decision};
+use crate::prove::{self, Counterexample, Decision};
 use crate::reference::Outcome;
 use crate::repair::{Part as Place, Repair};
 use crate::report::{
@@ -137,7 +137,7 @@ pub fn table(rows: &[Row], sheet: &Sheet, format: Format) -> Result<Table, Failu
             Cell::from(decision.verdict.to_string()),
             Cell::from(row.expected().to_string()),
             Cell::from(digits.map(|digits| (digits * 10.0).round().max(0.0) / 10.0)),
-            Cell::from(decision.counterexample.as_ref().map(ToString::to_string)),
+            decision.counterexample.as_ref().map_or(Cell::Empty, values),
             Cell::from(row.reason()),
             Cell::from((!decision.provided.is_empty()).then(|| decision.provided.join("; "))),
             Cell::from(place),
@@ -147,6 +147,14 @@ pub fn table(rows: &[Row], sheet: &Sheet, format: Format) -> Result<Table, Failu
         table.push(cells.into_iter().take(shown).collect::<Vec<_>>())?;
     }
     Ok(table)
+}
+
+/// A counterexample as the column has it, and its values.
+fn values(counterexample: &Counterexample) -> Cell {
+    let sides = [("left", &counterexample.left), ("right", &counterexample.right)];
+    let sides = sides.map(|(name, value)| (name.to_owned(), value.clone()));
+    let values = counterexample.point.iter().cloned().chain(sides);
+    Cell::Values(counterexample.to_string(), values.collect())
 }
 
 /// Repairs as the column has them.
@@ -167,6 +175,10 @@ pub fn explained(sheet: &Sheet, row: &Row, options: &prove::Options) -> String {
     text
 }
 
+/// How `digits` is scaled.
+const DIGITS: &str = "digits: -log10 of |left - right| as a part of the larger side, where a side is as large as its terms \
+    together, each without its sign: 16 is equal in f64, 0 is no figure in common";
+
 /// The evidence in words.
 fn in_words(evidence: &Evidence) -> String {
     let mut lines = vec!["\nevidence, which shares no code with the above".to_string()];
@@ -178,6 +190,7 @@ fn in_words(evidence: &Evidence) -> String {
         _ if evidence.points > 0 => lines.push(format!("the inequality was tried at {} random points", evidence.points)),
         _ => lines.push("no point".to_string()),
     }
+    lines.extend(evidence.digits.map(|_| DIGITS.to_owned()));
     lines.extend((!evidence.worst.is_empty()).then(|| format!("worst point: {}", evidence.worst)));
     lines.extend(evidence.notes.iter().cloned());
     lines.extend(

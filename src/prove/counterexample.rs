@@ -19,8 +19,25 @@ pub struct Counterexample {
     pub right: String,
     /// The first figures of both sides, where these are real.
     pub decimals: (Option<String>, Option<String>),
-    /// The terms of the two sides with their values.
-    pub terms: Vec<(String, String)>,
+    /// The terms of the left and of the right side with their values, where there are several.
+    pub terms: (Vec<(String, String)>, Vec<(String, String)>),
+}
+
+/// A side of an equation at a point.
+#[derive(Clone, Debug)]
+pub struct Side {
+    pub value: String,
+    side: String,
+    terms: Vec<(String, String)>,
+}
+
+impl Side {
+    /// The side as it stands, and each of its terms, with what it is there; nothing of a number.
+    pub fn worked_out(&self) -> impl Iterator<Item = String> {
+        let whole = (self.side != self.value).then(|| format!("{} = {}", self.side, self.value));
+        let terms = self.terms.iter().map(|(term, value)| format!("  {term} = {value}"));
+        whole.into_iter().chain(terms)
+    }
 }
 
 impl fmt::Display for Counterexample {
@@ -59,17 +76,39 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// The premises that are no laws: the label and the values of both sides.
-    pub fn premises(&mut self) -> Vec<(String, String, String)> {
+    /// The premises that are no laws: the label and both sides.
+    pub fn premises(&mut self) -> Vec<(String, [Side; 2])> {
         let mut found = Vec::new();
         for given in self.statement().givens().to_vec() {
             if given.property == Property::Zero && given.law.is_none() {
-                let values = self.sides(given.term).map(|side| self.of(side));
-                let [left, right] = values.map(|value| tex(self.statement().terms(), value));
-                found.push((given.label, left, right));
+                let sides = self.sides(given.term).map(|side| Side {
+                    value: self.shown(side),
+                    side: tex(self.statement().terms(), side),
+                    terms: self.terms(side),
+                });
+                found.push((given.label, sides));
             }
         }
         found
+    }
+
+    /// The value of a term as TeX.
+    fn shown(&mut self, term: Term) -> String {
+        let value = self.of(term);
+        tex(self.statement().terms(), value)
+    }
+
+    /// The terms that a side is the sum of, abbreviations written out, each with its value.
+    fn terms(&mut self, side: Term) -> Vec<(String, String)> {
+        let side = self.statement().written_out(side);
+        let Node::Sum(parts) = self.statement().terms().node(side).clone() else {
+            return Vec::new();
+        };
+        let each = parts.into_iter().map(|part| {
+            let printed = tex(self.statement().terms(), part);
+            (printed, self.shown(part))
+        });
+        each.collect()
     }
 
     /// The first figures of the value of a term, as an enclosure of 40 digits has them.
@@ -167,19 +206,7 @@ pub fn at(witness: &With<Witness>, relation: Relation) -> Option<Counterexample>
         if property == Property::Zero && left == right {
             continue;
         }
-        let mut terms = Vec::new();
-        for side in [first, second] {
-            let side = values.statement().written_out(side);
-            if let Node::Sum(parts) = values.statement().terms().node(side).clone() {
-                for part in parts {
-                    let found = values.of(part);
-                    terms.push((
-                        tex(values.statement().terms(), part),
-                        tex(values.statement().terms(), found),
-                    ));
-                }
-            }
-        }
+        let terms = (values.terms(first), values.terms(second));
         let decimals = (values.decimal(first), values.decimal(second));
         return Some(Counterexample {
             point,
@@ -215,7 +242,7 @@ mod tests {
             left: "2".to_string(),
             right: "3".to_string(),
             decimals: (None, None),
-            terms: Vec::new(),
+            terms: (Vec::new(), Vec::new()),
         };
         assert_eq!(counterexample.to_string(), "r_B=1/2; T=2; left=2; right=3");
     }

@@ -5,10 +5,12 @@ use super::counterexample::Values;
 use super::print::tex;
 use super::script::{Found, decided};
 use super::{Decision, Options};
+use crate::algebra::{coefficients_in, degree_in};
 use crate::claim::{Sheet, Verdict};
 use crate::kernel::{
-    Axiom, Certificate, Checker, Fact, Inference, LawSource, Polynomial, Property, Statement, With, Witness,
+    Axiom, Certificate, Checker, Fact, Inference, LawSource, Polynomial, Property, Statement, Term, With, Witness,
 };
+use crate::number::{Field, Rational};
 use crate::tex::Relation;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -58,6 +60,19 @@ struct Proof {
     combinations: Vec<BTreeMap<usize, Polynomial>>,
     /// For each goal, its numerator and the fact that shows it.
     goals: Vec<(Property, Polynomial, Option<usize>)>,
+    /// The numbers that the facts have as steps for readers.
+    numbers: BTreeMap<usize, usize>,
+}
+
+/// A fact that is inserted into what is to be shown.
+struct Insertion {
+    fact: usize,
+    coefficient: Polynomial,
+    /// The fact solved for a generator, and this.
+    solved: Option<String>,
+    pivot: Option<String>,
+    /// What remains to be shown to be 0.
+    rest: Polynomial,
 }
 
 impl Proof {
@@ -102,6 +117,7 @@ impl Proof {
             laws,
             combinations,
             goals,
+            numbers: BTreeMap::new(),
         }
     }
 
@@ -124,30 +140,106 @@ impl Proof {
                 open.extend(self.below(&self.facts[fact].1).range(..fact));
             }
         }
+        self.numbers = shown.iter().copied().zip(1..).collect();
+        let ways: Vec<Vec<Insertion>> = goals.iter().map(|(.., fact)| self.insertions(*fact)).collect();
         lines.push(format!(
-            "\nproof, by a certificate of {steps} steps that the kernel accepts"
+            "\nproof, from a certificate of {steps} steps that the kernel accepts; [n] is what step n says to be 0"
         ));
         for &number in &shown {
             let (fact, step) = self.facts[number].clone();
             let polynomial = self.polynomial(&fact.polynomial);
-            lines.push(format!("  [{number}]  {polynomial} {}", relation(fact.property)));
-            lines.push(format!("         {}", self.source(&step)));
-        }
-        for (property, numerator, fact) in goals {
-            let printed = self.polynomial(&numerator);
+            let source = self.source(&step);
             lines.push(format!(
-                "so N {}, for the numerator of left - right is\n  N = {printed}",
-                relation(property)
+                "  {}. {source}:\n     {polynomial} {}",
+                self.numbers[&number],
+                relation(fact.property)
             ));
-            lines.push(match fact {
-                None => "  by itself, when multiplied out".into(),
-                Some(fact) => {
-                    let factor = ratio(&self.facts[fact].0.polynomial, &numerator);
-                    let sum = self.sum(&self.combinations[fact].clone());
-                    format!("  {factor}N = {sum}")
-                }
+            let solved = ways
+                .iter()
+                .flatten()
+                .find(|way| way.fact == number && way.solved.is_some());
+            if let Some(solved) = solved.and_then(|way| way.solved.clone()) {
+                lines.push(format!("     so {solved}"));
+            }
+        }
+        let mut next = shown.len() + 1;
+        for ((property, numerator, fact), ways) in goals.into_iter().zip(ways) {
+            let printed = self.polynomial(&numerator);
+            let is_zero = relation(property);
+            lines.push(format!(
+                "  {next}. It is to be shown that N {is_zero}, where N is the numerator of left - right:\n     N = {printed}"
+            ));
+            next += 1;
+            let Some(fact) = fact else {
+                lines.push(format!("     N {is_zero} by itself, when multiplied out"));
+                continue;
+            };
+            let factor = ratio(&self.facts[fact].0.polynomial, &numerator);
+            for way in ways {
+                let of = self.numbers[&way.fact];
+                let how = match way.pivot {
+                    Some(pivot) => format!("Insert {pivot} from step {of}"),
+                    None => format!("Take ({}) [{of}] off", self.polynomial(&way.coefficient)),
+                };
+                let rest = self.polynomial(&way.rest);
+                lines.push(format!("  {next}. {how}:\n     {factor}N = {rest}"));
+                next += 1;
+            }
+            let sum = self.sum(&self.combinations[fact].clone());
+            lines.push(format!("  so N {is_zero}, for in one line\n     {factor}N = {sum}"));
+        }
+    }
+
+    /// What is inserted in turn into the numerator that a fact is, until nothing remains of it: where that can be, a fact
+    /// solved for a generator that then is gone.
+    fn insertions(&mut self, fact: Option<usize>) -> Vec<Insertion> {
+        let Some(fact) = fact.filter(|fact| self.facts[*fact].0.property == Property::Zero) else {
+            return Vec::new();
+        };
+        let mut open: Vec<(usize, Polynomial)> = self.combinations[fact].clone().into_iter().collect();
+        let mut rest = self.facts[fact].0.polynomial.clone();
+        let mut found = Vec::new();
+        if open.iter().all(|(number, _)| *number == fact) {
+            return found;
+        }
+        while !open.is_empty() {
+            let next = open.iter().enumerate().find_map(|(place, (number, coefficient))| {
+                let polynomial = &self.facts[*number].0.polynomial;
+                let after = rest.minus(&coefficient.times_within(polynomial, MOST_TERMS * MOST_TERMS)?);
+                let is_gone = |pivot: &Term| {
+                    let lead = coefficients_in(polynomial, *pivot);
+                    let is_solved = lead.len() == 2 && lead.last().and_then(Polynomial::as_constant).is_some();
+                    is_solved && degree_in(&rest, *pivot) > 0 && degree_in(&after, *pivot) == 0
+                };
+                let pivot = polynomial.generators().into_iter().find(is_gone)?;
+                Some((place, Some(pivot)))
+            });
+            let (place, pivot) = next.unwrap_or((0, None));
+            let (number, coefficient) = open.remove(place);
+            let polynomial = self.facts[number].0.polynomial.clone();
+            rest = rest.minus(&coefficient.times(&polynomial));
+            let solved = pivot.and_then(|pivot| self.solved(&polynomial, pivot));
+            let pivot = pivot.map(|pivot| tex(self.statement.terms(), pivot));
+            found.push(Insertion {
+                fact: number,
+                coefficient,
+                solved,
+                pivot,
+                rest: rest.clone(),
             });
         }
+        found
+    }
+
+    /// A polynomial that is 0, solved for a generator that it is linear in.
+    fn solved(&mut self, polynomial: &Polynomial, pivot: Term) -> Option<String> {
+        let coefficients = coefficients_in(polynomial, pivot);
+        let [others, lead] = coefficients.as_slice() else {
+            return None;
+        };
+        let value = others.scaled(&(-<Rational as Field>::from_integer(1) / lead.as_constant()?));
+        let value = self.polynomial(&value);
+        Some(format!("{} = {value}", tex(self.statement.terms(), pivot)))
     }
 
     fn polynomial(&mut self, polynomial: &Polynomial) -> String {
@@ -164,8 +256,8 @@ impl Proof {
     /// A linear combination of facts, as `(-r_T) [1] + [2]`.
     fn sum(&mut self, terms: &BTreeMap<usize, Polynomial>) -> String {
         let part = |(fact, coefficient): (&usize, &Polynomial)| match self.polynomial(coefficient).as_str() {
-            "1" => format!("[{fact}]"),
-            coefficient => format!("({coefficient}) [{fact}]"),
+            "1" => format!("[{}]", self.number(*fact)),
+            coefficient => format!("({coefficient}) [{}]", self.number(*fact)),
         };
         let parts: Vec<String> = terms.iter().map(part).collect();
         if parts.is_empty() {
@@ -173,6 +265,11 @@ impl Proof {
         } else {
             parts.join(" + ")
         }
+    }
+
+    /// The number of a fact as a step for readers.
+    fn number(&self, fact: usize) -> usize {
+        self.numbers.get(&fact).copied().unwrap_or_default()
     }
 
     fn given(&self, number: usize) -> String {
@@ -202,42 +299,43 @@ impl Proof {
     fn source(&mut self, step: &Inference) -> String {
         let print = |term| tex(self.statement.terms(), term);
         let below = self.below(step);
-        let facts: Vec<String> = below.iter().map(|fact| format!("[{fact}]")).collect();
-        let by = |how: &str| match facts.is_empty() {
-            true => how.to_string(),
-            false => format!("{how}, with {}", facts.join(", ")),
+        let facts: Vec<String> = below.iter().map(|fact| self.number(*fact).to_string()).collect();
+        let by = |how: &str| match facts.as_slice() {
+            [] => how.to_string(),
+            [one] => format!("{how}, with step {one}"),
+            _ => format!("{how}, with the steps {}", facts.join(", ")),
         };
         match step {
-            Inference::Given(number) => format!("given: {}", self.given(*number)),
-            Inference::Law { source, at: None } => format!("given: {}", self.law(*source)),
-            Inference::Law { source, at: Some(at) } => format!("given: {}, at {}", self.law(*source), print(*at)),
-            Inference::Axiom(axiom) => format!("axiom: {}", described(axiom)),
+            Inference::Given(number) => format!("By {}", self.given(*number)),
+            Inference::Law { source, at: None } => format!("By {}", self.law(*source)),
+            Inference::Law { source, at: Some(at) } => format!("By {}, at {}", self.law(*source), print(*at)),
+            Inference::Axiom(axiom) => format!("By the axiom: {}", described(axiom)),
             Inference::Zero {
                 power,
                 squares,
                 factors,
                 ..
             } => by(match (power, squares.len(), factors.len()) {
-                (1, 0, 0) => "a linear combination",
-                (_, 0, _) => "a power of it, or a multiple by what is not 0, is a linear combination",
-                _ => "the sum of it and of squares is a linear combination",
+                (1, 0, 0) => "By a linear combination",
+                (_, 0, _) => "As a power of it, or a multiple by what is not 0, is a linear combination",
+                _ => "As the sum of it and of squares is a linear combination",
             }),
-            Inference::Nonzero { .. } => by("it divides a product of factors that are not 0"),
-            Inference::Sign { .. } => by("a sum of squares and of products of what has a sign"),
-            Inference::Squeezed { .. } => by("neither positive nor negative"),
+            Inference::Nonzero { .. } => by("As it divides a product of factors that are not 0"),
+            Inference::Sign { .. } => by("As a sum of squares and of products of what has a sign"),
+            Inference::Squeezed { .. } => by("As neither positive nor negative"),
             Inference::Congruence { left, right } => {
-                format!("equal arguments of {} and {}", print(*left), print(*right))
+                format!("By equal arguments of {} and {}", print(*left), print(*right))
             }
             Inference::Cases { on, order, .. } => {
                 let cases = if *order { "positive, 0 or negative" } else { "0 or not" };
-                let how = format!("in every case: {cases} is\n         {}", self.polynomial(on));
+                let how = format!("In every case: {cases} is\n         {}", self.polynomial(on));
                 by(&how)
             }
-            Inference::Generic(term) => format!("generic symbols: {} is not 0", print(*term)),
+            Inference::Generic(term) => format!("For generic symbols {} is not 0", print(*term)),
             Inference::Along { equation, by, .. } => {
                 let by = self.statement.terms().symbol_name(*by);
                 format!(
-                    "{} along the map, differentiated with respect to {by}",
+                    "By {} along the map, differentiated with respect to {by}",
                     self.given(*equation)
                 )
             }
@@ -350,21 +448,21 @@ fn refutation(witness: &With<Witness>, relation: Relation, lines: &mut Vec<Strin
         return;
     };
     lines.push("there the premises are".into());
-    lines.extend(
-        values
-            .premises()
-            .iter()
-            .map(|(label, left, right)| format!("  ({label})  {left} = {right}")),
-    );
+    for (label, [left, right]) in values.premises() {
+        lines.push(format!("  ({label})  {} = {}", left.value, right.value));
+        for side in [left, right] {
+            lines.extend(side.worked_out().map(|line| format!("        {line}")));
+        }
+    }
     lines.push("and the claim is".into());
-    for (side, value, decimal) in [
-        ("left ", found.left, found.decimals.0),
-        ("right", found.right, found.decimals.1),
+    for (side, value, decimal, terms) in [
+        ("left ", found.left, found.decimals.0, found.terms.0),
+        ("right", found.right, found.decimals.1, found.terms.1),
     ] {
         let decimal = decimal
             .filter(|_| value.contains('\\'))
             .map_or(String::new(), |decimal| format!(", about {decimal}"));
         lines.push(format!("  {side} = {value}{decimal}"));
+        lines.extend(terms.iter().map(|(term, value)| format!("    {term} = {value}")));
     }
-    lines.extend(found.terms.iter().map(|(term, value)| format!("    {term} = {value}")));
 }

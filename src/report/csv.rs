@@ -37,7 +37,7 @@ impl Printer for Records {
 /// A spreadsheet executes what begins with `=`, `@`, a tab or a line break, and after a sign what calls a function or
 /// another program or is a sum of numbers and cells; a number alone and TeX after a sign are none.
 fn harmless(cell: &Cell) -> Cow<'_, str> {
-    let Cell::Text(text) = cell else {
+    let (Cell::Text(text) | Cell::Values(text, _)) = cell else {
         return field(cell);
     };
     let is_executed = match text.chars().next() {
@@ -71,7 +71,7 @@ fn calls(text: &str) -> bool {
 /// The cell without any quoting.
 pub fn field(cell: &Cell) -> Cow<'_, str> {
     match cell {
-        Cell::Text(text) => Cow::Borrowed(text),
+        Cell::Text(text) | Cell::Values(text, _) => Cow::Borrowed(text),
         Cell::Number(number) => Cow::Owned(whole(*number)),
         Cell::Numbers(numbers) => Cow::Owned(whole_list(numbers)),
         Cell::Decimal(decimal) => Cow::Borrowed(decimal.as_str()),

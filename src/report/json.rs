@@ -72,15 +72,27 @@ impl Serialize for Row<'_> {
         let mut map = serializer.serialize_map(Some(self.cells.len()))?;
         for (column, cell) in self.columns.iter().zip(self.cells) {
             map.serialize_entry(&column.name, cell)?;
+            if let Cell::Values(_, values) = cell {
+                map.serialize_entry(&format!("{}_values", column.name), &Object(values))?;
+            }
         }
         map.end()
+    }
+}
+
+/// Values by their names, in their order.
+struct Object<'a>(&'a [(String, String)]);
+
+impl Serialize for Object<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
     }
 }
 
 impl Serialize for Cell {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
-            Self::Text(text) => serializer.serialize_str(text),
+            Self::Text(text) | Self::Values(text, _) => serializer.serialize_str(text),
             Self::Number(number) => Finite(*number).serialize(serializer),
             Self::Numbers(numbers) => {
                 let mut list = serializer.serialize_seq(Some(numbers.len()))?;
@@ -132,6 +144,22 @@ mod tests {
         let mut bytes = Vec::new();
         table.write(&mut bytes, Format::Json, 12).unwrap();
         let expected = "[\n{\"z\":1,\"a\":\"NaN\",\"list\":[0.5,\"inf\"],\"none\":null,\"flag\":true}\n]\n";
+        assert_eq!(String::from_utf8(bytes).unwrap(), expected);
+    }
+
+    #[test]
+    fn values_are_an_object_under_a_key_of_their_own() {
+        let mut table = Table::new(["point", "b"]);
+        let values = vec![
+            ("x".to_owned(), "1/2".to_owned()),
+            (r"F(\pi)".to_owned(), "2".to_owned()),
+        ];
+        table
+            .push([Cell::Values("x=1/2".to_owned(), values), Cell::Empty])
+            .unwrap();
+        let mut bytes = Vec::new();
+        table.write(&mut bytes, Format::Json, 12).unwrap();
+        let expected = "[\n{\"point\":\"x=1/2\",\"point_values\":{\"x\":\"1/2\",\"F(\\\\pi)\":\"2\"},\"b\":null}\n]\n";
         assert_eq!(String::from_utf8(bytes).unwrap(), expected);
     }
 

@@ -8,8 +8,11 @@ use std::io::{self, Write};
 /// One value of a row.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub enum Cell {
-    /// Words, a formula, a counterexample.
+    /// Words, a formula.
     Text(String),
+    /// Words that say what symbols are, and these values by their names; in JSON, beside the words, an object under the name
+    /// of the column with `_values` behind it.
+    Values(String, Vec<(String, String)>),
     /// A number; infinities and NaN are written `inf`, `-inf`, `NaN`.
     Number(f64),
     /// The numbers of one motion in word order: joined by `;`, in JSON an array.

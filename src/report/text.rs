@@ -209,7 +209,7 @@ fn break_line(text: &str, room: usize, keep: usize) -> (&str, &str) {
 
 fn show(cell: &Cell, digits: usize) -> String {
     match cell {
-        Cell::Text(text) => one_line(text),
+        Cell::Text(text) | Cell::Values(text, _) => one_line(text),
         Cell::Number(number) => rounded(*number, digits),
         Cell::Numbers(numbers) => {
             let numbers: Vec<String> = numbers.iter().map(|&number| rounded(number, digits)).collect();
