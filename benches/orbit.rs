@@ -6,7 +6,7 @@ mod work;
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use vibro_audit::number::Interval;
-use vibro_audit::orbit::{Condition, Conditioned, OneOneBranches, newton_one_one_bifurcation, prove};
+use vibro_audit::orbit::{BifurcationCondition, ConditionedOneOne, OneOneBranches, newton_one_one_bifurcation, prove};
 use vibro_audit::scene::{self, Scene};
 
 fn orbits(criterion: &mut Criterion) {
@@ -32,10 +32,10 @@ fn sweeps(criterion: &mut Criterion) {
         });
     });
     criterion.bench_function("every bifurcation of Fig. 2", |b| b.iter(|| prepared.bifurcations()));
-    let system = Conditioned {
+    let system = ConditionedOneOne {
         family: &setting,
         periods: 1,
-        condition: Condition::MultiplierMinusOne,
+        condition: BifurcationCondition::MultiplierMinusOne,
         apart: Vec::new(),
     };
     let guess = [1.3, 2.2, 0.26];

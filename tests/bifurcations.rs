@@ -7,7 +7,8 @@ use std::f64::consts::{PI, TAU};
 use vibro_audit::model::{Motion, MotionError, Side};
 use vibro_audit::number::{Analytic, Interval};
 use vibro_audit::orbit::{
-    BifurcationKind, Family, FoundOrbits, Instant, OneOneBranches, OrbitKind, Parameters, RoundedOrbit, Word, find,
+    BifurcationKind, BifurcationPoint, Family, FoundOrbits, OneOneBranches, OrbitKind, Parameters, RoundedOrbit, Word,
+    find,
 };
 
 /// g in hundred thousandths, restitutions in hundredths, so that they are the same in every number.
@@ -58,7 +59,7 @@ struct Sweep {
     family: Along,
     periods: u32,
     range: [f64; 2],
-    events: Vec<Instant>,
+    events: Vec<BifurcationPoint>,
 }
 
 impl Sweep {
@@ -109,8 +110,8 @@ fn sweeps() -> Vec<Sweep> {
 static SWEEPS: std::sync::LazyLock<Vec<Sweep>> = std::sync::LazyLock::new(sweeps);
 
 /// How many orbits an event makes or ends.
-fn change(event: &Instant) -> usize {
-    match event.event {
+fn change(event: &BifurcationPoint) -> usize {
+    match event.kind {
         BifurcationKind::Fold | BifurcationKind::SymmetryBreaking => 2,
         // the other orbits that graze pass through the wall and are listed on both sides
         BifurcationKind::Grazing if event.trace.is_infinite() => 1,
@@ -142,7 +143,7 @@ fn orbits_change_in_number_at_folds_symmetry_breakings_and_velocities_of_0_alone
             );
         }
         for (pair, ends) in counts.windows(2).zip(grid.windows(2)) {
-            let between: Vec<&Instant> = events
+            let between: Vec<&BifurcationPoint> = events
                 .iter()
                 .filter(|event| ends[0] < event.d && event.d < ends[1] && change(event) > 0)
                 .collect();
@@ -199,7 +200,7 @@ fn apart(one: &RoundedOrbit, other: &RoundedOrbit) -> f64 {
 }
 
 /// The orbit nearest to the motion of an event, in times and velocities.
-fn nearest(orbits: &[RoundedOrbit], event: &Instant) -> Option<RoundedOrbit> {
+fn nearest(orbits: &[RoundedOrbit], event: &BifurcationPoint) -> Option<RoundedOrbit> {
     let distance = |row: &&RoundedOrbit| {
         let times = (row.times[0] - event.times[0]).abs();
         let velocities: f64 = (0..2).map(|i| (row.velocities[i] - event.velocities[i]).abs()).sum();
@@ -216,20 +217,20 @@ fn the_trace_crosses_its_level_and_the_clearance_0_at_each_event() {
     for sweep in SWEEPS.iter() {
         for event in &sweep.events {
             let step = 1e-7;
-            let alone = |other: &&Instant| (other.d - event.d).abs() < 4.0 * step;
+            let alone = |other: &&BifurcationPoint| (other.d - event.d).abs() < 4.0 * step;
             if sweep.events.iter().filter(alone).count() > 1 {
                 continue;
             }
             let sides = [-step, step].map(|step| sweep.family.found(event.d + step, sweep.periods));
             let near = [0, 1].map(|side| nearest(&sides[side], event));
             let what = || format!("{:?} {event:?}", sweep.family);
-            match (event.event, &near) {
+            match (event.kind, &near) {
                 (BifurcationKind::PeriodDoubling | BifurcationKind::NodeFocus, [Some(below), Some(above)]) => {
                     let signs = [below, above].map(|row| row.trace - event.trace);
                     assert!(signs[0] * signs[1] < 0.0, "{signs:?}: {}", what());
                     let size = signs[0].abs() + signs[1].abs();
                     assert!(size < 1e-2 * (1.0 + event.trace.abs()), "{signs:?}: {}", what());
-                    if event.event == BifurcationKind::NodeFocus {
+                    if event.kind == BifurcationKind::NodeFocus {
                         assert_ne!(below.kind, above.kind, "{}", what());
                     } else {
                         // without a loss nothing is stable, but the multipliers still leave the circle
@@ -273,7 +274,7 @@ fn each_event_satisfies_its_own_equation_in_its_range_and_is_listed_once() {
         let [r_b, r_t] = [sweep.family.r_b, sweep.family.r_t].map(|hundredths| hundredths as f64 / 100.0);
         let (sum, twice) = (1.0 + (r_b * r_t).powi(2), 2.0 * r_b * r_t);
         for (index, event) in sweep.events.iter().enumerate() {
-            let holds = match event.event {
+            let holds = match event.kind {
                 BifurcationKind::PeriodDoubling => (event.trace + sum).abs() < 1e-14,
                 BifurcationKind::Fold | BifurcationKind::SymmetryBreaking => (event.trace - sum).abs() < 1e-14,
                 BifurcationKind::NodeFocus => (event.trace.abs() - twice).abs() < 1e-14,
@@ -290,7 +291,7 @@ fn each_event_satisfies_its_own_equation_in_its_range_and_is_listed_once() {
             let [from, to] = sweep.range;
             assert!((from..=to).contains(&event.d), "{:?} {event:?}", sweep.family);
             let twin = sweep.events[..index].iter().find(|other| {
-                let same = other.event == event.event && (other.d - event.d).abs() < 1e-12;
+                let same = other.kind == event.kind && (other.d - event.d).abs() < 1e-12;
                 same && (0..2).all(|i| (other.times[i] - event.times[i]).abs() < 1e-12)
                     && (0.5 * (other.phases[0] - event.phases[0])).sin().abs() < 1e-12
             });
@@ -311,10 +312,10 @@ fn the_mirrored_family_has_the_mirrored_events() {
         let images = Sweep::new(family.mirrored(), *periods, *range).events;
         assert_eq!(images.len(), events.len(), "{family:?}");
         for event in events {
-            let is_image = |image: &&Instant| {
+            let is_image = |image: &&BifurcationPoint| {
                 let near = |a: f64, b: f64| (a - b).abs() < 1e-14 * (1.0 + a.abs());
                 let half = 0.5 * (image.phases[0] - event.phases[1] - PI);
-                image.event == event.event
+                image.kind == event.kind
                     && near(image.d, event.d)
                     && near(image.times[0], event.times[1])
                     && near(image.velocities[0], -event.velocities[1])
@@ -339,7 +340,7 @@ fn a_weightless_equal_pair_grazes_both_walls_at_once_and_that_is_told() {
         assert!(open.is_empty(), "{open:?}");
         let at = 2.0 / (PI * PI);
         let there = events.iter().filter(|event| (event.d - at).abs() < 1e-15);
-        let graze = there.filter(|event| event.event == BifurcationKind::Grazing && event.admissible);
+        let graze = there.filter(|event| event.kind == BifurcationKind::Grazing && event.admissible);
         assert!(graze.count() >= 1, "{r_b} {r_t} {periods}");
     }
 }
@@ -426,7 +427,7 @@ fn the_bifurcations_that_another_program_found_are_found_to_every_digit() {
         };
         let sweep = SWEEPS.iter().find(is_family).expect("a sweep");
         let known = sweep.events.iter().filter(|event| {
-            event.event.to_string() == fields[3]
+            event.kind.to_string() == fields[3]
                 && is_printed(event.d, fields[4])
                 && (fields[5] == "-" || event.admissible == (fields[5] == "yes"))
         });
@@ -447,7 +448,7 @@ fn every_parameter_type_gives_the_same_motion() {
 fn events(family: &Along, periods: u32, range: [f64; 2]) -> Vec<(BifurcationKind, f64)> {
     let (events, open) = prepared(family, periods, range).bifurcations();
     assert!(open.is_empty(), "{family:?} {range:?} {open:?}");
-    events.iter().map(|event| (event.event, event.parameter)).collect()
+    events.iter().map(|event| (event.kind, event.parameter)).collect()
 }
 
 #[test]

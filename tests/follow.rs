@@ -3,7 +3,9 @@
 use std::f64::consts::PI;
 use vibro_audit::model::{Forcing, Impact, Motion, Side, next_impact};
 use vibro_audit::number::Interval;
-use vibro_audit::orbit::{BifurcationKind, Family, Moment, OneOneBranches, RoundedOrbit, Word, WordBranches, find};
+use vibro_audit::orbit::{
+    BifurcationKind, BifurcationPoint, Family, OneOneBranches, RoundedOrbit, Word, WordBranches, find,
+};
 
 const G: f64 = 0.12201;
 
@@ -24,7 +26,7 @@ fn at(followed: &WordBranches<&Motion<f64>>, d: f64) -> Vec<RoundedOrbit> {
 }
 
 /// How far a motion is from an event, in its times and velocities.
-fn apart(orbit: &RoundedOrbit, moment: &Moment) -> f64 {
+fn apart(orbit: &RoundedOrbit, moment: &BifurcationPoint) -> f64 {
     let listed = |values: &[f64], first: usize| -> Vec<f64> {
         values.iter().cycle().skip(first).take(values.len()).copied().collect()
     };
@@ -86,7 +88,7 @@ fn continuation_loses_no_motion_that_a_search_at_the_value_finds() {
 fn each_event_is_seen_in_the_motions_on_both_sides_of_it() {
     let family = family(G, 0.6, 0.3);
     let followed = followed(&family, "BTT", 1);
-    let moments = followed.moments();
+    let moments = followed.bifurcations();
     let determinant: f64 = (0.6_f64 * 0.3 * 0.3).powi(2);
     let mut kinds = Vec::new();
     for moment in &moments {
@@ -97,7 +99,7 @@ fn each_event_is_seen_in_the_motions_on_both_sides_of_it() {
             near.filter(|orbit| apart(orbit, moment) < 0.05).collect::<Vec<_>>()
         });
         let traces = || (below[0].trace, above[0].trace);
-        match moment.event {
+        match moment.kind {
             BifurcationKind::Fold => assert_eq!(below.len().abs_diff(above.len()), 2, "{moment:?}"),
             BifurcationKind::PeriodDoubling => {
                 let (one, other) = traces();
@@ -116,7 +118,7 @@ fn each_event_is_seen_in_the_motions_on_both_sides_of_it() {
             }
             BifurcationKind::SymmetryBreaking => panic!("{moment:?}"),
         }
-        kinds.push(moment.event);
+        kinds.push(moment.kind);
     }
     for kind in [
         BifurcationKind::Fold,
@@ -132,7 +134,7 @@ fn each_event_is_seen_in_the_motions_on_both_sides_of_it() {
 fn three_impacts_a_period_are_born_where_the_pair_grazes() {
     let family = family(G, 0.6, 0.3);
     let followed = followed(&family, "BTT", 1);
-    let moments = followed.moments();
+    let moments = followed.bifurcations();
     let mut born = moments.iter().filter(|moment| moment.trace.is_infinite());
     let born = born.next().expect("an end at an impact of velocity 0");
     // another system of equations, with a proof of its own, that all events are found
@@ -141,9 +143,9 @@ fn three_impacts_a_period_are_born_where_the_pair_grazes() {
     assert!(open.is_empty());
     let mut grazing = instants
         .iter()
-        .filter(|instant| instant.event == BifurcationKind::Grazing);
+        .filter(|instant| instant.kind == BifurcationKind::Grazing);
     assert!(grazing.any(|instant| (instant.parameter - born.parameter).abs() < 1e-15));
-    assert_eq!((born.event, born.velocities[2]), (BifurcationKind::Grazing, 0.0));
+    assert_eq!((born.kind, born.velocities[2]), (BifurcationKind::Grazing, 0.0));
     assert!((born.parameter - 0.2612231724143).abs() < 1e-13);
 }
 
@@ -169,7 +171,7 @@ fn the_ball_moves_as_an_event_says() {
     let determinant: f64 = (0.6_f64 * 0.3 * 0.3).powi(2);
     let mut told = 0;
     for moment in followed
-        .moments()
+        .bifurcations()
         .iter()
         .filter(|moment| moment.clearance > 1e-3 && moment.trace.is_finite())
     {
@@ -187,7 +189,7 @@ fn the_ball_moves_as_an_event_says() {
             (moved(step) - moved(-step)) / (2.0 * step)
         };
         let trace = slope(0) + slope(1);
-        let level = match moment.event {
+        let level = match moment.kind {
             BifurcationKind::PeriodDoubling => -(1.0 + determinant),
             BifurcationKind::Fold => 1.0 + determinant,
             _ => 2.0 * determinant.sqrt() * trace.signum(),
@@ -202,12 +204,12 @@ fn the_ball_moves_as_an_event_says() {
 fn twice_the_pair_appears_where_its_period_doubles() {
     let family = family(G, 0.5, 0.5);
     let followed = followed(&family, "BTBT", 2);
-    let moments = followed.moments();
+    let moments = followed.bifurcations();
     let double = 0.25107018538986923;
     let at_end = moments.iter().find(|moment| (moment.parameter - double).abs() < 1e-15);
     let at_end = at_end.expect("the end of the branch");
     assert_eq!(
-        (at_end.event, at_end.word.clone()),
+        (at_end.kind, at_end.word.clone()),
         (BifurcationKind::PeriodDoubling, word("BTBT"))
     );
     assert!(at_end.error_bound.is_some_and(|bound| bound < 1e-14));
@@ -221,14 +223,14 @@ fn twice_the_pair_appears_where_its_period_doubles() {
 fn a_mirrored_family_has_the_same_events() {
     let (family, mirrored) = (family(G, 0.6, 0.3), family(-G, 0.3, 0.6));
     let (some, other) = (
-        followed(&family, "BTT", 1).moments(),
-        followed(&mirrored, "BBT", 1).moments(),
+        followed(&family, "BTT", 1).bifurcations(),
+        followed(&mirrored, "BBT", 1).bifurcations(),
     );
     assert_eq!(some.len(), other.len());
     for (one, other) in some.iter().zip(&other) {
-        assert_eq!(one.event, other.event);
+        assert_eq!(one.kind, other.kind);
         assert!((one.parameter - other.parameter).abs() < 1e-14);
-        let speeds = |moment: &Moment| {
+        let speeds = |moment: &BifurcationPoint| {
             let mut speeds: Vec<f64> = moment.velocities.iter().map(|velocity| velocity.abs()).collect();
             speeds.sort_by(f64::total_cmp);
             speeds

@@ -10,9 +10,7 @@ use std::f64::consts::{PI, TAU};
 use std::sync::LazyLock;
 use vibro_audit::model::{Flight, Forcing, Impact, Motion, Passage, Side, next_impact};
 use vibro_audit::number::{Analytic, DoubleDouble, Dual, Field, Interval, Sequence, seeded};
-use vibro_audit::orbit::{
-    Equations, FoundOrbits, OneOneEquations, OrbitKind, RoundedOrbit, SearchLimits, Word, find, isolate,
-};
+use vibro_audit::orbit::{FoundOrbits, OneOneEquations, OrbitKind, RoundedOrbit, SearchLimits, Word, find, isolate};
 
 /// A motion, the most periods, and all its orbits.
 struct Case {
@@ -567,7 +565,7 @@ fn counted(case: &Case) -> Result<(), String> {
             finest: 1e-16,
             most_cells: 400_000,
         };
-        let isolation = isolate(&Equations(&balance), cells.collect(), Vec::new(), limits);
+        let isolation = isolate(&balance, cells.collect(), Vec::new(), limits);
         ensure(isolation.is_complete(), || {
             format!("{} undecided", isolation.undecided.len())
         })?;

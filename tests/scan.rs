@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use vibro_audit::model::Motion;
 use vibro_audit::number::{Analytic, Field, Interval, Sequence, Wide};
-use vibro_audit::orbit::{BifurcationKind, Instant, OneOneBranches, OpenBifurcation};
+use vibro_audit::orbit::{BifurcationKind, BifurcationPoint, OneOneBranches, OpenBifurcation};
 
 type Digits = Wide<60>;
 
@@ -300,9 +300,9 @@ fn examined(seed: u64, fine: u32) -> Outcome {
     // far wider than f64 tells a gap, far closer than two events of a kind were ever seen
     let same = |one: f64, other: f64| (one / other - 1.0).abs() < 1e-9;
     // grazing is a matter of clearance; where both flights last as long, a device without loss leaves the velocity free
-    let is_scanned = |instant: &&Instant| {
+    let is_scanned = |instant: &&BifurcationPoint| {
         let is_free = !device.has_loss() && (instant.times[0] - instant.times[1]).abs() < 1e-9;
-        instant.event != BifurcationKind::Grazing && !is_free
+        instant.kind != BifurcationKind::Grazing && !is_free
     };
     let is_complete = open.is_empty();
     let mut wrong = Vec::new();
@@ -318,14 +318,14 @@ fn examined(seed: u64, fine: u32) -> Outcome {
             event
         };
         let mut near = listed.iter().filter(|instant| same(instant.parameter, d));
-        let is_known = near.any(|instant| [event, as_well].contains(&instant.event));
+        let is_known = near.any(|instant| [event, as_well].contains(&instant.kind));
         if inside && is_complete && !is_known {
             wrong.push(format!("{said}: lost {event:?} at {d:?}"));
         }
     }
     // about each that is listed the scan finds it, however close to others it is
     for instant in listed.iter().filter(is_scanned) {
-        if !device.has_loss() && instant.event == BifurcationKind::NodeFocus {
+        if !device.has_loss() && instant.kind == BifurcationKind::NodeFocus {
             continue;
         }
         let at = Digits::from_f64(instant.times[0]) * Digits::pi();
@@ -336,7 +336,7 @@ fn examined(seed: u64, fine: u32) -> Outcome {
         };
         let reaches = (4..14).map(|power| shortest * 10_f64.powi(-power));
         let mut found = reaches.flat_map(|reach| device.scanned(&near(reach)));
-        let is_there = found.any(|(event, d)| event == instant.event && same(instant.parameter, d));
+        let is_there = found.any(|(event, d)| event == instant.kind && same(instant.parameter, d));
         if !is_there {
             wrong.push(format!("{said}: invented {instant:?}"));
         }

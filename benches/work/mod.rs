@@ -9,8 +9,8 @@ use vibro_audit::impact::{Event, Kind, Simulation, Start};
 use vibro_audit::model::{Motion, MotionError, Side};
 use vibro_audit::number::{Analytic, Interval, Wide};
 use vibro_audit::orbit::{
-    Condition, Conditioned, OneOneEquations, Orbit, Parameters, ProvedOrbit, ProvedRoot, isolate_one_one,
-    newton_one_one, newton_one_one_bifurcation,
+    BifurcationCondition, ConditionedOneOne, OneOneEquations, Orbit, Parameters, ProvedOrbit, ProvedRoot,
+    isolate_one_one, newton_one_one, newton_one_one_bifurcation,
 };
 use vibro_audit::prove::{self, Decision, Options};
 
@@ -97,10 +97,10 @@ pub fn orbit() -> impl FnMut() -> Option<[f64; 4]> {
 pub fn doubling() -> impl FnMut() -> Option<[f64; 3]> {
     let base = motion(0.4, 0.5, 0.5);
     move || {
-        let system = Conditioned {
+        let system = ConditionedOneOne {
             family: &base,
             periods: 1,
-            condition: Condition::MultiplierMinusOne,
+            condition: BifurcationCondition::MultiplierMinusOne,
             apart: Vec::new(),
         };
         newton_one_one_bifurcation(&system, black_box([1.3, 2.2, 0.26]))

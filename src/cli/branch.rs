@@ -5,7 +5,7 @@ use super::complete::{Complete, incomplete};
 use super::{Answer, Asked, Failure, Options, SceneArguments, note};
 use crate::number::{Decimals, Interval, Rung, Told};
 use crate::orbit::{
-    Family, FoundOrbits, Instant, Moment, OneOneBranches, OpenBifurcation, OpenOrbit, Output, OutputPrecision,
+    BifurcationPoint, Family, FoundOrbits, OneOneBranches, OpenBifurcation, OpenOrbit, Output, OutputPrecision,
     RoundedOrbit, Word, WordBranches, confirm_bifurcation,
 };
 use crate::report::{Cell, Column, Table};
@@ -227,10 +227,10 @@ where
         if event.error_bound.is_none() {
             note(&format!(
                 "a {} at {at}: not located to the figures asked for",
-                event.event
+                event.kind
             ));
         }
-        rows.push((at, instant(over, event, is_complete)));
+        rows.push((at, bifurcation(over, event, is_complete)));
     }
     rows
 }
@@ -243,7 +243,7 @@ fn events_of_others<W: Output>(
     word: &Word,
     periods: u32,
 ) -> Events {
-    let events = followed.moments();
+    let events = followed.bifurcations();
     let (branches, lost) = followed.branches();
     note(&format!(
         "{word} over {periods} forcing periods: {branches} branches that many starts lead to; there may be more, and \
@@ -257,14 +257,14 @@ fn events_of_others<W: Output>(
     }
     let unproved = events.iter().filter(|event| event.error_bound.is_none());
     for event in unproved {
-        let (kind, at) = (event.event, event.parameter);
+        let (kind, at) = (event.kind, event.parameter);
         note(&format!(
             "{word}: a {kind} near {over} = {at} is likely, but not proved"
         ));
     }
     events
-        .iter()
-        .map(|event| (event.parameter, moment(over, event)))
+        .into_iter()
+        .map(|event| (event.parameter, bifurcation(over, event, false)))
         .collect()
 }
 
@@ -282,9 +282,9 @@ pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
         let is_complete = OpenBifurcation::are_all_there(&open);
         for event in events {
             if let Ok(again) = confirm_bifurcation(&setting, &event, decimals) {
-                tables[1].push(instant(sweep.over, again, is_complete))?;
+                tables[1].push(bifurcation(sweep.over, again, is_complete))?;
             }
-            tables[0].push(instant(sweep.over, event, is_complete))?;
+            tables[0].push(bifurcation(sweep.over, event, is_complete))?;
         }
     }
     Ok(tables)
@@ -343,53 +343,29 @@ where
     row
 }
 
-fn instant<N>(over: Over, event: Instant<N>, complete: bool) -> Vec<Cell>
+fn bifurcation<N>(over: Over, point: BifurcationPoint<N>, complete: bool) -> Vec<Cell>
 where
     Cell: From<N> + From<Vec<N>>,
 {
     let mut row = vec![
-        Cell::from(event.event.to_string()),
-        Cell::from(Word::pair().to_string()),
-        Cell::from(i64::from(event.periods)),
-        Cell::from(event.d),
-        Cell::from(Vec::from(event.phases)),
-        Cell::from(Vec::from(event.velocities)),
-        Cell::from(Vec::from(event.times)),
-        Cell::from(event.trace),
-        Cell::from(event.clearance),
-        Cell::from(event.admissible),
-        event.error_bound.map_or(Cell::Empty, Cell::from),
-        Cell::from(event.computed_in.to_string()),
+        Cell::from(point.kind.to_string()),
+        Cell::from(point.word.to_string()),
+        Cell::from(i64::from(point.periods)),
+        Cell::from(point.d),
+        Cell::from(point.phases),
+        Cell::from(point.velocities),
+        Cell::from(point.times),
+        Cell::from(point.trace),
+        Cell::from(point.clearance),
+        Cell::from(point.admissible),
+        point.error_bound.map_or(Cell::Empty, Cell::from),
+        Cell::from(point.computed_in.to_string()),
         Cell::from(complete),
         Cell::Empty,
         Cell::Empty,
     ];
     if over != Over::D {
-        row.insert(GAP, Cell::from(event.parameter));
-    }
-    row
-}
-
-fn moment(over: Over, event: &Moment) -> Vec<Cell> {
-    let mut row = vec![
-        Cell::from(event.event.to_string()),
-        Cell::from(event.word.to_string()),
-        Cell::from(i64::from(event.periods)),
-        Cell::from(event.d),
-        Cell::from(event.phases.clone()),
-        Cell::from(event.velocities.clone()),
-        Cell::from(event.times.clone()),
-        Cell::from(event.trace),
-        Cell::from(event.clearance),
-        Cell::from(event.admissible),
-        Cell::from(event.error_bound),
-        Cell::from(Rung::Double.to_string()),
-        Cell::from(false),
-        Cell::Empty,
-        Cell::Empty,
-    ];
-    if over != Over::D {
-        row.insert(GAP, Cell::from(event.parameter));
+        row.insert(GAP, Cell::from(point.parameter));
     }
     row
 }

@@ -1,25 +1,18 @@
 //! How far a flight keeps off the walls where it turns.
 
-use crate::model::Side;
 use crate::number::{Analytic, Endpoint, Field, Interval};
+use crate::orbit::equations::flight::HarmonicFlight;
 use crate::orbit::inconclusive::{Inconclusive, Property, undecided};
 use std::f64::consts::PI;
 
-/// A flight whose start, launch and duration are enclosed. The forcing is cos(phase).
+/// A flight between two impacts whose start and duration are enclosed. Its launch velocity is decided to lead off its wall,
+/// and the velocity with which it ends to lead to a wall.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OrbitFlight<E: Endpoint> {
-    /// The wall it starts from.
-    pub side: Side,
-    /// At the start.
-    pub phase: Interval<E>,
-    /// The velocity just after the impact it starts from: decided to lead off the wall.
-    pub launch: Interval<E>,
-    /// Until the next impact, where the velocity is decided to lead to the wall.
+    /// The flight, as long as one looks.
+    pub flight: HarmonicFlight<Interval<E>>,
+    /// Until the next impact.
     pub time: Interval<E>,
-    /// Gravity.
-    pub g: Interval<E>,
-    /// The gap.
-    pub d: Interval<E>,
 }
 
 /// More halvings than any number of use has bits.
@@ -44,21 +37,19 @@ impl<E: Endpoint> OrbitFlight<E> {
     /// # Errors
     /// `Undecided`, where the flight comes near to turning without doing so, or g near to 1 in size.
     pub fn clearance(&self) -> Result<Option<Interval<E>>, Inconclusive> {
-        let (sin, cos) = self.phase.sincos();
-        let course = FlightFromStart { path: self, sin, cos };
-        let mut nodes = vec![(Interval::from_integer(0), sign(&self.launch)?)];
+        let mut nodes = vec![(Interval::from_integer(0), sign(&self.flight.launch)?)];
         for change in self.changes()? {
-            if let Some(rising) = course.sign_at(&change)? {
+            if let Some(rising) = self.sign_at(&change)? {
                 nodes.push((change, rising));
             }
         }
-        nodes.push((self.time.clone(), sign(&course.velocity(&self.time))?));
+        nodes.push((self.time.clone(), sign(&self.flight.velocity(&self.time))?));
         let mut clearance = None;
         for pair in nodes.windows(2) {
             let [(low, before), (high, after)] = pair else { continue };
             if before != after {
-                let turn = course.turn(&Interval::new(low.low(), high.high()), *after)?;
-                clearance = least(clearance, Some(course.distance(&turn)));
+                let turn = self.turn(&Interval::new(low.low(), high.high()), *after)?;
+                clearance = least(clearance, Some(self.distance(&turn)));
             }
         }
         Ok(clearance)
@@ -67,7 +58,8 @@ impl<E: Endpoint> OrbitFlight<E> {
     /// The times at which f + g changes sign, in order; all that may lie inside the flight, and some outside.
     fn changes(&self) -> Result<Vec<Interval<E>>, Inconclusive> {
         let one = || Interval::<E>::from_integer(1);
-        let [above, below] = [self.g.clone() - one(), -self.g.clone() - one()];
+        let g = &self.flight.g;
+        let [above, below] = [g.clone() - one(), -g.clone() - one()];
         // g = 1 itself belongs here: f + g touches 0 and keeps its sign
         if above.low() >= E::zero() || below.low() >= E::zero() {
             return Ok(Vec::new());
@@ -75,9 +67,9 @@ impl<E: Endpoint> OrbitFlight<E> {
         if !(above.is_negative() && below.is_negative()) {
             return undecided(Property::Turning);
         }
-        let reach = (-self.g.clone()).acos();
+        let reach = (-g.clone()).acos();
         let (pi, turn) = (Interval::<E>::pi(), Interval::<E>::pi() + Interval::pi());
-        let start = self.phase.to_f64() / turn.to_f64();
+        let start = self.flight.phase.to_f64() / turn.to_f64();
         let end = start + self.time.to_f64() / 2.0;
         let part = reach.to_f64() / turn.to_f64();
         let mut changes = Vec::new();
@@ -87,7 +79,7 @@ impl<E: Endpoint> OrbitFlight<E> {
                 let at = index as f64 + part;
                 if at > start - ROUNDING && at < end + ROUNDING {
                     let whole = turn.clone() * Interval::from_integer(index);
-                    changes.push((whole + angle - self.phase.clone()) / pi.clone());
+                    changes.push((whole + angle - self.flight.phase.clone()) / pi.clone());
                 }
             }
         }
@@ -96,7 +88,7 @@ impl<E: Endpoint> OrbitFlight<E> {
 
     /// Where bisection in f64, at the middle of all intervals, puts the turning point.
     fn proposal(&self, within: &Interval<E>, rising: bool) -> f64 {
-        let [phase, launch, g] = [&self.phase, &self.launch, &self.g].map(Analytic::to_f64);
+        let [phase, launch, g] = [&self.flight.phase, &self.flight.launch, &self.flight.g].map(Analytic::to_f64);
         let start = phase.sin();
         let (mut low, mut high) = (within.low().to_f64(), within.high().to_f64());
         for _ in 0..HALVINGS {
@@ -110,54 +102,26 @@ impl<E: Endpoint> OrbitFlight<E> {
         }
         0.5 * (low + high)
     }
-}
-
-/// A path with sine and cosine of its start.
-struct FlightFromStart<'a, E: Endpoint> {
-    path: &'a OrbitFlight<E>,
-    sin: Interval<E>,
-    cos: Interval<E>,
-}
-
-impl<E: Endpoint> FlightFromStart<'_, E> {
-    fn phase_at(&self, s: &Interval<E>) -> Interval<E> {
-        self.path.phase.clone() + Interval::<E>::pi() * s.clone()
-    }
-
-    /// Equation (3), a time `s` after the start.
-    fn velocity(&self, s: &Interval<E>) -> Interval<E> {
-        let gained = (self.phase_at(s).sincos().0 - self.sin.clone()) / Interval::pi();
-        self.path.launch.clone() + self.path.g.clone() * s.clone() + gained
-    }
-
-    /// Equation (4), a time `s` after the start.
-    fn position(&self, s: &Interval<E>) -> Interval<E> {
-        let (pi, half) = (Interval::<E>::pi(), Interval::<E>::from_ratio(1, 2));
-        let end = self.phase_at(s).sincos().1;
-        let forced = (self.cos.clone() - end) / pi.square() - self.sin.clone() / pi * s.clone();
-        let wall = self.path.side.signed(self.path.d.clone() * half.clone());
-        wall + self.path.launch.clone() * s.clone() + self.path.g.clone() * s.square() * half + forced
-    }
 
     /// The sign of the velocity at a change of sign of f + g, if that lies inside the flight. If it may be either
     /// side of an end, the velocity must have one sign from there to the end: then the change makes no difference.
     fn sign_at(&self, change: &Interval<E>) -> Result<Option<bool>, Inconclusive> {
-        let after = change.clone() - self.path.time.clone();
+        let after = change.clone() - self.time.clone();
         if change.high() <= E::zero() || after.low() >= E::zero() {
             return Ok(None);
         }
         if change.is_positive() && after.is_negative() {
-            return sign(&self.velocity(change)).map(Some);
+            return sign(&self.flight.velocity(change)).map(Some);
         }
         let start = Interval::from_integer(0);
-        let end = if change.is_positive() { &self.path.time } else { &start };
-        sign(&self.velocity(&change.hull(end))).map(|_| None)
+        let end = if change.is_positive() { &self.time } else { &start };
+        sign(&self.flight.velocity(&change.hull(end))).map(|_| None)
     }
 
     /// An enclosure of the one time in `within` at which the velocity, monotone there, is 0; `rising` says how it
     /// changes its sign.
     fn turn(&self, within: &Interval<E>, rising: bool) -> Result<Interval<E>, Inconclusive> {
-        let proposal = Interval::<E>::from_f64(self.path.proposal(within, rising));
+        let proposal = Interval::<E>::from_f64(self.proposal(within, rising));
         let around = proposal + Interval::new(E::from_f64(-PROPOSED), E::from_f64(PROPOSED));
         let mut turn = within.clone();
         if around.is_inside(within) {
@@ -167,12 +131,12 @@ impl<E: Endpoint> FlightFromStart<'_, E> {
         for _ in 0..MOST_STEPS {
             let before = turn.width();
             let middle = turn.midpoint();
-            let slope = self.phase_at(&turn).sincos().1 + self.path.g.clone();
+            let slope = self.flight.acceleration(&turn);
             if slope.contains_zero() {
                 self.cut(&mut turn, middle, rising);
             } else {
                 let point = Interval::point(middle);
-                let newton = point.clone() - self.velocity(&point) / slope;
+                let newton = point.clone() - self.flight.velocity(&point) / slope;
                 turn = newton.intersection(&turn).unwrap_or(turn);
                 // what Newton does not halve is rounding, and the width of the parameters
                 if turn.width() + turn.width() > before {
@@ -194,7 +158,7 @@ impl<E: Endpoint> FlightFromStart<'_, E> {
 
     /// Leaves off what lies on the wrong side of the time `at`, if the velocity there has a sign.
     fn cut(&self, turn: &mut Interval<E>, at: E, rising: bool) {
-        let velocity = self.velocity(&Interval::point(at.clone()));
+        let velocity = self.flight.velocity(&Interval::point(at.clone()));
         if !turn.contains(&at) || velocity.contains_zero() {
             return;
         }
@@ -209,8 +173,9 @@ impl<E: Endpoint> FlightFromStart<'_, E> {
     /// position changes little where the velocity is 0.
     fn distance(&self, turn: &Interval<E>) -> Interval<E> {
         let middle = Interval::point(turn.midpoint());
-        let position = self.position(&middle) + self.velocity(turn) * (turn.clone() - middle);
-        let half = self.path.d.clone() * Interval::from_ratio(1, 2);
+        let moved = self.flight.velocity(turn) * (turn.clone() - middle.clone());
+        let position = self.flight.position(&middle) + moved;
+        let half = self.flight.d.clone() * Interval::from_ratio(1, 2);
         smaller(half.clone() - position.clone(), half + position)
     }
 }
@@ -240,17 +205,14 @@ fn sign<E: Endpoint>(velocity: &Interval<E>) -> Result<bool, Inconclusive> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Side;
     use crate::number::Sequence;
 
     fn path(side: Side, [phase, launch, time, g, d]: [f64; 5]) -> OrbitFlight<f64> {
         let [phase, launch, time, g, d] = [phase, launch, time, g, d].map(Interval::point);
         OrbitFlight {
-            side,
-            phase,
-            launch,
+            flight: HarmonicFlight::new(side, phase, launch, g, d),
             time,
-            g,
-            d,
         }
     }
 
@@ -316,12 +278,12 @@ mod tests {
         // released from a double zero of the velocity, up to the width of the intervals
         let mut near = path(Side::Bottom, [0.0, -0.5, 1.5, 0.0, 1.0]);
         // without gravity the velocity is largest at sin(phase) = 1, where it is launch + 1/pi
-        near.launch = Interval::new(-1.0 / PI - 1e-9, -1.0 / PI + 1e-9);
+        near.flight.launch = Interval::new(-1.0 / PI - 1e-9, -1.0 / PI + 1e-9);
         let what = Property::Turning;
         assert_eq!(near.clearance(), Err(Inconclusive::Undecided { what }));
-        near.launch = Interval::point(-1.0 / PI - 1e-6);
+        near.flight.launch = Interval::point(-1.0 / PI - 1e-6);
         assert_eq!(near.clearance(), Ok(None));
-        near.launch = Interval::point(-1.0 / PI + 1e-6);
+        near.flight.launch = Interval::point(-1.0 / PI + 1e-6);
         assert!(near.clearance().is_ok_and(|clearance| clearance.is_some()));
     }
 
@@ -329,7 +291,7 @@ mod tests {
     fn gravity_of_size_one_is_decided_and_around_it_is_not() {
         let mut path = path(Side::Bottom, [0.4, -0.5, 1.5, 1.0, 1.0]);
         assert!(path.clearance().is_ok_and(|clearance| clearance.is_some()));
-        path.g = Interval::new(1.0 - 1e-9, 1.0 + 1e-9);
+        path.flight.g = Interval::new(1.0 - 1e-9, 1.0 + 1e-9);
         assert!(path.clearance().is_err());
     }
 }

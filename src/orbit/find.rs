@@ -1,18 +1,14 @@
 //! Every motion that is asked for, to the last digit of f64, with what could not be decided.
 
-use crate::model::Parameters;
-use crate::model::{Motion, MotionError};
-use crate::number::{Analytic, DoubleDouble, Endpoint, Interval, Told};
-use crate::orbit::bifurcation::instant::prove_over;
-use crate::orbit::equations::one_one::OneOneEquations;
-use crate::orbit::inconclusive::{Inconclusive, Property};
+use crate::model::{MotionError, Parameters};
+use crate::number::{Analytic, DoubleDouble, Interval, Told};
+use crate::orbit::inconclusive::Inconclusive;
 use crate::orbit::interval_box::{IntervalBox, joined};
-use crate::orbit::orbit::{Orbit, OrbitImpact};
 use crate::orbit::output::{Output, OutputPrecision};
+use crate::orbit::proved_orbit::ProvedOrbit;
 use crate::orbit::rounding::RoundedOrbit;
 use crate::orbit::solve::krawczyk::ProvedRoot;
-use crate::orbit::solve::one_one::{Equations, FINEST, again, isolate_one_one};
-use crate::orbit::solve::refine::refine_one_one;
+use crate::orbit::solve::one_one::{FINEST, again, isolate_one_one};
 use crate::orbit::solve::words;
 use crate::orbit::solve::words::WordOrbit;
 use crate::orbit::word::Word;
@@ -204,79 +200,10 @@ impl<N: Told> FoundOrbits<N> {
     }
 }
 
-/// A motion known to be there, not yet to the last digit.
-pub enum ProvedOrbit<'a> {
-    /// A 1-1 motion.
-    Pair {
-        /// (T_1, psi)
-        root: &'a ProvedRoot<f64, 2>,
-        /// The forcing periods it takes.
-        periods: u32,
-    },
-    /// One of two or more that f64 could not tell apart.
-    Close {
-        /// (T_1, psi)
-        root: &'a ProvedRoot<DoubleDouble, 2>,
-        /// The forcing periods it takes.
-        periods: u32,
-    },
-    /// One of any other word.
-    Word(&'a WordOrbit),
-}
-
-impl ProvedOrbit<'_> {
-    /// The orbit over `E`.
-    ///
-    /// # Errors
-    /// `Undecided` where `E` is too narrow, and what else [`Orbit::settle`] says.
-    pub fn orbit<E: Endpoint>(&self, parameters: &impl Parameters) -> Result<Orbit<E>, Inconclusive> {
-        let open = |what| Inconclusive::Undecided { what };
-        let motion = parameters
-            .motion::<Interval<E>>()
-            .map_err(|_| open(Property::Existence))?;
-        self.at(&motion)
-    }
-
-    /// One copy for all parameters.
-    fn at<E: Endpoint>(&self, motion: &Motion<Interval<E>>) -> Result<Orbit<E>, Inconclusive> {
-        match self {
-            Self::Word(cycle) => cycle.orbit(motion),
-            Self::Pair { root, periods } => pair(root, *periods, motion),
-            Self::Close { root, periods } => pair(root, *periods, motion),
-        }
-    }
-}
-
-/// The digits of a number, guard digits counted, for which one evaluation does.
-const REFINED: std::ops::Range<f64> = 40.0..65.0;
-
-/// The 1-1 motion at a root.
-fn pair<F: Endpoint, E: Endpoint>(
-    root: &ProvedRoot<F, 2>,
-    periods: u32,
-    motion: &Motion<Interval<E>>,
-) -> Result<Orbit<E>, Inconclusive> {
-    let balance = OneOneEquations::new(motion, periods);
-    let digits = -E::epsilon().to_f64().log10();
-    let quickly = if REFINED.contains(&digits) {
-        refine_one_one(motion, periods, root)
-    } else {
-        None
-    };
-    let found = quickly.or_else(|| prove_over(&Equations(&balance), root));
-    let [t_1, middle] = found.ok_or(Inconclusive::Undecided {
-        what: Property::Existence,
-    })?;
-    let [v, w] = balance.velocities(&t_1, &middle);
-    let [bottom, top] = balance.phases(&t_1, &middle);
-    let t_2 = balance.total() - t_1.clone();
-    let fix = |phase, velocity, time| OrbitImpact { phase, velocity, time };
-    Orbit::settle(&Word::pair(), periods, motion, &[fix(bottom, v, t_1), fix(top, w, t_2)])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Motion;
     use crate::orbit::solve::one_one::isolate_one_one;
 
     #[test]

@@ -37,6 +37,17 @@ pub(crate) fn intersection<E: Endpoint, const D: usize>(
     Some(both)
 }
 
+/// The distance of two points in the maximum norm.
+pub(crate) fn apart(one: &[f64], other: &[f64]) -> f64 {
+    let parts = one.iter().zip(other).map(|(one, other)| (one - other).abs());
+    parts.fold(0.0, f64::max)
+}
+
+/// The maximum; neither NaN nor an infinite one gets lost.
+pub(crate) fn larger<E: Endpoint>(one: E, other: E) -> E {
+    if other <= one || !one.is_finite() { one } else { other }
+}
+
 /// The halves in the widest of the directions in which the equations vary at least half as much as in any.
 pub(crate) fn halves<E: Endpoint, const D: usize>(
     cell: &IntervalBox<E, D>,
@@ -92,5 +103,18 @@ mod tests {
         assert_eq!(joined.len(), 2);
         assert!(joined[0][0].low() <= 0.0 && joined[0][0].high() >= 3.0 && joined[0][0].high() < 3.1);
         assert!(joined[1][0].contains(&5.5));
+    }
+
+    #[test]
+    fn what_is_no_number_is_the_largest_wherever_it_stands() {
+        for sizes in [
+            [f64::NAN, 1.0],
+            [1.0, f64::NAN],
+            [f64::INFINITY, 1.0],
+            [1.0, f64::INFINITY],
+        ] {
+            assert!(!sizes.into_iter().fold(0.0, larger).is_finite(), "{sizes:?}");
+        }
+        assert_eq!([0.5, 2.0, 1.0].into_iter().fold(0.0, larger), 2.0);
     }
 }

@@ -3,8 +3,8 @@
 use crate::model::Exact;
 use crate::model::MotionError;
 use crate::number::Interval;
-use crate::orbit::bifurcation::instant::Instant;
 use crate::orbit::bifurcation::one_one::{Bifurcations, LocatedBifurcation, bifurcations};
+use crate::orbit::bifurcation::point::BifurcationPoint;
 use crate::orbit::equations::conditions::BifurcationKind;
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::family::Family;
@@ -15,7 +15,7 @@ use crate::orbit::output::{Output, OutputPrecision};
 use crate::orbit::parallel::each;
 use crate::orbit::solve::cover::{Cover, CoverError};
 use crate::orbit::solve::isolate::{SearchLimits, isolate};
-use crate::orbit::solve::one_one::{Equations, FINEST, OneOneSearch};
+use crate::orbit::solve::one_one::{FINEST, OneOneSearch};
 use crate::orbit::word::Word;
 
 /// The cells spent at one value before it is left undecided.
@@ -124,10 +124,9 @@ impl<F: Family + Sync> OneOneBranches<F> {
             finest: FINEST,
             most_cells: MOST_CELLS,
         };
-        let system = Equations(&balance);
         let cells = self.covers.iter().flat_map(|cover| cover.at(parameter)).collect();
-        let isolation = isolate(&system, cells, Vec::new(), limits);
-        Ok(OneOneSearch::new(self.periods, 0, isolation, &system))
+        let isolation = isolate(&balance, cells, Vec::new(), limits);
+        Ok(OneOneSearch::new(self.periods, 0, isolation, &balance))
     }
 
     /// Every motion at one value of the range.
@@ -176,12 +175,12 @@ impl<F: Family + Sync> OneOneBranches<F> {
     }
 
     /// Every bifurcation over the range, in order of the parameter, and what is open.
-    pub fn bifurcations(&self) -> (Vec<Instant>, Vec<OpenBifurcation>) {
+    pub fn bifurcations(&self) -> (Vec<BifurcationPoint>, Vec<OpenBifurcation>) {
         self.bifurcations_as(&OutputPrecision::DOUBLES)
     }
 
     /// The same, told as they are wanted.
-    pub fn bifurcations_as<W: Output>(&self, wanted: &W) -> (Vec<Instant<W::Number>>, Vec<OpenBifurcation>) {
+    pub fn bifurcations_as<W: Output>(&self, wanted: &W) -> (Vec<BifurcationPoint<W::Number>>, Vec<OpenBifurcation>) {
         let periods = self.periods;
         let mut found = Bifurcations::default();
         for piece in each(&self.covers, |cover| self.settled(cover)) {
@@ -193,19 +192,19 @@ impl<F: Family + Sync> OneOneBranches<F> {
         let mut open: Vec<OpenBifurcation> = open
             .map(|(event, cell)| OpenBifurcation::Box { event, periods, cell })
             .collect();
-        let mut instants = Vec::new();
+        let mut points = Vec::new();
         for located in found.located {
-            match wanted.instant(&self.family, periods, &located) {
-                Ok(instant) => instants.push(instant),
+            match wanted.bifurcation(&self.family, periods, &located) {
+                Ok(point) => points.push(point),
                 Err(why) => open.push(OpenBifurcation::LocatedBifurcation {
-                    event: located.event(),
+                    event: located.kind(),
                     periods,
                     cell: located.cell(periods),
                     why,
                 }),
             }
         }
-        (instants, open)
+        (points, open)
     }
 
     /// The events over one cover; the boxes in which some stay undecided are covered again, finer, by themselves.

@@ -3,20 +3,10 @@
 use crate::model::{Motion, Side};
 use crate::number::{Analytic, Endpoint, Field, Interval};
 use crate::orbit::clearance::{OrbitFlight, least};
+use crate::orbit::equations::flight::{HarmonicFlight, OrbitImpact};
 use crate::orbit::inconclusive::{Inconclusive, Property, undecided};
 use crate::orbit::stability::{FlightJacobian, Multiplier, OrbitKind, determinant, loss_factor, multipliers, trace};
 use crate::orbit::word::Word;
-
-/// One impact of a periodic motion, and how long the flight after it lasts.
-#[derive(Clone, Debug, PartialEq)]
-pub struct OrbitImpact<T> {
-    /// pi t at the impact: the forcing is cos(phase). Any number of turns.
-    pub phase: T,
-    /// Just before the impact: positive at the bottom, negative at the top.
-    pub velocity: T,
-    /// Of the flight that follows; the forcing period is 2.
-    pub time: T,
-}
 
 /// A periodic motion: its impacts, its stability and whether it keeps off the walls between them.
 ///
@@ -63,7 +53,7 @@ impl<E: Endpoint> Orbit<E> {
     /// # Errors
     /// `Undecided` where a wider number is needed; `Backwards` and `Timeless` where there certainly is no such
     /// motion; `Count`.
-    pub fn settle(
+    pub fn from_impacts(
         word: &Word,
         periods: u32,
         motion: &Motion<Interval<E>>,
@@ -177,12 +167,8 @@ pub(crate) fn clearance<E: Endpoint>(
     let mut nearest = None;
     for (side, fix) in sides.iter().zip(fixes) {
         let path = OrbitFlight {
-            side: *side,
-            phase: fix.phase.clone(),
-            launch: -(motion.restitution(*side).clone() * fix.velocity.clone()),
+            flight: HarmonicFlight::after(motion, *side, fix),
             time: fix.time.clone(),
-            g: motion.g().clone(),
-            d: motion.d().clone(),
         };
         nearest = least(nearest, path.clearance()?);
     }
@@ -292,7 +278,7 @@ mod tests {
         for fix in &mut later {
             fix.phase += Line::from_integer(6) * Line::pi();
         }
-        let again = Orbit::settle(&word, 1, &motion, &later).expect("decided");
+        let again = Orbit::from_impacts(&word, 1, &motion, &later).expect("decided");
         for (one, other) in orbit.phases.iter().zip(&again.phases) {
             assert!(one.intersection(other).is_some() && (0.0..TAU).contains(&other.midpoint()));
         }
@@ -311,7 +297,7 @@ mod tests {
         assert!((orbit.velocities[0] - orbit.velocities[2]).is_positive());
         let mut turned = fixes(&orbit);
         turned.rotate_left(2);
-        let again = Orbit::settle(&word, 2, &motion, &turned).expect("decided");
+        let again = Orbit::from_impacts(&word, 2, &motion, &turned).expect("decided");
         assert_eq!((again.velocities, again.times), (orbit.velocities, orbit.times));
     }
 
@@ -319,14 +305,14 @@ mod tests {
     fn what_is_no_motion_says_why() {
         let motion = motion(12_201, 40, 50, 50);
         let orbit = pair(40, 50, 50);
-        let settle = |fixes: &[OrbitImpact<Line>]| Orbit::settle(&Word::pair(), 1, &motion, fixes);
+        let checked = |fixes: &[OrbitImpact<Line>]| Orbit::from_impacts(&Word::pair(), 1, &motion, fixes);
         let good = fixes(&orbit);
-        assert_eq!(settle(&good), Ok(orbit.clone()));
-        assert_eq!(settle(&good[..1]), Err(Inconclusive::Count { wanted: 2, found: 1 }));
+        assert_eq!(checked(&good), Ok(orbit.clone()));
+        assert_eq!(checked(&good[..1]), Err(Inconclusive::Count { wanted: 2, found: 1 }));
         let changed = |change: fn(&mut OrbitImpact<Line>)| {
             let mut fixes = good.clone();
             change(&mut fixes[1]);
-            settle(&fixes)
+            checked(&fixes)
         };
         let backwards = changed(|fix| fix.velocity = -fix.velocity);
         assert_eq!(backwards, Err(Inconclusive::Backwards { impact: 1 }));

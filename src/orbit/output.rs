@@ -6,11 +6,11 @@ use crate::number::{
     Decimal, Decimals, Digits, DoubleDouble, Doubles, Endpoint, FIGURES_OF_F64, Interval, Rung, Supported, Telling,
     Told, at_digits,
 };
-use crate::orbit::bifurcation::instant::Instant;
 use crate::orbit::bifurcation::one_one::LocatedBifurcation;
+use crate::orbit::bifurcation::point::BifurcationPoint;
 use crate::orbit::family::Family;
-use crate::orbit::find::ProvedOrbit;
 use crate::orbit::inconclusive::{Inconclusive, Property};
+use crate::orbit::proved_orbit::ProvedOrbit;
 use crate::orbit::rounding::RoundedOrbit;
 
 /// What becomes of what was proved: rows of numbers, each computed over the narrowest number that will do.
@@ -26,7 +26,7 @@ pub trait Output: Sync {
     /// A motion.
     ///
     /// # Errors
-    /// What no number at hand decides, and what else [`Orbit::settle`](crate::orbit::Orbit::settle) says.
+    /// What no number at hand decides, and what else [`Orbit::from_impacts`](crate::orbit::Orbit::from_impacts) says.
     fn orbit(
         &self,
         parameters: &impl Parameters,
@@ -37,12 +37,12 @@ pub trait Output: Sync {
     ///
     /// # Errors
     /// What no number at hand decides.
-    fn instant(
+    fn bifurcation(
         &self,
         family: &impl Family,
         periods: u32,
         located: &LocatedBifurcation,
-    ) -> Result<Instant<Self::Number>, Inconclusive>;
+    ) -> Result<BifurcationPoint<Self::Number>, Inconclusive>;
 
     /// g, d, r_B and r_T.
     ///
@@ -146,6 +146,30 @@ fn orbit_over<E: Endpoint, T: Telling<E>>(
     Ok((told, enough))
 }
 
+/// A bifurcation over a number of `rung`, and whether its values hold the figures of the rounding.
+fn bifurcation_over<N, R>(
+    located: &LocatedBifurcation,
+    family: &impl Family,
+    periods: u32,
+    rung: Rung,
+    rounding: &R,
+) -> Result<(BifurcationPoint<N>, bool), Inconclusive>
+where
+    R: Telling<DoubleDouble, Number = N> + Telling<Digits, Number = N>,
+{
+    let point = match rung {
+        Rung::Wide(digits) => at_digits(digits, || {
+            let enclosed = located.enclosed::<Digits>(family, periods)?;
+            Ok(enclosed.rounded(rounding))
+        }),
+        _ => located
+            .enclosed::<DoubleDouble>(family, periods)
+            .map(|enclosed| enclosed.rounded(rounding)),
+    }?;
+    let holds = point.error_bound.is_some();
+    Ok((point, holds))
+}
+
 /// Whether an enclosure has so many digits; what may be 0, that many behind the point.
 fn has_digits<E: Endpoint>(value: &Interval<E>, digits: u32) -> bool {
     let part = 10_f64.powi(-i32::try_from(digits).unwrap_or(i32::MAX));
@@ -174,26 +198,17 @@ impl Output for OutputPrecision<Doubles> {
         })
     }
 
-    fn instant(
+    fn bifurcation(
         &self,
         family: &impl Family,
         periods: u32,
         located: &LocatedBifurcation,
-    ) -> Result<Instant, Inconclusive> {
+    ) -> Result<BifurcationPoint, Inconclusive> {
         let from_narrow = Self {
             first: self.first.max(Rung::DoubleDouble),
             ..*self
         };
-        from_narrow.climb(|rung| match rung {
-            Rung::Wide(digits) => at_digits(digits, || {
-                located
-                    .settle::<Digits>(family, periods)
-                    .map(|enclosed| (enclosed.told(&Doubles), true))
-            }),
-            _ => located
-                .settle::<DoubleDouble>(family, periods)
-                .map(|enclosed| (enclosed.told(&Doubles), true)),
-        })
+        from_narrow.climb(|rung| bifurcation_over(located, family, periods, rung, &Doubles))
     }
 
     fn parameters(&self, parameters: &impl Parameters) -> Result<[f64; 4], MotionError> {
@@ -219,24 +234,13 @@ impl Output for OutputPrecision<Decimals> {
         })
     }
 
-    fn instant(
+    fn bifurcation(
         &self,
         family: &impl Family,
         periods: u32,
         located: &LocatedBifurcation,
-    ) -> Result<Instant<Decimal>, Inconclusive> {
-        self.climb(|rung| match rung {
-            Rung::Wide(digits) => at_digits(digits, || {
-                let told = located.settle::<Digits>(family, periods)?.told(&self.telling);
-                let holds = told.error_bound.is_some();
-                Ok((told, holds))
-            }),
-            _ => {
-                let told = located.settle::<DoubleDouble>(family, periods)?.told(&self.telling);
-                let holds = told.error_bound.is_some();
-                Ok((told, holds))
-            }
-        })
+    ) -> Result<BifurcationPoint<Decimal>, Inconclusive> {
+        self.climb(|rung| bifurcation_over(located, family, periods, rung, &self.telling))
     }
 
     fn parameters(&self, parameters: &impl Parameters) -> Result<[Decimal; 4], MotionError> {

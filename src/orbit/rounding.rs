@@ -1,6 +1,8 @@
 //! An orbit as numbers of a table, with the bound of its errors.
 
-use crate::number::{Analytic, Doubles, Endpoint, Field, Interval, Rung, Telling, Told};
+use crate::number::{Doubles, Endpoint, Interval, Rung, Telling, Told};
+use crate::orbit::bifurcation::point::not_below_zero;
+use crate::orbit::interval_box::larger;
 use crate::orbit::orbit::Orbit;
 use crate::orbit::stability::{Multiplier, OrbitKind};
 use crate::orbit::word::Word;
@@ -65,18 +67,6 @@ impl<N: Told> RoundedOrbit<N> {
     }
 }
 
-/// An upper bound of the distance from `printed` to any point of `value`.
-pub(crate) fn error_of<E: Endpoint>(printed: f64, value: &Interval<E>) -> f64 {
-    let apart = Interval::<E>::from_f64(printed) - value.clone();
-    // the magnitude is rounded to f64, either way
-    apart.magnitude().to_f64().next_up()
-}
-
-/// The larger, or what is no number.
-pub(crate) fn larger<E: Endpoint>(one: E, other: E) -> E {
-    if other <= one { one } else { other }
-}
-
 impl<E: Endpoint> Orbit<E> {
     /// The orbit in f64, with the bound of its errors.
     pub fn rounded(&self) -> RoundedOrbit {
@@ -93,16 +83,11 @@ impl<E: Endpoint> Orbit<E> {
     /// The orbit as `telling` has it, with the bound of its errors; without one where an enclosure is too wide for it.
     pub fn told<T: Telling<E>>(&self, telling: &T) -> RoundedOrbit<T::Number> {
         let tell = |values: &[Interval<E>]| values.iter().map(|value| telling.tell(value)).collect::<Vec<_>>();
-        // the middle of an interval around phase 0 may lie a rounding below 0
-        let zero = Interval::from_integer(0);
-        let phase = |value: &Interval<E>| {
-            if value.midpoint() < E::zero() {
-                zero.clone()
-            } else {
-                value.clone()
-            }
-        };
-        let phases: Vec<T::Number> = self.phases.iter().map(|value| telling.tell(&phase(value))).collect();
+        let phases: Vec<T::Number> = self
+            .phases
+            .iter()
+            .map(|value| telling.tell(&not_below_zero(value)))
+            .collect();
         let (velocities, times) = (tell(&self.velocities), tell(&self.times));
         let columns = [
             (&self.phases, &phases),
@@ -169,7 +154,5 @@ mod tests {
             assert!(value.high() - printed <= bound && printed - value.low() <= bound);
         }
         assert_eq!(orbit.uncertified().rounded().error_bound, None);
-        // the bound knows of the rounding to f64, and of an interval that is not around what is printed
-        assert!(error_of(0.1, &Line::from_ratio(1, 10)) > 0.0 && error_of(0.5, &Line::new(0.0, 0.75)) >= 0.5);
     }
 }

@@ -3,15 +3,15 @@
 use crate::model::Exact;
 use crate::model::MotionError;
 use crate::number::Interval;
-use crate::orbit::bifurcation::detect::moments;
-use crate::orbit::bifurcation::moment::Moment;
+use crate::orbit::bifurcation::detect::detect;
+use crate::orbit::bifurcation::point::BifurcationPoint;
 use crate::orbit::continuation::branch::{Branch, BranchEnd};
 use crate::orbit::continuation::extended_system::ExtendedSystem;
 use crate::orbit::family::Family;
 use crate::orbit::find::{FoundOrbits, settled};
 use crate::orbit::output::{Output, OutputPrecision};
 use crate::orbit::parallel::each;
-use crate::orbit::solve::newton;
+use crate::orbit::solve::starts::{brought_near, solve_word};
 use crate::orbit::solve::words::{WordOrbit, moves, search_word_from};
 use crate::orbit::word::Word;
 
@@ -34,8 +34,8 @@ const STARTS: usize = 128;
 /// **Completeness is not claimed**: a branch between two of the values searched may attract no start, and an even
 /// number of like events between two steps is not seen.
 pub struct WordBranches<F> {
-    along: ExtendedSystem<F>,
-    strands: Vec<Branch>,
+    extended: ExtendedSystem<F>,
+    branches: Vec<Branch>,
 }
 
 impl<F: Family + Sync> WordBranches<F> {
@@ -44,7 +44,7 @@ impl<F: Family + Sync> WordBranches<F> {
     /// # Errors
     /// A parameter out of its range.
     pub fn new(family: F, word: &Word, periods: u32, range: Interval<f64>) -> Result<Self, MotionError> {
-        let along = ExtendedSystem {
+        let extended = ExtendedSystem {
             family,
             word: word.spelled(),
             periods,
@@ -54,19 +54,19 @@ impl<F: Family + Sync> WordBranches<F> {
         let places = (0..SEARCHES).map(|index| f64::from(index) / f64::from(SEARCHES - 1));
         let places: Vec<f64> = places.collect();
         let found = each(&places, |place| {
-            let motion = along.family.motion_at(&Interval::point(along.parameter(place)))?;
+            let motion = extended.family.motion_at(&Interval::point(extended.parameter(place)))?;
             search_word_from(count, word, periods, &motion)
         });
-        let mut strands: Vec<Branch> = Vec::new();
+        let mut branches: Vec<Branch> = Vec::new();
         for (place, cycles) in places.iter().zip(found) {
             let cycles = cycles?;
             for cycle in cycles.iter().filter(|cycle| cycle.is_certified()) {
-                if !strands.iter().any(|strand| strand.holds(&along, cycle, *place)) {
-                    strands.extend(Branch::through(&along, cycle.phases(), *place));
+                if !branches.iter().any(|branch| branch.holds(&extended, cycle, *place)) {
+                    branches.extend(Branch::through(&extended, cycle.phases(), *place));
                 }
             }
         }
-        Ok(Self { along, strands })
+        Ok(Self { extended, branches })
     }
 
     /// The motions at each of the values, in their order, on all cores: each proved by itself, as by
@@ -107,7 +107,7 @@ impl<F: Family + Sync> WordBranches<F> {
     pub fn orbits_as<W: Output, V: Exact>(&self, wanted: &W, value: &V) -> Result<FoundOrbits<W::Number>, MotionError> {
         let ExtendedSystem {
             word, periods, family, ..
-        } = &self.along;
+        } = &self.extended;
         let parameter: Interval<f64> = value.value();
         let system = crate::orbit::equations::words::WordEquations {
             motion: family.motion_at(&parameter)?,
@@ -115,12 +115,12 @@ impl<F: Family + Sync> WordBranches<F> {
             periods: *periods,
         };
         let middle = system.convert(Interval::midpoint)?;
-        let place = self.along.place(parameter.midpoint());
+        let place = self.extended.place(parameter.midpoint());
         let mut cycles: Vec<WordOrbit> = Vec::new();
-        for guess in self.strands.iter().flat_map(|strand| strand.proposals(place)) {
-            let phases = newton::settle(&middle, guess).filter(|phases| moves(&middle, phases));
+        for guess in self.branches.iter().flat_map(|branch| branch.proposals(place)) {
+            let phases = solve_word(&middle, guess).filter(|phases| moves(&middle, phases));
             let Some(phases) = phases else { continue };
-            let cycle = WordOrbit::near(&system, newton::brought_near(&phases, std::f64::consts::PI));
+            let cycle = WordOrbit::near(&system, brought_near(&phases, std::f64::consts::PI));
             if !cycle.is_of_shorter_word() && !cycles.iter().any(|other| other.is_same(&cycle)) {
                 cycles.push(cycle);
             }
@@ -133,30 +133,30 @@ impl<F: Family + Sync> WordBranches<F> {
     }
 
     /// Every bifurcation seen on the way, in order of the parameter; those without an error bound are not proved.
-    pub fn moments(&self) -> Vec<Moment> {
-        let all = each(&self.strands, |strand| moments(&self.along, strand));
-        let mut told: Vec<Moment> = Vec::new();
-        for moment in all.into_iter().flatten() {
+    pub fn bifurcations(&self) -> Vec<BifurcationPoint> {
+        let all = each(&self.branches, |branch| detect(&self.extended, branch));
+        let mut told: Vec<BifurcationPoint> = Vec::new();
+        for point in all.into_iter().flatten() {
             // a motion that is its own mirror image touches in two flights at once, and two branches may end in one
-            if !told.iter().any(|other| self.is_same(other, &moment)) {
-                told.push(moment);
+            if !told.iter().any(|other| self.is_same(other, &point)) {
+                told.push(point);
             }
         }
         told.sort_by(|one, other| one.parameter.total_cmp(&other.parameter));
         told
     }
 
-    fn is_same(&self, one: &Moment, other: &Moment) -> bool {
+    fn is_same(&self, one: &BifurcationPoint, other: &BifurcationPoint) -> bool {
         let near = |one: &[f64], other: &[f64]| one.iter().zip(other).all(|(one, other)| (one - other).abs() < 1e-7);
-        one.event == other.event
-            && (one.parameter - other.parameter).abs() < 1e-9 * self.along.range.width()
+        one.kind == other.kind
+            && (one.parameter - other.parameter).abs() < 1e-9 * self.extended.range.width()
             && near(&one.velocities, &other.velocities)
             && near(&one.times, &other.times)
     }
 
     /// The number of branches, and how many of their ends are no end: where no step on could be made.
     pub fn branches(&self) -> (usize, usize) {
-        let ends = self.strands.iter().flat_map(|strand| strand.ends);
-        (self.strands.len(), ends.filter(|end| *end == BranchEnd::Lost).count())
+        let ends = self.branches.iter().flat_map(|branch| branch.ends);
+        (self.branches.len(), ends.filter(|end| *end == BranchEnd::Lost).count())
     }
 }

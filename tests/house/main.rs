@@ -1,8 +1,9 @@
-//! The rules of the house, held by tests: who may use whom, what may not panic, and that no golden file lies about
-//! unused. No rule counts lines: a file is as long as its one idea. Each rule is a function that is itself shown sources
-//! that break it.
+//! The rules of the house, held by tests: who may use whom, where no circle of imports may be, what may not panic, and that
+//! no golden file lies about unused. No rule counts lines: a file is as long as its one idea. Each rule is a function that is
+//! itself shown sources that break it.
 
 mod arrows;
+mod circles;
 mod golden;
 mod habits;
 mod source;
@@ -72,6 +73,11 @@ fn assert_clean(complaints: &[String]) {
 #[test]
 fn each_folder_uses_only_what_stands_before_it_in_its_stack() {
     assert_clean(&arrows::check(&sources()));
+}
+
+#[test]
+fn the_files_of_orbit_import_each_other_in_no_circle() {
+    assert_clean(&circles::check(&sources(), "orbit"));
 }
 
 #[test]

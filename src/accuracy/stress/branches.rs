@@ -5,7 +5,7 @@ use super::quantity::Exact;
 use super::row::{StressRow, place};
 use crate::model::Motion;
 use crate::number::{Analytic, Decimal, Decimals, Interval, Rung};
-use crate::orbit::{Instant, OneOneBranches, OutputPrecision, confirm_bifurcation};
+use crate::orbit::{BifurcationPoint, OneOneBranches, OutputPrecision, confirm_bifurcation};
 
 /// The device, the bifurcation, and the range of gaps in which it is located.
 const INPUTS: [&str; 6] = ["g", "r_B", "r_T", "d", "low", "high"];
@@ -64,7 +64,7 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
         let error = relative(&Exact::from(gap), &exact);
         rows.push(StressRow::stable(
             case,
-            &instant.event.to_string(),
+            &instant.kind.to_string(),
             error,
             condition,
             at(gap),
@@ -85,15 +85,15 @@ fn prepared(motion: &Motion<f64>, [low, high]: [f64; 2]) -> Option<OneOneBranche
 }
 
 /// The bifurcations in decimals.
-fn located(prepared: &OneOneBranches<&Motion<f64>>) -> Vec<Instant<Decimal>> {
+fn located(prepared: &OneOneBranches<&Motion<f64>>) -> Vec<BifurcationPoint<Decimal>> {
     let goal = OutputPrecision::decimals(Decimals(FIGURES), Rung::Wide(100));
     prepared.bifurcations_as(&goal).0
 }
 
 /// That of the same kind whose gap is nearest.
-fn nearest<'a>(found: &'a [Instant<Decimal>], to: &Instant) -> Option<&'a Instant<Decimal>> {
-    let apart = |one: &&Instant<Decimal>| (one.nearest().parameter - to.parameter).abs();
-    let alike = found.iter().filter(|one| one.event == to.event);
+fn nearest<'a>(found: &'a [BifurcationPoint<Decimal>], to: &BifurcationPoint) -> Option<&'a BifurcationPoint<Decimal>> {
+    let apart = |one: &&BifurcationPoint<Decimal>| (one.nearest().parameter - to.parameter).abs();
+    let alike = found.iter().filter(|one| one.kind == to.kind);
     alike.min_by(|one, other| apart(one).total_cmp(&apart(other)))
 }
 
@@ -106,7 +106,7 @@ fn relative(one: &Exact, other: &Exact) -> f64 {
 }
 
 /// The most that the gap changes, relatively, for relative changes of g and both restitutions.
-fn condition(device: [f64; 3], range: [f64; 2], instant: &Instant, exact: &Exact) -> Option<f64> {
+fn condition(device: [f64; 3], range: [f64; 2], instant: &BifurcationPoint, exact: &Exact) -> Option<f64> {
     let mut changes = 0.0;
     for index in 0..device.len() {
         let mut moved = device;

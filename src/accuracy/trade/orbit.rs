@@ -6,7 +6,7 @@ use super::{TradeError, TradeOptions, TradeRow, Unsolved};
 use crate::accuracy::paper_equations::{DerivativeMethod, Eq16, PaperEquations};
 use crate::model::{Bracket, Motion, Sample, Side, root};
 use crate::number::{Analytic, Digits, Dual, Interval, Machine, Rung, Sequence, at_digits, seeded};
-use crate::orbit::{Equations, OneOneEquations, ProvedOrbit, isolate_one_one, newton_one_one, sharpen};
+use crate::orbit::{OneOneEquations, ProvedOrbit, isolate_one_one, newton_one_one, sharpen};
 use roots::{
     SearchError, SimpleConvergency, find_root_brent, find_root_inverse_quadratic, find_root_newton_raphson,
     find_root_regula_falsi, find_root_secant,
@@ -399,7 +399,7 @@ fn newton<T: Analytic>(balance: &OneOneEquations<T>, guess: [T; 2], count: Optio
 fn certified<T: Machine>(point: &Point, guess: [f64; 2]) -> Option<[T; 2]> {
     let near = newton_one_one(&OneOneEquations::new(&point.motion::<f64>()?, 1), guess)?;
     let balance = OneOneEquations::new(&point.motion::<Interval<T>>()?, 1);
-    let root = sharpen(&Equations(&balance), near.map(<T as Analytic>::from_f64))?;
+    let root = sharpen(&balance, near.map(<T as Analytic>::from_f64))?;
     Some(root.enclosure.map(|side| side.midpoint()))
 }
 

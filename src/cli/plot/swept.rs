@@ -118,13 +118,13 @@ fn follow(scene: &Scene, diagram: &mut Diagram) -> Result<(), Failure> {
                         velocities: event.velocities.to_vec(),
                         course: Course::of(false, event.admissible),
                     },
-                    event: event.event,
+                    event: event.kind,
                 });
                 diagram.bifurcations.extend(events);
                 prepared.points(&values)?
             } else {
                 let followed = WordBranches::new(&setting, &word, periods, Interval::new(low, high))?;
-                let events = followed.moments().into_iter().map(|event| Bifurcation {
+                let events = followed.bifurcations().into_iter().map(|event| Bifurcation {
                     step: Step {
                         at: event.parameter,
                         name: name.clone(),
@@ -132,7 +132,7 @@ fn follow(scene: &Scene, diagram: &mut Diagram) -> Result<(), Failure> {
                         velocities: event.velocities.clone(),
                         course: Course::of(false, event.admissible),
                     },
-                    event: event.event,
+                    event: event.kind,
                 });
                 diagram.bifurcations.extend(events);
                 followed.points(&values)?

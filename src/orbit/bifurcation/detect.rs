@@ -1,138 +1,143 @@
-//! Where along a branch something happens.
+//! Bifurcations along a branch of motions of any word: a change of sign of a test function brackets one.
 
-use crate::orbit::bifurcation::moment::{Candidate, Listing, Moment};
+use crate::orbit::bifurcation::point::BifurcationPoint;
+use crate::orbit::bifurcation::words::{ConditionedWord, Listing};
 use crate::orbit::continuation::branch::{Branch, BranchEnd, BranchPoint, TOGETHER, between, distance};
-use crate::orbit::continuation::extended_system::{ExtendedSystem, apart};
+use crate::orbit::continuation::extended_system::ExtendedSystem;
 use crate::orbit::continuation::segment::CertifiedSegment;
 use crate::orbit::continuation::test_functions::TestFunctions;
-use crate::orbit::equations::conditions::BifurcationKind;
-use crate::orbit::equations::word_conditions::{Mark, Marked};
+use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind};
 use crate::orbit::family::Family;
+use crate::orbit::interval_box::apart;
 
-/// Halvings of a piece of a branch before an event on it is told from where it is then known to be.
+/// Maximum number of bisections of a piece of a branch; after it the interpolated guess is reported.
 const MOST_HALVINGS: usize = 16;
 
-/// An event may lie this part of a piece's length off its chord.
+/// A bifurcation may lie off the chord of its piece by this part of its length.
 const BESIDE: f64 = 0.3;
 
-/// Every change of sign along a branch, and what happens at its ends.
-pub(crate) fn moments<F: Family>(along: &ExtendedSystem<F>, strand: &Branch) -> Vec<Moment> {
-    let mut moments = Vec::new();
-    for (pair, arc) in strand.nodes.windows(2).zip(&strand.arcs) {
+/// Every bifurcation along a branch, and those at its ends.
+pub(crate) fn detect<F: Family>(extended: &ExtendedSystem<F>, branch: &Branch) -> Vec<BifurcationPoint> {
+    let mut found = Vec::new();
+    for (pair, segment) in branch.nodes.windows(2).zip(&branch.segments) {
         let [one, other] = pair else { continue };
-        for mark in marks(one, other) {
-            moments.extend(on_piece(along, mark, one, other, arc.as_ref()));
+        for condition in conditions(one, other) {
+            found.extend(on_piece(extended, condition, one, other, segment.as_ref()));
         }
     }
-    let ends = [strand.nodes.first(), strand.nodes.last()];
-    for (end, node) in strand.ends.iter().zip(ends) {
+    let ends = [branch.nodes.first(), branch.nodes.last()];
+    for (end, node) in branch.ends.iter().zip(ends) {
         if let (BranchEnd::Shorter, Some(node)) = (end, node) {
-            moments.extend(of_shorter(along, node));
+            found.extend(of_shorter(extended, node));
         }
     }
-    moments
+    found
 }
 
-/// The marks between two motions, whichever comes first.
-fn marks(one: &BranchPoint, other: &BranchPoint) -> Vec<Mark> {
-    let (from, to) = if one.gauge.moves() { (one, other) } else { (other, one) };
-    let mut marks = from.gauge.marks_to(&to.gauge);
-    if !to.gauge.moves() {
+/// The conditions met between two motions, whichever comes first.
+fn conditions(one: &BranchPoint, other: &BranchPoint) -> Vec<BifurcationCondition> {
+    let (from, to) = if one.functions.moves() {
+        (one, other)
+    } else {
+        (other, one)
+    };
+    let mut conditions = from.functions.conditions_met(&to.functions);
+    if !to.functions.moves() {
         // where a flight starts or ends beyond a wall, what it goes through says nothing
-        marks.retain(|mark| !matches!(mark, Mark::Touch(..)));
+        conditions.retain(|condition| !matches!(condition, BifurcationCondition::Touch(..)));
     }
-    marks
+    conditions
 }
 
 fn on_piece<F: Family>(
-    along: &ExtendedSystem<F>,
-    mark: Mark,
+    extended: &ExtendedSystem<F>,
+    condition: BifurcationCondition,
     one: &BranchPoint,
     other: &BranchPoint,
-    arc: Option<&CertifiedSegment>,
-) -> Option<Moment> {
-    let marked = Marked { along, mark };
-    let listing = Listing::Plain;
-    let candidate = Candidate {
-        marked: &marked,
-        listing,
+    segment: Option<&CertifiedSegment>,
+) -> Option<BifurcationPoint> {
+    let system = ConditionedWord {
+        extended,
+        condition,
+        listing: Listing::Plain,
     };
     let (mut low, mut high) = (one.clone(), other.clone());
     let mut guess = None;
     let mut located = None;
     for _ in 0..MOST_HALVINGS {
-        guess = guessed(along, mark, &low, &high).or(guess);
-        let settled = guess.as_ref().and_then(|guess| candidate.settled(guess));
-        if let Some(point) = settled.filter(|point| is_on_piece(along, point, &low, &high)) {
+        guess = guessed(extended, condition, &low, &high).or(guess);
+        let solved = guess.as_ref().and_then(|guess| system.solved(guess));
+        if let Some(point) = solved.filter(|point| is_on_piece(extended, point, &low, &high)) {
             located = Some(point);
             break;
         }
-        let (from, to) = halved(along, mark, &low, &high)?;
+        let (from, to) = halved(extended, condition, &low, &high)?;
         (low, high) = (from, to);
     }
     let point = located.or(guess)?;
-    let (phases, rest) = point.split_at(along.impacts());
-    let gauge = TestFunctions::new(&along.at(&rest[0])?, phases);
+    let (phases, rest) = point.split_at(extended.impacts());
+    let functions = TestFunctions::new(&extended.at(&rest[0])?, phases);
     // at a velocity of 0 its sign is rounding; any other one must be right
-    let mut speeds = gauge.speeds.iter().enumerate();
-    let moves = speeds.all(|(impact, speed)| *speed > 0.0 || mark == Mark::Slow(impact));
-    if !moves || gauge.times.iter().any(|time| *time <= 0.0) || !along.range.contains(&rest[0]) {
+    let mut speeds = functions.speeds.iter().enumerate();
+    let moves = speeds.all(|(impact, speed)| *speed > 0.0 || condition == BifurcationCondition::ZeroVelocity(impact));
+    if !moves || functions.times.iter().any(|time| *time <= 0.0) || !extended.range.contains(&rest[0]) {
         return None;
     }
-    let mut moment = candidate.moment(&point)?;
+    let mut found = system.located(&point)?;
     let last = one.tangent.len() - 1;
     let turns = one.tangent[last] * other.tangent[last] < 0.0;
-    if mark == Mark::MultiplierOne && moment.error_bound.is_none() && !(turns && arc.is_some()) {
-        moment.event = BifurcationKind::SymmetryBreaking;
+    if condition == BifurcationCondition::MultiplierOne && found.error_bound.is_none() && !(turns && segment.is_some())
+    {
+        found.kind = BifurcationKind::SymmetryBreaking;
     }
-    Some(moment)
+    Some(found)
 }
 
-/// The unknowns about where a mark is, between two motions: phases, parameter and the time of a touch.
+/// A guess at the unknowns where a condition is met between two motions: phases, parameter and the time of a touch.
 fn guessed<F: Family>(
-    along: &ExtendedSystem<F>,
-    mark: Mark,
+    extended: &ExtendedSystem<F>,
+    condition: BifurcationCondition,
     low: &BranchPoint,
     high: &BranchPoint,
 ) -> Option<Vec<f64>> {
-    let value = |gauge: &TestFunctions| match mark {
-        Mark::Slow(impact) => gauge.speeds[impact],
-        Mark::Touch(..) => 0.0,
-        _ => Mark::MULTIPLIERS
+    let value = |functions: &TestFunctions| match condition {
+        BifurcationCondition::ZeroVelocity(impact) => functions.speeds[impact],
+        BifurcationCondition::Touch(..) => 0.0,
+        _ => BifurcationCondition::MULTIPLIERS
             .iter()
-            .position(|other| *other == mark)
-            .map_or(0.0, |i| gauge.multipliers[i]),
+            .position(|other| *other == condition)
+            .map_or(0.0, |i| functions.multipliers[i]),
     };
-    let (from, to) = (value(&low.gauge), value(&high.gauge));
+    let (from, to) = (value(&low.functions), value(&high.functions));
     let part = if from * to < 0.0 { from / (from - to) } else { 0.5 };
     let mut point = between(low, high, part);
     let last = point.len() - 1;
-    point[last] = along.parameter(&point[last]);
-    if let Mark::Touch(flight, wall) = mark {
-        let gauge = TestFunctions::new(&along.at(&point[last])?, &point[..last]);
-        let turn = gauge.nearest(flight, wall);
+    point[last] = extended.parameter(&point[last]);
+    if let BifurcationCondition::Touch(flight, wall) = condition {
+        let functions = TestFunctions::new(&extended.at(&point[last])?, &point[..last]);
+        let turn = functions.nearest(flight, wall);
         let turn = turn
-            .or_else(|| low.gauge.nearest(flight, wall))
-            .or_else(|| high.gauge.nearest(flight, wall))?;
+            .or_else(|| low.functions.nearest(flight, wall))
+            .or_else(|| high.functions.nearest(flight, wall))?;
         point.push(turn.after);
     }
     Some(point)
 }
 
-fn is_on_piece<F: Family>(along: &ExtendedSystem<F>, point: &[f64], low: &BranchPoint, high: &BranchPoint) -> bool {
+fn is_on_piece<F: Family>(extended: &ExtendedSystem<F>, point: &[f64], low: &BranchPoint, high: &BranchPoint) -> bool {
     let beside = BESIDE * distance(&low.point, &high.point);
     let last = low.point.len() - 1;
-    let coordinate = |i: usize| if i == last { along.place(point[i]) } else { point[i] };
+    let coordinate = |i: usize| if i == last { extended.place(point[i]) } else { point[i] };
     (0..=last).all(|i| {
         let (from, to) = (low.point[i].min(high.point[i]), low.point[i].max(high.point[i]));
         (from - beside..=to + beside).contains(&coordinate(i))
     })
 }
 
-/// The half of a piece on which the mark is.
+/// The half of a piece on which the condition is met.
 fn halved<F: Family>(
-    along: &ExtendedSystem<F>,
-    mark: Mark,
+    extended: &ExtendedSystem<F>,
+    condition: BifurcationCondition,
     low: &BranchPoint,
     high: &BranchPoint,
 ) -> Option<(BranchPoint, BranchPoint)> {
@@ -144,14 +149,18 @@ fn halved<F: Family>(
         .map(|(one, other)| one + other)
         .collect();
     let offset = crate::orbit::continuation::extended_system::dot(&guess, &normal);
-    let (point, _) = along.corrected(&guess, &normal, offset)?;
-    let tangent = along.tangent(&point, &normal)?;
+    let (point, _) = extended.corrected(&guess, &normal, offset)?;
+    let tangent = extended.tangent(&point, &normal)?;
     let last = point.len() - 1;
-    let gauge = TestFunctions::new(&along.at_place(&point[last])?, &point[..last]);
-    let middle = BranchPoint { point, tangent, gauge };
-    if marks(low, &middle).contains(&mark) {
+    let functions = TestFunctions::new(&extended.at_place(&point[last])?, &point[..last]);
+    let middle = BranchPoint {
+        point,
+        tangent,
+        functions,
+    };
+    if conditions(low, &middle).contains(&condition) {
         Some((low.clone(), middle))
-    } else if marks(&middle, high).contains(&mark) {
+    } else if conditions(&middle, high).contains(&condition) {
         Some((middle, high.clone()))
     } else {
         None
@@ -159,42 +168,50 @@ fn halved<F: Family>(
 }
 
 /// Where a motion becomes one of a shorter word: one that goes through it twice, or with two impacts in one.
-fn of_shorter<F: Family>(along: &ExtendedSystem<F>, node: &BranchPoint) -> Option<Moment> {
+fn of_shorter<F: Family>(extended: &ExtendedSystem<F>, node: &BranchPoint) -> Option<BifurcationPoint> {
     let last = node.point.len() - 1;
     let (phases, place) = (&node.point[..last], node.point[last]);
-    let times = node.gauge.times.iter().enumerate();
+    let times = node.functions.times.iter().enumerate();
     let (flight, shortest) = times.min_by(|(_, one), (_, other)| one.total_cmp(other))?;
     let mut guess: Vec<f64>;
-    let (word, periods, mark, listing);
+    let (word, periods, condition, listing);
     if std::f64::consts::PI * shortest < TOGETHER {
         // the impact that ends the flight is left out
         let gone = (flight + 1) % last;
-        word = along.word.without(gone)?;
+        word = extended.word.without(gone)?;
         guess = phases.to_vec();
         guess.remove(gone);
         let kept = if gone == 0 { last - 2 } else { flight };
-        (periods, mark, listing) = (along.periods, Mark::Slow(kept), Listing::Doubled(kept));
+        (periods, condition, listing) = (
+            extended.periods,
+            BifurcationCondition::ZeroVelocity(kept),
+            Listing::Doubled(kept),
+        );
     } else {
-        word = along.word.half()?;
-        if !along.periods.is_multiple_of(2) {
+        word = extended.word.half()?;
+        if !extended.periods.is_multiple_of(2) {
             return None;
         }
         guess = phases[..last / 2].to_vec();
-        (periods, mark, listing) = (along.periods / 2, Mark::MultiplierMinusOne, Listing::Twice);
+        (periods, condition, listing) = (
+            extended.periods / 2,
+            BifurcationCondition::MultiplierMinusOne,
+            Listing::Twice,
+        );
     }
     let shorter = ExtendedSystem {
-        family: &along.family,
+        family: &extended.family,
         word,
         periods,
-        range: along.range,
+        range: extended.range,
     };
-    guess.push(along.parameter(&place));
-    let marked = Marked { along: &shorter, mark };
-    let candidate = Candidate {
-        marked: &marked,
+    guess.push(extended.parameter(&place));
+    let system = ConditionedWord {
+        extended: &shorter,
+        condition,
         listing,
     };
-    let settled = candidate.settled(&guess);
-    let near = settled.filter(|point| apart(point, &guess) < 100.0 * TOGETHER);
-    candidate.moment(&near.unwrap_or(guess))
+    let solved = system.solved(&guess);
+    let near = solved.filter(|point| apart(point, &guess) < 100.0 * TOGETHER);
+    system.located(&near.unwrap_or(guess))
 }

@@ -3,16 +3,44 @@
 //! Each is a solution of h_1 = h_2 = 0 and a condition in (T_1, psi, parameter), isolated in the cells of a [`Cover`]:
 //! two between neighbouring values of a sweep are found like one.
 
-use crate::number::{Field, Interval};
-use crate::orbit::equations::conditions::{BifurcationKind, Condition, Touch};
+use crate::model::Side;
+use crate::number::{Endpoint, Field, Interval};
+use crate::orbit::bifurcation::point::{EnclosedBifurcation, clearance_at};
+use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind};
 use crate::orbit::equations::one_one::OneOneEquations;
-use crate::orbit::equations::one_one_bifurcations::{Conditioned, Halved, Symmetric, Touching};
+use crate::orbit::equations::one_one_bifurcations::{ConditionedOneOne, HalvedOneOne, SymmetricOneOne};
 use crate::orbit::equations::square_system::SquareSystem;
 use crate::orbit::family::Family;
+use crate::orbit::inconclusive::{Inconclusive, Property};
 use crate::orbit::interval_box::{IntervalBox, holds, joined};
 use crate::orbit::solve::cover::Cover;
 use crate::orbit::solve::isolate::{Isolation, SearchLimits, isolate};
-use crate::orbit::solve::krawczyk::{ProvedRoot, distinct_phases, is_shifted};
+use crate::orbit::solve::krawczyk::{ProvedRoot, distinct_phases, is_shifted, prove_over};
+use crate::orbit::word::Word;
+use num_dual::DualNum;
+use num_traits::One;
+
+/// The conditions on a 1-1 motion of one equation each: on its multipliers, and an impact of velocity 0.
+const CONDITIONS: [BifurcationCondition; 6] = [
+    BifurcationCondition::MultiplierMinusOne,
+    BifurcationCondition::MultiplierOne,
+    BifurcationCondition::DoublePositive,
+    BifurcationCondition::DoubleNegative,
+    BifurcationCondition::ZeroVelocity(0),
+    BifurcationCondition::ZeroVelocity(1),
+];
+
+/// The touches there may be: in either flight, at either wall.
+const TOUCHES: [BifurcationCondition; 4] = [
+    BifurcationCondition::Touch(0, Side::Bottom),
+    BifurcationCondition::Touch(0, Side::Top),
+    BifurcationCondition::Touch(1, Side::Bottom),
+    BifurcationCondition::Touch(1, Side::Top),
+];
+
+/// The clearance of a motion with an impact of velocity 0 is that of the bifurcation within this: turning points follow the
+/// velocity with slopes of some units.
+const CLEARANCE_MARGIN: f64 = 1e-12;
 
 /// Cells narrower than this are not halved again.
 const FINEST: f64 = 1e-8;
@@ -31,21 +59,21 @@ pub const CROSSING: f64 = 1e-4;
 /// A proved event: the equations that it solves, and their solution within rounding.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LocatedBifurcation {
-    /// Of [`Conditioned`].
-    Condition(Condition, ProvedRoot<f64, 3>),
-    /// Of [`Touching`].
-    Touch(Touch, ProvedRoot<f64, 4>),
-    /// Of [`Symmetric`]: where a branch of other motions crosses that of symmetric ones.
+    /// Of [`ConditionedOneOne`], in (T_1, psi, parameter).
+    Condition(BifurcationCondition, ProvedRoot<f64, 3>),
+    /// Of [`ConditionedOneOne`] at a touch, in (T_1, psi, parameter, time into the flight).
+    Touch(BifurcationCondition, ProvedRoot<f64, 4>),
+    /// Of [`SymmetricOneOne`]: where a branch of other motions crosses that of symmetric ones.
     Crossing(ProvedRoot<f64, 2>),
-    /// Of [`Symmetric`]: where the branch of symmetric motions turns.
+    /// Of [`SymmetricOneOne`]: where the branch of symmetric motions turns.
     Turn(ProvedRoot<f64, 2>),
 }
 
 impl LocatedBifurcation {
     /// What happens.
-    pub fn event(&self) -> BifurcationKind {
+    pub fn kind(&self) -> BifurcationKind {
         match self {
-            Self::Condition(condition, _) => condition.event(),
+            Self::Condition(condition, _) => condition.kind(),
             Self::Touch(..) => BifurcationKind::Grazing,
             Self::Crossing(_) => BifurcationKind::SymmetryBreaking,
             Self::Turn(_) => BifurcationKind::Fold,
@@ -54,11 +82,8 @@ impl LocatedBifurcation {
 
     /// Where it happens.
     pub fn parameter(&self) -> Interval<f64> {
-        match self {
-            Self::Condition(_, root) => root.enclosure[2],
-            Self::Touch(_, root) => root.enclosure[2],
-            Self::Crossing(root) | Self::Turn(root) => root.enclosure[1],
-        }
+        let [_, _, parameter] = self.cell(0);
+        parameter
     }
 
     /// Where it happens to motions of so many periods, in (T_1, psi, parameter).
@@ -84,6 +109,87 @@ impl LocatedBifurcation {
             (Self::Touch(a, one), Self::Touch(b, other)) => a == b && meet(one, other, PHASE),
             (Self::Crossing(one), Self::Crossing(other)) | (Self::Turn(one), Self::Turn(other)) => meet(one, other, 0),
             _ => false,
+        }
+    }
+
+    /// The bifurcation over `E`, proved again and located as well as `E` can.
+    ///
+    /// # Errors
+    /// `Undecided` where `E` is too narrow.
+    pub fn enclosed<E: Endpoint>(
+        &self,
+        family: &impl Family,
+        periods: u32,
+    ) -> Result<EnclosedBifurcation<E>, Inconclusive>
+    where
+        Interval<E>: DualNum,
+    {
+        let open = |what| Inconclusive::Undecided { what };
+        let [t_1, middle, parameter] = self.refined::<E>(family, periods).ok_or(open(Property::Existence))?;
+        let motion = family.motion_at(&parameter).map_err(|_| open(Property::Direction))?;
+        let balance = OneOneEquations::new(&motion, periods);
+        let impacts = balance.impacts(&t_1, &middle);
+        let condition = match self {
+            Self::Condition(condition, _) | Self::Touch(condition, _) => *condition,
+            Self::Crossing(_) | Self::Turn(_) => BifurcationCondition::MultiplierOne,
+        };
+        // without loss an impact of velocity 0 is a contact of its reflection in time too; without gravity a ball with two of
+        // them stands still while the capsule moves, and touches whenever that turns
+        let touches = |clearance: &Interval<E>| match condition {
+            BifurcationCondition::Touch(..) => true,
+            BifurcationCondition::ZeroVelocity(_) => {
+                let has_loss = (Interval::one() - balance.loss_factor()).is_positive();
+                let stands = motion.g().contains_zero() && impacts.iter().all(|impact| impact.velocity.contains_zero());
+                (stands || !has_loss) && clearance.magnitude().to_f64() <= 2.0 * CLEARANCE_MARGIN
+            }
+            _ => false,
+        };
+        let sides = [Side::Bottom, Side::Top];
+        let margin = CLEARANCE_MARGIN;
+        let (clearance, admissible) = clearance_at(condition, (&sides, &motion), &impacts, margin, touches)?;
+        let trace = match condition {
+            BifurcationCondition::ZeroVelocity(_) => None,
+            BifurcationCondition::Touch(..) => {
+                let [v, w] = balance.scaled_velocities(&t_1, &middle);
+                Some(balance.trace_above(&Interval::from_integer(0), &t_1, &middle) / (v * w))
+            }
+            condition => condition.trace(&balance.loss_factor()),
+        };
+        Ok(EnclosedBifurcation {
+            kind: self.kind(),
+            word: Word::pair(),
+            periods,
+            d: motion.d().clone(),
+            parameter,
+            impacts: impacts.to_vec(),
+            trace,
+            clearance,
+            admissible,
+            certified: true,
+        })
+    }
+
+    /// (T_1, psi, parameter) over `E`.
+    fn refined<E: Endpoint>(&self, family: &impl Family, periods: u32) -> Option<IntervalBox<E, 3>>
+    where
+        Interval<E>: DualNum,
+    {
+        let conditioned = |condition: &BifurcationCondition| ConditionedOneOne {
+            family,
+            periods,
+            condition: *condition,
+            apart: Vec::new(),
+        };
+        match self {
+            Self::Condition(condition, root) => prove_over(&conditioned(condition), root),
+            Self::Touch(touch, root) => {
+                prove_over(&conditioned(touch), root).map(|[t_1, middle, parameter, _]| [t_1, middle, parameter])
+            }
+            Self::Crossing(root) | Self::Turn(root) => {
+                let line = Interval::from_integer(i64::from(periods));
+                prove_over(&SymmetricOneOne { family, periods }, root)
+                    .map(|[middle, parameter]| [line, middle, parameter])
+            }
         }
     }
 }
@@ -138,7 +244,7 @@ pub fn bifurcations(family: &impl Family, cover: &Cover) -> Bifurcations {
         if weightless {
             halves = line.around(
                 &line
-                    .isolated(&Halved {
+                    .isolated(&HalvedOneOne {
                         family,
                         periods: cover.periods,
                     })
@@ -146,19 +252,19 @@ pub fn bifurcations(family: &impl Family, cover: &Cover) -> Bifurcations {
             );
         }
     }
-    for condition in Condition::ALL {
+    for condition in CONDITIONS {
         // With r_B r_T = 1 multipliers meet at 1 and -1 alone, which are events of their own.
-        if elastic && condition.event() == BifurcationKind::NodeFocus {
+        if elastic && condition.kind() == BifurcationKind::NodeFocus {
             continue;
         }
         let apart = match condition {
-            Condition::MultiplierOne => &crossings,
-            Condition::DoubleNegative | Condition::MultiplierMinusOne => &halves,
+            BifurcationCondition::MultiplierOne => &crossings,
+            BifurcationCondition::DoubleNegative | BifurcationCondition::MultiplierMinusOne => &halves,
             _ => &Vec::new(),
         };
         conditioned(family, cover, condition, apart, &mut found);
     }
-    for touch in Touch::ALL {
+    for touch in TOUCHES {
         touching(family, cover, touch, elastic, &mut found);
     }
     // A proof reaches a little beyond the cells.
@@ -177,11 +283,11 @@ pub fn bifurcations(family: &impl Family, cover: &Cover) -> Bifurcations {
 fn conditioned(
     family: &impl Family,
     cover: &Cover,
-    condition: Condition,
+    condition: BifurcationCondition,
     apart: &[IntervalBox<f64, 3>],
     found: &mut Bifurcations,
 ) {
-    let system = Conditioned {
+    let system = ConditionedOneOne {
         family,
         periods: cover.periods,
         condition,
@@ -195,12 +301,17 @@ fn conditioned(
         }
     }
     let cells = isolation.undecided.into_iter();
-    found.undecided.extend(cells.map(|cell| (condition.event(), cell)));
+    found.undecided.extend(cells.map(|cell| (condition.kind(), cell)));
 }
 
-fn touching(family: &impl Family, cover: &Cover, touch: Touch, elastic: bool, found: &mut Bifurcations) {
+fn touching(family: &impl Family, cover: &Cover, touch: BifurcationCondition, elastic: bool, found: &mut Bifurcations) {
     let periods = cover.periods;
-    let system = Touching { family, periods, touch };
+    let system = ConditionedOneOne {
+        family,
+        periods,
+        condition: touch,
+        apart: Vec::new(),
+    };
     let after = Interval::new(0.0, 2.0 * f64::from(periods));
     let with_time = |&[t_1, middle, parameter]: &IntervalBox<f64, 3>| [t_1, middle, parameter, after];
     let isolation = isolated(&system, cover.cells.iter().map(with_time).collect());
@@ -208,11 +319,10 @@ fn touching(family: &impl Family, cover: &Cover, touch: Touch, elastic: bool, fo
         // A reversible motion touches a wall in both of its flights at once: one event. So does one without loss that
         // reaches a wall with velocity 0: it is alone with its reflection in time, and touches there at both phases; and
         // a ball that stands still without gravity while the capsule moves.
-        let meets = |cell: &[Interval<f64>]| (0..3).all(|i| cell[i].intersection(&root.enclosure[i]).is_some());
         let twin = |located: &LocatedBifurcation| match located {
-            LocatedBifurcation::Touch(_, other) => meets(&other.enclosure),
-            LocatedBifurcation::Condition(Condition::SlowImpact(_), other) => {
-                meets(&other.enclosure) && (elastic || stands(family, periods, &other.enclosure))
+            LocatedBifurcation::Touch(_, other) => meets(&other.enclosure, &root.enclosure),
+            LocatedBifurcation::Condition(BifurcationCondition::ZeroVelocity(_), other) => {
+                meets(&other.enclosure, &root.enclosure) && (elastic || stands(family, periods, &other.enclosure))
             }
             _ => false,
         };
@@ -269,7 +379,7 @@ impl<'a, F: Family> Line<'a, F> {
 
     /// Adds the multipliers of 1 on the line to what is found; the boxes around them.
     fn multipliers_of_one(&self, found: &mut Bifurcations) -> Vec<IntervalBox<f64, 3>> {
-        let system = Symmetric {
+        let system = SymmetricOneOne {
             family: self.family,
             periods: self.periods,
         };
@@ -302,14 +412,19 @@ fn is_known_turn(root: &ProvedRoot<f64, 3>, found: &Bifurcations) -> bool {
 }
 
 /// Whether the event is the velocity of 0 at the other wall: both at once are one event.
-fn is_known_grazing(condition: Condition, root: &ProvedRoot<f64, 3>, found: &Bifurcations) -> bool {
-    let meets =
-        |other: &ProvedRoot<f64, 3>| (0..3).all(|i| other.enclosure[i].intersection(&root.enclosure[i]).is_some());
-    matches!(condition, Condition::SlowImpact(_))
+fn is_known_grazing(condition: BifurcationCondition, root: &ProvedRoot<f64, 3>, found: &Bifurcations) -> bool {
+    matches!(condition, BifurcationCondition::ZeroVelocity(_))
         && found.located.iter().any(|located| match located {
-            LocatedBifurcation::Condition(Condition::SlowImpact(_), other) => meets(other),
+            LocatedBifurcation::Condition(BifurcationCondition::ZeroVelocity(_), other) => {
+                meets(&other.enclosure, &root.enclosure)
+            }
             _ => false,
         })
+}
+
+/// Whether two boxes meet in (T_1, psi, parameter).
+fn meets(one: &[Interval<f64>], other: &[Interval<f64>]) -> bool {
+    (0..3).all(|i| one[i].intersection(&other[i]).is_some())
 }
 
 fn isolated<const D: usize>(system: &impl SquareSystem<f64, D>, cells: Vec<IntervalBox<f64, D>>) -> Isolation<f64, D> {

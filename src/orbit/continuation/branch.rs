@@ -1,10 +1,11 @@
 //! One branch of motions: from a motion on it, in both directions, to where it ends.
 
-use crate::orbit::continuation::extended_system::{ExtendedSystem, apart, dot};
+use crate::orbit::continuation::extended_system::{ExtendedSystem, dot};
 use crate::orbit::continuation::segment::CertifiedSegment;
 use crate::orbit::continuation::test_functions::TestFunctions;
 use crate::orbit::family::Family;
-use crate::orbit::solve::newton::{brought_near, listed_from};
+use crate::orbit::interval_box::apart;
+use crate::orbit::solve::starts::{brought_near, listed_from};
 use crate::orbit::solve::words::WordOrbit;
 use std::f64::consts::PI;
 
@@ -35,7 +36,7 @@ pub(crate) struct BranchPoint {
     pub point: Vec<f64>,
     /// Along the branch.
     pub tangent: Vec<f64>,
-    pub gauge: TestFunctions,
+    pub functions: TestFunctions,
 }
 
 /// Why a branch ends.
@@ -59,56 +60,60 @@ pub(crate) struct Branch {
     /// In order along it.
     pub nodes: Vec<BranchPoint>,
     /// The proof for each piece between two of them; `None` where it was leapt over.
-    pub arcs: Vec<Option<CertifiedSegment>>,
+    pub segments: Vec<Option<CertifiedSegment>>,
     /// At the first node and at the last.
     pub ends: [BranchEnd; 2],
 }
 
 impl Branch {
     /// The branch through a motion at a place of the range.
-    pub fn through(along: &ExtendedSystem<impl Family>, phases: &[f64], place: f64) -> Option<Self> {
+    pub fn through(extended: &ExtendedSystem<impl Family>, phases: &[f64], place: f64) -> Option<Self> {
         let mut point = phases.to_vec();
         point.push(place);
-        let tangent = along.first_tangent(&point)?;
-        let gauge = TestFunctions::new(&along.at_place(&place)?, phases);
-        let start = BranchPoint { point, tangent, gauge };
-        let mut onwards = Continuation::new(along, start.clone());
+        let tangent = extended.first_tangent(&point)?;
+        let functions = TestFunctions::new(&extended.at_place(&place)?, phases);
+        let start = BranchPoint {
+            point,
+            tangent,
+            functions,
+        };
+        let mut onwards = Continuation::new(extended, start.clone());
         let end = onwards.walk();
         if end == BranchEnd::Closed {
-            let Continuation { nodes, arcs, .. } = onwards;
+            let Continuation { nodes, segments, .. } = onwards;
             let ends = [BranchEnd::Closed; 2];
-            return Some(Self { nodes, arcs, ends });
+            return Some(Self { nodes, segments, ends });
         }
         let back = start.tangent.iter().map(|part| -part).collect();
-        let mut backwards = Continuation::new(along, BranchPoint { tangent: back, ..start });
+        let mut backwards = Continuation::new(extended, BranchPoint { tangent: back, ..start });
         let start = backwards.walk();
-        let (mut nodes, mut arcs) = (backwards.nodes, backwards.arcs);
+        let (mut nodes, mut segments) = (backwards.nodes, backwards.segments);
         nodes.reverse();
-        arcs.reverse();
+        segments.reverse();
         for node in &mut nodes {
             node.tangent.iter_mut().for_each(|part| *part = -*part);
         }
         nodes.pop();
         nodes.extend(onwards.nodes);
-        arcs.extend(onwards.arcs);
+        segments.extend(onwards.segments);
         let ends = [start, end];
-        Some(Self { nodes, arcs, ends })
+        Some(Self { nodes, segments, ends })
     }
 
     /// Whether it passes through a motion at a place of the range.
-    pub fn holds(&self, along: &ExtendedSystem<impl Family>, cycle: &WordOrbit, place: f64) -> bool {
-        let firsts: Vec<usize> = std::iter::once(0).chain(along.word.symmetries()).collect();
-        let pieces = self.arcs.iter().zip(self.nodes.windows(2));
-        let mut near = pieces.filter_map(|(arc, pair)| Some((arc.as_ref()?, &pair[0].point, &pair[1].point)));
-        near.any(|(arc, from, to)| {
+    pub fn holds(&self, extended: &ExtendedSystem<impl Family>, cycle: &WordOrbit, place: f64) -> bool {
+        let firsts: Vec<usize> = std::iter::once(0).chain(extended.word.symmetries()).collect();
+        let pieces = self.segments.iter().zip(self.nodes.windows(2));
+        let mut near = pieces.filter_map(|(segment, pair)| Some((segment.as_ref()?, &pair[0].point, &pair[1].point)));
+        near.any(|(segment, from, to)| {
             let last = from.len() - 1;
             let (low, high) = (from[last].min(to[last]), from[last].max(to[last]));
-            place >= low - arc.radius
-                && place <= high + arc.radius
+            place >= low - segment.radius
+                && place <= high + segment.radius
                 && firsts.iter().any(|first| {
-                    let mut listed = brought_near(&listed_from(cycle.phases(), *first, along.periods), from[0]);
+                    let mut listed = brought_near(&listed_from(cycle.phases(), *first, extended.periods), from[0]);
                     listed.push(place);
-                    arc.holds(&listed, 1e-9)
+                    segment.holds(&listed, 1e-9)
                 })
         })
     }
@@ -178,9 +183,9 @@ pub(crate) fn distance(one: &[f64], other: &[f64]) -> f64 {
 
 /// The way in one direction.
 struct Continuation<'a, F> {
-    along: &'a ExtendedSystem<F>,
+    extended: &'a ExtendedSystem<F>,
     nodes: Vec<BranchPoint>,
-    arcs: Vec<Option<CertifiedSegment>>,
+    segments: Vec<Option<CertifiedSegment>>,
 }
 
 /// What a step comes to.
@@ -191,10 +196,14 @@ enum Step {
 }
 
 impl<'a, F: Family> Continuation<'a, F> {
-    fn new(along: &'a ExtendedSystem<F>, start: BranchPoint) -> Self {
+    fn new(extended: &'a ExtendedSystem<F>, start: BranchPoint) -> Self {
         let nodes = vec![start];
-        let arcs = Vec::new();
-        Self { along, nodes, arcs }
+        let segments = Vec::new();
+        Self {
+            extended,
+            nodes,
+            segments,
+        }
     }
 
     fn walk(&mut self) -> BranchEnd {
@@ -205,17 +214,17 @@ impl<'a, F: Family> Continuation<'a, F> {
             if (place <= 0.0 && ahead < 0.0) || (place >= 1.0 && ahead > 0.0) {
                 return BranchEnd::Range;
             }
-            let Some((step, arc, used)) = self.proved_step(&here, length).or_else(|| self.leap(&here)) else {
+            let Some((step, segment, used)) = self.proved_step(&here, length).or_else(|| self.leap(&here)) else {
                 return BranchEnd::Lost;
             };
             let (node, is_last) = match step {
                 Step::Next(node) => (node, false),
                 Step::Last(node) => (node, true),
             };
-            let moves = node.gauge.moves();
+            let moves = node.functions.moves();
             let shorter = self.is_shorter(&node);
             self.nodes.push(node);
-            self.arcs.push(arc);
+            self.segments.push(segment);
             if !moves {
                 return BranchEnd::Slow;
             }
@@ -239,8 +248,8 @@ impl<'a, F: Family> Continuation<'a, F> {
         while length > SHORTEST_STEP {
             if let Some(step) = self.step(here, length) {
                 let (Step::Next(node) | Step::Last(node)) = &step;
-                if let Some(arc) = CertifiedSegment::prove(self.along, &here.point, &node.point) {
-                    return Some((step, Some(arc), length));
+                if let Some(segment) = CertifiedSegment::prove(self.extended, &here.point, &node.point) {
+                    return Some((step, Some(segment), length));
                 }
             }
             length *= 0.5;
@@ -271,22 +280,26 @@ impl<'a, F: Family> Continuation<'a, F> {
         let (point, moved) = match end {
             Some(end) => {
                 let part = (end - here.point[last]) / here.tangent[last];
-                self.along.settled_at(&ahead(part), end)?
+                self.extended.solved_at(&ahead(part), end)?
             }
             None => self
-                .along
+                .extended
                 .corrected(&guess, &here.tangent, dot(&guess, &here.tangent))?,
         };
         if moved > NEAR * length || !(0.0..=1.0).contains(&point[last]) {
             return None;
         }
-        let tangent = self.along.tangent(&point, &here.tangent)?;
+        let tangent = self.extended.tangent(&point, &here.tangent)?;
         if dot(&tangent, &here.tangent) < STRAIGHT {
             return None;
         }
         let phases = &point[..last];
-        let gauge = TestFunctions::new(&self.along.at_place(&point[last])?, phases);
-        let node = BranchPoint { point, tangent, gauge };
+        let functions = TestFunctions::new(&self.extended.at_place(&point[last])?, phases);
+        let node = BranchPoint {
+            point,
+            tangent,
+            functions,
+        };
         Some(if end.is_some() {
             Step::Last(node)
         } else {
@@ -296,7 +309,7 @@ impl<'a, F: Family> Continuation<'a, F> {
 
     /// Whether the branch came round to its first motion.
     fn is_closed(&self) -> bool {
-        let (Some(start), Some(Some(arc))) = (self.nodes.first(), self.arcs.last()) else {
+        let (Some(start), Some(Some(segment))) = (self.nodes.first(), self.segments.last()) else {
             return false;
         };
         if self.nodes.len() < 4 {
@@ -304,12 +317,12 @@ impl<'a, F: Family> Continuation<'a, F> {
         }
         let from = &self.nodes[self.nodes.len() - 2].point;
         let last = from.len() - 1;
-        let firsts = std::iter::once(0).chain(self.along.word.symmetries());
+        let firsts = std::iter::once(0).chain(self.extended.word.symmetries());
         firsts.into_iter().any(|first| {
-            let listed = listed_from(&start.point[..last], first, self.along.periods);
+            let listed = listed_from(&start.point[..last], first, self.extended.periods);
             let mut listed = brought_near(&listed, from[0]);
             listed.push(start.point[last]);
-            arc.holds(&listed, 0.0)
+            segment.holds(&listed, 0.0)
         })
     }
 
@@ -317,11 +330,11 @@ impl<'a, F: Family> Continuation<'a, F> {
     fn is_shorter(&self, node: &BranchPoint) -> bool {
         let last = node.point.len() - 1;
         let phases = &node.point[..last];
-        let mut repeats = self.along.word.symmetries().map(|first| {
-            let listed = listed_from(phases, first, self.along.periods);
+        let mut repeats = self.extended.word.symmetries().map(|first| {
+            let listed = listed_from(phases, first, self.extended.periods);
             apart(&brought_near(&listed, phases[0]), phases)
         });
-        let shortest = node.gauge.times.iter().copied().fold(f64::INFINITY, f64::min);
+        let shortest = node.functions.times.iter().copied().fold(f64::INFINITY, f64::min);
         repeats.any(|apart| apart < TOGETHER) || PI * shortest < TOGETHER
     }
 }
@@ -339,31 +352,31 @@ mod tests {
     #[test]
     fn a_branch_passes_through_every_motion_it_was_proved_to() {
         let family = Motion::new(0.12201, 0.3, 0.6, 0.3).expect("a motion");
-        let along = ExtendedSystem {
+        let extended = ExtendedSystem {
             family: &family,
             word: "BTT".parse().expect("a word"),
             periods: 1,
             range: Interval::new(0.1, 0.5),
         };
-        let place = along.place(0.2);
+        let place = extended.place(0.2);
         let at = |place: f64| {
             family
-                .motion_at(&along.parameter(&Interval::point(place)))
+                .motion_at(&extended.parameter(&Interval::point(place)))
                 .expect("a motion")
         };
-        let cycles = search_word(&along.word, 1, &at(place)).expect("a search");
+        let cycles = search_word(&extended.word, 1, &at(place)).expect("a search");
         assert!(!cycles.is_empty());
         for cycle in &cycles {
-            let strand = Branch::through(&along, cycle.phases(), place).expect("a branch");
+            let branch = Branch::through(&extended, cycle.phases(), place).expect("a branch");
             assert!(
-                strand.ends.iter().all(|end| *end != BranchEnd::Lost),
+                branch.ends.iter().all(|end| *end != BranchEnd::Lost),
                 "{:?}",
-                strand.ends
+                branch.ends
             );
-            assert!(strand.arcs.iter().all(Option::is_some));
-            assert!(strand.holds(&along, cycle, place));
+            assert!(branch.segments.iter().all(Option::is_some));
+            assert!(branch.holds(&extended, cycle, place));
             let near = |phases: &Vec<f64>| apart(&brought_near(phases, PI), cycle.phases()) < 1e-6;
-            assert!(strand.proposals(place).iter().any(near));
+            assert!(branch.proposals(place).iter().any(near));
         }
     }
 }

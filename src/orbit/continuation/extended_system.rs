@@ -3,14 +3,19 @@
 use crate::number::{Analytic, Dual, Interval, seeded};
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::family::Family;
+use crate::orbit::interval_box::apart;
+use crate::orbit::solve::newton::{Ending, newton};
 use crate::orbit::word::Word;
 use nalgebra::{DMatrix, DVector};
+use num_dual::DualNum;
 
-/// Newton steps to the curve: from a good prediction it takes three.
-const MOST_STEPS: usize = 8;
-
-/// A last step this small leaves nothing to gain.
-const SETTLED: f64 = 1e-10;
+/// How Newton's method ends: from a good prediction it takes three steps.
+const ENDING: Ending = Ending {
+    most_steps: 8,
+    last_step: 1e-10,
+    growth: 1.0,
+    rounding: 0.0,
+};
 
 /// The equations of a word as those of a curve: as many as impacts, in the phases and one unknown more, the place of
 /// the parameter in its range, from 0 to 1.
@@ -55,28 +60,25 @@ impl<F: Family> ExtendedSystem<F> {
         self.at(&self.parameter(place))
     }
 
+    /// The derivatives of the residuals at a point, or over a box, by the place; `None` where it can be no such.
+    fn by_place<T: Analytic + DualNum>(&self, phases: &[T], place: &T) -> Option<Vec<T>> {
+        let lifted: Vec<_> = phases.iter().cloned().map(Dual::from_re).collect();
+        let residuals = self.at_place(&seeded(place.clone()))?.residuals(&lifted);
+        Some(residuals.into_iter().map(|residual| residual.eps).collect())
+    }
+
     /// Residuals and their derivatives, row by row, those by the place last.
     fn linearised(&self, point: &[f64]) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
         let (phases, place) = point.split_at(self.impacts());
-        let (residuals, mut rows) = self.at_place(&place[0])?.linearised(phases)?;
-        let lifted: Vec<_> = phases.iter().map(|phase| Dual::from_re(*phase)).collect();
-        let by_place = self.at_place(&seeded(place[0]))?.residuals(&lifted);
-        for (row, residual) in rows.iter_mut().zip(by_place) {
-            row.push(residual.eps);
-        }
-        Some((residuals, rows))
+        let (residuals, rows) = self.at_place(&place[0])?.linearised(phases)?;
+        Some((residuals, with_column(rows, self.by_place(phases, &place[0])?)))
     }
 
     /// Enclosures of the derivatives over a box, row by row, those by the place last.
     pub fn slopes(&self, cell: &[Interval<f64>]) -> Option<Vec<Vec<Interval<f64>>>> {
         let (phases, place) = cell.split_at(self.impacts());
-        let mut rows = self.at_place(&place[0])?.jacobian(phases);
-        let lifted: Vec<_> = phases.iter().map(|phase| Dual::from_re(*phase)).collect();
-        let by_place = self.at_place(&seeded(place[0]))?.residuals(&lifted);
-        for (row, residual) in rows.iter_mut().zip(by_place) {
-            row.push(residual.eps);
-        }
-        Some(rows)
+        let rows = self.at_place(&place[0])?.jacobian(phases);
+        Some(with_column(rows, self.by_place(phases, &place[0])?))
     }
 
     /// Residuals and derivatives with one more row, that of a plane across the curve.
@@ -91,31 +93,19 @@ impl<F: Family> ExtendedSystem<F> {
 
     /// The point of the curve in the plane across `normal` at `offset`, and how far Newton's method went for it.
     pub fn corrected(&self, guess: &[f64], normal: &[f64], offset: f64) -> Option<(Vec<f64>, f64)> {
-        let mut point = guess.to_vec();
-        let mut last = f64::INFINITY;
-        for _ in 0..MOST_STEPS {
-            let (mut values, matrix) = self.bordered(&point, normal)?;
+        let point = newton(guess.to_vec(), &ENDING, |point: &Vec<f64>| {
+            let (mut values, matrix) = self.bordered(point, normal)?;
             let count = values.len();
-            values[count - 1] = dot(&point, normal) - offset;
+            values[count - 1] = dot(point, normal) - offset;
             let step = matrix.lu().solve(&values)?;
-            let size = step.amax();
-            let shrinks = size < last; // NaN does not
-            if !shrinks {
-                return None;
-            }
-            for (coordinate, step) in point.iter_mut().zip(step.iter()) {
-                *coordinate -= step;
-            }
-            if size < SETTLED {
-                return Some((point.clone(), apart(&point, guess)));
-            }
-            last = size;
-        }
-        None
+            Some(step.iter().copied().collect())
+        })?;
+        let moved = apart(&point, guess);
+        Some((point, moved))
     }
 
     /// The point of the curve at a place, near a guess.
-    pub fn settled_at(&self, guess: &[f64], place: f64) -> Option<(Vec<f64>, f64)> {
+    pub fn solved_at(&self, guess: &[f64], place: f64) -> Option<(Vec<f64>, f64)> {
         let mut guess = guess.to_vec();
         let count = guess.len();
         guess[count - 1] = place;
@@ -138,12 +128,14 @@ impl<F: Family> ExtendedSystem<F> {
     pub fn first_tangent(&self, point: &[f64]) -> Option<Vec<f64>> {
         let count = point.len();
         // the curve may turn in the parameter there, but not in all phases as well
-        let along = |index: usize| {
+        let extended = |index: usize| {
             (0..count)
                 .map(|i| if i == index { 1.0 } else { 0.0 })
                 .collect::<Vec<f64>>()
         };
-        let tangents = (0..count).rev().filter_map(|index| self.tangent(point, &along(index)));
+        let tangents = (0..count)
+            .rev()
+            .filter_map(|index| self.tangent(point, &extended(index)));
         let mut best: Option<(f64, Vec<f64>)> = None;
         for (index, tangent) in tangents.enumerate() {
             let part = tangent[count - 1 - index].abs();
@@ -155,6 +147,13 @@ impl<F: Family> ExtendedSystem<F> {
     }
 }
 
+fn with_column<T>(mut rows: Vec<Vec<T>>, column: Vec<T>) -> Vec<Vec<T>> {
+    for (row, entry) in rows.iter_mut().zip(column) {
+        row.push(entry);
+    }
+    rows
+}
+
 /// The direction of the parameter alone.
 fn axis(count: usize) -> Vec<f64> {
     (1..=count)
@@ -164,10 +163,4 @@ fn axis(count: usize) -> Vec<f64> {
 
 pub(crate) fn dot(one: &[f64], other: &[f64]) -> f64 {
     one.iter().zip(other).map(|(one, other)| one * other).sum()
-}
-
-/// The distance in the maximum norm.
-pub(crate) fn apart(one: &[f64], other: &[f64]) -> f64 {
-    let parts = one.iter().zip(other).map(|(one, other)| (one - other).abs());
-    parts.fold(0.0, f64::max)
 }

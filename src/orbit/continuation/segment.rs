@@ -1,9 +1,10 @@
 //! The proof that one curve of motions, and no other, leads from a point to the next.
 
 use crate::number::{Field, Interval};
-use crate::orbit::continuation::extended_system::{ExtendedSystem, apart, dot};
+use crate::orbit::continuation::extended_system::{ExtendedSystem, dot};
 use crate::orbit::family::Family;
-use nalgebra::DMatrix;
+use crate::orbit::interval_box::apart;
+use crate::orbit::solve::contraction::{contraction, largest, times};
 
 /// How wide a tube is, as a part of its length.
 const SLENDER: f64 = 0.25;
@@ -29,13 +30,13 @@ pub(crate) struct CertifiedSegment {
 
 impl CertifiedSegment {
     /// The proof for the piece between two points of a curve; `None` where intervals are too coarse for its length.
-    pub fn prove(along: &ExtendedSystem<impl Family>, from: &[f64], to: &[f64]) -> Option<Self> {
+    pub fn prove(extended: &ExtendedSystem<impl Family>, from: &[f64], to: &[f64]) -> Option<Self> {
         let chord: Vec<f64> = to.iter().zip(from).map(|(to, from)| to - from).collect();
         let square = dot(&chord, &chord);
         let radius = SLENDER * square.sqrt();
         let normal: Vec<f64> = chord.iter().map(|part| part / square).collect();
         let middle: Vec<f64> = from.iter().zip(to).map(|(from, to)| 0.5 * (from + to)).collect();
-        let (_, matrix) = along.bordered(&middle, &normal)?;
+        let (_, matrix) = extended.bordered(&middle, &normal)?;
         let inverse = matrix.try_inverse()?;
         if !inverse.iter().all(|entry| entry.is_finite()) {
             return None;
@@ -45,35 +46,33 @@ impl CertifiedSegment {
             .zip(to)
             .map(|(from, to)| Interval::point(*from).hull(&Interval::point(*to)));
         let cell: Vec<_> = ends.map(|side| side + Interval::new(-radius, radius)).collect();
-        let mut rows = along.slopes(&cell)?;
+        let mut rows = extended.slopes(&cell)?;
         rows.push(normal.iter().map(|part| Interval::point(*part)).collect());
-        let product = times(&inverse, &rows);
-        let contraction = norm_from_identity(&product);
-        if contraction >= 1.0 {
+        let contraction = contraction(&inverse, &rows);
+        if contraction.is_nan() || contraction >= 1.0 {
             return None;
         }
         // G at the middle, then along the chord by the mean value theorem
         let at: Vec<_> = middle.iter().map(|side| Interval::point(*side)).collect();
-        let (phases, place) = at.split_at(along.impacts());
-        let mut values = along.at_place(&place[0])?.residuals(phases);
+        let (phases, place) = at.split_at(extended.impacts());
+        let mut values = extended.at_place(&place[0])?.residuals(phases);
         values.push(Interval::point(0.0));
+        let along = |row: &Vec<Interval<f64>>| {
+            let terms = row.iter().zip(&chord);
+            terms.fold(Interval::point(0.0), |sum, (slope, part)| {
+                sum + *slope * Interval::point(*part)
+            })
+        };
+        let along: Vec<_> = rows.iter().map(along).collect();
         let reach = Interval::new(-0.5 - OVERLAP, 0.5 + OVERLAP);
         let count = values.len();
-        let farthest = (0..count).map(|row| {
-            let at_middle = (0..count).fold(Interval::point(0.0), |sum, k| {
-                sum + Interval::point(inverse[(row, k)]) * values[k]
-            });
-            let across = (0..count).fold(Interval::point(0.0), |sum, k| {
-                sum + product[row][k] * Interval::point(chord[k])
-            });
+        let distances = times(&inverse, &values).into_iter().zip(times(&inverse, &along));
+        let distances = distances.enumerate().map(|(row, (at_middle, across))| {
             // the plane moves with tau, by as much as the chord does across it
             let plane = Interval::point(inverse[(row, count - 1)]);
-            (at_middle + (across - plane) * reach).magnitude()
+            at_middle + (across - plane) * reach
         });
-        let farthest = farthest.fold(
-            0.0,
-            |most: f64, size| if size.is_nan() { f64::INFINITY } else { most.max(size) },
-        );
+        let farthest = largest(&distances.collect::<Vec<_>>());
         let room = (Interval::from_integer(1) - Interval::point(contraction)) * Interval::point(radius);
         (farthest < room.low()).then(|| Self {
             from: from.to_vec(),
@@ -91,34 +90,6 @@ impl CertifiedSegment {
     }
 }
 
-fn times(matrix: &DMatrix<f64>, rows: &[Vec<Interval<f64>>]) -> Vec<Vec<Interval<f64>>> {
-    let count = rows.len();
-    let entry = |row: usize, column: usize| {
-        (0..count).fold(Interval::point(0.0), |sum, k| {
-            sum + Interval::point(matrix[(row, k)]) * rows[k][column]
-        })
-    };
-    (0..count)
-        .map(|row| (0..count).map(|column| entry(row, column)).collect())
-        .collect()
-}
-
-/// A bound of |I - product|.
-fn norm_from_identity(product: &[Vec<Interval<f64>>]) -> f64 {
-    let row_sum = |(row, entries): (usize, &Vec<Interval<f64>>)| {
-        let parts = entries.iter().enumerate().map(|(column, entry)| {
-            let identity = Interval::from_integer(i64::from(row == column));
-            (identity - *entry).size()
-        });
-        parts.fold(Interval::from_integer(0), |sum, part| sum + part).high()
-    };
-    // what is no number is taken for infinite
-    product.iter().enumerate().map(row_sum).fold(
-        0.0,
-        |most, sum| if sum.is_nan() { f64::INFINITY } else { most.max(sum) },
-    )
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -128,7 +99,7 @@ mod tests {
     #[test]
     fn a_tube_holds_the_motions_of_its_piece_and_no_others() {
         let family = Motion::new(0.12201, 0.3, 0.6, 0.3).expect("a motion");
-        let along = ExtendedSystem {
+        let extended = ExtendedSystem {
             family: &family,
             word: "BTT".parse().expect("a word"),
             periods: 1,
@@ -136,23 +107,23 @@ mod tests {
         };
         let at = |place: f64| {
             family
-                .motion_at(&along.parameter(&Interval::point(place)))
+                .motion_at(&extended.parameter(&Interval::point(place)))
                 .expect("a motion")
         };
-        let cycles = search_word(&along.word, 1, &at(0.25)).expect("a search");
+        let cycles = search_word(&extended.word, 1, &at(0.25)).expect("a search");
         assert!(!cycles.is_empty());
         for cycle in &cycles {
-            let (from, _) = along
-                .settled_at(&[cycle.phases(), &[0.25]].concat(), 0.25)
+            let (from, _) = extended
+                .solved_at(&[cycle.phases(), &[0.25]].concat(), 0.25)
                 .expect("a motion");
-            let (middle, _) = along.settled_at(&from, 0.2502).expect("a motion");
-            let (to, _) = along.settled_at(&middle, 0.2504).expect("a motion");
-            let arc = CertifiedSegment::prove(&along, &from, &to).expect("a proof");
-            assert!([&from, &middle, &to].iter().all(|point| arc.holds(point, 0.0)));
-            let beside: Vec<f64> = middle.iter().map(|side| side + 2.0 * arc.radius).collect();
-            assert!(!arc.holds(&beside, 0.0));
+            let (middle, _) = extended.solved_at(&from, 0.2502).expect("a motion");
+            let (to, _) = extended.solved_at(&middle, 0.2504).expect("a motion");
+            let segment = CertifiedSegment::prove(&extended, &from, &to).expect("a proof");
+            assert!([&from, &middle, &to].iter().all(|point| segment.holds(point, 0.0)));
+            let beside: Vec<f64> = middle.iter().map(|side| side + 2.0 * segment.radius).collect();
+            assert!(!segment.holds(&beside, 0.0));
             // a chord that leads away from the curve is none
-            assert_eq!(CertifiedSegment::prove(&along, &from, &beside), None);
+            assert_eq!(CertifiedSegment::prove(&extended, &from, &beside), None);
         }
     }
 }

@@ -1,18 +1,19 @@
-//! What of a motion changes at its bifurcations, in f64: looked at along a branch to see that there is one.
+//! Test functions, in f64: a change of sign along a branch brackets a bifurcation.
 
-use crate::model::{Motion, Side};
-use crate::orbit::equations::word_conditions::{Mark, touch};
+use crate::model::Side;
+use crate::orbit::equations::conditions::BifurcationCondition;
+use crate::orbit::equations::flight::HarmonicFlight;
 use crate::orbit::equations::words::WordEquations;
-use crate::orbit::orbit::{OrbitImpact, flight_jacobians};
+use crate::orbit::orbit::flight_jacobians;
 use std::f64::consts::{PI, TAU};
 
 /// Steps to a turning point: bisection alone would take fifty.
 const MOST_STEPS: usize = 60;
 
-/// The signs that change at events.
+/// The test functions of one motion: their signs change at bifurcations.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct TestFunctions {
-    /// Of the marks that ask for a multiplier, each times the velocities of all impacts.
+    /// Those of [`BifurcationCondition::MULTIPLIERS`], in that order: without poles.
     pub multipliers: [f64; 4],
     /// How often each flight goes through the bottom and through the top strictly between its ends.
     pub crossings: Vec<[usize; 2]>,
@@ -38,11 +39,13 @@ pub(crate) const WALLS: [Side; 2] = [Side::Bottom, Side::Top];
 
 impl TestFunctions {
     pub fn new(system: &WordEquations<f64>, phases: &[f64]) -> Self {
-        let fixes = system.fixes(phases);
+        let impacts = system.orbit_impacts(phases);
         let sides: Vec<Side> = system.word.sides().collect();
-        let links = flight_jacobians(&sides, &system.motion, &fixes);
-        let flights = sides.iter().zip(&fixes);
-        let turns: Vec<Vec<TurningPoint>> = flights.map(|(side, fix)| turns(&system.motion, *side, fix)).collect();
+        let jacobians = flight_jacobians(&sides, &system.motion, &impacts);
+        let flights = sides.iter().zip(&impacts);
+        let turns: Vec<Vec<TurningPoint>> = flights
+            .map(|(side, impact)| turns(&HarmonicFlight::after(&system.motion, *side, impact), impact.time))
+            .collect();
         let crossings = turns.iter().map(|turns| {
             // a flight starts and ends between the walls
             std::array::from_fn(|wall| {
@@ -52,14 +55,14 @@ impl TestFunctions {
             })
         });
         Self {
-            multipliers: Mark::MULTIPLIERS.map(|mark| mark.multiplier_excess(&links)),
+            multipliers: BifurcationCondition::MULTIPLIERS.map(|condition| condition.multiplier_excess(&jacobians)),
             crossings: crossings.collect(),
             speeds: sides
                 .iter()
-                .zip(&fixes)
-                .map(|(side, fix)| side.signed(fix.velocity))
+                .zip(&impacts)
+                .map(|(side, impact)| side.signed(impact.velocity))
                 .collect(),
-            times: fixes.iter().map(|fix| fix.time).collect(),
+            times: impacts.iter().map(|impact| impact.time).collect(),
             turns,
         }
     }
@@ -69,19 +72,19 @@ impl TestFunctions {
         self.speeds.iter().chain(&self.times).all(|value| *value > 0.0)
     }
 
-    /// The marks that lie between here and there, an odd number of times each.
-    pub fn marks_to(&self, other: &Self) -> Vec<Mark> {
-        let multipliers = Mark::MULTIPLIERS.iter().enumerate();
+    /// The conditions met between this motion and another, an odd number of times each.
+    pub fn conditions_met(&self, other: &Self) -> Vec<BifurcationCondition> {
+        let multipliers = BifurcationCondition::MULTIPLIERS.iter().enumerate();
         let crossed = multipliers.filter(|(i, _)| self.multipliers[*i] * other.multipliers[*i] < 0.0);
-        let mut marks: Vec<Mark> = crossed.map(|(_, mark)| *mark).collect();
+        let mut conditions: Vec<BifurcationCondition> = crossed.map(|(_, condition)| *condition).collect();
         for (flight, (here, there)) in self.crossings.iter().zip(&other.crossings).enumerate() {
             let walls = WALLS.iter().enumerate().filter(|(i, _)| here[*i] != there[*i]);
-            marks.extend(walls.map(|(_, wall)| Mark::Touch(flight, *wall)));
+            conditions.extend(walls.map(|(_, wall)| BifurcationCondition::Touch(flight, *wall)));
         }
         let slow = self.speeds.iter().zip(&other.speeds).enumerate();
         let slow = slow.filter(|(_, (here, there))| **here > 0.0 && **there <= 0.0);
-        marks.extend(slow.map(|(impact, _)| Mark::Slow(impact)));
-        marks
+        conditions.extend(slow.map(|(impact, _)| BifurcationCondition::ZeroVelocity(impact)));
+        conditions
     }
 
     /// The turning point of a flight that is nearest to a wall.
@@ -98,31 +101,29 @@ impl TestFunctions {
     }
 }
 
-/// The turning points strictly inside a flight, in order: between two changes of sign of f + g the velocity is
-/// monotone and has one zero or none, as its signs at the ends say.
-fn turns(motion: &Motion<f64>, side: Side, fix: &OrbitImpact<f64>) -> Vec<TurningPoint> {
-    let g = *motion.g();
-    let at = |after: f64, wall: Side| touch(motion, side, fix, wall, &after)[0];
-    let velocity = |after: f64| touch(motion, side, fix, side, &after)[1];
+/// The turning points strictly inside a flight of this duration, in order: between two changes of sign of f + g the
+/// velocity is monotone and has one zero or none, as its signs at the ends say.
+fn turns(flight: &HarmonicFlight<f64>, time: f64) -> Vec<TurningPoint> {
+    let velocity = |after: f64| flight.velocity(&after);
     let mut nodes = vec![0.0];
-    if g.abs() < 1.0 {
-        let reach = (-g).acos();
-        let end = fix.phase + PI * fix.time;
-        let first = (fix.phase / TAU).floor() as i64;
+    if flight.g.abs() < 1.0 {
+        let reach = (-flight.g).acos();
+        let end = flight.phase + PI * time;
+        let first = (flight.phase / TAU).floor() as i64;
         let last = (end / TAU).ceil() as i64;
         let changes = (first..=last).flat_map(|turn| [turn as f64 * TAU - reach, turn as f64 * TAU + reach]);
-        let inside = changes.filter(|phase| *phase > fix.phase && *phase < end);
-        nodes.extend(inside.map(|phase| (phase - fix.phase) / PI));
+        let inside = changes.filter(|phase| *phase > flight.phase && *phase < end);
+        nodes.extend(inside.map(|phase| (phase - flight.phase) / PI));
     }
-    nodes.push(fix.time);
+    nodes.push(time);
     let mut before = velocity(0.0);
     let mut turns = Vec::new();
     for pair in nodes.windows(2) {
         let after = velocity(pair[1]);
         if before * after < 0.0 {
-            let slope = |after: f64| (fix.phase + PI * after).cos() + g;
+            let slope = |after: f64| flight.acceleration(&after);
             let after = zero(velocity, slope, pair[0], pair[1], before);
-            let distances = WALLS.map(|wall| at(after, wall));
+            let distances = WALLS.map(|wall| flight.distance(wall, &after));
             turns.push(TurningPoint { after, distances });
         }
         before = after;
@@ -158,6 +159,7 @@ fn zero(value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64, low: f64, high: 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Motion;
     use crate::number::Interval;
     use crate::orbit::solve::words::search_word;
 
@@ -182,14 +184,14 @@ mod tests {
                     word: word.clone(),
                     periods,
                 };
-                let gauge = TestFunctions::new(&system, cycle.phases());
-                assert!(gauge.moves());
+                let functions = TestFunctions::new(&system, cycle.phases());
+                assert!(functions.moves());
                 let velocities: f64 = orbit.velocities.iter().product();
                 let above = (orbit.trace + 1.0 + orbit.determinant) * velocities;
-                assert!((gauge.multipliers[0] - above).abs() < 1e-9 * (1.0 + above.abs()));
-                let clearance = gauge.clearance();
+                assert!((functions.multipliers[0] - above).abs() < 1e-9 * (1.0 + above.abs()));
+                let clearance = functions.clearance();
                 assert!(clearance == orbit.clearance || (clearance - orbit.clearance).abs() < 1e-9);
-                let through = gauge.crossings.iter().flatten().any(|count| *count > 0);
+                let through = functions.crossings.iter().flatten().any(|count| *count > 0);
                 assert_eq!(through, !orbit.admissible);
                 turning += usize::from(clearance.is_finite());
             }

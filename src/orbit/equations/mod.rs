@@ -2,8 +2,9 @@
 
 pub(crate) mod conditions;
 pub(crate) mod duals;
+pub(crate) mod flight;
 pub(crate) mod one_one;
 pub(crate) mod one_one_bifurcations;
 pub(crate) mod square_system;
-pub(crate) mod word_conditions;
+
 pub(crate) mod words;

@@ -19,7 +19,10 @@
 //! which hold for rho = 1, g = 0, velocities of 0 and T_1 = r_T T_2 as for any other.
 
 use crate::model::{Motion, Side};
-use crate::number::Analytic;
+use crate::number::{Analytic, Endpoint, Interval};
+use crate::orbit::equations::flight::{HarmonicFlight, OrbitImpact};
+use crate::orbit::equations::square_system::{Decision, SquareSystem, not_excluded};
+use crate::orbit::interval_box::IntervalBox;
 
 /// The equations of the 1-1 motions of a [`Motion`] that take `periods` periods of the forcing f = cos(phase).
 #[derive(Clone, Debug, PartialEq)]
@@ -226,6 +229,27 @@ impl<T: Analytic> OneOneEquations<T> {
         [middle.clone() - half.clone(), middle.clone() + half]
     }
 
+    /// The two impacts, at the bottom and at the top. `t_1` must not contain 0.
+    pub fn impacts(&self, t_1: &T, middle: &T) -> [OrbitImpact<T>; 2] {
+        let [v, w] = self.velocities(t_1, middle);
+        let [bottom, top] = self.phases(t_1, middle);
+        let t_2 = self.total() - t_1.clone();
+        [(bottom, v, t_1.clone()), (top, w, t_2)].map(|(phase, velocity, time)| OrbitImpact { phase, velocity, time })
+    }
+
+    /// The flight from the bottom, 0, or from the top, 1. `t_1` must not contain 0.
+    pub fn flight(&self, index: usize, t_1: &T, middle: &T) -> HarmonicFlight<T> {
+        let [v, w] = self.velocities(t_1, middle);
+        let [at_bottom, at_top] = self.phases(t_1, middle);
+        let (side, before, phase) = if index == 0 {
+            (Side::Bottom, v, at_bottom)
+        } else {
+            (Side::Top, w, at_top)
+        };
+        let launch = -(self.restitution(side) * before);
+        HarmonicFlight::new(side, phase, launch, self.g.clone(), self.d.clone())
+    }
+
     /// (Tr(DP) - `level`) v w (N T_1)²: the distance of the trace from a level, without its poles at v = 0 and w = 0.
     ///
     /// From (20), (21) and (18): Tr(DP) v w = (1 + r_B)(1 + r_T) f_0 f_1 T_1 T_2
@@ -263,6 +287,39 @@ impl<T: Analytic> OneOneEquations<T> {
     /// r_B r_T, half the trace at which a node becomes a focus.
     pub fn loss_factor(&self) -> T {
         self.r_b.clone() * self.r_t.clone()
+    }
+}
+
+impl<E: Endpoint> OneOneEquations<Interval<E>> {
+    /// Whether v >= 0 >= w somewhere, with T_1 and T_2 not negative: a proof may reach beyond the boxes examined.
+    pub(crate) fn may_fly(&self, t_1: &Interval<E>, [v, w]: &[Interval<E>; 2]) -> bool {
+        let t_2 = self.total() - t_1.clone();
+        !v.is_negative() && !w.is_positive() && !t_1.is_negative() && !t_2.is_negative()
+    }
+}
+
+/// h_1 = h_2 = 0 in (T_1, psi), for motions with v > 0 > w.
+impl<E: Endpoint> SquareSystem<E, 2> for OneOneEquations<Interval<E>> {
+    fn linearised(&self, [t_1, middle]: &IntervalBox<E, 2>) -> (IntervalBox<E, 2>, [IntervalBox<E, 2>; 2]) {
+        OneOneEquations::linearised(self, t_1, middle)
+    }
+
+    fn values(&self, [t_1, middle]: &IntervalBox<E, 2>) -> IntervalBox<E, 2> {
+        self.residual(t_1, middle)
+    }
+
+    fn is_wanted(&self, [t_1, middle]: &IntervalBox<E, 2>) -> bool {
+        self.may_fly(t_1, &self.scaled_velocities(t_1, middle))
+    }
+
+    /// With the sines of the box computed once.
+    fn examined(&self, [t_1, middle]: &IntervalBox<E, 2>) -> Result<[IntervalBox<E, 2>; 2], Decision> {
+        let at = self.parts(t_1, middle);
+        if !self.may_fly(t_1, &self.scaled_velocities_at(&at)) {
+            return Err(Decision::Unwanted);
+        }
+        not_excluded(&self.residual_at(&at))?;
+        Ok(self.slopes_at(&at))
     }
 }
 

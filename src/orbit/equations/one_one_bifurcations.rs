@@ -1,46 +1,37 @@
 //! The equations of the bifurcations of 1-1 motions, as systems to be isolated.
 
 use crate::model::{MotionError, Side};
-use crate::number::{Analytic, Dual, Endpoint, Field, Interval};
-use crate::orbit::equations::conditions::{Condition, Touch};
-use crate::orbit::equations::duals::by_duals;
+use crate::number::{Analytic, Endpoint, Field, Interval};
+use crate::orbit::equations::conditions::{BifurcationCondition, touch_excess};
+use crate::orbit::equations::duals::{Linearised, by_duals, unknown};
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::equations::square_system::SquareSystem;
 use crate::orbit::family::Family;
 use crate::orbit::interval_box::IntervalBox;
-use crate::orbit::solve::one_one::may_fly;
 use num_dual::DualNum;
+use num_traits::Zero;
 
-/// h_1, h_2 and a condition, in (T_1, psi, parameter).
-pub struct Conditioned<'a, F> {
+/// h_1, h_2 and the equations of a condition, in (T_1, psi, parameter) or, for a touch, (T_1, psi, parameter, time into
+/// the flight).
+pub struct ConditionedOneOne<'a, F> {
     /// The motions.
     pub family: &'a F,
-    /// n
+    /// The forcing periods they take.
     pub periods: u32,
-    /// What holds at the event.
-    pub condition: Condition,
-    /// Boxes in which nothing is looked for: around events that solve the equations doubly.
+    /// What holds at the bifurcation.
+    pub condition: BifurcationCondition,
+    /// Boxes of (T_1, psi, parameter) in which nothing is looked for: around events that solve the equations doubly.
     pub apart: Vec<IntervalBox<f64, 3>>,
-}
-
-/// h_1, h_2 and a contact of velocity 0 within a flight, in (T_1, psi, parameter, time into the flight).
-pub struct Touching<'a, F> {
-    /// The motions.
-    pub family: &'a F,
-    /// n
-    pub periods: u32,
-    /// Which flight and wall.
-    pub touch: Touch,
 }
 
 /// Where the branch of symmetric motions, T_1 = T_2 = n, has a multiplier of 1, in (psi, parameter).
 ///
 /// There one of h_1, h_2 vanishes on the whole line T_1 = n, so that their sum is the other; and the determinant of
 /// their derivatives by (T_1, psi) is 0 where a second branch crosses, or where this one turns.
-pub struct Symmetric<'a, F> {
+pub struct SymmetricOneOne<'a, F> {
     /// The motions.
     pub family: &'a F,
-    /// n
+    /// The forcing periods they take.
     pub periods: u32,
 }
 
@@ -48,99 +39,103 @@ pub struct Symmetric<'a, F> {
 ///
 /// There DP is the square of one flight and a mirror, and Tr(DP) + 2 r² the square of (1 + r) f(t_k) T_1 / w - 2 r v / w:
 /// it touches 0 and does not cross it, so that nothing happens; nor does Tr(DP) come down to -(1 + r^4).
-pub struct Halved<'a, F> {
+pub struct HalvedOneOne<'a, F> {
     /// The motions.
     pub family: &'a F,
-    /// n
+    /// The forcing periods they take.
     pub periods: u32,
 }
 
-/// What a parameter out of range gives: nothing is known.
-fn unknown<E: Endpoint, const D: usize>() -> (IntervalBox<E, D>, [IntervalBox<E, D>; D]) {
-    let whole = || std::array::from_fn(|_| Interval::whole());
-    (whole(), std::array::from_fn(|_| whole()))
-}
-
-/// Equations in `D` unknowns of which the third, or the second of two, is the parameter.
-fn linearised<E: Endpoint, const D: usize>(
-    equations: impl Fn(&[Dual<Interval<E>>; D]) -> Result<[Dual<Interval<E>>; D], MotionError>,
-    cell: &IntervalBox<E, D>,
-) -> (IntervalBox<E, D>, [IntervalBox<E, D>; D])
-where
-    Interval<E>: DualNum,
-{
-    let whole = || Dual::new(Interval::whole(), Interval::whole());
-    by_duals(
-        |at| equations(at).unwrap_or_else(|_| std::array::from_fn(|_| whole())),
-        cell,
-    )
-}
-
-impl<F: Family> Conditioned<'_, F> {
-    /// The left sides, over any number.
+impl<F: Family> ConditionedOneOne<'_, F> {
+    /// The left sides, over any number: in `D` = 4 unknowns for a touch, 3 for the other conditions.
     ///
     /// # Errors
     /// A parameter out of its range.
-    pub fn equations<T: Analytic>(&self, [t_1, middle, parameter]: &[T; 3]) -> Result<[T; 3], MotionError> {
+    pub fn equations<T: Analytic, const D: usize>(&self, at: &[T; D]) -> Result<[T; D], MotionError> {
+        let [t_1, middle, parameter] = [&at[0], &at[1], &at[2]];
         let balance = OneOneEquations::new(&self.family.motion_at(parameter)?, self.periods);
         let [first, second] = balance.residual(t_1, middle);
-        Ok([first, second, self.condition.excess(&balance, t_1, middle)])
+        let [excess, velocity] = match self.condition {
+            BifurcationCondition::ZeroVelocity(impact) => {
+                let [v, w] = balance.scaled_velocities(t_1, middle);
+                [if impact == 0 { v } else { w }, T::zero()]
+            }
+            BifurcationCondition::Touch(flight, wall) => {
+                touch_excess(&balance.flight(flight, t_1, middle), wall, &at[D - 1])
+            }
+            condition => {
+                let level = condition.trace(&balance.loss_factor()).unwrap_or_else(T::zero);
+                [balance.trace_above(&level, t_1, middle), T::zero()]
+            }
+        };
+        let mut values = [first, second, excess, velocity].into_iter();
+        Ok(std::array::from_fn(|_| values.next().unwrap_or_else(T::zero)))
     }
 }
 
-impl<F: Family, E: Endpoint> SquareSystem<E, 3> for Conditioned<'_, F>
+impl<F: Family, E: Endpoint, const D: usize> SquareSystem<E, D> for ConditionedOneOne<'_, F>
 where
     Interval<E>: DualNum,
 {
-    fn linearised(&self, cell: &IntervalBox<E, 3>) -> (IntervalBox<E, 3>, [IntervalBox<E, 3>; 3]) {
-        linearised(|at| self.equations(at), cell)
+    fn linearised(&self, cell: &IntervalBox<E, D>) -> Linearised<Interval<E>, D> {
+        by_duals(|at| self.equations(at).ok(), cell).unwrap_or_else(unknown)
     }
 
-    fn values(&self, cell: &IntervalBox<E, 3>) -> IntervalBox<E, 3> {
+    fn values(&self, cell: &IntervalBox<E, D>) -> IntervalBox<E, D> {
         self.equations(cell).unwrap_or_else(|_| unknown().0)
     }
 
-    fn is_wanted(&self, cell: &IntervalBox<E, 3>) -> bool {
-        let rounded = cell
-            .each_ref()
-            .map(|side| Interval::new(side.low().to_f64(), side.high().to_f64()));
-        let apart = |other: &IntervalBox<f64, 3>| rounded.iter().zip(other).all(|(side, other)| side.is_subset(other));
-        let [t_1, middle, parameter] = cell;
-        !self.apart.iter().any(apart) && may_move(self.family, self.periods, t_1, middle, parameter)
-    }
-}
-
-impl<F: Family> Touching<'_, F> {
-    fn equations<T: Analytic>(&self, [t_1, middle, parameter, after]: &[T; 4]) -> Result<[T; 4], MotionError> {
-        let balance = OneOneEquations::new(&self.family.motion_at(parameter)?, self.periods);
-        let [first, second] = balance.residual(t_1, middle);
-        let [distance, velocity] = self.touch.excess(&balance, t_1, middle, after);
-        Ok([first, second, distance, velocity])
-    }
-}
-
-impl<F: Family, E: Endpoint> SquareSystem<E, 4> for Touching<'_, F>
-where
-    Interval<E>: DualNum,
-{
-    fn linearised(&self, cell: &IntervalBox<E, 4>) -> (IntervalBox<E, 4>, [IntervalBox<E, 4>; 4]) {
-        linearised(|at| self.equations(at), cell)
-    }
-
-    fn values(&self, cell: &IntervalBox<E, 4>) -> IntervalBox<E, 4> {
-        self.equations(cell).unwrap_or_else(|_| unknown().0)
-    }
-
-    fn is_wanted(&self, [t_1, middle, parameter, after]: &IntervalBox<E, 4>) -> bool {
-        let Ok(motion) = self.family.motion_at(parameter) else {
+    fn is_wanted(&self, cell: &IntervalBox<E, D>) -> bool {
+        let rounded = |side: &Interval<E>| Interval::new(side.low().to_f64(), side.high().to_f64());
+        let apart = |other: &IntervalBox<f64, 3>| {
+            let mut sides = cell.iter().zip(other);
+            sides.all(|(side, other)| rounded(side).is_subset(other))
+        };
+        if self.apart.iter().any(apart) {
+            return false;
+        }
+        let Ok(motion) = self.family.motion_at(&cell[2]) else {
             return true;
         };
         let balance = OneOneEquations::new(&motion, self.periods);
-        may_move(self.family, self.periods, t_1, middle, parameter) && self.touch.may_be(&balance, t_1, middle, after)
+        let [t_1, middle] = [&cell[0], &cell[1]];
+        balance.may_fly(t_1, &balance.scaled_velocities(t_1, middle))
+            && match self.condition {
+                BifurcationCondition::Touch(flight, wall) => {
+                    may_touch(&balance, (flight, wall), [t_1, middle, &cell[D - 1]])
+                }
+                _ => true,
+            }
     }
 }
 
-impl<F: Family> Symmetric<'_, F> {
+/// Whether a flight may touch a wall, for certain `false` only where it cannot: the time must lie within the flight, and a
+/// flight leaves a wall, or comes to it, and touches it besides, only where the acceleration changes sign in between.
+fn may_touch<E: Endpoint>(
+    balance: &OneOneEquations<Interval<E>>,
+    (flight, wall): (usize, Side),
+    [t_1, middle, after]: [&Interval<E>; 3],
+) -> bool {
+    let (from, lasts) = if flight == 0 {
+        (Side::Bottom, t_1.clone())
+    } else {
+        (Side::Top, balance.total() - t_1.clone())
+    };
+    let left = lasts.clone() - after.clone();
+    if left.is_negative() || after.is_negative() {
+        return false;
+    }
+    let start = &balance.phases(t_1, middle)[flight];
+    let at = |time: Interval<E>| start.clone() + Interval::pi() * time;
+    let over = if from == wall {
+        at(Interval::zero().hull(after))
+    } else {
+        at(after.hull(&lasts))
+    };
+    (over.sincos().1 + balance.g().clone()).contains_zero()
+}
+
+impl<F: Family> SymmetricOneOne<'_, F> {
     fn equations<T: Analytic>(&self, [middle, parameter]: &[T; 2]) -> Result<[T; 2], MotionError> {
         let balance = OneOneEquations::new(&self.family.motion_at(parameter)?, self.periods);
         let t_1 = T::from_integer(i64::from(self.periods));
@@ -159,21 +154,24 @@ impl<F: Family> Symmetric<'_, F> {
     }
 }
 
-impl<F: Family, E: Endpoint> SquareSystem<E, 2> for Symmetric<'_, F>
+impl<F: Family, E: Endpoint> SquareSystem<E, 2> for SymmetricOneOne<'_, F>
 where
     Interval<E>: DualNum,
 {
-    fn linearised(&self, cell: &IntervalBox<E, 2>) -> (IntervalBox<E, 2>, [IntervalBox<E, 2>; 2]) {
-        linearised(|at| self.equations(at), cell)
+    fn linearised(&self, cell: &IntervalBox<E, 2>) -> Linearised<Interval<E>, 2> {
+        by_duals(|at| self.equations(at).ok(), cell).unwrap_or_else(unknown)
     }
 
     fn is_wanted(&self, [middle, parameter]: &IntervalBox<E, 2>) -> bool {
         let t_1 = Interval::from_integer(i64::from(self.periods));
-        may_move(self.family, self.periods, &t_1, middle, parameter)
+        self.family.motion_at(parameter).map_or(true, |motion| {
+            let balance = OneOneEquations::new(&motion, self.periods);
+            balance.may_fly(&t_1, &balance.scaled_velocities(&t_1, middle))
+        })
     }
 }
 
-impl<F: Family> Halved<'_, F> {
+impl<F: Family> HalvedOneOne<'_, F> {
     fn equations<T: Analytic>(&self, [middle, parameter]: &[T; 2]) -> Result<[T; 2], MotionError> {
         let balance = OneOneEquations::new(&self.family.motion_at(parameter)?, self.periods);
         let t_1 = T::from_integer(i64::from(self.periods));
@@ -186,26 +184,11 @@ impl<F: Family> Halved<'_, F> {
     }
 }
 
-impl<F: Family, E: Endpoint> SquareSystem<E, 2> for Halved<'_, F>
+impl<F: Family, E: Endpoint> SquareSystem<E, 2> for HalvedOneOne<'_, F>
 where
     Interval<E>: DualNum,
 {
-    fn linearised(&self, cell: &IntervalBox<E, 2>) -> (IntervalBox<E, 2>, [IntervalBox<E, 2>; 2]) {
-        linearised(|at| self.equations(at), cell)
+    fn linearised(&self, cell: &IntervalBox<E, 2>) -> Linearised<Interval<E>, 2> {
+        by_duals(|at| self.equations(at).ok(), cell).unwrap_or_else(unknown)
     }
-}
-
-/// Whether v >= 0 >= w somewhere in the cell, with T_1 and T_2 not negative; so it may be where the parameter leaves its
-/// range.
-fn may_move<E: Endpoint>(
-    family: &impl Family,
-    periods: u32,
-    t_1: &Interval<E>,
-    middle: &Interval<E>,
-    parameter: &Interval<E>,
-) -> bool {
-    family.motion_at(parameter).map_or(true, |motion| {
-        let balance = OneOneEquations::new(&motion, periods);
-        may_fly(&balance, t_1, &balance.scaled_velocities(t_1, middle))
-    })
 }

@@ -1,12 +1,13 @@
 //! A small system of equations, as intervals see it.
 
-use crate::number::Endpoint;
+use crate::number::{Endpoint, Interval};
+use crate::orbit::equations::duals::Linearised;
 use crate::orbit::interval_box::IntervalBox;
 
 /// `D` equations in `D` unknowns.
 pub trait SquareSystem<E: Endpoint, const D: usize> {
     /// Enclosures of all values of the equations over `cell`, and of their derivatives, one row an equation.
-    fn linearised(&self, cell: &IntervalBox<E, D>) -> (IntervalBox<E, D>, [IntervalBox<E, D>; D]);
+    fn linearised(&self, cell: &IntervalBox<E, D>) -> Linearised<Interval<E>, D>;
 
     /// Enclosures of the values alone.
     fn values(&self, cell: &IntervalBox<E, D>) -> IntervalBox<E, D> {

@@ -1,73 +1,9 @@
 //! The equations (9) to (13) of any word, in the phases of its impacts alone.
 
-use crate::model::{Map, Motion, Side};
+use crate::model::{Map, Motion};
 use crate::number::{Analytic, Gradient};
-use crate::orbit::orbit::OrbitImpact;
+use crate::orbit::equations::flight::{FlightBoundaryDerivatives, FlightBoundaryValues, OrbitImpact};
 use crate::orbit::word::Word;
-
-/// A flight between two given phases. That it ends at its wall, (10), (12) or the same with displacement 0 for P_3
-/// and P_4, is linear in the launch velocity and gives it; (9), (11) then give the velocity of arrival.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FlightBoundaryValues<T> {
-    /// Just after the impact it starts from.
-    pub launch: T,
-    /// Just before the impact it ends with.
-    pub arrival: T,
-}
-
-/// The derivatives of a leap by the phases of its start and end, in this order.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FlightBoundaryDerivatives<T> {
-    /// Of the launch velocity.
-    pub launch: [T; 2],
-    /// Of the velocity of arrival.
-    pub arrival: [T; 2],
-}
-
-impl<T: Analytic> FlightBoundaryValues<T> {
-    /// The flight of `map` from phase `start` to phase `end`, further on by pi times its duration.
-    pub fn new(motion: &Motion<T>, map: Map, start: &T, end: &T) -> Self {
-        let time = (end.clone() - start.clone()) / T::pi();
-        let (start_sin, start_cos) = start.sincos();
-        let (end_sin, end_cos) = end.sincos();
-        let mean = mean(motion, map, &time, end_cos - start_cos);
-        let fall = motion.g().clone() * time * T::from_ratio(1, 2);
-        Self {
-            launch: mean.clone() - fall.clone() + start_sin / T::pi(),
-            arrival: mean + fall + end_sin / T::pi(),
-        }
-    }
-
-    /// The derivatives in closed form, for the proofs: nothing of dual numbers has to be trusted over intervals.
-    pub fn slopes(motion: &Motion<T>, map: Map, start: &T, end: &T) -> FlightBoundaryDerivatives<T> {
-        let pi = T::pi();
-        let time = (end.clone() - start.clone()) / pi.clone();
-        let (start_sin, start_cos) = start.sincos();
-        let (end_sin, end_cos) = end.sincos();
-        let mean = mean(motion, map, &time, end_cos.clone() - start_cos.clone());
-        let fall = motion.g().clone() * T::from_ratio(1, 2);
-        let over = pi.clone() * time;
-        let by_start = (mean.clone() + start_sin / pi.clone()) / over.clone();
-        let by_end = -(mean + end_sin / pi.clone()) / over;
-        FlightBoundaryDerivatives {
-            launch: [
-                by_start.clone() + (fall.clone() + start_cos) / pi.clone(),
-                by_end.clone() - fall.clone() / pi.clone(),
-            ],
-            arrival: [by_start - fall.clone() / pi.clone(), by_end + (fall + end_cos) / pi],
-        }
-    }
-}
-
-/// The displacement, less what the forcing adds, over the time: `(climb - (F_2(end) - F_2(start))) / time`.
-fn mean<T: Analytic>(motion: &Motion<T>, map: Map, time: &T, gained_cos: T) -> T {
-    let climb = match (map.from(), map.to()) {
-        (Side::Bottom, Side::Top) => -motion.d().clone(),
-        (Side::Top, Side::Bottom) => motion.d().clone(),
-        _ => T::zero(),
-    };
-    (climb + gained_cos / (T::pi() * T::pi())) / time.clone()
-}
 
 /// A word at a motion: as many equations as impacts, in the phases of the impacts.
 ///
@@ -142,7 +78,7 @@ impl<T: Analytic> WordEquations<T> {
     }
 
     /// The impacts at these phases.
-    pub fn fixes(&self, phases: &[T]) -> Vec<OrbitImpact<T>> {
+    pub fn orbit_impacts(&self, phases: &[T]) -> Vec<OrbitImpact<T>> {
         let flights = self.flights(phases);
         let leaps = flights.map(|(map, start, end)| {
             let leap = FlightBoundaryValues::new(&self.motion, map, &start, &end);
@@ -203,7 +139,7 @@ impl WordEquations<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Forcing, Impact, next_impact};
+    use crate::model::{Forcing, Impact, Side, next_impact};
     use std::f64::consts::PI;
 
     fn system(word: &str, periods: u32) -> WordEquations<f64> {

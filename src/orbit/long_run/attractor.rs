@@ -8,22 +8,11 @@ use crate::orbit::long_run::symbols::{self, Symbol, symbols};
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
 
-/// The most symbols of a word that is looked for.
-pub const LONGEST_WORD: usize = 60;
-
 /// The most symbols of a word that is written out; of a longer one its length is told.
 pub const LONGEST_WRITTEN: usize = 10_000;
 
 /// The most symbols that are held at once.
 const HELD: usize = 1_000_000;
-
-/// How far two events may lie apart that are taken for the same one a cycle on: in phase, rad, and in velocity as a
-/// part of the greatest one of the cycle.
-///
-/// Rounding moves a settled motion of f64 by some 1e-16 / (1 - multiplier), so that a multiplier of 1 - 1e-6 still
-/// passes; and the two impacts into which a period doubling splits one part as the square root of the distance from it,
-/// so that they are taken for one only where the parameter is within some 1e-18 of the bifurcation.
-pub const SETTLED: f64 = 1e-9;
 
 /// Impacts a cycle apart that differ by no more, in phase and in velocity, repeat but for rounding.
 const REPEATED: f64 = 1e-14;
@@ -36,7 +25,7 @@ const LATEST: usize = 20_000;
 pub struct Attractor {
     /// The impacts of one cycle by wall, written as a [`Word`](crate::orbit::Word) is: from a bottom impact that follows a top
     /// one; of several such, the fastest first; on one wall, from the fastest. Without a rest it has at most
-    /// [`LONGEST_WORD`] symbols; of more than [`LONGEST_WRITTEN`] it only says how many there are. A chatter that comes to
+    /// [`LONGEST_WORD`](crate::orbit::LONGEST_WORD) symbols; of more than [`LONGEST_WRITTEN`] it only says how many there are. A chatter that comes to
     /// rest is infinitely many impacts and one letter with a star: `BT*` is a bottom impact, then a chatter that ends at
     /// rest on the top, and a release from there.
     pub word: String,
@@ -53,7 +42,7 @@ impl Attractor {
     /// What a motion has come to by its last events; `None` where they do not repeat: the motion is chaotic, has not
     /// settled, or an undecided contact ended it.
     ///
-    /// The least number of impacts that repeats: two more cycles before the last must be the same to [`SETTLED`]. Of a
+    /// The least number of impacts that repeats: two more cycles before the last must be the same to [`SETTLED`](crate::orbit::SETTLED). Of a
     /// cycle with a rest one is enough, for a rest forgets what was before: the release that follows has its phase from
     /// g alone. `events` are the last ones of a motion in order, impacts, rests and releases; a rest as the last of all
     /// is one that nothing releases.
@@ -127,7 +116,7 @@ impl Attractor {
     }
 
     /// The same cycle, followed on along the `events` after it until it repeats to rounding, or for 20,000 impacts: a
-    /// motion that comes in slowly is told by [`SETTLED`] long before it is there.
+    /// motion that comes in slowly is told by [`SETTLED`](crate::orbit::SETTLED) long before it is there.
     pub fn settled_further(mut self, events: impl Iterator<Item = Event<f64>>) -> Self {
         let length = self.impacts.len();
         if self.rests() || length == 0 {

@@ -1,8 +1,18 @@
 //! The cycle that a list of impacts ends with, and where its word starts.
 
 use crate::model::Side;
-use crate::orbit::long_run::attractor::{LONGEST_WORD, SETTLED};
 use crate::orbit::long_run::symbols::Symbol;
+
+/// The most symbols of a word that is looked for.
+pub const LONGEST_WORD: usize = 60;
+
+/// How far two events may lie apart that are taken for the same one a cycle on: in phase, rad, and in velocity as a
+/// part of the greatest one of the cycle.
+///
+/// Rounding moves a settled motion of f64 by some 1e-16 / (1 - multiplier), so that a multiplier of 1 - 1e-6 still
+/// passes; and the two impacts into which a period doubling splits one part as the square root of the distance from it,
+/// so that they are taken for one only where the parameter is within some 1e-18 of the bifurcation.
+pub const SETTLED: f64 = 1e-9;
 
 /// Cycles that differ by less are one that is still settling, not two that a period doubling has parted: the parts lie
 /// as far from each other as the square root of the distance from the bifurcation, so this one is some 1e-12 wide.

@@ -2,9 +2,10 @@
 
 use crate::model::Parameters;
 use crate::number::{Decimal, Decimals, Interval, Telling, Told, Wide};
-use crate::orbit::bifurcation::instant::Instant;
+use crate::orbit::bifurcation::point::BifurcationPoint;
+use crate::orbit::equations::flight::OrbitImpact;
 use crate::orbit::family::Family;
-use crate::orbit::orbit::{OrbitImpact, reduced};
+use crate::orbit::orbit::reduced;
 use crate::orbit::rounding::RoundedOrbit;
 use crate::orbit::shooting::return_map::{ShootingError, ShootingSolution, shoot, shoot_bifurcation};
 
@@ -63,18 +64,14 @@ pub fn confirm_orbit(
 /// Those of [`shoot_bifurcation`].
 pub fn confirm_bifurcation(
     family: &impl Family,
-    instant: &Instant<Decimal>,
+    point: &BifurcationPoint<Decimal>,
     decimals: Decimals,
-) -> Result<Instant<Decimal>, ShootingError> {
-    let (parameter, found) = shoot_bifurcation::<Number>(family, &instant.nearest())?;
+) -> Result<BifurcationPoint<Decimal>, ShootingError> {
+    let (parameter, found) = shoot_bifurcation::<Number>(family, &point.nearest())?;
     let d = family.motion_at(&parameter)?.d().clone();
     let lists = lists(decimals, &found.fixes);
-    let pairs: [[Decimal; 2]; 3] = lists.map(|list| {
-        let pair: Result<[Decimal; 2], _> = list.try_into();
-        pair.unwrap_or_else(|_| [Decimal::unknown(), Decimal::unknown()])
-    });
-    let [phases, velocities, times] = pairs;
-    Ok(Instant {
+    let [phases, velocities, times] = lists;
+    Ok(BifurcationPoint {
         parameter: told(decimals, parameter),
         d: told(decimals, d),
         phases,
@@ -85,6 +82,6 @@ pub fn confirm_bifurcation(
             .map_or_else(Decimal::infinite, |trace| told(decimals, trace)),
         clearance: Decimal::unknown(),
         error_bound: None,
-        ..instant.clone()
+        ..point.clone()
     })
 }

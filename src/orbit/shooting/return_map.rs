@@ -6,12 +6,12 @@
 
 use crate::model::{Flight, FlightError, Forcing, Impact, Leg, Motion, MotionError, Side};
 use crate::number::{Analytic, Dual, seeded};
-use crate::orbit::bifurcation::instant::Instant;
-use crate::orbit::equations::conditions::BifurcationKind;
+use crate::orbit::bifurcation::point::BifurcationPoint;
+use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind};
+use crate::orbit::equations::flight::OrbitImpact;
 use crate::orbit::family::Family;
-use crate::orbit::orbit::OrbitImpact;
 use crate::orbit::rounding::RoundedOrbit;
-use crate::orbit::solve::chord::solved;
+use crate::orbit::solve::newton::newton_by_chords;
 use crate::orbit::word::Word;
 use nalgebra::Matrix2;
 use num_dual::DualNum;
@@ -48,6 +48,14 @@ pub enum ShootingError {
     /// No equations but those of the first means are known.
     #[error("no second means locates a {0}")]
     Bifurcation(BifurcationKind),
+}
+
+/// The solution near a start.
+fn solved<T: Analytic, const D: usize>(
+    start: [f64; D],
+    equations: impl Fn(&[T; D]) -> Result<[T; D], ShootingError>,
+) -> Result<[T; D], ShootingError> {
+    newton_by_chords(start, equations)?.ok_or(ShootingError::Astray)
 }
 
 /// Once along the word.
@@ -191,7 +199,10 @@ where
 ///
 /// # Errors
 /// No such event there; one that has no second means.
-pub fn shoot_bifurcation<T>(family: &impl Family, near: &Instant) -> Result<(T, ShootingSolution<T>), ShootingError>
+pub fn shoot_bifurcation<T>(
+    family: &impl Family,
+    near: &BifurcationPoint,
+) -> Result<(T, ShootingSolution<T>), ShootingError>
 where
     T: Analytic + DualNum,
 {
@@ -199,7 +210,7 @@ where
     let course = ReturnMap {
         word: &word,
         periods: near.periods,
-        durations: near.times.to_vec(),
+        durations: near.times.clone(),
     };
     let start = [
         near.phases[0] / std::f64::consts::PI,
@@ -211,8 +222,8 @@ where
         .iter()
         .map(|velocity| velocity.abs())
         .fold(f64::INFINITY, f64::min);
-    match near.event {
-        BifurcationKind::SymmetryBreaking => Err(ShootingError::Bifurcation(near.event)),
+    match near.kind {
+        BifurcationKind::SymmetryBreaking => Err(ShootingError::Bifurcation(near.kind)),
         BifurcationKind::Grazing if slowest < SLOW => slow(family, near),
         BifurcationKind::Grazing => {
             let touch = TouchGuess::find(&family.motion_at(&near.parameter)?, near)?;
@@ -243,15 +254,16 @@ where
     }
 }
 
-/// The trace at the event.
-fn level<T: Analytic>(motion: &Motion<T>, near: &Instant) -> T {
+/// The trace at the bifurcation.
+fn level<T: Analytic>(motion: &Motion<T>, near: &BifurcationPoint) -> T {
     let loss = motion.restitution(Side::Bottom).clone() * motion.restitution(Side::Top).clone();
-    let size = if near.event == BifurcationKind::NodeFocus {
-        T::from_integer(2) * loss
-    } else {
-        T::one() + loss.clone() * loss
+    let condition = match (near.kind == BifurcationKind::NodeFocus, near.trace < 0.0) {
+        (true, true) => BifurcationCondition::DoubleNegative,
+        (true, false) => BifurcationCondition::DoublePositive,
+        (false, true) => BifurcationCondition::MultiplierMinusOne,
+        (false, false) => BifurcationCondition::MultiplierOne,
     };
-    if near.trace < 0.0 { -size } else { size }
+    condition.trace(&loss).unwrap_or_else(T::zero)
 }
 
 /// A touch within a flight.
@@ -264,7 +276,7 @@ struct TouchGuess {
 
 impl TouchGuess {
     /// Of all turning points, that nearest to a wall.
-    fn find(motion: &Motion<f64>, near: &Instant) -> Result<Self, ShootingError> {
+    fn find(motion: &Motion<f64>, near: &BifurcationPoint) -> Result<Self, ShootingError> {
         let forcing = Forcing::harmonic(&0.0);
         let mut best: Option<(f64, Self)> = None;
         for (flight, side) in [Side::Bottom, Side::Top].into_iter().enumerate() {
@@ -314,7 +326,7 @@ impl TouchGuess {
 }
 
 /// An impact of velocity 0, where the return map has no derivative: both flights shot from their starts.
-fn slow<T: Analytic>(family: &impl Family, near: &Instant) -> Result<(T, ShootingSolution<T>), ShootingError> {
+fn slow<T: Analytic>(family: &impl Family, near: &BifurcationPoint) -> Result<(T, ShootingSolution<T>), ShootingError> {
     let first = usize::from(near.velocities[1].abs() < near.velocities[0].abs());
     let (side, second) = ([Side::Bottom, Side::Top][first], 1 - first);
     let total = || T::from_integer(2 * i64::from(near.periods));

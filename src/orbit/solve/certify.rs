@@ -1,10 +1,9 @@
 //! The proof that an orbit exists near a proposal, that it is the only one there, and where exactly it is.
 
-#[cfg(test)]
-use crate::model::calls::{self, Call};
 use crate::number::{Analytic, Endpoint, Field, Interval};
 use crate::orbit::equations::words::WordEquations;
-use crate::orbit::solve::newton::inverse;
+use crate::orbit::interval_box::apart;
+use crate::orbit::solve::contraction::{contraction, largest, times};
 use nalgebra::DMatrix;
 
 /// A box with one orbit in it.
@@ -60,14 +59,12 @@ pub(crate) fn prove<E: Endpoint>(system: &WordEquations<Interval<E>>, phases: &[
     None
 }
 
-/// The inverse of the derivatives at a point, about.
+/// The inverse of the derivatives at a point, about, if it has one in f64.
 fn inverse_at<E: Endpoint>(system: &WordEquations<Interval<E>>, point: &[Interval<E>]) -> Option<DMatrix<f64>> {
     let rows = system.jacobian(point);
-    let rows: Vec<Vec<f64>> = rows
-        .iter()
-        .map(|row| row.iter().map(Analytic::to_f64).collect())
-        .collect();
-    inverse(&rows)
+    let middle = DMatrix::from_fn(rows.len(), rows.len(), |row, column| rows[row][column].to_f64());
+    let inverse = middle.try_inverse()?;
+    inverse.iter().all(|entry| entry.is_finite()).then_some(inverse)
 }
 
 /// Where Newton's method leads from `phases` in a wider number, to about its last step: proposed, not proved.
@@ -94,45 +91,10 @@ pub(crate) fn approached<E: Endpoint>(system: &WordEquations<Interval<E>>, phase
     point.into_iter().map(|phase| phase + off.clone()).collect()
 }
 
-/// A bound of |I - Y H'|.
-fn contraction<E: Endpoint>(inverse: &DMatrix<f64>, rows: &[Vec<Interval<E>>]) -> f64 {
-    #[cfg(test)]
-    calls::count(Call::Certificate);
-    let count = rows.len();
-    let row_sum = |row: usize| {
-        let entries = (0..count).map(|column| {
-            let identity = Interval::from_integer(i64::from(row == column));
-            let terms = (0..count).map(|k| Interval::from_f64(inverse[(row, k)]) * rows[k][column].clone());
-            terms.fold(identity, |sum, term| sum - term).size()
-        });
-        let sum = entries.fold(Interval::from_integer(0), |sum, entry| sum + entry);
-        sum.high().to_f64().next_up()
-    };
-    // NaN is not below 1
-    (0..count)
-        .map(row_sum)
-        .fold(0.0, |largest, sum| if sum <= largest { largest } else { sum })
-}
-
 /// |Y H(x)| / (1 - q) bounds the distance of x from the zero: x - x* is Y H(x) + (I - Y H')(x - x*) for some H'.
 fn error<E: Endpoint>(step: E, contraction: f64) -> E {
     let left = Interval::from_integer(1) - Interval::from_f64(contraction);
     (Interval::point(step) / left).high()
-}
-
-fn times<E: Endpoint>(matrix: &DMatrix<f64>, vector: &[Interval<E>]) -> Vec<Interval<E>> {
-    let entry = |row: usize| {
-        let terms = vector.iter().enumerate();
-        terms.fold(Interval::from_integer(0), |sum, (column, value)| {
-            sum + Interval::from_f64(matrix[(row, column)]) * value.clone()
-        })
-    };
-    (0..vector.len()).map(entry).collect()
-}
-
-fn largest<E: Endpoint>(values: &[Interval<E>]) -> E {
-    let magnitudes = values.iter().map(Interval::magnitude);
-    magnitudes.fold(E::zero(), |largest, size| if size <= largest { largest } else { size })
 }
 
 impl Proof {
@@ -184,11 +146,9 @@ impl Proof {
     /// Whether an orbit within `error` of `phases` lies in this box, so that it is this orbit. `phases` are in the
     /// same turn and order as the centre.
     pub fn covers(&self, phases: &[f64], error: f64) -> bool {
-        let apart = phases.iter().zip(&self.centre).map(|(one, other)| (one - other).abs());
-        let apart = apart.fold(0.0, f64::max);
         // whole turns were added in f64, to phases of a few turns at most
         let rounding = 1e-13;
-        apart + error + rounding < self.radius
+        apart(phases, &self.centre) + error + rounding < self.radius
     }
 }
 
@@ -197,7 +157,7 @@ mod tests {
     use super::*;
     use crate::model::Motion;
     use crate::number::Wide;
-    use crate::orbit::solve::newton::{settle, starts};
+    use crate::orbit::solve::starts::{solve_word, starts};
 
     fn system<T: Analytic>(word: &str) -> WordEquations<T> {
         let [g, d, r_b, r_t] = [12, 26, 60, 30].map(|hundredths| T::from_ratio(hundredths, 100));
@@ -213,7 +173,7 @@ mod tests {
         let narrow = system::<f64>("BTT");
         let intervals = system::<Interval<f64>>("BTT");
         let mut proved = 0;
-        for phases in starts(&narrow, 200).filter_map(|start| settle(&narrow, start)) {
+        for phases in starts(&narrow, 200).filter_map(|start| solve_word(&narrow, start)) {
             let proof = prove(&intervals, &phases).expect("a proof");
             proved += 1;
             assert!(

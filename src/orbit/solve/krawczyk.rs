@@ -7,8 +7,7 @@
 use crate::model::calls::{self, Call};
 use crate::number::{Analytic, Endpoint, Interval};
 use crate::orbit::equations::square_system::SquareSystem;
-use crate::orbit::interval_box::{IntervalBox, around, intersection, is_inside, is_subset, width};
-use crate::orbit::rounding::larger;
+use crate::orbit::interval_box::{IntervalBox, around, intersection, is_inside, is_subset, larger, width};
 use nalgebra::SMatrix;
 
 /// A proved solution.
@@ -156,6 +155,7 @@ fn size<E: Endpoint>(number: &E) -> E {
 /// equations is some 1e10 times that of the point.
 const ROOM: [f64; 9] = [8.0, 128.0, 2e3, 3e4, 1e6, 1e8, 1e10, 1e12, 1e15];
 
+/// The inverse of the midpoints of derivatives, if it has one in f64.
 fn inverse<E: Endpoint, const D: usize>(slopes: &[IntervalBox<E, D>; D]) -> Option<SMatrix<f64, D, D>> {
     let middle = SMatrix::<f64, D, D>::from_fn(|row, column| slopes[row][column].midpoint().to_f64());
     let inverse = middle.try_inverse()?;
@@ -171,11 +171,7 @@ pub fn image<E: Endpoint, const D: usize>(
 ) -> Option<IntervalBox<E, D>> {
     #[cfg(test)]
     calls::count(Call::Certificate);
-    let middle = SMatrix::<f64, D, D>::from_fn(|row, column| slopes[row][column].midpoint().to_f64());
-    let inverse = middle.try_inverse()?;
-    if !inverse.iter().all(|entry| entry.is_finite()) {
-        return None;
-    }
+    let inverse = inverse(slopes)?;
     let at = cell.each_ref().map(|side| Interval::point(side.midpoint()));
     let values = values(&at)?;
     let y = |row: usize, column: usize| Interval::<E>::point(E::from_f64(inverse[(row, column)]));
@@ -202,4 +198,27 @@ fn image_of<E: Endpoint, const D: usize, S: SquareSystem<E, D>>(
 ) -> Option<IntervalBox<E, D>> {
     let (_, slopes) = system.linearised(cell);
     image(cell, &slopes, |at| Some(system.values(at)))
+}
+
+/// The root over `E`, proved again there: the only one in the box that `F` proved.
+///
+/// `None` where no box around it proves it.
+pub fn prove_over<F: Endpoint, E: Endpoint, const D: usize>(
+    system: &impl SquareSystem<E, D>,
+    root: &ProvedRoot<F, D>,
+) -> Option<IntervalBox<E, D>> {
+    let proved = sharpen(system, root.enclosure.each_ref().map(|side| carried(&side.midpoint())))?;
+    let known = |side: &Interval<F>| Interval::new(carried(&side.low()), carried(&side.high()));
+    // one solution in the new box, and it lies where the old one is the only one: the same
+    let mut sides = proved.enclosure.iter().zip(&root.unique);
+    sides
+        .all(|(side, unique)| side.is_subset(&known(unique)))
+        .then_some(proved.enclosure)
+}
+
+/// A number in another type, to some thirty digits.
+fn carried<F: Endpoint, E: Endpoint>(number: &F) -> E {
+    let high = number.to_f64();
+    let low = (number.clone() - F::from_f64(high)).to_f64();
+    E::from_f64(high) + E::from_f64(low)
 }

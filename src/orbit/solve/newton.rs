@@ -1,199 +1,145 @@
-//! Newton's method in f64 from many starts: it proposes, and proves nothing.
+//! Newton's method, for any number of equations over any number type. It proposes: nothing is proved here.
 
-use crate::number::{Sequence, mix};
-use crate::orbit::equations::words::WordEquations;
-use nalgebra::{DMatrix, DVector};
-use std::f64::consts::{PI, TAU};
+use crate::number::{Analytic, Dual};
+use crate::orbit::equations::duals::by_duals;
+use crate::orbit::interval_box::larger;
+use nalgebra::{SMatrix, SVector};
 
-/// Steps before a start is given up: those that lead to an orbit take some ten.
-const MOST_STEPS: usize = 40;
+/// When Newton's method stops. The size of a step is that of its largest component, if not said otherwise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ending {
+    /// After so many steps there is no answer.
+    pub most_steps: usize,
+    /// A step of at most this size is the last one: the next would be below rounding.
+    pub last_step: f64,
+    /// A step that is not below this times the one before leads nowhere, and there is no answer;
+    pub growth: f64,
+    /// but one below this size that is not half the one before is rounding, and the last one.
+    pub rounding: f64,
+}
 
-/// Halvings of one step before it is given up: a step a thousandth as long makes no way.
-const MOST_HALVINGS: usize = 10;
-
-/// A last step this small leaves, converging quadratically, nothing to gain.
-const SETTLED: f64 = 1e-9;
-
-/// A flight may shrink to this part of itself in one step, so that impacts keep their order.
-const LEAST_PART: f64 = 0.2;
-
-/// The longest step of a phase, in radians: beyond it the linear equations know nothing of the forcing.
-const LONGEST_STEP: f64 = 1.0;
-
-/// Where to start: impact 0 anywhere in the forcing period, the times anywhere among those that add up. Repeatable.
-///
-/// Points are a rank-1 lattice shifted at random rather than random themselves, so that they leave no large gaps.
-pub(crate) fn starts(system: &WordEquations<f64>, count: usize) -> impl Iterator<Item = Vec<f64>> + '_ {
-    let dimensions = system.word.impacts();
-    let mut sequence = Sequence::new(mix(count as u64));
-    let shifts: Vec<f64> = (0..dimensions).map(|_| sequence.between(0.0, 1.0)).collect();
-    let rates = rates(dimensions);
-    let whole = TAU * f64::from(system.periods);
-    (1..=count).map(move |index| {
-        let at = |dimension: usize| (shifts[dimension] + rates[dimension] * index as f64).fract();
-        let first = TAU * at(0);
-        let mut later: Vec<f64> = (1..dimensions).map(at).collect();
-        // sorted uniform points cut a length into parts that are uniform on the simplex
-        later.sort_by(f64::total_cmp);
-        let later = later.into_iter().map(|part| first + whole * part);
-        std::iter::once(first).chain(later).collect()
+/// The point that Newton's method settles at; `step` gives what is taken off a point.
+pub(crate) fn newton<T: Analytic, P: AsMut<[T]> + AsRef<[T]>>(
+    start: P,
+    ending: &Ending,
+    mut step: impl FnMut(&P) -> Option<P>,
+) -> Option<P> {
+    newton_sized(start, ending, |point| {
+        let step = step(point)?;
+        let sizes = step.as_ref().iter().map(|part| part.to_f64().abs());
+        let size = sizes.fold(0.0, larger);
+        Some((step, size))
     })
 }
 
-/// The powers of the inverse of the root of x^(m+1) = x + 1, the golden ratio's way in m dimensions (Roberts 2018).
-fn rates(dimensions: usize) -> Vec<f64> {
-    let power = 1.0 / (dimensions as f64 + 1.0);
-    let root = (0..60).fold(1.5_f64, |root, _| (1.0 + root).powf(power));
-    (1..=dimensions).map(|exponent| root.powi(-(exponent as i32))).collect()
-}
-
-/// The phases of an orbit near `start`, if Newton's method settles with its impacts in order.
-pub(crate) fn settle(system: &WordEquations<f64>, start: Vec<f64>) -> Option<Vec<f64>> {
-    let mut phases = start;
-    for _ in 0..MOST_STEPS {
-        let (residuals, rows) = system.linearised(&phases)?;
-        let step = solve(&rows, &residuals)?;
-        let size = largest(&step);
-        if size <= SETTLED * (1.0 + largest(&phases)) {
-            return moved(system, &phases, &step, 1.0);
+/// The same where `step` says itself what size its steps count as.
+pub(crate) fn newton_sized<T: Analytic, P: AsMut<[T]>>(
+    start: P,
+    ending: &Ending,
+    mut step: impl FnMut(&P) -> Option<(P, f64)>,
+) -> Option<P> {
+    let mut point = start;
+    let mut last = f64::INFINITY;
+    for _ in 0..ending.most_steps {
+        let (mut step, size) = step(&point)?;
+        let is_last = size <= ending.last_step || (size < ending.rounding && size >= 0.5 * last);
+        let shrinks = size < ending.growth * last && size.is_finite();
+        if !(is_last || shrinks) {
+            return None;
         }
-        let before = length(&residuals);
-        let mut part = longest_part(system, &phases, &step);
-        let mut next = None;
-        for _ in 0..MOST_HALVINGS {
-            let tried = moved(system, &phases, &step, part)?;
-            if length(&system.residuals(&tried)) < before {
-                next = Some(tried);
-                break;
-            }
-            part *= 0.5;
+        for (unknown, part) in point.as_mut().iter_mut().zip(step.as_mut()) {
+            *unknown -= part.clone();
         }
-        phases = next?;
+        if is_last {
+            return Some(point);
+        }
+        last = size;
     }
     None
 }
 
-/// The part of `step` that keeps every flight forward and every phase within reach.
-fn longest_part(system: &WordEquations<f64>, phases: &[f64], step: &[f64]) -> f64 {
-    let count = phases.len();
-    let whole = TAU * f64::from(system.periods);
-    let after = |values: &[f64], index: usize, round: f64| {
-        let next = values.get(index + 1).copied().unwrap_or(values[0] + round);
-        next - values[index]
-    };
-    let shrinking = (0..count).map(|index| {
-        let (time, less) = (after(phases, index, whole), after(step, index, 0.0));
-        // the step is subtracted
-        if less > 0.0 {
-            (1.0 - LEAST_PART) * time / less
-        } else {
-            1.0
+/// Newton's method in f64 with derivatives by dual numbers; `None` too where the equations have no value.
+pub(crate) fn newton_by_duals<const D: usize>(
+    start: [f64; D],
+    ending: &Ending,
+    equations: impl Fn(&[Dual<f64>; D]) -> Option<[Dual<f64>; D]>,
+) -> Option<[f64; D]> {
+    newton(start, ending, |point| {
+        let (values, slopes) = by_duals(&equations, point)?;
+        let matrix = SMatrix::<f64, D, D>::from_fn(|row, column| slopes[row][column]);
+        let step = matrix.try_inverse()? * SVector::from(values);
+        Some(step.into())
+    })
+}
+
+/// Each step of a fixed derivative gains as many digits as f64 has, less the condition of the equations.
+const CHORDS: Ending = Ending {
+    most_steps: 200,
+    last_step: 0.0,
+    growth: 0.5,
+    rounding: 0.0,
+};
+
+/// Newton's method in many digits for equations that come without derivatives: differences in many digits give these once,
+/// to f64, and serve every step. Exact to a few roundings of `T` times the condition of the equations; `None` where the
+/// steps do not shrink down to rounding.
+///
+/// # Errors
+/// Those of the equations.
+pub(crate) fn newton_by_chords<T: Analytic, F, const D: usize>(
+    start: [f64; D],
+    equations: impl Fn(&[T; D]) -> Result<[T; D], F>,
+) -> Result<Option<[T; D]>, F> {
+    let start = start.map(T::from_f64);
+    let values = equations(&start)?;
+    // half of the digits: the quotient has the other half
+    let shift = T::epsilon().sqrt();
+    let mut slopes = SMatrix::<f64, D, D>::zeros();
+    for column in 0..D {
+        let mut moved = start.clone();
+        moved[column] += shift.clone();
+        let there = equations(&moved)?;
+        for row in 0..D {
+            slopes[(row, column)] = ((there[row].clone() - values[row].clone()) / shift.clone()).to_f64();
         }
+    }
+    let Some(inverse) = slopes.try_inverse() else {
+        return Ok(None);
+    };
+    let ending = Ending {
+        rounding: shift.to_f64(),
+        ..CHORDS
+    };
+    let mut failure = None;
+    let found = newton(start, &ending, |point| {
+        let values = equations(point).map_err(|why| failure = Some(why)).ok()?;
+        Some(std::array::from_fn(|row| {
+            let terms = (0..D).map(|k| T::from_f64(inverse[(row, k)]) * values[k].clone());
+            terms.fold(T::zero(), |sum, term| sum + term)
+        }))
     });
-    let reach = LONGEST_STEP / largest(step);
-    shrinking.fold(reach.min(1.0), f64::min)
-}
-
-fn moved(system: &WordEquations<f64>, phases: &[f64], step: &[f64], part: f64) -> Option<Vec<f64>> {
-    let moved: Vec<f64> = phases
-        .iter()
-        .zip(step)
-        .map(|(phase, step)| phase - part * step)
-        .collect();
-    let end = moved.first()? + TAU * f64::from(system.periods);
-    let ends = moved.iter().skip(1).chain(std::iter::once(&end));
-    let forward = moved.iter().zip(ends).all(|(start, end)| end > start);
-    forward.then_some(moved)
-}
-
-/// The inverse of a matrix given row by row, if it has one in f64.
-pub(crate) fn inverse(rows: &[Vec<f64>]) -> Option<DMatrix<f64>> {
-    matrix(rows)
-        .try_inverse()
-        .filter(|inverse| inverse.iter().all(|entry| entry.is_finite()))
-}
-
-fn solve(rows: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
-    let solution = matrix(rows).lu().solve(&DVector::from_column_slice(right))?;
-    let solution: Vec<f64> = solution.iter().copied().collect();
-    solution.iter().all(|entry| entry.is_finite()).then_some(solution)
-}
-
-fn matrix(rows: &[Vec<f64>]) -> DMatrix<f64> {
-    DMatrix::from_fn(rows.len(), rows.len(), |row, column| rows[row][column])
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |largest, value| value.abs().max(largest))
-}
-
-fn length(values: &[f64]) -> f64 {
-    values.iter().map(|value| value * value).sum::<f64>().sqrt()
-}
-
-/// Phases with impact 0 within half a turn of `near`, whole turns later or earlier.
-pub(crate) fn brought_near(phases: &[f64], near: f64) -> Vec<f64> {
-    let turns = TAU * ((near - phases.first().copied().unwrap_or(near) + PI) / TAU).floor();
-    phases.iter().map(|phase| phase + turns).collect()
-}
-
-/// The same orbit listed from impact `first` on; the impacts before it are those of the next round.
-pub(crate) fn listed_from(phases: &[f64], first: usize, periods: u32) -> Vec<f64> {
-    let round = TAU * f64::from(periods);
-    let next = phases.iter().take(first).map(|phase| phase + round);
-    phases.iter().skip(first).copied().chain(next).collect()
+    failure.map_or(Ok(found), Err)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Motion;
+    use crate::number::{Field, Wide};
 
-    fn system(word: &str, periods: u32) -> WordEquations<f64> {
-        WordEquations {
-            motion: Motion::new(0.12, 0.3, 0.6, 0.4).expect("a motion"),
-            word: word.parse().expect("a word"),
-            periods,
-        }
+    #[test]
+    fn a_root_is_found_to_the_last_digits() {
+        let found = newton_by_chords([1.4], |[x]: &[Wide<60>; 1]| {
+            Ok::<_, ()>([x.clone() * x.clone() - Wide::from_integer(2)])
+        });
+        let root = Analytic::sqrt(&Wide::<60>::from_integer(2));
+        assert!(found.is_ok_and(|found| found.is_some_and(|[x]| (x - root).to_f64().abs() < 1e-60)));
     }
 
     #[test]
-    fn starts_are_in_order_and_the_same_each_time() {
-        let system = system("BTT", 2);
-        let all: Vec<_> = starts(&system, 50).collect();
-        assert_eq!(all, starts(&system, 50).collect::<Vec<_>>());
-        for start in &all {
-            assert!(moved(&system, start, &[0.0; 3], 1.0).is_some() && (0.0..TAU).contains(&start[0]));
-        }
-        let long = all.iter().filter(|start| start[1] - start[0] > TAU).count();
-        assert!(
-            long > 5 && long < 25,
-            "{long} of 50 first flights take more than half of the time"
-        );
-    }
-
-    #[test]
-    fn a_word_of_one_impact_has_its_two_orbits_in_closed_form() {
-        // the launch -r v and the arrival v differ by 2 n g, and the sine of the phase makes up for the rest
-        let system = system("B", 1);
-        let velocity = 2.0 * 0.12 / 1.6;
-        let sine = PI * (0.12 - 0.6 * velocity);
-        let found: Vec<_> = starts(&system, 20).filter_map(|start| settle(&system, start)).collect();
-        assert!(found.len() > 10);
-        for phases in &found {
-            assert!((phases[0].sin() - sine).abs() < 1e-12, "{phases:?}");
-            assert!((system.fixes(phases)[0].velocity - velocity).abs() < 1e-12);
-        }
-        assert!(found.iter().any(|phases| phases[0].cos() > 0.0) && found.iter().any(|phases| phases[0].cos() < 0.0));
-    }
-
-    #[test]
-    fn an_orbit_listed_from_another_impact_solves_the_rotated_word() {
-        let system = system("BTBT", 2);
-        let found = starts(&system, 200)
-            .find_map(|start| settle(&system, start))
-            .expect("an orbit");
-        let other = brought_near(&listed_from(&found, 2, 2), 0.0);
-        assert!(largest(&system.residuals(&other)) < 1e-12 && other[0].abs() <= PI + 1e-9);
+    fn where_there_is_no_root_none_is_found() {
+        let found = newton_by_chords([0.5], |[x]: &[Wide<60>; 1]| {
+            Ok::<_, ()>([x.clone() * x.clone() + Wide::from_integer(1)])
+        });
+        assert_eq!(found, Ok(None));
     }
 }

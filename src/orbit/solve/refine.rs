@@ -6,11 +6,10 @@
 
 use crate::model::Motion;
 use crate::number::{Analytic, DoubleDouble, Endpoint, Field, Interval};
-use crate::orbit::bifurcation::instant::prove_over;
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::interval_box::IntervalBox;
 use crate::orbit::solve::krawczyk::ProvedRoot;
-use crate::orbit::solve::one_one::Equations;
+use crate::orbit::solve::krawczyk::prove_over;
 
 type Line = Interval<DoubleDouble>;
 
@@ -23,7 +22,7 @@ pub fn refine_one_one<F: Endpoint, E: Endpoint>(
     root: &ProvedRoot<F, 2>,
 ) -> Option<IntervalBox<E, 2>> {
     let narrow = OneOneEquations::new(&motion.convert(around).ok()?, periods);
-    let cell = prove_over(&Equations(&narrow), root)?;
+    let cell = prove_over(&narrow, root)?;
     let point = cell.each_ref().map(Interval::midpoint);
     let (_, slopes) = narrow.linearised(&cell[0], &cell[1]);
     let inverse = inverse(&slopes)?;
@@ -102,7 +101,7 @@ mod tests {
                 let found = refine_one_one(&fifty, 1, root).expect("a motion");
                 let balance = OneOneEquations::new(&wide, 1);
                 let near = found.each_ref().map(|side| side.midpoint().convert::<100>());
-                let exact = sharpen(&Equations(&balance), near).expect("a motion");
+                let exact = sharpen(&balance, near).expect("a motion");
                 for (side, exact) in found.iter().zip(&exact.enclosure) {
                     let [low, high] = [side.low(), side.high()].map(|end| end.convert::<100>());
                     assert!(low <= exact.low() && exact.high() <= high);

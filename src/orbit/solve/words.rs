@@ -4,9 +4,10 @@ use crate::model::{Motion, MotionError};
 use crate::number::{Analytic, Endpoint, Interval, Wide};
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::inconclusive::Inconclusive;
+use crate::orbit::interval_box::apart;
 use crate::orbit::orbit::Orbit;
 use crate::orbit::solve::certify::{Proof, approached, prove};
-use crate::orbit::solve::newton::{brought_near, listed_from, settle, starts};
+use crate::orbit::solve::starts::{brought_near, listed_from, solve_word, starts};
 use crate::orbit::word::Word;
 use crate::stop;
 
@@ -73,7 +74,7 @@ pub fn search_word_from<E: Endpoint>(
         if !stop::goes_on() {
             break;
         }
-        let Some(phases) = settle(&middle, start).filter(|phases| moves(&middle, phases)) else {
+        let Some(phases) = solve_word(&middle, start).filter(|phases| moves(&middle, phases)) else {
             continue;
         };
         let phases = brought_near(&phases, std::f64::consts::PI);
@@ -107,7 +108,7 @@ fn around<E: Endpoint>(interval: &Interval<E>) -> Interval<f64> {
 
 /// Whether a proposal looks like a motion at all.
 pub(crate) fn moves(system: &WordEquations<f64>, phases: &[f64]) -> bool {
-    let fixes = system.fixes(phases);
+    let fixes = system.orbit_impacts(phases);
     let mut impacts = system.word.sides().zip(&fixes);
     impacts.all(|(side, fix)| side.signed(fix.velocity) > -NOISE && fix.time > NOISE)
 }
@@ -190,7 +191,7 @@ impl WordOrbit {
             Some(proof) => proof.refined(&system),
             None => approached(&system, &self.phases),
         };
-        let orbit = Orbit::settle(&self.word, self.periods, motion, &system.fixes(&phases))?;
+        let orbit = Orbit::from_impacts(&self.word, self.periods, motion, &system.orbit_impacts(&phases))?;
         Ok(if self.is_certified() {
             orbit
         } else {
@@ -201,8 +202,7 @@ impl WordOrbit {
     /// Whether a proposal is this motion: well inside its box, or, without a proof, close by.
     fn covers(&self, phases: &[f64]) -> bool {
         let room = self.proof.as_ref().map_or(SCATTER, |proof| 0.5 * proof.radius);
-        self.listings(phases)
-            .any(|listed| farthest(&listed, &self.phases) < room)
+        self.listings(phases).any(|listed| apart(&listed, &self.phases) < room)
     }
 
     /// Whether another motion found is this one.
@@ -219,7 +219,7 @@ impl WordOrbit {
     pub(crate) fn is_of_shorter_word(&self) -> bool {
         let repeats = |listed: Vec<f64>| match &self.proof {
             Some(proof) => proof.covers(&listed, proof.error),
-            None => farthest(&listed, &self.phases) < SCATTER,
+            None => apart(&listed, &self.phases) < SCATTER,
         };
         self.listings(&self.phases).skip(1).any(repeats)
     }
@@ -230,11 +230,6 @@ impl WordOrbit {
         let near = self.phases.first().copied().unwrap_or(0.0);
         firsts.map(move |first| brought_near(&listed_from(phases, first, self.periods), near))
     }
-}
-
-fn farthest(one: &[f64], other: &[f64]) -> f64 {
-    let apart = one.iter().zip(other).map(|(one, other)| (one - other).abs());
-    apart.fold(0.0, f64::max)
 }
 
 #[cfg(test)]
