@@ -328,7 +328,7 @@ mod tests {
             (r"n, m \in \mathbb Z", vec!["m integer", "n integer"]),
             (r"x, y, u \ge 0", vec![r"u \geq 0", r"x \geq 0", r"y \geq 0"]),
             (r"x, y \in (0, 1]", vec!["0 < y", r"y \leq 1", "0 < x", r"x \leq 1"]),
-            (r"(x, y) \ne (0, 1)", vec![r"(x - 0)^{2} + (y - 1)^{2} \neq 0"]),
+            (r"(x, y) \ne (0, 1)", vec![r"(x - 0)^2 + (y - 1)^2 \neq 0"]),
             (r"(x, y) = (0, 1)", vec!["x = 0", "y = 1"]),
             (r"x \in \mathbb{R}", vec![]),
             (

@@ -458,7 +458,6 @@ mod tests {
             r"\mathbb{N}",
             r"\mathbb",
             r"\mathbb{R",
-            r"\Vert",
             r"\left",
             r"\oint",
             "é",

@@ -1047,7 +1047,7 @@ mod tests {
             ),
             (r"\frac{d}{dx}\sin(x)", r"\frac{d}{dx} [\sin(x)]"),
             (
-                r"\frac{\mathrm{d}^2}{\mathrm{d}x^2}(x^2 a) b",
+                r"\frac{\mathrm{d}^2}{\mathrm{d}x^2}(x^2 a) \cdot b",
                 r"[\frac{d^2}{dx^2} (x^2 a)] b",
             ),
             (r"\frac{d^{2} y}{d x^{2}}", r"\frac{d^2}{dx^2} (y)"),
@@ -1078,6 +1078,7 @@ mod tests {
             (r"\int x (x + 1) \, \mathrm{d}x", r"\int x \cdot (x + 1) \, dx"),
             (r"\sum_{k=1}^n k(k + 1) - b", r"\sum_{k = 1}^{n} k \cdot (k + 1) - b"),
             (r"\prod\limits_{k=1}^{2n} (2k) ", r"\prod_{k = 1}^{2 n} (2 k)"),
+            (r"(\sum_{k=1}^{3} k) + a - k", r"(\sum_{k = 1}^{3} k) + a - k"),
             (
                 r"\begin{cases} x, & \text{if } x > 0, \\ -x & x < 0 \\ 0, & \text{otherwise}. \end{cases}",
                 r"\begin{cases} x & x > 0 \\ -x & x < 0 \\ 0 & \text{otherwise} \end{cases}",
@@ -1096,6 +1097,11 @@ mod tests {
         check(&[(r"\frac{d}{2}", "(/ d 2)"), (r"a \cdot b \times c", "(* a b c)")]);
         refuse(&[
             (r"\begin{pmatrix} a & b \\ c \end{pmatrix}", "rows differ in length"),
+            (r"\frac{d}{dx} (x + 1)(x - 1)", "a factor behind what is differentiated"),
+            (
+                r"\sum_{k=1}^{3} k + a - k^2",
+                "how far the sum or limit over `k` reaches",
+            ),
             (r"\begin{pmatrix} a & b", "is not closed"),
             (r"\begin{pmatrix} & b \end{pmatrix}", "a factor"),
             (r"\frac{d^2}{dx} x", "its order above differs"),

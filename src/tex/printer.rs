@@ -74,24 +74,28 @@ impl fmt::Display for Tree {
 /// A tree where any sum may stand.
 fn sum(tree: &Tree) -> String {
     let Tree::Sum(terms) = tree else {
-        return signed(tree, true);
+        return signed(tree, true, false);
     };
     let mut out = String::new();
-    for term in terms {
-        out.push_str(&signed(term, out.is_empty()));
+    for (place, term) in terms.iter().enumerate() {
+        let mut later = terms.iter().skip(place + 1);
+        let is_open = term
+            .open_letter()
+            .is_some_and(|letter| later.any(|other| other.has_free_letter(letter)));
+        out.push_str(&signed(term, out.is_empty(), is_open));
     }
     if out.is_empty() { "0".into() } else { out }
 }
 
-/// A term with its sign, as the first of a sum or a later one.
-fn signed(tree: &Tree, first: bool) -> String {
+/// A term with its sign, as the first of a sum or a later one; in brackets where it would take in what follows.
+fn signed(tree: &Tree, first: bool, is_open: bool) -> String {
     let (sign, body) = match tree {
         Tree::Negate(body) => ("-", &**body),
         Tree::PlusMinus(body) => ("\\pm", &**body),
         Tree::MinusPlus(body) => ("\\mp", &**body),
         body => ("+", body),
     };
-    let body = term(body);
+    let body = if is_open { bracketed(body) } else { term(body) };
     match (first, sign) {
         (true, "+") => body,
         (true, "-") => format!("-{body}"),

@@ -5,7 +5,7 @@ use super::argument::parted;
 use super::error::{Fault, Reason};
 use super::part::{Form, Part, readable, starts_factor};
 use super::token::{Bracket, Kind, Token};
-use super::{At, Name, Names, Operation, Tree};
+use super::{At, Name, Names, Tree};
 
 /// The deepest nesting that is read: it bounds the stack that reading and all later walks of the tree need.
 pub(super) const DEEPEST: usize = 100;
@@ -122,16 +122,16 @@ impl<'a> Reader<'a> {
     }
 
     fn more_terms(&mut self, first: Part) -> Result<Part, Fault> {
-        let mut open = open_letter(&first).cloned();
+        let mut open: Vec<Name> = open_letter(&first).into_iter().collect();
         let mut terms = vec![*self.beside(first)?];
         while self.peek_kind().is_some_and(is_sign) {
             let at = self.here();
             let term = self.signed_term()?;
-            if let Some(letter) = open.filter(|letter| term.tree.has_free_letter(letter)) {
+            if let Some(letter) = open.iter().find(|letter| term.tree.has_free_letter(letter)) {
                 let found = format!("how far the sum or limit over `{letter}` reaches");
                 return Err(Fault::ambiguous(at, &found, "write brackets around what it is of"));
             }
-            open = open_letter(&term).cloned();
+            open.extend(open_letter(&term));
             terms.push(*self.beside(term)?);
             self.skip_empty();
         }
@@ -318,20 +318,9 @@ pub(super) fn product(mut factors: Vec<Tree>) -> Box<Tree> {
 }
 
 /// The letter of the sum, product or limit that a term ends in without brackets.
-fn open_letter(term: &Part) -> Option<&Name> {
-    let mut tree = &*term.tree;
-    loop {
-        tree = match tree {
-            Tree::Product(factors) => factors.last()?,
-            Tree::Negate(inner) | Tree::PlusMinus(inner) | Tree::MinusPlus(inner) => inner,
-            Tree::Operation(operation, _) if term.form != Form::Bracketed => match &**operation {
-                Operation::Series { index, .. } => return Some(index),
-                Operation::Limit { by, .. } => return Some(by),
-                _ => return None,
-            },
-            _ => return None,
-        };
-    }
+fn open_letter(term: &Part) -> Option<Name> {
+    let letter = term.tree.open_letter().cloned();
+    letter.filter(|_| term.form != Form::Bracketed)
 }
 
 fn is_sign(kind: Kind) -> bool {

@@ -190,6 +190,20 @@ impl Tree {
         }
     }
 
+    /// The letter of the sum, product or limit that it ends in: what follows may belong to that.
+    pub(crate) fn open_letter(&self) -> Option<&Name> {
+        match self {
+            Self::Product(factors) => factors.last()?.open_letter(),
+            Self::Negate(inner) | Self::PlusMinus(inner) | Self::MinusPlus(inner) => inner.open_letter(),
+            Self::Operation(operation, _) => match &**operation {
+                Operation::Series { index, .. } => Some(index),
+                Operation::Limit { by, .. } => Some(by),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
     /// Whether a symbol stands in it where no operation binds it.
     pub fn has_free(&self, name: &Name) -> bool {
         self.has_free_that(name, &|other| other == name)
