@@ -48,7 +48,7 @@ pub trait Endpoint: Analytic + PartialOrd {
 }
 
 /// One step to the neighbour. The operations of f64 are rounded to nearest; the functions are those of pxfm,
-/// which are correctly rounded (compared with CORE-MATH by its author, with two references in `tests/intervals.rs`),
+/// which are correctly rounded (compared with CORE-MATH by its author, with two references in `tests/numbers/intervals.rs`),
 /// so that a step is twice what is needed. The standard library's own functions promise no bound.
 impl Endpoint for f64 {
     const INFINITE: bool = true;

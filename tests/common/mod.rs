@@ -1,4 +1,12 @@
-//! What several tests share.
+//! What several tests share; each binary uses a part.
 
+#![allow(dead_code)]
+
+pub mod attacks;
 pub mod formulas;
+pub mod judge;
+pub mod motions;
+pub mod mutants;
+pub mod paper;
+pub mod rewrite;
 pub mod trees;

@@ -115,7 +115,7 @@ impl Formula {
 
 #[test]
 fn no_formula_of_the_handbooks_is_decided_wrongly_and_most_are_decided() {
-    let handbook: Handbook = toml::from_str(include_str!("handbook/formulas.toml")).unwrap();
+    let handbook: Handbook = toml::from_str(include_str!("../handbook/formulas.toml")).unwrap();
     let half = handbook.formula.len() / 2;
     let decide = |formulas: &'static [Formula]| -> Vec<_> { formulas.iter().map(Formula::decided).collect() };
     let formulas: &'static [Formula] = Box::leak(handbook.formula.into_boxed_slice());
@@ -156,7 +156,7 @@ fn no_formula_of_the_handbooks_is_decided_wrongly_and_most_are_decided() {
 /// The examples of the guide: a line `true: TEX; given PREMISE; assume CONDITION` or `false: ...` each.
 #[test]
 fn each_example_of_the_guide_is_decided_as_it_says() {
-    let guide = include_str!("../doc/operations.md");
+    let guide = include_str!("../../doc/operations.md");
     let examples = guide.lines().filter_map(|line| {
         let truth = line.strip_prefix("true:").map(|rest| (Verdict::Proved, rest));
         truth.or_else(|| line.strip_prefix("false:").map(|rest| (Verdict::Refuted, rest)))

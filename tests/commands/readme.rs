@@ -2,17 +2,17 @@
 
 use std::process::Command;
 
-const README: &str = include_str!("../README.md");
+const README: &str = include_str!("../../README.md");
 const GUIDE: [&str; 9] = [
-    include_str!("../doc/sheets.md"),
-    include_str!("../doc/numbers.md"),
-    include_str!("../doc/orbits.md"),
-    include_str!("../doc/simulation.md"),
-    include_str!("../doc/scenes.md"),
-    include_str!("../doc/accuracy.md"),
-    include_str!("../doc/solvers.md"),
-    include_str!("../doc/documents.md"),
-    include_str!("../doc/library.md"),
+    include_str!("../../doc/sheets.md"),
+    include_str!("../../doc/numbers.md"),
+    include_str!("../../doc/orbits.md"),
+    include_str!("../../doc/simulation.md"),
+    include_str!("../../doc/scenes.md"),
+    include_str!("../../doc/accuracy.md"),
+    include_str!("../../doc/solvers.md"),
+    include_str!("../../doc/documents.md"),
+    include_str!("../../doc/library.md"),
 ];
 
 fn block(language: &str, first: &str) -> String {

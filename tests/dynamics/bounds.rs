@@ -2,7 +2,7 @@
 //! over motions drawn from wide ranges, r next to 1, g next to 0 and beyond 1 among them.
 //!
 //! Some hundreds at each run; the ten thousands of the README by
-//! `cargo test --release --test bounds -- --ignored --nocapture`.
+//! `cargo test --release --test dynamics bounds -- --ignored --nocapture`.
 
 use std::f64::consts::TAU;
 use vibro_audit::impact::{Event, Extent, Kind, Row, Simulation, Start, history, history_in_decimals};

@@ -258,7 +258,7 @@ fn seconds(work: impl Fn()) -> f64 {
     std::iter::repeat_with(once).take(3).fold(f64::INFINITY, f64::min)
 }
 
-/// A measurement, for a quiet machine: `cargo test --release --test asked_digits -- --ignored --nocapture`.
+/// A measurement, for a quiet machine: `cargo test --release --test commands asked_digits -- --ignored --nocapture`.
 #[test]
 #[ignore = "a measurement"]
 fn the_number_chosen_takes_at_most_twice_the_time_of_the_quickest() {

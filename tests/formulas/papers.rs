@@ -9,18 +9,18 @@ use vibro_audit::prove::{self, Decision, Options};
 const PAPERS: [[&str; 3]; 3] = [
     [
         "bouncing_ball.tex",
-        include_str!("papers/bouncing_ball.tex"),
-        include_str!("papers/misprinted/bouncing_ball.tex"),
+        include_str!("../papers/bouncing_ball.tex"),
+        include_str!("../papers/misprinted/bouncing_ball.tex"),
     ],
     [
         "impact_oscillator.tex",
-        include_str!("papers/impact_oscillator.tex"),
-        include_str!("papers/misprinted/impact_oscillator.tex"),
+        include_str!("../papers/impact_oscillator.tex"),
+        include_str!("../papers/misprinted/impact_oscillator.tex"),
     ],
     [
         "rigid_body_optics.tex",
-        include_str!("papers/rigid_body_optics.tex"),
-        include_str!("papers/misprinted/rigid_body_optics.tex"),
+        include_str!("../papers/rigid_body_optics.tex"),
+        include_str!("../papers/misprinted/rigid_body_optics.tex"),
     ],
 ];
 
@@ -42,7 +42,7 @@ fn refuted(decisions: &[Decision]) -> BTreeSet<String> {
 
 #[test]
 fn no_formula_of_three_papers_is_accused_but_for_its_misprint() {
-    let mut misprints = csv::Reader::from_reader(include_str!("papers/misprints.csv").as_bytes());
+    let mut misprints = csv::Reader::from_reader(include_str!("../papers/misprints.csv").as_bytes());
     let misprints: Vec<csv::StringRecord> = misprints.records().map(Result::unwrap).collect();
     let (mut found, mut proved) = (0, 0);
     for [name, text, altered] in PAPERS {

@@ -1,8 +1,6 @@
 //! Claims and sheets that were once decided wrongly, or not at all, or ended badly.
 
-#[path = "common/paper.rs"]
-#[allow(dead_code)]
-mod paper;
+use crate::common::paper;
 
 use paper::{sheet, vocabulary};
 use std::time::Duration;

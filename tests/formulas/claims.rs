@@ -1,8 +1,6 @@
 //! Claims on the impact pair in many spellings, with premises of many kinds: `claims.txt` says what is right.
 
-#[path = "common/paper.rs"]
-#[allow(dead_code)]
-mod paper;
+use crate::common::paper;
 
 use paper::{Bench, sheet};
 
@@ -11,7 +9,7 @@ fn claims_in_many_forms() {
     let bench = Bench::new();
     let (mut premises, mut local, mut with): (Vec<String>, Vec<String>, Vec<String>) = Default::default();
     let (mut count, mut wrong) = (0, Vec::new());
-    for (number, line) in include_str!("claims.txt").lines().enumerate() {
+    for (number, line) in include_str!("../claims.txt").lines().enumerate() {
         let (kind, rest) = line.trim().split_once(' ').unwrap_or((line.trim(), ""));
         let append = |list: &mut Vec<String>| match rest {
             "" => list.clear(),

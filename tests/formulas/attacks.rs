@@ -1,8 +1,7 @@
 //! Sheets made to attack the verdicts, from many fields. The truth of each stands in its first lines and was
 //! established by other means (`tests/attacks/verify.py`): no verdict may be wrong, and few undecided.
 
-#[path = "common/attacks.rs"]
-mod attacks;
+use crate::common::attacks;
 
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -1,14 +1,8 @@
 //! Repairs of refuted claims: misprints made of true formulas are mended to what they were made of.
 
-#[path = "common/mutants.rs"]
-#[allow(dead_code)]
-mod mutants;
-#[path = "common/paper.rs"]
-#[allow(dead_code)]
-mod paper;
-#[path = "common/trees.rs"]
-#[allow(dead_code)]
-mod trees;
+use crate::common::mutants;
+use crate::common::paper;
+use crate::common::trees;
 
 use paper::{Bench, PAPER, display, vocabulary};
 use std::sync::Mutex;
@@ -107,17 +101,17 @@ fn of_others() -> Vec<Misprint> {
         let document = Document::read(text, Markup::Tex, &mut |_| Err("nothing is included".to_owned()));
         document.sheet(&Vocabulary::default()).unwrap()
     };
-    let oscillator = include_str!("../golden/oscillator/equations.toml");
+    let oscillator = include_str!("../../golden/oscillator/equations.toml");
     let sheets = [
         ("oscillator", Sheet::read(oscillator, &vocabulary()).unwrap()),
-        ("bouncing ball", document(include_str!("papers/bouncing_ball.tex"))),
+        ("bouncing ball", document(include_str!("../papers/bouncing_ball.tex"))),
         (
             "impact oscillator",
-            document(include_str!("papers/impact_oscillator.tex")),
+            document(include_str!("../papers/impact_oscillator.tex")),
         ),
         (
             "rigid body, optics",
-            document(include_str!("papers/rigid_body_optics.tex")),
+            document(include_str!("../papers/rigid_body_optics.tex")),
         ),
     ];
     let mut all = Vec::new();

@@ -7,20 +7,13 @@
 
 #![cfg(feature = "kernel")]
 
-#[path = "kernel/attacks.rs"]
 mod attacks;
-#[path = "kernel/axioms.rs"]
 mod axioms;
 #[cfg(feature = "audit")]
-#[path = "kernel/breaks.rs"]
 mod breaks;
-#[path = "kernel/digits.rs"]
 mod digits;
-#[path = "kernel/forge.rs"]
 mod forge;
-#[path = "kernel/refusals.rs"]
 mod refusals;
-#[path = "kernel/rules.rs"]
 mod rules;
 
 /// The two verdicts are made in one place each.

@@ -1,7 +1,5 @@
 //! Bifurcations of the 1-1 orbits along the gap: each is where it must be, and the orbits change in number there alone.
 
-#[path = "common/motions.rs"]
-mod motions;
 
 use std::f64::consts::{PI, TAU};
 use vibro_audit::model::{Motion, MotionError, Side};

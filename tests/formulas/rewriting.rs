@@ -1,16 +1,10 @@
 //! True formulas stay proved and false ones refuted, however they and their premises are written; and with fewer or
 //! other premises the verdict is what these say.
 
-#[path = "common/judge.rs"]
-#[allow(dead_code)]
-mod judge;
-#[path = "common/mutants.rs"]
-mod mutants;
-#[path = "common/paper.rs"]
-#[allow(dead_code)]
-mod paper;
-#[path = "common/rewrite.rs"]
-mod rewrite;
+use crate::common::judge;
+use crate::common::mutants;
+use crate::common::paper;
+use crate::common::rewrite;
 
 use paper::{Bench, Claim, display, sheet};
 use proptest::prelude::*;

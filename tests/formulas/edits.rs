@@ -1,12 +1,9 @@
 //! Every single edit of every true formula of the paper, decided with the paper's own premises: the verdict is that of
 //! a judge who shares no code with the decision.
 
-#[path = "common/judge.rs"]
-mod judge;
-#[path = "common/mutants.rs"]
-mod mutants;
-#[path = "common/paper.rs"]
-mod paper;
+use crate::common::judge;
+use crate::common::mutants;
+use crate::common::paper;
 
 use paper::{Bench, Claim, display};
 use std::sync::Mutex;

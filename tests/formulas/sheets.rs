@@ -1,9 +1,7 @@
 //! Sheets as people hand them in: with mistakes, each of which says what and where, and stops nothing that can be
 //! decided all the same; with a vocabulary of their own; with odd characters; large.
 
-#[path = "common/paper.rs"]
-#[allow(dead_code)]
-mod paper;
+use crate::common::paper;
 
 use paper::{sheet, vocabulary};
 use std::time::{Duration, Instant};

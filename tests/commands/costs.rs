@@ -11,7 +11,7 @@ fn as_text(rows: &[Cost]) -> String {
     String::from_utf8(writer.into_inner().expect("a table")).expect("text")
 }
 
-/// `VIBRO_AUDIT_BLESS=1 cargo test --test costs` rewrites the model from what is measured.
+/// `VIBRO_AUDIT_BLESS=1 cargo test --test commands costs` rewrites the model from what is measured.
 #[test]
 fn the_model_of_costs_is_what_is_measured() {
     let measured = measured_costs().expect("costs");

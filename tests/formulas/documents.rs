@@ -1,9 +1,7 @@
 //! Documents as authors write them, in TeX and Markdown: which formulas are taken from them, what is guessed, what is wrong with
 //! them; and the paper's own as one.
 
-#[path = "common/paper.rs"]
-#[allow(dead_code)]
-mod paper;
+use crate::common::paper;
 
 use paper::vocabulary;
 use proptest::prelude::*;
@@ -47,12 +45,12 @@ const SYMBOLS: &str = "% audit: symbols a, b, c, x, y\n";
 
 #[test]
 fn the_papers_document_has_the_verdicts_of_its_sheet() {
-    let document = document(include_str!("../golden/paper/paper.tex"), &[]);
+    let document = document(include_str!("../../golden/paper/paper.tex"), &[]);
     assert_eq!(
         (faults(&document), document.guesses.as_slice()),
         (String::new(), &[][..])
     );
-    let sheet = Sheet::read(include_str!("../golden/paper/equations.toml"), &vocabulary()).unwrap();
+    let sheet = Sheet::read(include_str!("../../golden/paper/equations.toml"), &vocabulary()).unwrap();
     let of = |decisions: Vec<Decision>| -> Vec<(String, Verdict, Verdict, String)> {
         let all = decisions.into_iter();
         all.map(|own| (own.label, own.verdict, own.expected, own.reason))
@@ -456,7 +454,7 @@ fn a_claim_that_its_author_rests_on_a_guess_is_not_refuted() {
 #[test]
 fn a_draft_is_a_sheet_with_the_same_entries() {
     for text in [
-        include_str!("../golden/paper/paper.tex").to_owned(),
+        include_str!("../../golden/paper/paper.tex").to_owned(),
         "\\[ y = a x'' \\]\n\\[ y^2 = a^2 x''^2 \\]\n$$ f'(t) = f(t) $$".to_owned(),
         format!("{SYMBOLS}\\begin{{align}} a + b &= b + a \\\\ &= b + a + 0 \\end{{align}} % audit: claim"),
     ] {
@@ -659,7 +657,7 @@ fn a_document_without_an_end_is_refused() {
 
 #[test]
 fn the_document_of_the_guide_is_proved() {
-    let guide = include_str!("../doc/documents.md");
+    let guide = include_str!("../../doc/documents.md");
     let (_, rest) = guide.split_once("```tex\n").expect("a document");
     let (text, _) = rest.split_once("```").expect("its end");
     let found = document(text, &[]);

@@ -1,6 +1,6 @@
 //! The reader and the printer of TeX: every formula of the paper, every spelling, and what no input may do.
 
-mod common;
+use crate::common;
 
 use common::formulas::{PAPER, names};
 use common::trees::{Hashed, equation, flat, tree};

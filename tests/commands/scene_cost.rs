@@ -1,6 +1,6 @@
 //! What a sweep costs as a scene, beside the bare loop over the same impacts.
 //!
-//! A measurement, so only where it is asked for: `cargo test --release --test scene_cost -- --ignored --nocapture`.
+//! A measurement, so only where it is asked for: `cargo test --release --test commands scene_cost -- --ignored --nocapture`.
 //! That the steps are the same, one by one, is counted at each run in src/cli/modelled.rs.
 
 use std::hint::black_box;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Mutants of src/kernel, drawn by seed, with tests/kernel.rs and tests/kernel_attacks.rs as the judge.
+"""Mutants of src/kernel, drawn by seed, with tests/formulas/kernel.rs and kernel_attacks.rs as the judge.
 
-    tests/kernel/mutants.py COUNT [SEED]      in a copy of the tree; prints the survivors
+    tests/formulas/kernel/mutants.py COUNT [SEED]      in a copy of the tree; prints the survivors
 
 A mutant changes one operator, constant or condition of one line outside tests and comments.
 """
@@ -29,7 +29,7 @@ for path in files:
                 places.append((path, number, rule, found.start()))
 draw = random.Random(SEED)
 draw.shuffle(places)
-flags = ["--no-default-features", "--features", "kernel", "--test", "kernel", "--test", "kernel_attacks", "-q"]
+flags = ["--no-default-features", "--features", "kernel", "--test", "formulas", "kernel", "-q"]
 killed = survived = unbuilt = 0
 for path, number, rule, start in places:
     if killed + survived == COUNT:

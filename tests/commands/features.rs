@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::process::Command;
 use toml::{Table, Value};
 
-const GUIDE: &str = include_str!("../doc/library.md");
-const MANIFEST: &str = include_str!("../Cargo.toml");
+const GUIDE: &str = include_str!("../../doc/library.md");
+const MANIFEST: &str = include_str!("../../Cargo.toml");
 
 /// The crates that the GUIDE lists, each in backticks between the two marks.
 fn listed() -> BTreeSet<String> {

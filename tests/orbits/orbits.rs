@@ -1,7 +1,6 @@
 //! The 1-1 orbits of motions of all kinds: what each must satisfy, and that none is missed or invented.
 
-#[path = "common/motions.rs"]
-mod motions;
+use crate::common::motions;
 
 use motions::{Digits, Pair, improved, is_near, motion_of, planted, scanned, scenes};
 use nalgebra::Matrix2;

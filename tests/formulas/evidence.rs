@@ -1,14 +1,13 @@
 //! Witnesses of the paper's claims, and of claims made from them at random.
 
-#[path = "common/attacks.rs"]
-mod attacks;
+use crate::common::attacks;
 
 use proptest::prelude::*;
 use vibro_audit::claim::{Role, Sheet, Verdict, read_symbols};
 use vibro_audit::evidence::{Evidence, Flown, witness};
 
-const SYMBOLS: &str = include_str!("../golden/paper/symbols.toml");
-const EQUATIONS: &str = include_str!("../golden/paper/equations.toml");
+const SYMBOLS: &str = include_str!("../../golden/paper/symbols.toml");
+const EQUATIONS: &str = include_str!("../../golden/paper/equations.toml");
 
 fn read(text: &str) -> Sheet {
     let vocabulary = read_symbols(SYMBOLS).unwrap();

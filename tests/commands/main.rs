@@ -1,0 +1,17 @@
+//! The commands, their input, output and exit statuses.
+
+mod asked_digits;
+mod check;
+mod cli;
+mod costs;
+mod features;
+mod fuzz;
+mod page;
+mod peers;
+mod plot;
+mod readme;
+mod report;
+mod scene_cost;
+mod scenes;
+mod score;
+mod stress;

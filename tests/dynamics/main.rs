@@ -1,0 +1,7 @@
+//! Impacts, simulation, sweeps and trajectories, and their bounds.
+
+mod bounds;
+mod simulate;
+mod sweep;
+mod swept_voltages;
+mod trajectory;

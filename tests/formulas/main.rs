@@ -1,0 +1,21 @@
+//! Formulas: read, decided, proved, refuted, and what is printed of them.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod attacks;
+mod audit;
+mod claims;
+mod documents;
+mod edits;
+mod evidence;
+mod handbook;
+mod hard_cases;
+mod kernel;
+mod kernel_attacks;
+mod papers;
+mod proofs;
+mod repairs;
+mod rewriting;
+mod sheets;
+mod tex;

@@ -1,0 +1,12 @@
+//! Periodic orbits, branches and bifurcations.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bifurcations;
+mod follow;
+mod orbits;
+mod printed_orbits;
+mod references;
+mod scan;
+mod words;
