@@ -20,15 +20,18 @@ pub struct Counterexample {
     /// The first figures of both sides, where these are real.
     pub decimals: (Option<String>, Option<String>),
     /// The terms of the left and of the right side with their values, where there are several.
-    pub terms: (Vec<(String, String)>, Vec<(String, String)>),
+    pub terms: (Terms, Terms),
 }
+
+/// Terms, each with its value.
+pub type Terms = Vec<(String, String)>;
 
 /// A side of an equation at a point.
 #[derive(Clone, Debug)]
 pub struct Side {
     pub value: String,
     side: String,
-    terms: Vec<(String, String)>,
+    terms: Terms,
 }
 
 impl Side {
@@ -99,7 +102,7 @@ impl<'a> Values<'a> {
     }
 
     /// The terms that a side is the sum of, abbreviations written out, each with its value.
-    fn terms(&mut self, side: Term) -> Vec<(String, String)> {
+    fn terms(&mut self, side: Term) -> Terms {
         let side = self.statement().written_out(side);
         let Node::Sum(parts) = self.statement().terms().node(side).clone() else {
             return Vec::new();

@@ -120,8 +120,23 @@ fn read_statements(tex: &str, names: &Names) -> Result<Display, Fault> {
             instead,
         ));
     }
+    // "for all t" alone says nothing
+    while conditions
+        .last()
+        .is_some_and(|last: &Statement<'_>| is_name(&last.tokens, names))
+    {
+        conditions.pop();
+    }
+    if conditions.is_empty() {
+        display.conditions_at = None;
+    }
     display.conditions = conditions_of(conditions, names)?;
     Ok(display)
+}
+
+fn is_name(tokens: &[Token<'_>], names: &Names) -> bool {
+    let mut reader = Reader::new(tokens.to_vec(), names);
+    reader.full_name().is_ok() && reader.finish("the end").is_ok()
 }
 
 /// `(23)` or `(20a)`.

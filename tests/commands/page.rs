@@ -495,7 +495,7 @@ fn a_printed_page_has_every_formula_and_every_proof() {
     for label in labels(&["audit"]) {
         assert!(text.contains(&format!("({label})")), "({label})");
     }
-    let proofs = text.matches("by a certificate of").count();
+    let proofs = text.matches("from a certificate of").count();
     let decided = labels(&["audit"]).len();
     assert!(proofs + 2 >= decided, "{proofs} proofs of {decided} formulas");
 }

@@ -4,7 +4,8 @@ use crate::common::attacks;
 
 use proptest::prelude::*;
 use vibro_audit::claim::{Role, Sheet, Verdict, read_symbols};
-use vibro_audit::evidence::{Evidence, Flown, witness};
+use vibro_audit::evidence::{Evidence, Flown, witness, witness_near};
+use vibro_audit::prove::{Options, decide};
 
 const SYMBOLS: &str = include_str!("../../golden/paper/symbols.toml");
 const EQUATIONS: &str = include_str!("../../golden/paper/equations.toml");
@@ -357,9 +358,15 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
                 Some("false") => (Verdict::Refuted, Verdict::Proved),
                 _ => (Verdict::Undecided, Verdict::Undecided),
             };
-            let Ok(found) = witness(&sheet, position, right, 24) else {
+            let Ok(mut found) = witness(&sheet, position, right, 24) else {
                 continue;
             };
+            // as the command does: from the counterexample too
+            if found.against.is_some() {
+                let decision = decide(&sheet, position, &Options::default());
+                let counterexample = decision.counterexample.map(|own| own.point).unwrap_or_default();
+                found = witness_near(&sheet, position, right, 24, &counterexample).unwrap();
+            }
             if let Some(against) = &found.against {
                 complaints.push(format!("{} ({label}): {against}", path.display()));
             }

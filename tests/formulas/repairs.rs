@@ -308,7 +308,7 @@ fn no_repair_says_nothing_and_none_is_given_twice() {
         ));
     }
     let sheet = Sheet::read(&tex, &vocabulary()).unwrap();
-    for position in 0..claims.len() {
+    for (position, claim) in claims.iter().enumerate() {
         let shown: Vec<String> = repairs(&sheet, position, &Options::default())
             .iter()
             .map(|repair| repair.to_string())
@@ -323,7 +323,7 @@ fn no_repair_says_nothing_and_none_is_given_twice() {
             assert!(repair.contains(['x', 'y']), "{repair}");
             assert!(!repair.contains("3.15"), "{repair}");
         }
-        assert_eq!(shown.is_empty(), claims[position].contains("approx"), "{shown:?}");
+        assert_eq!(shown.is_empty(), claim.contains("approx"), "{shown:?}");
     }
 }
 

@@ -1,6 +1,5 @@
 //! Bifurcations of the 1-1 orbits along the gap: each is where it must be, and the orbits change in number there alone.
 
-
 use std::f64::consts::{PI, TAU};
 use vibro_audit::model::{Motion, MotionError, Side};
 use vibro_audit::number::{Analytic, Interval};

@@ -4,7 +4,7 @@ use super::super::substitute::number_of;
 use super::super::vocabulary::Vocabulary;
 use super::build::{call, difference, integer, plain};
 use crate::number::{Field, Rational};
-use crate::tex::{Equation, Name, Relation, Tree};
+use crate::tex::{Equation, Name, Operation, Relation, Tree};
 
 fn relation(left: Tree, relation: Relation, right: Tree) -> Equation {
     Equation {
@@ -121,6 +121,13 @@ fn collect(
                 _ => return Err(format!("where `{name}` has a value is not known")),
             }
         }
+        // of integers it always has a value
+        Tree::Operation(operation, _) => match &**operation {
+            Operation::Binomial(of, chosen) if super::factorial::is_integer(chosen, vocabulary) => {
+                collect(of, vocabulary, is_smooth, found)?;
+            }
+            _ => return Err(format!("where `{tree}` has a value is not known")),
+        },
         _ => return Err(format!("where `{tree}` has a value is not known")),
     }
     Ok(())
