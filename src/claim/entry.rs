@@ -903,7 +903,8 @@ pub(super) fn read_entry(
     };
     let mut assume = Vec::new();
     let equations = if wanted {
-        let is_identity = raw.follows_from.as_ref().is_none_or(Vec::is_empty) && raw.local.is_empty();
+        let rests_on_nothing = raw.follows_from.as_ref().is_none_or(Vec::is_empty) && raw.local.is_empty();
+        let is_identity = rests_on_nothing && raw.assume.is_empty() && implication.is_none();
         let source = implication.as_ref().map_or(&tex, |(_, then)| then);
         keep(stated(source, vocabulary, raw.role, is_identity).map(|display| {
             let printed = display.conditions.into_iter();

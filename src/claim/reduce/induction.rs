@@ -169,14 +169,13 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
     for base in bases {
         let at_base = instances::at(statements, &vocabulary, &[(letter, base)]);
         let at_base = at_base.ok_or("the first value is not admissible")?;
-        push_in(&mut goals, &at_base, &vocabulary, format!("{letter} = {base}"))?;
+        goals.extend(with_factorials(&at_base, &vocabulary, format!("{letter} = {base}"))?);
     }
-    push_in(
-        &mut goals,
+    goals.extend(with_factorials(
         &next,
         &vocabulary,
         format!("the step from {letter} to {letter} + 1"),
-    )?;
+    )?);
     for (index, from, to, of, equation) in over_terms {
         let mut terms = statements.clone();
         let bound = |relation: Relation, bound: Tree| {
@@ -196,7 +195,11 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
         });
         for claim in conditions.chain([equation]) {
             terms.claims = vec![claim.clone()];
-            push_in(&mut goals, &terms, &vocabulary, format!("{claim} at each {index}"))?;
+            goals.extend(with_factorials(
+                &terms,
+                &vocabulary,
+                format!("{claim} at each {index}"),
+            )?);
         }
     }
     // where the claim has no value at one integer, no step leads over it
@@ -214,19 +217,13 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
     for condition in needed {
         let mut alone = now.clone();
         alone.claims = vec![condition.clone()];
-        push_in(&mut goals, &alone, &vocabulary, format!("{condition} at each {letter}"))?;
+        goals.extend(with_factorials(
+            &alone,
+            &vocabulary,
+            format!("{condition} at each {letter}"),
+        )?);
     }
     Ok(goals)
-}
-
-fn push_in(
-    goals: &mut Vec<Goal>,
-    statements: &Statements,
-    vocabulary: &Vocabulary,
-    part: String,
-) -> Result<(), String> {
-    goals.extend(with_factorials(statements, vocabulary, part)?);
-    Ok(())
 }
 
 /// The first value of the integer, by its conditions; `None` where it has no lower bound.
