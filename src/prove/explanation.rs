@@ -3,10 +3,10 @@
 use super::angles::term_of;
 use super::counterexample::Values;
 use super::print::tex;
-use super::script::{Found, decided};
-use super::{Decision, Options};
+use super::script::Found;
+use super::{Decision, Options, decided};
 use crate::algebra::{coefficients_in, degree_in};
-use crate::claim::{Sheet, Verdict};
+use crate::claim::Sheet;
 use crate::kernel::{
     Axiom, Certificate, Checker, Fact, Inference, LawSource, Polynomial, Property, Statement, Term, With, Witness,
 };
@@ -32,15 +32,16 @@ pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Op
         lines.extend(premises.map(|premise| format!("  ({})  {}", premise.label, premise.equation)));
     }
     for one in decided(sheet, position, options) {
-        let found = matches!(one.found, Found::Refuted { .. });
-        if found != (decision.verdict == Verdict::Refuted) {
-            continue;
-        }
         let instance = match one.question.instance.as_str() {
             "" => String::new(),
             instance => format!("  ({instance})"),
         };
-        lines.push(format!("\nclaim\n  {}{instance}", one.question.equation));
+        let part = match one.goal.part.as_str() {
+            "" => String::new(),
+            part if part == one.question.equation.to_string() => String::new(),
+            part => format!(": {part}"),
+        };
+        lines.push(format!("\nclaim{part}\n  {}{instance}", one.question.equation));
         match &one.found {
             Found::Proved { certificate, .. } => {
                 Proof::replayed(certificate).write(certificate.evidence.steps.len(), &mut lines);

@@ -22,7 +22,7 @@ mod values;
 pub use counterexample::Counterexample;
 pub use decision::{Decision, mention_refuted};
 pub use explanation::explain;
-pub use script::{CHECKER, Decided, Found, decided, scripts};
+pub use script::{CHECKER, Decided, Found, scripts};
 
 use crate::claim::{Goal, Reduced, Sheet, Verdict, other_ways, reduced, reduced_by_cases};
 use crate::kernel;
@@ -43,93 +43,244 @@ impl Default for Options {
 /// Decides the claim at a position of the sheet. What cannot be read is `unread`; what follows from such is
 /// `undecided`.
 pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
-    let goals = match goals(sheet, position) {
-        Ok(goals) => goals,
-        Err(decision) => return *decision,
-    };
-    let start = Decision::of(sheet, position);
-    let decision = together(&goals, &start, &follows_from(sheet, position), options);
-    let is_plain = goals.is_equivalent && goals.sufficient.iter().all(|goal| goal.part.is_empty());
-    let further = match (decision.verdict, goals.sufficient.as_slice()) {
-        (Verdict::Undecided, [goal]) if is_plain && !decision.is_vacuous => {
-            reduced_by_cases(&goal.statements, &goal.vocabulary)
-        }
-        _ => None,
-    };
-    let further = further.map(|mut further| {
-        further.lemmas.extend(goals.lemmas.iter().cloned());
-        together(&further, &start, &follows_from(sheet, position), options)
-    });
-    let decision = match further {
-        Some(further) if further.verdict != Verdict::Undecided || !further.reason.ends_with(": ") => further,
-        _ => decision,
-    };
-    decision.on_guesses(sheet, position)
+    let mut search = Search::of(sheet, position, options);
+    search.decide(sheet, position).on_guesses(sheet, position)
 }
 
-/// What the goals of a claim come to together; `reason` is that of a proof.
-fn together(goals: &Reduced, start: &Decision, reason: &str, options: &Options) -> Decision {
-    let mut decision = start.clone();
-    let settle = |goal: &Goal| settled_otherwise(goal, start, options);
-    for lemma in &goals.lemmas {
-        let found = settle(lemma);
-        if found.verdict != Verdict::Proved {
-            decision.reason = format!("{} is not shown: {}", lemma.part, found.reason);
-            return decision;
+/// What decides the claim at a position, question by question: nothing for a claim that stays undecided.
+pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided> {
+    let mut search = Search::of(sheet, position, options);
+    search.kept = Some(Vec::new());
+    let verdict = search.decide(sheet, position).verdict;
+    let mut kept = search.kept.unwrap_or_default();
+    kept.retain(|one| one.found.verdict() == verdict);
+    kept
+}
+
+/// The search for what decides one claim.
+struct Search<'a> {
+    /// The decision before anything is known.
+    start: Decision,
+    /// The reason of a proof.
+    reason: String,
+    options: &'a Options,
+    /// What decides the questions that were met, where it is asked for.
+    kept: Option<Vec<Decided>>,
+}
+
+impl<'a> Search<'a> {
+    fn of(sheet: &Sheet, position: usize, options: &'a Options) -> Self {
+        Self {
+            start: Decision::of(sheet, position),
+            reason: follows_from(sheet, position),
+            options,
+            kept: None,
         }
-        decision.provide(found.provided);
     }
-    decision.verdict = Verdict::Proved;
-    decision.reason = reason.to_owned();
-    for goal in &goals.necessary {
-        let found = settle(goal);
-        if matches!(found.verdict, Verdict::Refuted | Verdict::Unread) && !found.is_vacuous {
-            return found.in_part(&goal.part);
+
+    fn decide(&mut self, sheet: &Sheet, position: usize) -> Decision {
+        let goals = match goals(sheet, position) {
+            Ok(goals) => goals,
+            Err(decision) => return *decision,
+        };
+        let decision = self.together(&goals);
+        let is_plain = goals.is_equivalent && goals.sufficient.iter().all(|goal| goal.part.is_empty());
+        let further = match (decision.verdict, goals.sufficient.as_slice()) {
+            (Verdict::Undecided, [goal]) if is_plain && !decision.is_vacuous => {
+                reduced_by_cases(&goal.statements, &goal.vocabulary)
+            }
+            _ => None,
+        };
+        let further = further.map(|mut further| {
+            further.lemmas.extend(goals.lemmas.iter().cloned());
+            self.together(&further)
+        });
+        match further {
+            Some(further) if further.verdict != Verdict::Undecided || !further.reason.ends_with(": ") => further,
+            _ => decision,
         }
     }
-    let (mut met, mut vacuous) = (0, None);
-    for goal in &goals.sufficient {
-        let found = settle(goal);
-        match found.verdict {
-            // a case that nothing is in says nothing, where another one holds
-            Verdict::Undecided | Verdict::Refuted if found.is_vacuous && goals.sufficient.len() > 1 => {
-                vacuous = Some(found.in_part(&goal.part));
+
+    /// What the goals of a claim come to together.
+    fn together(&mut self, goals: &Reduced) -> Decision {
+        let mut decision = self.start.clone();
+        for lemma in &goals.lemmas {
+            let found = self.settled_otherwise(lemma);
+            if found.verdict != Verdict::Proved {
+                decision.reason = format!("{} is not shown: {}", lemma.part, found.reason);
+                return decision;
             }
-            Verdict::Proved => {
-                met += 1;
-                decision.provide(found.provided);
-            }
-            // what is enough for the claim may fail where the claim holds
-            Verdict::Refuted if !goals.is_equivalent => {
-                decision = start.clone();
-                let part = if goal.part.is_empty() {
-                    "what would prove it"
-                } else {
-                    &goal.part
-                };
-                decision.reason = format!("no counterexample is found, nor a proof: {part} fails");
-                break;
-            }
-            Verdict::Refuted | Verdict::Unread => {
+            decision.provide(found.provided);
+        }
+        decision.verdict = Verdict::Proved;
+        decision.reason.clone_from(&self.reason);
+        for goal in &goals.necessary {
+            let known = self.known();
+            let found = self.settled_otherwise(goal);
+            if matches!(found.verdict, Verdict::Refuted | Verdict::Unread) && !found.is_vacuous {
                 return found.in_part(&goal.part);
             }
-            Verdict::Undecided => decision = found.in_part(&goal.part),
+            // what is necessary shows nothing where it holds
+            self.forget(known);
+        }
+        let (mut met, mut vacuous) = (0, None);
+        for goal in &goals.sufficient {
+            let found = self.settled_otherwise(goal);
+            match found.verdict {
+                // a case that nothing is in says nothing, where another one holds
+                Verdict::Undecided | Verdict::Refuted if found.is_vacuous && goals.sufficient.len() > 1 => {
+                    vacuous = Some(found.in_part(&goal.part));
+                }
+                Verdict::Proved => {
+                    met += 1;
+                    decision.provide(found.provided);
+                }
+                // what is enough for the claim may fail where the claim holds
+                Verdict::Refuted if !goals.is_equivalent => {
+                    decision = self.start.clone();
+                    let part = if goal.part.is_empty() {
+                        "what would prove it"
+                    } else {
+                        &goal.part
+                    };
+                    decision.reason = format!("no counterexample is found, nor a proof: {part} fails");
+                    break;
+                }
+                Verdict::Refuted | Verdict::Unread => {
+                    return found.in_part(&goal.part);
+                }
+                Verdict::Undecided => decision = found.in_part(&goal.part),
+            }
+        }
+        match vacuous {
+            Some(found) if (met == 0 || !goals.is_equivalent) && decision.verdict == Verdict::Proved => {
+                decision = Decision {
+                    verdict: Verdict::Undecided,
+                    ..found
+                };
+            }
+            _ if goals.sufficient.is_empty() => {
+                decision = self.start.clone();
+                decision.reason = format!("no counterexample is found, nor a proof: {}", goals.reason);
+            }
+            _ => {}
+        }
+        decision
+    }
+
+    /// How much is kept.
+    fn known(&self) -> usize {
+        self.kept.as_ref().map_or(0, Vec::len)
+    }
+
+    /// Drops what was kept since.
+    fn forget(&mut self, known: usize) {
+        if let Some(kept) = &mut self.kept {
+            kept.truncate(known);
         }
     }
-    match vacuous {
-        Some(found) if (met == 0 || !goals.is_equivalent) && decision.verdict == Verdict::Proved => {
-            decision = Decision {
-                verdict: Verdict::Undecided,
-                ..found
-            };
+
+    /// Decides one goal of a claim, an inequality by the signs of derivatives where it is not decided as it stands.
+    fn settled_otherwise(&mut self, goal: &Goal) -> Decision {
+        let known = self.known();
+        let decision = self.settled(goal);
+        if decision.verdict != Verdict::Undecided || decision.is_vacuous {
+            return decision;
         }
-        _ if goals.sufficient.is_empty() => {
-            decision = start.clone();
-            decision.reason = format!("no counterexample is found, nor a proof: {}", goals.reason);
+        self.forget(known);
+        let claims = other_ways(&goal.statements, &goal.vocabulary);
+        let is_shown = |ways: &Vec<Vec<Goal>>| ways.iter().any(|way| self.holds(way));
+        if claims.is_empty() || !claims.iter().all(is_shown) {
+            self.forget(known);
+            return decision;
         }
-        _ => {}
+        Decision {
+            verdict: Verdict::Proved,
+            ..self.start.clone()
+        }
     }
-    decision
+
+    /// Whether all goals are proved, for every number: a derivative must have its sign everywhere, and what is provided for
+    /// one number is no proof.
+    fn holds(&mut self, way: &[Goal]) -> bool {
+        let known = self.known();
+        let holds = way.iter().all(|goal| {
+            let found = self.settled(goal);
+            found.verdict == Verdict::Proved && found.provided.is_empty()
+        });
+        if !holds {
+            self.forget(known);
+        }
+        holds
+    }
+
+    /// Decides one goal of a claim.
+    fn settled(&mut self, goal: &Goal) -> Decision {
+        let mut decision = self.start.clone();
+        let questions = match crate::kernel::questions(&goal.statements, &goal.vocabulary) {
+            Ok(questions) => questions,
+            Err(fault) => {
+                decision.verdict = Verdict::Unread;
+                decision.reason = fault.to_string();
+                return decision;
+            }
+        };
+        decision.verdict = Verdict::Proved;
+        for question in questions {
+            let search = std::panic::AssertUnwindSafe(|| outcome(&question.statement, self.options.effort));
+            // a fault of the search costs its own claim a verdict, and no other
+            let outcome = std::panic::catch_unwind(search).unwrap_or_else(|_| Outcome::Undecided(BROKE_DOWN.into()));
+            match outcome {
+                Outcome::Proved(proof, certificate, point) => {
+                    let terms = certificate.statement.terms();
+                    let excluded = proof.excluded().iter();
+                    let excluded = excluded.map(|&term| format!(r"{} \neq 0", print::tex(terms, term)));
+                    decision.provide(proof.provided().iter().cloned().chain(excluded));
+                    self.keep(goal, question, Found::Proved { certificate, point });
+                }
+                Outcome::Refuted(refuted, witness) => {
+                    decision.verdict = Verdict::Refuted;
+                    decision.is_vacuous = refuted.is_nowhere_defined();
+                    decision.failed = Some(question.equation.clone());
+                    if decision.is_vacuous {
+                        decision.reason = "nowhere defined".into();
+                        break;
+                    }
+                    decision.reason = "does not follow from its premises".into();
+                    decision.counterexample = counterexample::at(&witness, question.equation.relation);
+                    self.keep(goal, question, Found::Refuted { witness });
+                    break;
+                }
+                Outcome::Contradictory(labels) => {
+                    let labels: Vec<String> = labels.iter().map(|label| format!("({label})")).collect();
+                    decision.verdict = Verdict::Undecided;
+                    decision.is_vacuous = true;
+                    decision.reason = match labels.as_slice() {
+                        [single] => format!("the premise {single} contradicts itself"),
+                        _ => format!("the premises {} contradict each other", labels.join(", ")),
+                    };
+                    decision.failed = Some(question.equation.clone());
+                }
+                Outcome::Undecided(reason) => {
+                    decision.verdict = Verdict::Undecided;
+                    decision.reason = reason;
+                    decision.failed = Some(question.equation.clone());
+                }
+            }
+        }
+        decision
+    }
+
+    fn keep(&mut self, goal: &Goal, question: kernel::Question, found: Found) {
+        if let Some(kept) = &mut self.kept {
+            kept.push(Decided {
+                label: self.start.label.clone(),
+                question,
+                found,
+                goal: goal.clone(),
+            });
+        }
+    }
 }
 
 /// The goals that a claim comes to; itself, where it is about numbers.
@@ -150,83 +301,6 @@ fn goals(sheet: &Sheet, position: usize) -> Result<Reduced, Box<Decision>> {
             ..Decision::of(sheet, position)
         })),
     }
-}
-
-/// Decides one goal of a claim, an inequality by the signs of derivatives where it is not decided as it stands.
-fn settled_otherwise(goal: &Goal, start: &Decision, options: &Options) -> Decision {
-    let decision = settled(goal, start, options);
-    if decision.verdict != Verdict::Undecided || decision.is_vacuous {
-        return decision;
-    }
-    // a derivative must have its sign everywhere: what is provided for one number is no proof
-    let holds = |way: &Vec<Goal>| {
-        let mut goals = way.iter().map(|goal| settled(goal, start, options));
-        goals.all(|found| found.verdict == Verdict::Proved && found.provided.is_empty())
-    };
-    let claims = other_ways(&goal.statements, &goal.vocabulary);
-    if claims.is_empty() || !claims.iter().all(|ways| ways.iter().any(holds)) {
-        return decision;
-    }
-    Decision {
-        verdict: Verdict::Proved,
-        ..start.clone()
-    }
-}
-
-/// Decides one goal of a claim; `start` is the decision on it before anything is known.
-fn settled(goal: &Goal, start: &Decision, options: &Options) -> Decision {
-    let mut decision = start.clone();
-    let questions = match crate::kernel::questions(&goal.statements, &goal.vocabulary) {
-        Ok(questions) => questions,
-        Err(fault) => {
-            decision.verdict = Verdict::Unread;
-            decision.reason = fault.to_string();
-            return decision;
-        }
-    };
-    decision.verdict = Verdict::Proved;
-    for question in questions {
-        let search = std::panic::AssertUnwindSafe(|| outcome(&question.statement, options.effort));
-        // a fault of the search costs its own claim a verdict, and no other
-        let outcome = std::panic::catch_unwind(search).unwrap_or_else(|_| Outcome::Undecided(BROKE_DOWN.into()));
-        match outcome {
-            Outcome::Proved(proof, certificate, _) => {
-                let terms = certificate.statement.terms();
-                let excluded = proof.excluded().iter();
-                let excluded = excluded.map(|&term| format!(r"{} \neq 0", print::tex(terms, term)));
-                decision.provide(proof.provided().iter().cloned().chain(excluded));
-            }
-            Outcome::Refuted(refuted, witness) => {
-                decision.verdict = Verdict::Refuted;
-                decision.is_vacuous = refuted.is_nowhere_defined();
-                decision.reason = match refuted.is_nowhere_defined() {
-                    true => "nowhere defined".into(),
-                    false => "does not follow from its premises".into(),
-                };
-                if !refuted.is_nowhere_defined() {
-                    decision.counterexample = counterexample::at(&witness, question.equation.relation);
-                }
-                decision.failed = Some(question.equation.clone());
-                break;
-            }
-            Outcome::Contradictory(labels) => {
-                let labels: Vec<String> = labels.iter().map(|label| format!("({label})")).collect();
-                decision.verdict = Verdict::Undecided;
-                decision.is_vacuous = true;
-                decision.reason = match labels.as_slice() {
-                    [single] => format!("the premise {single} contradicts itself"),
-                    _ => format!("the premises {} contradict each other", labels.join(", ")),
-                };
-                decision.failed = Some(question.equation.clone());
-            }
-            Outcome::Undecided(reason) => {
-                decision.verdict = Verdict::Undecided;
-                decision.reason = reason;
-                decision.failed = Some(question.equation.clone());
-            }
-        }
-    }
-    decision
 }
 
 /// The reason of a claim at which the search itself fails.

@@ -4,8 +4,8 @@
 //! more, by another printer, to be compared with the statement at random points; and the checker, `check.py`.
 
 use super::formula::{Formulas, list, quoted};
-use super::{Options, Outcome, goals, outcome};
-use crate::claim::{Goal, Sheet};
+use super::{Options, decided};
+use crate::claim::{Goal, Sheet, Verdict};
 use crate::kernel::{
     Axiom, Certificate, Elementary, FunctionOf, Given, Inference, LawSource, Node, Polynomial, Property, Quantity,
     Question, Statement, Summand, Symbol, Term, Terms, With, Witness,
@@ -28,41 +28,22 @@ pub enum Found {
     },
 }
 
+impl Found {
+    pub(super) fn verdict(&self) -> Verdict {
+        match self {
+            Self::Proved { .. } => Verdict::Proved,
+            Self::Refuted { .. } => Verdict::Refuted,
+        }
+    }
+}
+
 /// A question of a claim with what decides it.
 #[derive(Clone, Debug)]
 pub struct Decided {
     pub label: String,
     pub question: Question,
     pub found: Found,
-    goal: Goal,
-}
-
-/// What decides the questions of the claim at a position: nothing for those that stay undecided.
-pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided> {
-    let Ok(goals) = goals(sheet, position) else {
-        return Vec::new();
-    };
-    let goals = goals.lemmas.iter().chain(&goals.sufficient).chain(&goals.necessary);
-    let questions = goals.flat_map(|goal| {
-        let questions = crate::kernel::questions(&goal.statements, &goal.vocabulary).unwrap_or_default();
-        questions.into_iter().map(move |question| (goal, question))
-    });
-    let label = sheet.entries.get(position).map_or("", |entry| entry.label.as_str());
-    let mut all = Vec::new();
-    for (goal, question) in questions {
-        let found = match outcome(&question.statement, options.effort) {
-            Outcome::Proved(_, certificate, point) => Found::Proved { certificate, point },
-            Outcome::Refuted(refuted, witness) if !refuted.is_nowhere_defined() => Found::Refuted { witness },
-            _ => continue,
-        };
-        all.push(Decided {
-            label: label.to_string(),
-            question,
-            found,
-            goal: goal.clone(),
-        });
-    }
-    all
+    pub(super) goal: Goal,
 }
 
 /// The scripts of the claim at a position, each with the name of its file.

@@ -230,6 +230,14 @@ fn a_proof_names_its_axioms_and_its_cases() {
     assert!(expanded.contains("multiplied out"), "{expanded}");
     let squares = explained(r"x^2 + y^2 \ge 2 x y");
     assert!(squares.contains("squares"), "{squares}");
+    let tangent = explained(r"e^x \ge 1 + x");
+    for step in [
+        "Taylor's theorem at 0: the larger side less the smaller one there",
+        "Taylor's theorem at 0, the remainder: the second derivative, for x' < 0",
+        "axiom: exp positive",
+    ] {
+        assert!(tangent.contains(step), "{step}\n{tangent}");
+    }
 }
 
 #[test]

@@ -262,6 +262,19 @@ fn in_letter(
     found
 }
 
+/// The step that shows that a function or a derivative is defined.
+const DEFINED: &str = "what is defined";
+
+/// The name of a derivative of the larger side less the smaller one.
+fn nth(order: usize) -> String {
+    match order {
+        1 => "the derivative".to_owned(),
+        2 => "the second derivative".to_owned(),
+        3 => "the third derivative".to_owned(),
+        n => format!("the derivative of order {n}"),
+    }
+}
+
 fn relation(left: Tree, relation: Relation) -> Equation {
     Equation {
         relation,
@@ -395,7 +408,8 @@ impl Question<'_> {
             true => Relation::Greater,
             false => Relation::GreaterOrEqual,
         };
-        self.push(relation(self.at(function, point), kind), &[], &mut goals);
+        let step = format!("Taylor's theorem at {point}: the larger side less the smaller one there");
+        self.push(&step, relation(self.at(function, point), kind), &[], &mut goals);
         (sides > 0).then_some(goals)
     }
 
@@ -418,14 +432,27 @@ impl Question<'_> {
         .collect()
     }
 
-    fn push(&self, claim: Equation, assumed: &[Condition], goals: &mut Vec<Goal>) {
+    /// Adds a goal; `step` says what it is for.
+    fn push(&self, step: &str, claim: Equation, assumed: &[Condition], goals: &mut Vec<Goal>) {
         let is_known = |goal: &Goal| goal.statements.claims.first() == Some(&claim);
         if assumed.is_empty() && goals.iter().any(is_known) {
             return;
         }
         let mut alone = self.given.clone();
         alone.assume.extend(assumed.iter().cloned());
-        let part = format!("the inequality: {claim}");
+        let part = match assumed.is_empty() {
+            true => step.to_owned(),
+            false => {
+                let assumed: Vec<String> = assumed
+                    .iter()
+                    .map(|condition| match condition {
+                        Condition::Relation(relation) => relation.to_string(),
+                        Condition::Integer(name) => format!(r"{name} \in \mathbb{{Z}}"),
+                    })
+                    .collect();
+                format!("{step}, for {}", assumed.join(", "))
+            }
+        };
         alone.claims = vec![claim];
         goals.push(Goal::of(&alone, self.vocabulary, part));
     }
@@ -438,13 +465,15 @@ impl Question<'_> {
         for (n, derivative) in self.derivatives.iter().enumerate().take(order + 1) {
             for condition in defined::conditions(derivative, self.vocabulary).ok()? {
                 if !met.contains(&condition) {
-                    self.push(condition.clone(), if n < order { &closed } else { &open }, goals);
+                    let range = if n < order { &closed } else { &open };
+                    self.push(DEFINED, condition.clone(), range, goals);
                     met.push(condition);
                 }
             }
             if (1..order).contains(&n) {
                 let value = signed(&self.at(derivative, point), n, is_above);
-                self.push(relation(value, Relation::GreaterOrEqual), &[], goals);
+                let step = format!("Taylor's theorem at {point}: {}", nth(n));
+                self.push(&step, relation(value, Relation::GreaterOrEqual), &[], goals);
             }
         }
         let kind = match self.is_strict {
@@ -452,7 +481,8 @@ impl Question<'_> {
             false => Relation::GreaterOrEqual,
         };
         let last = signed(self.derivatives.get(order)?, order, is_above);
-        self.push(relation(last, kind), &open, goals);
+        let step = format!("Taylor's theorem at {point}, the remainder: {}", nth(order));
+        self.push(&step, relation(last, kind), &open, goals);
         Some(())
     }
 
@@ -487,21 +517,23 @@ impl Question<'_> {
                 true => Relation::Greater,
                 false => Relation::GreaterOrEqual,
             };
-            self.push(relation(self.at(function, bound), kind), &[], &mut goals);
+            let step = format!("concavity: the larger side less the smaller one at {bound}");
+            self.push(&step, relation(self.at(function, bound), kind), &[], &mut goals);
         }
         for condition in defined::conditions(function, self.vocabulary).ok()? {
-            self.push(condition, &closed, &mut goals);
+            self.push(DEFINED, condition, &closed, &mut goals);
         }
         for derivative in [slope, curvature] {
             for condition in defined::conditions(derivative, self.vocabulary).ok()? {
-                self.push(condition, &open, &mut goals);
+                self.push(DEFINED, condition, &open, &mut goals);
             }
         }
         let kind = match self.is_strict {
             true => Relation::Less,
             false => Relation::LessOrEqual,
         };
-        self.push(relation(curvature.clone(), kind), &open, &mut goals);
+        let step = format!("concavity: {}", nth(2));
+        self.push(&step, relation(curvature.clone(), kind), &open, &mut goals);
         Some(goals)
     }
 
