@@ -128,6 +128,19 @@ impl Rows {
         Ok(table)
     }
 
+    /// Passes every row on while `each` says so; whether all are as is required.
+    pub(super) fn each(self, mut each: impl FnMut(Vec<Cell>) -> Result<bool, Failure>) -> Result<bool, Failure> {
+        let mut is_met = true;
+        for row in self.rows {
+            let row = row?;
+            is_met &= is_as_required(self.required, &row);
+            if !each(row)? {
+                break;
+            }
+        }
+        Ok(is_met)
+    }
+
     fn write(self, output: &Output, format: Format, figures: usize) -> Result<(usize, bool), Failure> {
         let Self {
             columns,
@@ -142,7 +155,7 @@ impl Rows {
             for row in rows.take_while(|_| !token.is_stopped()) {
                 match row {
                     Ok(row) => {
-                        is_met &= required.is_none_or(|column| row.get(column) == Some(&Cell::Flag(true)));
+                        is_met &= is_as_required(required, &row);
                         stream.push(row)?;
                     }
                     Err(failed) => {
@@ -163,6 +176,10 @@ impl Rows {
             }
         }
     }
+}
+
+fn is_as_required(required: Option<usize>, row: &[Cell]) -> bool {
+    required.is_none_or(|column| row.get(column) == Some(&Cell::Flag(true)))
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ pub struct Arguments {
     directory: Option<PathBuf>,
     /// Compute the reference files of DIR anew and rewrite them; never printed.csv
     #[arg(long)]
-    bless: bool,
+    pub(super) bless: bool,
 }
 
 /// The columns: those that scripts rely on, and the reason.

@@ -2,10 +2,20 @@
 
 use super::source::SourceError;
 use crate::report::{OutputError, RowError};
+use crate::scene::Origin;
 
 /// Why a command has no answer. The message says what, where, and what to do.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
+    /// The command line cannot be read.
+    #[error("{0}")]
+    Usage(String),
+    /// More is asked for than a program should hold at once.
+    #[error("more than {most} cells are more than memory should hold; ask for fewer rows, or let the command write a file")]
+    TooManyCells { most: usize },
+    /// A page that cannot be drawn.
+    #[error("{0}")]
+    Page(std::io::Error),
     /// The input cannot be read.
     #[error(transparent)]
     Source(#[from] SourceError),
@@ -119,6 +129,37 @@ pub enum Failure {
         wants: Vec<crate::scene::Want>,
         written: Vec<String>,
     },
+}
+
+impl Failure {
+    /// The file or text at fault, and line and column in it, from 1, as far as they are known.
+    pub fn place(&self) -> (Option<&str>, Option<usize>, Option<usize>) {
+        match self {
+            Self::Source(error) => (Some(&error.place), None, None),
+            Self::Output(error) => (Some(&error.place), None, None),
+            Self::Sheet { name, fault } => {
+                let file = fault.file.as_deref().unwrap_or(name);
+                let (line, column) = fault.place.unzip();
+                (Some(file), line, column)
+            }
+            Self::Scene(error) => {
+                let place = match &error.origin {
+                    Some(Origin::File(place)) => Some((place.line, place.column)),
+                    _ => None,
+                };
+                let (line, column) = place.unzip();
+                (Some(&error.name), line, column)
+            }
+            Self::Golden(fault) => {
+                let line = fault.line().and_then(|line| usize::try_from(line).ok());
+                (Some(fault.file()), line, None)
+            }
+            Self::NoDocument(name) | Self::Baseline(name, _) | Self::NoReference(name) | Self::NothingDrawn(name) => {
+                (Some(name), None, None)
+            }
+            _ => (None, None, None),
+        }
+    }
 }
 
 fn list(wants: &[crate::scene::Want]) -> String {

@@ -3,12 +3,16 @@
 mod answer;
 mod audit;
 mod branch;
+mod caller;
 mod check;
+mod columns;
 mod complete;
+mod completions;
 mod document;
 mod exit;
 mod failure;
 mod golden;
+mod man;
 mod mended;
 #[cfg(test)]
 mod modelled;
@@ -32,6 +36,8 @@ mod verdicts;
 mod voltage;
 
 pub use answer::{Answer, Content, Rows};
+pub use caller::{Input, Reply, ask};
+pub use columns::{COLUMNS_VERSION, Description, described, schema};
 pub use exit::Exit;
 pub use failure::Failure;
 pub use options::{Asked, Options};
@@ -39,7 +45,7 @@ pub use scene::SceneArguments;
 pub use source::{Source, SourceError, SourceProblem};
 
 use crate::report::{Format, Output, acts_on_a_terminal};
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::Write;
 
@@ -52,8 +58,35 @@ const STATUS_HELP: &str = "Exit status: 0 all as expected; 1 a verdict or value 
 struct Line {
     #[command(flatten)]
     options: Options,
+    #[command(flatten)]
+    columns: columns::Arguments,
     #[command(subcommand)]
-    command: Command,
+    command: Option<Command>,
+}
+
+impl Line {
+    /// Reads a command line; it names a command, or asks for columns.
+    fn read(arguments: impl IntoIterator<Item = OsString>) -> Result<Self, clap::Error> {
+        let line = Self::try_parse_from(arguments)?;
+        let problem = match (&line.columns.columns, &line.command) {
+            (None, None) => "a command is required",
+            (Some(_), Some(_)) => "--columns stands without a command",
+            _ => return Ok(line),
+        };
+        Err(Self::command().error(clap::error::ErrorKind::MissingSubcommand, problem))
+    }
+
+    /// What is found, before anything of it is printed.
+    fn answer(&self) -> Result<Answer, Failure> {
+        match &self.command {
+            Some(command) => {
+                // Before a long computation, not after.
+                command.has(self.options.format)?;
+                command.run(&self.options)
+            }
+            None => self.columns.answer(),
+        }
+    }
 }
 
 #[derive(Debug, Subcommand)]
@@ -72,6 +105,8 @@ enum Command {
     Problems(problems::Arguments),
     Score(score::Arguments),
     Stress(stress::Arguments),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
 }
 
 impl Command {
@@ -91,7 +126,38 @@ impl Command {
             Self::Problems(arguments) => problems::run(arguments, options),
             Self::Score(arguments) => score::run(arguments, options),
             Self::Stress(arguments) => stress::run(arguments, options),
+            Self::Completions(arguments) => completions::run(arguments, Line::command()),
+            Self::Man(arguments) => man::run(arguments, Line::command()),
         }
+    }
+
+    /// The name by which [`described`] knows the columns of its answer; none where it has no table.
+    fn table(&self) -> Option<&'static str> {
+        Some(match self {
+            Self::Audit(_) => "audit",
+            Self::Orbits(_) => "orbits",
+            Self::Branch(_) => "branch",
+            Self::Simulate(_) => "simulate",
+            Self::Sweep(arguments) if arguments.summary => "sweep --summary",
+            Self::Sweep(_) => "sweep",
+            Self::Trajectory(_) => "trajectory",
+            Self::Plot(_) => "plot all",
+            Self::Scenes(_) => "scenes",
+            Self::Run(_) => "run",
+            Self::Check(arguments) if arguments.bless => "check --bless",
+            Self::Check(_) => "check",
+            Self::Trade(arguments) if arguments.problems => "trade --problems",
+            Self::Trade(arguments) if arguments.advise.is_some() => "trade --advise",
+            Self::Trade(_) => "trade",
+            Self::Problems(arguments) if arguments.solve.is_some() => "problems --solve",
+            Self::Problems(_) => "problems",
+            Self::Score(arguments) if arguments.summary => "score --summary",
+            Self::Score(_) => "score",
+            Self::Stress(arguments) if arguments.curve => "stress --curve",
+            Self::Stress(_) => "stress",
+            Self::Man(_) => "man",
+            Self::Completions(_) => return None,
+        })
     }
 
     /// Refuses a format that the command does not have.
@@ -129,7 +195,7 @@ impl Command {
 ///
 /// Tables go to stdout or `--out`; errors to stderr as one line `error: what, where, what to do`.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
-    let line = match Line::try_parse_from(arguments) {
+    let line = match Line::read(arguments) {
         Ok(line) => line,
         Err(error) => {
             if error.use_stderr() {
@@ -167,6 +233,9 @@ const LONGEST_WORD: usize = 400;
 
 /// Writes a message: what it repeats of an input does nothing to a terminal.
 fn say(kind: &str, text: &str) {
+    if caller::hears(text) {
+        return;
+    }
     let mut shown = String::with_capacity(text.len());
     let mut length = 0;
     for c in text.chars() {
@@ -185,18 +254,17 @@ fn say(kind: &str, text: &str) {
 }
 
 fn run_line(line: &Line) -> Result<Exit, Failure> {
-    // Before a long computation, not after.
-    line.command.has(line.options.format)?;
-    let output = line.command.output(&line.options);
+    let output = match &line.command {
+        Some(command) => command.output(&line.options),
+        None => line.options.output(),
+    };
     output.check()?;
-    let answer = line.command.run(&line.options)?;
-    answer.write(&output, &line.options)
+    line.answer()?.write(&output, &line.options)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
 
     #[test]
     fn the_command_line_is_consistent() {

@@ -36,7 +36,7 @@ pub struct Arguments {
     without_answers: bool,
     /// Print our own answers in f64, for `score`: `default` as the commands answer, `f64` in nothing wider
     #[arg(long, value_name = "MEANS", value_parser = means_parser(), num_args = 0..=1, default_missing_value = "default", conflicts_with = "without_answers")]
-    solve: Option<Means>,
+    pub(super) solve: Option<Means>,
 }
 
 /// Some of the problems.

@@ -37,7 +37,7 @@ pub struct Arguments {
     selection: Selection,
     /// Worst and median of each kind and level; with --exec, of each tolerance: the work-precision curve
     #[arg(long)]
-    summary: bool,
+    pub(super) summary: bool,
     /// Draw the digits of every problem; with --exec, the work-precision curve
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,

@@ -1,5 +1,6 @@
 //! Where a command reads from: a file, `-` for stdin.
 
+use super::caller;
 use crate::report::{note_input, note_stdin};
 use std::fs;
 use std::io::{self, Read};
@@ -90,7 +91,7 @@ impl Source {
     /// How errors name the place: the path as given, or `stdin`.
     pub fn name(&self) -> String {
         match self {
-            Self::Stdin => "stdin".to_owned(),
+            Self::Stdin => caller::with_input(|input| input.name.clone()).unwrap_or_else(|| "stdin".to_owned()),
             Self::File(path) => path.display().to_string(),
         }
     }
@@ -105,10 +106,13 @@ impl Source {
 
     fn text(&self, most: u64) -> Result<String, SourceProblem> {
         let bytes = match self {
-            Self::Stdin => {
-                note_stdin();
-                limited(io::stdin().lock(), most)?
-            }
+            Self::Stdin => match caller::with_input(|input| limited(input.text.as_bytes(), most)) {
+                Some(given) => given?,
+                None => {
+                    note_stdin();
+                    limited(io::stdin().lock(), most)?
+                }
+            },
             Self::File(path) => {
                 note_input(path);
                 limited(fs::File::open(path)?, most)?

@@ -27,7 +27,7 @@ pub struct Arguments {
     frozen: Option<Source>,
     /// Approach each extreme step by step: digits against the distance, or against the length that grows
     #[arg(long, conflicts_with_all = ["search", "bless", "frozen"])]
-    curve: bool,
+    pub(super) curve: bool,
     /// Draw the curves as an SVG, a panel for each extreme
     #[arg(long, value_name = "FILE", requires = "curve")]
     plot: Option<PathBuf>,

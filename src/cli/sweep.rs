@@ -15,7 +15,7 @@ pub struct Arguments {
     scene: SceneArguments,
     /// One row per value: what the motion has come to, and its mean voltage
     #[arg(long)]
-    summary: bool,
+    pub(super) summary: bool,
 }
 
 /// The columns that scripts rely on; where something other than d is swept, its name stands before d.

@@ -25,14 +25,14 @@ pub struct Arguments {
     number: Option<Rung>,
     /// List every problem of the task, and what each means did on it, without a clock
     #[arg(long, conflicts_with = "plot")]
-    problems: bool,
+    pub(super) problems: bool,
     /// Name the cheapest means for a need, and the runner-up: digits=8,solved=0.99,task=orbit, or error=0.01,task=voltage
     ///
     /// `digits` are to hold at the share `solved` of the problems (at all of them where it is not given), `error` is the
     /// relative error of a statistic, `proved=true` asks for a proof, `task` for the tasks with this in their names. Exits
     /// with 1 where no means of a task does it, and names the closest.
     #[arg(long, value_name = "NEED", conflicts_with_all = ["task", "problems", "method", "number"])]
-    advise: Option<Need>,
+    pub(super) advise: Option<Need>,
     /// Draw digits against time as an SVG, a panel a task: each ladder as a line, and the front
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,

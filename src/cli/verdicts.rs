@@ -120,7 +120,7 @@ pub fn compare(rows: &mut [Row], sheet: &Sheet, baseline: &Baseline) -> Result<V
 /// # Errors
 /// None that is the sheet's.
 pub fn table(rows: &[Row], sheet: &Sheet, format: Format) -> Result<Table, Failure> {
-    let is_for_scripts = matches!(format, Format::Csv | Format::Json | Format::Jsonl);
+    let is_for_scripts = !matches!(format, Format::Text | Format::Markdown);
     let shown = if is_for_scripts {
         COLUMNS.len()
     } else {

@@ -22,6 +22,16 @@ impl Fault {
         }
     }
 
+    /// The file.
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// The line in it, counted from 1, where it is known.
+    pub fn line(&self) -> Option<u64> {
+        self.line
+    }
+
     /// The same fault, at this line, counted from 1.
     #[must_use]
     pub fn at_line(mut self, line: u64) -> Self {

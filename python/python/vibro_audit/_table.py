@@ -1,0 +1,150 @@
+"""What commands answer: tables by columns, pages, figures."""
+
+from __future__ import annotations
+
+import html as _html
+import itertools
+import os
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any, overload
+
+_SHOWN = 10
+
+
+class Column(Sequence[Any]):
+    """Numbers, counts or flags one behind the other: f64, i64 or bool.
+
+    `numpy.asarray(column)`, `pandas.Series(column)` and `column.view` take them without copying.
+    """
+
+    __slots__ = ("_bytes", "_format", "shape")
+
+    def __init__(self, format: str, shape: Sequence[int], bytes: bytearray) -> None:
+        self._format, self._bytes = format, bytes
+        self.shape: tuple[int, ...] = tuple(shape)
+
+    @property
+    def view(self) -> memoryview:
+        """The numbers as a `memoryview` of their type and shape."""
+        # a view of nothing cannot be cast to a shape with zeros in it
+        flat = memoryview(self._bytes).cast(self._format)  # type: ignore[call-overload]
+        return flat if len(self.shape) == 1 or not self._bytes else flat.cast("B").cast(self._format, self.shape)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
+        import numpy
+
+        array = numpy.frombuffer(self._bytes, self._format).reshape(self.shape)
+        if dtype is not None and array.dtype != dtype:
+            if copy is False:
+                raise ValueError(f"{array.dtype} cannot become {dtype} without a copy")
+            return array.astype(dtype)
+        return array.copy() if copy else array
+
+    def tolist(self) -> list[Any]:
+        """The numbers as a list, of lists where there are more dimensions."""
+        return self.view.tolist() if self._bytes else []
+
+    def __len__(self) -> int:
+        return self.shape[0]
+
+    @overload
+    def __getitem__(self, place: int) -> Any: ...
+    @overload
+    def __getitem__(self, place: slice) -> Sequence[Any]: ...
+    def __getitem__(self, place: int | slice) -> Any:
+        return self.tolist()[place] if len(self.shape) > 1 else self.view[place]
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self.tolist())
+
+    def __eq__(self, other: object) -> bool:
+        return self.tolist() == (other.tolist() if isinstance(other, Column) else other)
+
+    def __repr__(self) -> str:
+        kind = {"d": "numbers", "q": "counts", "?": "flags"}[self._format]
+        first = ", ".join(map(repr, itertools.islice(self, _SHOWN)))
+        return f"<{len(self)} {kind}: {first}{', ...' if len(self) > _SHOWN else ''}>"
+
+
+class Table(dict[str, Any]):
+    """A table: a dict of columns by their names, in order.
+
+    Numbers are a `Column`, of NaN where there is none; words, lists and what has more than 15 digits (`decimal.Decimal`)
+    are lists, with None where there is nothing. `pandas.DataFrame(table)` takes it as it is.
+    """
+
+    rows: int
+    """The number of rows."""
+    as_expected: bool
+    """Whether the command would exit with 0."""
+    notes: list[str]
+    """What the command would say on stderr."""
+
+    def __init__(self, columns: Any = (), rows: int = 0, as_expected: bool = True, notes: Sequence[str] = ()) -> None:
+        super().__init__(columns)
+        self.rows, self.as_expected, self.notes = rows, as_expected, list(notes)
+
+    def each(self) -> Iterator[dict[str, Any]]:
+        """The rows, each a dict."""
+        return (dict(zip(self, row)) for row in zip(*self.values()))
+
+    def to_pandas(self) -> Any:
+        """The table as a `pandas.DataFrame`, numbers not copied."""
+        import pandas
+
+        return pandas.DataFrame({name: pandas.Series(column, copy=False) for name, column in self.items()}, copy=False)
+
+    def __repr__(self) -> str:
+        rows = [[*map(_shown, row)] for row in itertools.islice(zip(*self.values()), _SHOWN)]
+        lines = [list(self), *rows]
+        widths = [max(map(len, column)) for column in zip(*lines)]
+        text = "\n".join("  ".join(cell.ljust(width) for cell, width in zip(line, widths)).rstrip() for line in lines)
+        return text if self.rows <= _SHOWN else f"{text}\n... {self.rows} rows"
+
+
+def _shown(cell: Any) -> str:
+    if cell is None:
+        return ""
+    if isinstance(cell, float):
+        return f"{cell:.6g}"
+    if isinstance(cell, list):
+        return "; ".join(map(_shown, cell))
+    text = str(cell)
+    return text if len(text) <= 40 else f"{text[:39]}…"
+
+
+class Report(Table):
+    """A table of verdicts, with a page for a reader, which a notebook shows."""
+
+    html: str
+    """The page: one file that refers to nothing outside itself."""
+    numbers: Table | None
+    """Of a document that prints numbers, what they came to."""
+
+    def __init__(self, *arguments: Any, html: str = "", numbers: Table | None = None, **named: Any) -> None:
+        super().__init__(*arguments, **named)
+        self.html, self.numbers = html, numbers
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the page to a file."""
+        Path(path).write_text(self.html, encoding="utf-8")
+
+    def _repr_html_(self) -> str:
+        # in a frame, so that neither page styles the other
+        page = _html.escape(self.html, quote=True)
+        return f'<iframe sandbox="allow-scripts" style="width:100%;height:40em;border:0" srcdoc="{page}"></iframe>'
+
+
+class Figure:
+    """A drawing, which a notebook shows."""
+
+    def __init__(self, svg: str, notes: Sequence[str] = ()) -> None:
+        self.svg, self.notes = svg, list(notes)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the SVG to a file."""
+        Path(path).write_text(self.svg, encoding="utf-8")
+
+    def _repr_svg_(self) -> str:
+        return self.svg

@@ -1,0 +1,32 @@
+//! `vibro-audit man DIR`.
+
+use super::{Answer, Content, Exit, Failure};
+use crate::report::{Cell, Output, Table};
+use clap_mangen::Man;
+use std::path::PathBuf;
+
+/// Write the manual pages, one for each command
+#[derive(Debug, clap::Args)]
+pub struct Arguments {
+    /// The directory that they go to, such as ~/.local/share/man/man1
+    #[arg(value_name = "DIR")]
+    directory: PathBuf,
+}
+
+/// Runs the command.
+pub fn run(arguments: &Arguments, mut line: clap::Command) -> Result<Answer, Failure> {
+    line.build();
+    super::run::create(&arguments.directory)?;
+    let mut table = Table::new(["file"]);
+    let commands = line.get_subcommands().filter(|command| command.get_name() != "help");
+    for page in std::iter::once(line.clone()).chain(commands.cloned()) {
+        let name = page.get_display_name().unwrap_or("vibro-audit").to_owned();
+        let path = arguments.directory.join(format!("{name}.1"));
+        Output::File(path.clone()).write(|to| Man::new(page).render(to))?;
+        table.push([Cell::from(path.display().to_string())])?;
+    }
+    Ok(Answer {
+        content: Content::Table(table),
+        exit: Exit::AsExpected,
+    })
+}
