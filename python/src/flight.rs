@@ -1,7 +1,6 @@
 //! The one-impact map (8) over arrays of states.
 
 use super::{buffer, input_error, watched};
-use pyo3::buffer::PyBuffer;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use vibro_audit::model::{FlightError, Forcing, Impact, Motion, Passage, Side, next_impact as next};
@@ -43,19 +42,24 @@ fn arrival(motion: &Motion<f64>, side: Side, phase: f64, velocity: f64, with_jac
     })
 }
 
-/// The impact after each of these: `is_top` a byte each, `phases` and `velocities` f64, all of one length.
+fn numbers(bytes: &[u8]) -> Vec<f64> {
+    let (each, _) = bytes.as_chunks::<8>();
+    each.iter().map(|own| f64::from_ne_bytes(*own)).collect()
+}
+
+/// The impact after each of these: `is_top` a byte each, `phases` and `velocities` the bytes of f64, all of one length.
 #[pyfunction]
 pub fn next_impact(
     py: Python<'_>,
-    is_top: Vec<u8>,
-    phases: PyBuffer<f64>,
-    velocities: PyBuffer<f64>,
+    is_top: &[u8],
+    phases: &[u8],
+    velocities: &[u8],
     parameters: [f64; 4],
     with_jacobian: bool,
 ) -> PyResult<Found> {
     let [g, d, r_b, r_t] = parameters;
     let motion = Motion::new(g, d, r_b, r_t).map_err(|error| input_error(py, (error.to_string(),)))?;
-    let (phases, velocities) = (phases.to_vec(py)?, velocities.to_vec(py)?);
+    let (is_top, phases, velocities) = (is_top.to_vec(), numbers(phases), numbers(velocities));
     let count = is_top.len();
     let arrivals: Vec<Result<Arrival, String>> = watched::run(py, move || {
         let token = Token::current();
@@ -76,16 +80,16 @@ pub fn next_impact(
             Side::Top => "top",
         })
     });
-    let numbers = |of: fn(&Arrival) -> f64| {
+    let array = |of: fn(&Arrival) -> f64| {
         let numbers = arrivals.iter().map(|found| found.as_ref().map_or(f64::NAN, of));
         buffer(py, "d", &[count], &numbers.collect::<Vec<_>>(), f64::to_ne_bytes)
     };
     let jacobians = arrivals.iter().flat_map(|found| found.as_ref().map_or([f64::NAN; 4], |found| found.jacobian));
     let jacobians = buffer(py, "d", &[count, 2, 2], &jacobians.collect::<Vec<_>>(), f64::to_ne_bytes)?;
     let arrays = [
-        numbers(|found| found.duration)?,
-        numbers(|found| found.phase)?,
-        numbers(|found| found.velocity)?,
+        array(|found| found.duration)?,
+        array(|found| found.phase)?,
+        array(|found| found.velocity)?,
         jacobians,
     ];
     let faults = arrivals.iter().enumerate();

@@ -6,7 +6,7 @@ mod watched;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::intern;
 use pyo3::prelude::*;
-use pyo3::types::{PyByteArray, PyList};
+use pyo3::types::{PyByteArray, PyDict, PyList};
 use std::ffi::OsString;
 use vibro_audit::cli::{self, Failure, Input, Reply};
 use vibro_audit::report::{Cell, Frame, Values};
@@ -56,7 +56,8 @@ fn columns(py: Python<'_>, table: Frame) -> PyResult<(usize, Vec<Column>)> {
         if let Values::Cells(cells) = &values
             && cells.iter().any(|cell| matches!(cell, Cell::Values(..)))
         {
-            let named = PyList::new(py, cells.iter().map(named).collect::<Vec<_>>())?;
+            let named: PyResult<Vec<_>> = cells.iter().map(|cell| named(py, cell)).collect();
+            let named = PyList::new(py, named?)?;
             columns.push((name.clone(), column(py, values)?));
             columns.push((format!("{name}_values"), named.into_any().unbind()));
         } else {
@@ -67,11 +68,15 @@ fn columns(py: Python<'_>, table: Frame) -> PyResult<(usize, Vec<Column>)> {
 }
 
 /// The values of a cell that has such, by their names.
-fn named(cell: &Cell) -> Option<std::collections::BTreeMap<&str, &str>> {
-    match cell {
-        Cell::Values(_, values) => Some(values.iter().map(|(name, value)| (&**name, &**value)).collect()),
-        _ => None,
+fn named<'py>(py: Python<'py>, cell: &Cell) -> PyResult<Option<Bound<'py, PyDict>>> {
+    let Cell::Values(_, values) = cell else {
+        return Ok(None);
+    };
+    let named = PyDict::new(py);
+    for (name, value) in values {
+        named.set_item(name, value)?;
     }
+    Ok(Some(named))
 }
 
 fn column(py: Python<'_>, values: Values) -> PyResult<Py<PyAny>> {

@@ -59,6 +59,27 @@ pub(super) fn hears(text: &str) -> bool {
     })
 }
 
+/// Puts back what was there, after a panic as well.
+struct Before(Option<Caller>);
+
+impl Drop for Before {
+    fn drop(&mut self) {
+        CALLER.set(self.0.take());
+    }
+}
+
+fn during<R>(input: Option<Input>, work: impl FnOnce() -> R) -> (R, Vec<String>) {
+    let notes = Vec::new();
+    let _before = Before(CALLER.replace(Some(Caller { input, notes })));
+    let found = work();
+    (found, CALLER.take().map(|caller| caller.notes).unwrap_or_default())
+}
+
+/// Works, and says nothing meanwhile.
+pub(super) fn quietly<R>(work: impl FnOnce() -> R) -> R {
+    during(None, work).0
+}
+
 /// Answers a command line, the program's name first, as data: the tables, the page, the text that the command would print.
 /// `-` is `input`, where there is one. It stops with the current [`Token`].
 ///
@@ -81,18 +102,8 @@ pub fn ask(arguments: impl IntoIterator<Item = OsString>, input: Option<Input>) 
         // what follows tells how to type a command
         Failure::Usage(said.split("\n\n").next().unwrap_or_default().trim_end().to_owned())
     })?;
-    /// Puts back what was there, after a panic as well.
-    struct Before(Option<Caller>);
-    impl Drop for Before {
-        fn drop(&mut self) {
-            CALLER.set(self.0.take());
-        }
-    }
-    let notes = Vec::new();
-    let _before = Before(CALLER.replace(Some(Caller { input, notes })));
-    let mut reply = reply(&line)?;
-    reply.notes = CALLER.take().map(|caller| caller.notes).unwrap_or_default();
-    Ok(reply)
+    let (reply, notes) = during(input, || reply(&line));
+    Ok(Reply { notes, ..reply? })
 }
 
 fn reply(line: &Line) -> Result<Reply, Failure> {
@@ -117,7 +128,11 @@ fn reply(line: &Line) -> Result<Reply, Failure> {
             reply.page = Some(written(&page, line.options.figures())?);
             for (place, part) in page.parts.into_iter().enumerate() {
                 if let Part::Formulas(table, ..) | Part::Table(.., table) = part {
-                    let name = if place == 0 || name != Some("audit") { name } else { Some("check") };
+                    let name = if place == 0 || name != Some("audit") {
+                        name
+                    } else {
+                        Some("check")
+                    };
                     reply.tables.push(framed(name, table));
                 }
             }
@@ -157,7 +172,10 @@ fn empty(command: Option<&str>, columns: &[Column]) -> Frame {
     let known: Vec<_> = command.map(|name| described(name).collect()).unwrap_or_default();
     let column = |own: &Column| {
         let found = known.iter().find(|known| known.column == own.name);
-        let values = Values::new(found.map(|found| found.form), found.is_some_and(|found| found.is_optional));
+        let values = Values::new(
+            found.map(|found| found.form),
+            found.is_some_and(|found| found.is_optional),
+        );
         (own.name.clone(), values)
     };
     Frame {
@@ -186,14 +204,27 @@ mod tests {
         let failure = asked("audit -", Some("[[equation]]\nlabel = 3\n")).unwrap_err();
         assert!(matches!(failure.place(), (Some("given"), ..)), "{failure}");
         let failure = asked("orbits fig02 --digits many", None).unwrap_err();
-        assert!(failure.to_string().contains("'many'") && !failure.to_string().contains("--help"), "{failure}");
+        assert!(
+            failure.to_string().contains("'many'") && !failure.to_string().contains("--help"),
+            "{failure}"
+        );
     }
 
     #[test]
     fn notes_are_heard_and_nothing_stays_behind() {
-        let reply = asked("orbits -", Some("words = ['B']\n[motion]\ng = 0.1\nd = 0.4\nr_b = 0.5\nr_t = 0.5\n")).unwrap();
+        let reply = asked(
+            "orbits -",
+            Some("words = ['B']\n[motion]\ng = 0.1\nd = 0.4\nr_b = 0.5\nr_t = 0.5\n"),
+        )
+        .unwrap();
         assert!(!reply.notes.is_empty());
         assert!(!hears("afterwards") && with_input(|_| ()).is_none());
+    }
+
+    #[test]
+    fn more_rows_than_memory_should_hold_are_refused_on_the_way() {
+        let failure = asked("simulate fig03 --impacts 1000000000000", None).unwrap_err();
+        assert!(matches!(failure, Failure::TooManyCells { .. }), "{failure}");
     }
 
     #[test]

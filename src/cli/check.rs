@@ -1,5 +1,6 @@
 //! `vibro-audit check [DIR] [--bless]`.
 
+use super::caller::quietly;
 use super::{Answer, Content, Exit, Failure, Options, golden};
 use crate::reference::{Certified, Directory, Outcome, bless, check};
 use crate::report::{Cell, Format, Output, Page, Part, Table, note_input};
@@ -17,8 +18,8 @@ pub struct Arguments {
 }
 
 /// The columns: those that scripts rely on, and the reason.
-const COLUMNS: [&str; 9] = [
-    "id", "place", "printed", "computed", "digits", "verdict", "expected", "rests_on", "reason",
+const COLUMNS: [&str; 10] = [
+    "id", "place", "printed", "computed", "digits", "verdict", "expected", "rests_on", "reason", "picked",
 ];
 
 /// Runs the command.
@@ -36,8 +37,15 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     }
     let certified = directory.certified()?;
     let mut answer = |request: &_| golden::answer(&directory, request, options).map_err(|failure| failure.to_string());
-    let outcomes = check(&printed, &certified, &mut answer)?;
-    let table = table(&outcomes)?;
+    let mut outcomes = || check(&printed, &certified, &mut answer);
+    let outcomes = match &directory {
+        // what is to be said of the paper's own scenes is known
+        Directory::BuiltIn => quietly(outcomes),
+        Directory::At(_) => outcomes(),
+    }?;
+    // which rows the paper's own numbers are of is known
+    let is_brief = options.format == Format::Text && directory == Directory::BuiltIn;
+    let table = table(&outcomes, !is_brief)?;
     let content = match options.format {
         Format::Html => Content::Page(page(arguments, table)),
         _ => Content::Table(table),
@@ -62,10 +70,11 @@ fn page(arguments: &Arguments, table: Table) -> Page {
 }
 
 /// The table of what rows of golden values came to.
-pub(super) fn table(outcomes: &[Outcome]) -> Result<Table, Failure> {
-    let mut table = Table::new(COLUMNS);
+pub(super) fn table(outcomes: &[Outcome], with_picked: bool) -> Result<Table, Failure> {
+    let shown = COLUMNS.len() - usize::from(!with_picked);
+    let mut table = Table::new(COLUMNS.into_iter().take(shown));
     for outcome in outcomes {
-        table.push(vec![
+        let cells = [
             Cell::from(outcome.id.as_str()),
             Cell::from(outcome.place.as_str()),
             Cell::from(outcome.printed.as_str()),
@@ -75,7 +84,9 @@ pub(super) fn table(outcomes: &[Outcome]) -> Result<Table, Failure> {
             Cell::from(outcome.expected.name()),
             Cell::from(outcome.rests_on.as_str()),
             Cell::from(outcome.reason.as_str()),
-        ])?;
+            Cell::from(outcome.picked.as_str()),
+        ];
+        table.push(cells.into_iter().take(shown).collect::<Vec<_>>())?;
     }
     Ok(table)
 }

@@ -53,7 +53,7 @@ pub fn described(command: &str) -> impl Iterator<Item = &'static Description> {
 }
 
 /// The commands whose columns are described.
-fn commands() -> Vec<&'static str> {
+pub fn described_commands() -> Vec<&'static str> {
     let mut names: Vec<&str> = DESCRIPTIONS.iter().map(|known| known.command.as_str()).collect();
     names.dedup();
     names
@@ -63,7 +63,7 @@ fn commands() -> Vec<&'static str> {
 #[derive(Clone, Debug, clap::Args)]
 pub struct Arguments {
     /// Describe the columns of a command's tables: name, type, unit and meaning. `sweep --summary` is one name
-    #[arg(long, value_name = "COMMAND", value_parser = PossibleValuesParser::new(commands()), hide_possible_values = true)]
+    #[arg(long, value_name = "COMMAND", value_parser = PossibleValuesParser::new(described_commands()), hide_possible_values = true)]
     pub columns: Option<String>,
     /// As a JSON Schema of what `--format json` writes
     #[arg(long, requires = "columns")]
@@ -145,7 +145,7 @@ pub fn schema(command: &str) -> Value {
 }
 
 /// A number as a string.
-const NUMBER: &str = "^(NaN|-?inf|-?[0-9]+(\\.[0-9]*)?([eE][-+]?[0-9]+)?)$";
+const NUMBER: &str = "^(|NaN|-?inf|-?[0-9]+(\\.[0-9]*)?([eE][-+]?[0-9]+)?)$";
 
 #[cfg(test)]
 mod tests {
@@ -160,9 +160,13 @@ mod tests {
             assert!(!DESCRIPTIONS[..place].iter().any(same), "{known:?}");
             assert!(!known.meaning.is_empty(), "{known:?}");
         }
-        let mut names = commands();
+        let mut names = described_commands();
         names.sort_unstable();
         names.dedup();
-        assert_eq!(names.len(), commands().len(), "the lines of a command stand together");
+        assert_eq!(
+            names.len(),
+            described_commands().len(),
+            "the lines of a command stand together"
+        );
     }
 }

@@ -37,7 +37,7 @@ mod voltage;
 
 pub use answer::{Answer, Content, Rows};
 pub use caller::{Input, Reply, ask};
-pub use columns::{COLUMNS_VERSION, Description, described, schema};
+pub use columns::{COLUMNS_VERSION, Description, described, described_commands, schema};
 pub use exit::Exit;
 pub use failure::Failure;
 pub use options::{Asked, Options};

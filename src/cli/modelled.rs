@@ -50,7 +50,7 @@ fn of(command: &[&str], sets: &[&str]) -> Modelled {
     }
     let line = Line::try_parse_from(arguments).unwrap();
     let found = modelled(|| {
-        let answer = line.command.run(&line.options).unwrap();
+        let answer = line.answer().unwrap();
         if let Content::Rows(rows) = answer.content {
             rows.table().unwrap();
         }

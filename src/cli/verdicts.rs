@@ -225,7 +225,7 @@ impl Audited<'_> {
                 let verdicts = table(&self.rows, self.sheet, format)?;
                 match self.numbers.as_slice() {
                     [] => Content::Table(verdicts),
-                    numbers => Content::Tables(vec![verdicts, check::table(numbers)?]),
+                    numbers => Content::Tables(vec![verdicts, check::table(numbers, true)?]),
                 }
             }
         };
@@ -243,7 +243,11 @@ impl Audited<'_> {
         let mut parts = vec![Part::Formulas(verdicts, printed, Given::all(self.sheet))];
         if !self.numbers.is_empty() {
             let said = "Numbers that the document prints, against what is computed.".to_owned();
-            parts.push(Part::Table("Numbers".to_owned(), said, check::table(&self.numbers)?));
+            parts.push(Part::Table(
+                "Numbers".to_owned(),
+                said,
+                check::table(&self.numbers, true)?,
+            ));
         }
         let title = self.sheet.title.clone().unwrap_or_else(|| self.name.to_owned());
         Ok(Page {

@@ -80,13 +80,19 @@ impl Certified {
         request
     }
 
-    fn against(&self, value: &str, request: &Request, asked: &mut Asked<'_>) -> Result<(Value, Comparison), Fault> {
-        let computed = asked
-            .ask(request, &self.record)?
+    fn against(
+        &self,
+        value: &str,
+        request: &Request,
+        asked: &mut Asked<'_>,
+    ) -> Result<(Value, Comparison, String), Fault> {
+        let table = asked.ask(request, &self.record)?;
+        let picked = table.picked(&self.quantity, &self.setting);
+        let computed = table
             .value(&self.quantity, &self.setting)
             .map_err(|message| self.record.fault("quantity", message))?;
         let comparison = certified_against(value, &computed).map_err(|message| self.record.fault("value", message))?;
-        Ok((computed, comparison))
+        Ok((computed, comparison, picked))
     }
 
     /// Holds the value against what is computed, within the bound of that: in f64, and to all its figures.
@@ -100,10 +106,10 @@ impl Certified {
                 .record
                 .fault("value", "it is empty; `check DIR --bless` computes it"));
         }
-        let (mut computed, mut comparison) = self.against(value, &self.request(), asked)?;
+        let (mut computed, mut comparison, mut picked) = self.against(value, &self.request(), asked)?;
         if comparison.verdict == Verdict::Reproduced {
             // f64 knows nothing of the figures beyond its own
-            (computed, comparison) = self.against(value, &self.request_of_all_figures(), asked)?;
+            (computed, comparison, picked) = self.against(value, &self.request_of_all_figures(), asked)?;
         }
         let mut outcome = Outcome {
             id: self.record.field("id").to_owned(),
@@ -115,6 +121,7 @@ impl Certified {
             expected: Verdict::Reproduced,
             rests_on: format!("{}; {}", self.record.field("by"), self.record.field("confirmed_by")),
             reason: comparison.reason,
+            picked,
         };
         if !outcome.is_expected() {
             outcome.reason = unexpected(&outcome);

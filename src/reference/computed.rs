@@ -60,23 +60,13 @@ impl Computed {
     /// # Errors
     /// A message for a person: no such column or index, no row or several (they are listed), an extreme of words.
     pub fn value(&self, quantity: &Quantity, setting: &Setting) -> Result<Value, String> {
-        let mut rows: Vec<&Vec<String>> = self.rows.iter().collect();
-        for selector in &setting.selectors {
-            (rows, _) = self.narrow(rows, selector)?;
-        }
+        let rows = self.meant(quantity, setting)?;
         if let Some(asked) = quantity.across {
             let of = |row: &Vec<String>| self.of_row(row, &quantity.field);
             let values: Vec<Value> = rows.iter().map(|row| of(row)).collect::<Result<_, String>>()?;
             let all: Vec<Value> = self.rows.iter().filter_map(|row| of(row).ok()).collect();
             return across(asked, &values, &all)
                 .map_err(|message| format!("`{quantity}`: {message}; {}", self.listed(rows.iter().copied())));
-        }
-        if rows.len() > 1 {
-            for column in ["stable", "admissible"] {
-                if let Some(index) = self.column(column) {
-                    rows.retain(|row| row.get(index).is_some_and(|field| field == "true"));
-                }
-            }
         }
         match rows.as_slice() {
             [row] => self.of_row(row, &quantity.field),
@@ -87,6 +77,51 @@ impl Computed {
                 self.listed(several.iter().copied())
             )),
         }
+    }
+
+    /// The rows that `setting` names: of several, the stable admissible ones, where one is asked for.
+    fn meant(&self, quantity: &Quantity, setting: &Setting) -> Result<Vec<&Vec<String>>, String> {
+        let mut rows: Vec<&Vec<String>> = self.rows.iter().collect();
+        for selector in &setting.selectors {
+            (rows, _) = self.narrow(rows, selector)?;
+        }
+        if rows.len() > 1 && quantity.across.is_none() {
+            for column in ["stable", "admissible"] {
+                if let Some(index) = self.column(column) {
+                    rows.retain(|row| row.get(index).is_some_and(|field| field == "true"));
+                }
+            }
+        }
+        Ok(rows)
+    }
+
+    /// The row and the entry of a list that `quantity` picked, for a person: its number of how many, what tells it from
+    /// others, and the list. Of several rows at once, how many; nothing where there was no choice.
+    pub fn picked(&self, quantity: &Quantity, setting: &Setting) -> String {
+        let Ok(rows) = self.meant(quantity, setting) else {
+            return String::new();
+        };
+        let (all, field) = (self.rows.len(), &quantity.field);
+        let [row] = rows.as_slice() else {
+            return format!("{} of {all} rows", rows.len());
+        };
+        let number = self
+            .rows
+            .iter()
+            .position(|own| std::ptr::eq(own, *row))
+            .map_or(0, |place| place + 1);
+        let tells = self.tells(row).collect::<Vec<_>>().join(" ");
+        let row_of_all = (all > 1).then(|| {
+            format!("row {number} of {all}: {tells}")
+                .trim_end_matches(": ")
+                .to_owned()
+        });
+        let list = self.column(&field.column).and_then(|column| row.get(column));
+        let entry = field
+            .index
+            .zip(list)
+            .map(|_| format!("{field} of {}", list.map_or("", String::as_str)));
+        row_of_all.into_iter().chain(entry).collect::<Vec<_>>().join("; ")
     }
 
     /// How far the rows that `setting` names are from the numbers that it calls near; empty where they are there.
@@ -207,20 +242,16 @@ impl Computed {
         Ok(Value { text, bound })
     }
 
+    /// The fields that tell a row from others, as `column=field`.
+    fn tells<'a>(&'a self, row: &'a [String]) -> impl Iterator<Item = String> + 'a {
+        TELLING.iter().filter_map(|name| {
+            let field = row.get(self.column(name)?).filter(|field| !field.is_empty())?;
+            Some(format!("{name}={field}"))
+        })
+    }
+
     fn listed<'a>(&self, rows: impl Iterator<Item = &'a Vec<String>>) -> String {
-        let telling: Vec<(usize, &str)> = TELLING
-            .iter()
-            .filter_map(|name| self.column(name).map(|index| (index, *name)))
-            .collect();
-        let mut rows: Vec<String> = rows
-            .map(|row| {
-                let fields = telling.iter().filter_map(|&(index, name)| {
-                    let field = row.get(index).filter(|field| !field.is_empty())?;
-                    Some(format!("{name}={field}"))
-                });
-                fields.collect::<Vec<_>>().join(" ")
-            })
-            .collect();
+        let mut rows: Vec<String> = rows.map(|row| self.tells(row).collect::<Vec<_>>().join(" ")).collect();
         let left = rows.len().saturating_sub(MOST_LISTED);
         rows.truncate(MOST_LISTED);
         if rows.is_empty() {
@@ -300,6 +331,29 @@ mod tests {
 
     fn text(quantity: &str, set: &str) -> String {
         value(quantity, set).map_or_else(|message| message, |value| value.text)
+    }
+
+    #[test]
+    fn the_row_and_the_entry_that_were_picked_are_said() {
+        let table = Computed {
+            columns: ["word", "phases"].map(str::to_owned).to_vec(),
+            rows: ["BT", "BTT"]
+                .map(|word| vec![word.to_owned(), "0.1;0.2".to_owned()])
+                .to_vec(),
+            note: String::new(),
+            swept: None,
+        };
+        let picked = |quantity: &str, set: &str| {
+            let text = format!("id,set\na,{set}\n");
+            let records = records::read("f", &text, &["id", "set"]).unwrap();
+            table.picked(&quantity.parse().unwrap(), &Setting::read(&records[0]).unwrap())
+        };
+        assert_eq!(
+            picked("orbits.phases[1]", "row.word=BTT"),
+            "row 2 of 2: word=BTT; phases[1] of 0.1;0.2"
+        );
+        assert_eq!(picked("orbits.word", "row.word=BT"), "row 1 of 2: word=BT");
+        assert_eq!(picked("orbits.phases[0].max", ""), "2 of 2 rows");
     }
 
     #[test]

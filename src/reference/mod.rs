@@ -23,7 +23,7 @@ mod setting;
 mod verdict;
 
 pub use bless::{Blessed, Change, Made, bless};
-pub use certified::{Certified, FIGURES};
+pub use certified::{COLUMNS as CERTIFIED_COLUMNS, Certified, FIGURES};
 pub use compare::{Comparison, certified_against, compare};
 pub use computed::{Computed, Value};
 pub use directory::Directory;

@@ -24,6 +24,8 @@ pub struct Outcome {
     pub rests_on: String,
     /// Why the verdict is not `reproduced`, in one line.
     pub reason: String,
+    /// Which row of the table, and which entry of a list in it, was picked; nothing where there was no choice.
+    pub picked: String,
 }
 
 impl Outcome {
@@ -52,14 +54,14 @@ pub fn check(printed: &[Printed], certified: &[Certified], answer: &mut Answer<'
 }
 
 fn of_printed(row: &Printed, rows: &[Printed], asked: &mut Asked<'_>) -> Result<Outcome, Fault> {
-    let (computed, note, comparison) = match &row.quantity {
+    let (computed, note, comparison, picked) = match &row.quantity {
         None => {
             let comparison = Comparison {
                 verdict: Verdict::Undetermined,
                 digits: None,
                 reason: row.record.field("note").to_owned(),
             };
-            (String::new(), String::new(), comparison)
+            (String::new(), String::new(), comparison, String::new())
         }
         Some(quantity) => {
             let inferred;
@@ -76,7 +78,8 @@ fn of_printed(row: &Printed, rows: &[Printed], asked: &mut Asked<'_>) -> Result<
             let distances = table
                 .distances(&row.setting)
                 .map_err(|message| row.record.fault("set", message))?;
-            (value.text, joined([distances, table.note.clone()]), comparison)
+            let picked = table.picked(quantity, &row.setting);
+            (value.text, joined([distances, table.note.clone()]), comparison, picked)
         }
     };
     let mut outcome = Outcome {
@@ -89,6 +92,7 @@ fn of_printed(row: &Printed, rows: &[Printed], asked: &mut Asked<'_>) -> Result<
         expected: row.expected,
         rests_on: row.record.field("rests_on").to_owned(),
         reason: joined([comparison.reason, note]),
+        picked,
     };
     if !outcome.is_expected() {
         outcome.reason = unexpected(&outcome);

@@ -78,7 +78,7 @@ impl Values {
             (Self::Numbers(own), Cell::Empty) => own.push(f64::NAN),
             (Self::Integers(own), Cell::Integer(count)) => own.push(count),
             (Self::Flags(own), Cell::Flag(flag)) => own.push(flag),
-            (Self::Decimals(own), Cell::Text(text)) => own.push(Some(text)),
+            (Self::Decimals(own), Cell::Text(text)) => own.push(Some(text).filter(|text| !text.is_empty())),
             (Self::Decimals(own), Cell::Empty) => own.push(None),
             (Self::Cells(own), cell) => own.push(cell),
             (_, cell) => {
@@ -93,7 +93,13 @@ impl Values {
         match self {
             Self::Numbers(own) => own
                 .into_iter()
-                .map(|number| if number.is_nan() { Cell::Empty } else { Cell::Number(number) })
+                .map(|number| {
+                    if number.is_nan() {
+                        Cell::Empty
+                    } else {
+                        Cell::Number(number)
+                    }
+                })
                 .collect(),
             Self::Integers(own) => own.into_iter().map(Cell::Integer).collect(),
             Self::Flags(own) => own.into_iter().map(Cell::Flag).collect(),
@@ -135,7 +141,11 @@ mod tests {
 
     #[test]
     fn what_may_lack_a_value_has_one_type_whatever_the_rows() {
-        for cells in [vec![Cell::Integer(3)], vec![Cell::Empty], vec![Cell::Empty, Cell::Integer(3)]] {
+        for cells in [
+            vec![Cell::Integer(3)],
+            vec![Cell::Empty],
+            vec![Cell::Empty, Cell::Integer(3)],
+        ] {
             let mut values = Values::new(Some(Form::Integer), true);
             cells.into_iter().for_each(|cell| values.push(cell));
             assert!(matches!(values, Values::Numbers(_)), "{values:?}");

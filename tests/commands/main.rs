@@ -3,6 +3,7 @@
 mod asked_digits;
 mod check;
 mod cli;
+mod columns;
 mod costs;
 mod features;
 mod fuzz;

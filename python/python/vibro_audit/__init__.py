@@ -23,6 +23,7 @@ from ._errors import InputError
 from ._native import __version__
 from ._table import Column, Figure, Report, Table
 from ._toml import to_toml
+from ._toml import to_value as _to_value
 
 __all__ = [
     "Column",
@@ -236,7 +237,7 @@ def next_impact(
             place = next(place for place, value in enumerate(values) if not _math.isfinite(value))
             raise InputError(f"{_at(name, place, scalars[name])} is {values[place]}; a finite number is needed")
     is_top = bytes(name == "top" for name in sides)
-    found, arrays, faults = _native.next_impact(is_top, phases, velocities, parameters, bool(jacobian))
+    found, arrays, faults = _native.next_impact(is_top, phases.tobytes(), velocities.tobytes(), parameters, bool(jacobian))
     times, phases_, velocities_, derivatives = (Column(*numbers) for numbers in arrays)
     return NextImpact(found, times, phases_, velocities_, derivatives, dict(faults))
 
@@ -342,7 +343,7 @@ def _ask(command: str, options: _Mapping[str, Any], given: _Named | None, format
         if value is True:
             arguments.append(f"--{name}")
         elif isinstance(value, _Mapping):
-            arguments += [f"--{name}={key}={_toml_value(item, key)}" for key, item in value.items()]
+            arguments += [f"--{name}={key}={_to_value(item, f'set[{key!r}]')}" for key, item in value.items()]
         elif name in ("kind", "level") and not isinstance(value, str):
             arguments += [f"--{name}={item}" for item in _listed(value, name)]
         elif name == "set":
@@ -350,10 +351,6 @@ def _ask(command: str, options: _Mapping[str, Any], given: _Named | None, format
         else:
             arguments.append(f"--{name}={value}")
     return _native.ask([*arguments, "--", *named], text)
-
-
-def _toml_value(value: Any, key: object) -> str:
-    return to_toml({"x": value}, f"set[{key!r}]").removeprefix("x = ")
 
 
 def _columns(columns: _Iterable[tuple[str, Any]]) -> dict[str, Any]:

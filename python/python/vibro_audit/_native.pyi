@@ -1,8 +1,6 @@
 from collections.abc import Sequence
 from decimal import Decimal
 
-from typing_extensions import Buffer
-
 __version__: str
 
 _Numbers = tuple[str, Sequence[int], bytearray]
@@ -13,9 +11,9 @@ def ask(
     arguments: Sequence[str], input: tuple[str, str] | None
 ) -> tuple[list[_Table], str | None, str | None, int, list[str]]: ...
 def next_impact(
-    is_top: Sequence[int],
-    phases: Buffer,
-    velocities: Buffer,
+    is_top: bytes,
+    phases: bytes,
+    velocities: bytes,
     parameters: Sequence[float],
     with_jacobian: bool,
 ) -> tuple[list[str | None], list[_Numbers], list[tuple[int, str]]]: ...

@@ -31,12 +31,12 @@ def to_toml(given: Mapping[str, Any], name: str = "dict") -> str:
             for place, item in enumerate(value):
                 sections += [f"[[{_key(key, name)}]]", *_lines(item, f"{path}[{place}]")]
         else:
-            top.append(f"{_key(key, name)} = {_value(value, path)}")
+            top.append(f"{_key(key, name)} = {to_value(value, path)}")
     return "\n".join(top + sections)
 
 
 def _lines(section: Mapping[str, Any], path: str) -> list[str]:
-    return [f"{_key(key, path)} = {_value(value, f'{path}[{key!r}]')}" for key, value in section.items()]
+    return [f"{_key(key, path)} = {to_value(value, f'{path}[{key!r}]')}" for key, value in section.items()]
 
 
 def _key(key: object, path: str) -> str:
@@ -53,7 +53,8 @@ def _text(text: str) -> str:
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
-def _value(value: Any, path: str) -> str:
+def to_value(value: Any, path: str) -> str:
+    """One value as TOML; `path` is how errors name it."""
     if hasattr(value, "item") and getattr(value, "shape", None) == ():
         value = value.item()  # a number of numpy
     if isinstance(value, bool):
@@ -65,10 +66,10 @@ def _value(value: Any, path: str) -> str:
     if isinstance(value, str):
         return _text(str(value))
     if isinstance(value, Mapping):
-        pairs = (f"{_key(key, path)} = {_value(item, f'{path}[{key!r}]')}" for key, item in value.items())
+        pairs = (f"{_key(key, path)} = {to_value(item, f'{path}[{key!r}]')}" for key, item in value.items())
         return "{ " + ", ".join(pairs) + " }"
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(_value(item, f"{path}[{place}]") for place, item in enumerate(value)) + "]"
+        return "[" + ", ".join(to_value(item, f"{path}[{place}]") for place, item in enumerate(value)) + "]"
     raise InputError(f"{path} is {value!r:.40}; a number, a string, a flag, a list or a dict is needed", path)

@@ -1,0 +1,116 @@
+"""What commands find reaches Python whole."""
+
+import copy
+import decimal
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+import vibro_audit as va
+
+ROOT = Path(__file__).parents[2]
+SCENE = {"motion": {"g": 0.122, "d": 0.4, "r_b": 0.5, "r_t": 0.5}}
+SHEET = {
+    "equation": [
+        {"label": "a", "role": "premise", "tex": r"T = T_1 + T_2"},
+        {"label": "b", "role": "claim", "tex": r"T^2 - T_1^2 = T_2 (T + T_1)", "follows_from": ["a"]},
+        {"label": "c", "role": "claim", "tex": r"\frac{T}{2} = T_1", "follows_from": ["a"]},
+    ]
+}
+
+
+def test_orbits_are_those_of_a_dict_its_text_and_its_file(tmp_path):
+    text = va.to_toml(SCENE)
+    path = tmp_path / "scene.toml"
+    path.write_text(text)
+    one, *others = (va.orbits(scene) for scene in (SCENE, text, path, str(path)))
+    assert one.rows == 2 and all(one["complete"]) and max(one["error_bound"]) < 1e-12
+    assert all(other == one for other in others)
+    # the paper prints 0.83272 for this motion of Fig. 2
+    stable = next(row for row in va.orbits("fig02", set={"motion.d": 0.4}).each() if row["stable"])
+    assert stable["velocities"][0] == pytest.approx(0.83272, abs=1e-5)
+
+
+def test_more_digits_than_f64_has_are_decimals():
+    found = va.orbits(SCENE, digits=30)
+    velocity = found["velocities"][0][0]
+    assert isinstance(velocity, decimal.Decimal) and len(velocity.as_tuple().digits) >= 30
+    assert abs(velocity - decimal.Decimal(va.orbits(SCENE)["velocities"][0][0])) < decimal.Decimal("1e-14")
+
+
+def test_numbers_are_taken_without_copying_and_can_be_written():
+    column = va.sweep("fig03", set={"sweep.points": 3})["velocity"]
+    one, other = np.asarray(column), np.asarray(column)
+    assert np.shares_memory(one, other) and np.shares_memory(one, np.asarray(column.view))
+    assert one.dtype == np.float64 and one.flags.c_contiguous and one.flags.writeable
+    assert np.shares_memory(pd.Series(column, copy=False).to_numpy(), one)
+    assert column.tolist() == one.tolist() == list(column) and column[-1] == one[-1]
+
+
+def test_the_type_of_a_column_does_not_depend_on_its_rows():
+    for points in (2, 30):
+        frame = va.sweep("fig03", summary=True, set={"sweep.points": points}).to_pandas()
+        assert (frame["periods"].dtype, frame["digits"].dtype) == (np.float64, np.float64)
+        assert len(frame) == points
+    assert np.asarray(va.simulate("fig03", impacts=3)["event"]).dtype == np.int64
+
+
+def test_a_table_is_a_frame_is_copied_and_is_pickled():
+    table = va.orbits(SCENE)
+    assert list(pd.DataFrame(table).columns) == list(table) == list(table.to_pandas().columns)
+    for other in (pickle.loads(pickle.dumps(table)), copy.deepcopy(table)):
+        assert other == table and (other.rows, other.notes) == (table.rows, table.notes)
+
+
+def test_an_audit_has_verdicts_counterexamples_and_a_page():
+    found = va.audit(SHEET)
+    assert found["verdict"] == ["proved", "refuted"] and not found.as_expected
+    values = found["counterexample_values"]
+    assert values[0] is None and values[1]["left"] != values[1]["right"]
+    page = found._repr_html_()
+    assert page.startswith("<iframe") and "<script" not in page and "proved" in page
+    assert "counterexample" in va.explain(SHEET, "c")
+
+
+def test_a_document_brings_its_numbers():
+    found = va.audit(ROOT / "golden/paper/paper.tex")
+    assert found.as_expected and found.numbers is not None and found.numbers.rows > 0
+
+
+def test_golden_values_of_a_directory_are_checked(tmp_path):
+    header = "id,place,scene,set,quantity,printed,unit,expected,rests_on,note\n"
+    rows = ["good,p. 1,fig02,motion.d=0.4;row.stable=true,orbits.velocities[0],0.83272,,reproduced,,"]
+    rows += ["bad,p. 1,fig02,motion.d=0.4;row.stable=true,orbits.velocities[0],0.84272,,reproduced,,"]
+    (tmp_path / "printed.csv").write_text(header + "\n".join(rows) + "\n")
+    found = va.check(tmp_path)
+    assert found["verdict"] == ["reproduced", "wrong"] and not found.as_expected and "<html" in found.html
+
+
+def test_a_branch_has_its_bifurcations():
+    found = va.branch("fig02", set={"sweep.points": 5})
+    doubling = next(row for row in found.each() if row["kind"] == "period-doubling" and row["admissible"])
+    assert doubling["error_bound"] < 1e-12 and len(doubling["phases"]) == 2
+
+
+def test_a_figure_is_an_svg(tmp_path):
+    figure = va.plot("fig03", set={"sweep.points": 5})
+    assert figure._repr_svg_().startswith("<svg") or "<svg" in figure.svg[:200]
+    figure.save(tmp_path / "figure.svg")
+    assert (tmp_path / "figure.svg").stat().st_size == len(figure.svg.encode())
+
+
+def test_answers_of_a_solver_are_scored():
+    asked = va.problems(kind="impact", level="easy", answers=False)
+    assert "answer" not in asked and isinstance(asked["d"][0], decimal.Decimal)
+    certified = va.problems(kind="impact", level="easy")
+    answers = {name: certified[name] for name in ("problem", "quantity", "answer")}
+    assert min(va.score(answers, kind="impact", level="easy")["digits"]) >= 29
+    rough = pd.DataFrame({**answers, "answer": [float(answer) * (1 + 1e-6) for answer in certified["answer"]]})
+    assert 5 < np.median(va.score(rough, kind="impact", level="easy")["digits"]) < 7
+
+
+def test_notes_are_heard_and_not_printed(capfd):
+    assert va.orbits({**SCENE, "words": ["B"]}).notes
+    assert capfd.readouterr() == ("", "")

@@ -1,0 +1,81 @@
+"""The one-impact map over arrays."""
+
+import array
+
+import numpy as np
+import pytest
+import vibro_audit as va
+
+PARAMETERS = {"g": 0.12201, "d": 0.26, "r_b": 0.6, "r_t": 0.3}
+
+
+def test_it_is_the_map_that_simulate_follows():
+    events = va.simulate({"motion": PARAMETERS, "start": {"phase": 6.18, "velocity": 0.5293}}, impacts=12)
+    assert set(events["kind"]) == {"impact"}
+    phases, velocities = np.asarray(events["phase"]), np.asarray(events["velocity"])
+    found = va.next_impact(events["side"], phases, velocities, **PARAMETERS)
+    assert found.sides[:-1] == events["side"][1:] and not found.faults
+    assert np.allclose(np.asarray(found.phases)[:-1], phases[1:], atol=1e-12)
+    assert np.allclose(np.asarray(found.velocities)[:-1], velocities[1:], atol=1e-12)
+    assert np.allclose(np.asarray(found.times)[:-1], np.diff(events["time"]), atol=1e-12)
+
+
+def test_the_jacobian_is_that_of_differences():
+    step = 1e-6
+
+    def after(phase, velocity):
+        found = va.next_impact("bottom", phase, velocity, **PARAMETERS)
+        return np.array([phase / np.pi + found.times[0], found.velocities[0]])
+
+    phase, velocity = 6.18, 0.5293
+    by_time = (after(phase + np.pi * step, velocity) - after(phase - np.pi * step, velocity)) / (2 * step)
+    by_velocity = (after(phase, velocity + step) - after(phase, velocity - step)) / (2 * step)
+    exact = np.asarray(va.next_impact("bottom", phase, velocity, jacobian=True, **PARAMETERS).jacobian)
+    assert exact.shape == (1, 2, 2)
+    assert np.allclose(exact[0], np.column_stack([by_time, by_velocity]), rtol=1e-6)
+
+
+def test_numbers_and_arrays_of_any_kind_go_together():
+    arguments = {**PARAMETERS, "jacobian": True}
+    expected = va.next_impact("bottom", [6.18, 6.18], [0.5, 0.6], **arguments)
+    for velocities in (np.array([0.5, 0.6]), array.array("d", [0.5, 0.6]), (0.5, 0.6), np.array([9, 0.5, 9, 0.6])[1::2]):
+        assert va.next_impact(["bottom"] * 2, 6.18, velocities, **arguments) == expected
+    single = np.array([0.5, 0.625], dtype=np.float32)
+    assert va.next_impact("bottom", 6, single, **PARAMETERS).velocities[0] == pytest.approx(0.1, abs=1)
+    assert np.asarray(va.next_impact("bottom", [], [], **PARAMETERS).jacobian).shape == (0, 2, 2)
+
+
+def test_a_state_without_a_next_impact_says_why_and_the_others_go_on():
+    found = va.next_impact("bottom", [1.0, 6.18], [0.0, 0.5], g=0.5, d=0.3, r_b=0.5, r_t=0.5, jacobian=True)
+    assert found.sides[0] is None and np.isnan(found.times[0]) and "rest" in found.faults[0]
+    assert found.sides[1] is not None and np.isfinite(np.asarray(found.jacobian)[1]).all()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("middle", 1, 1), ["side", "'middle'"]),
+        ((None, 1, 1), ["side", "None"]),
+        ((["bottom", 3], 1, 1), ["side[1]", "3"]),
+        (("bottom", None, 1), ["phase", "None"]),
+        (("bottom", [1, None], 1), ["phase[1]", "None"]),
+        (("bottom", "1", 1), ["phase", "'1'"]),
+        (("bottom", ["1"], 1), ["phase[0]", "'1'"]),
+        (("bottom", [1, float("nan")], 1), ["phase[1]", "nan"]),
+        (("bottom", 1, float("inf")), ["velocity", "inf"]),
+        (("bottom", [1, 2], [1, 2, 3]), ["phase has 2", "velocity has 3"]),
+        (("bottom", np.ones((2, 2)), 1), ["phase", "(2, 2)"]),
+        (("bottom", 1, [10**400]), ["velocity[0]"]),
+        (("bottom", 1j, 1), ["phase"]),
+    ],
+)
+def test_a_state_that_is_none_is_named(arguments, words):
+    with pytest.raises(va.InputError) as raised:
+        va.next_impact(*arguments, **PARAMETERS)
+    assert all(word in str(raised.value) for word in words), raised.value
+
+
+@pytest.mark.parametrize("change", [{"d": 0}, {"r_b": 1.5}, {"g": None}, {"g": float("nan")}, {"d": "0.3"}])
+def test_a_parameter_that_is_none_is_named(change):
+    with pytest.raises(va.InputError, match=next(iter(change))):
+        va.next_impact("bottom", 1, 1, **{**PARAMETERS, **change})

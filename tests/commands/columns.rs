@@ -1,0 +1,233 @@
+//! What `--columns` says of every command is what the command writes.
+
+use serde_json::{Map, Value};
+use std::collections::BTreeSet;
+use std::process::Command;
+use vibro_audit::cli::{described, described_commands, schema};
+use vibro_audit::report::Form;
+
+fn run(arguments: &[&str]) -> String {
+    let run = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .expect("the binary");
+    String::from_utf8(run.stdout).unwrap_or_else(|error| panic!("{arguments:?}: {error}"))
+}
+
+/// The form of a value is the one described.
+fn is_of(form: Form, value: &Value) -> bool {
+    let is_number = |value: &Value| value.is_number() || value.as_str().is_some_and(|text| text.parse::<f64>().is_ok());
+    match form {
+        Form::Text => value.is_string(),
+        Form::Number => is_number(value),
+        Form::Numbers => value.as_array().is_some_and(|list| list.iter().all(is_number)),
+        Form::Integer => value.is_i64(),
+        Form::Flag => value.is_boolean(),
+        Form::Decimal => value
+            .as_str()
+            .is_some_and(|text| text.is_empty() || text.parse::<f64>().is_ok()),
+    }
+}
+
+fn assert_row(command: &str, row: &Map<String, Value>) {
+    let mut known = described(command);
+    for (column, value) in row.iter().filter(|(column, _)| !column.ends_with("_values")) {
+        let Some(known) = known.find(|known| known.column == *column) else {
+            panic!("{command}: `{column}` is not described, or not at its place")
+        };
+        let is_text_that_is_short = (command, &**column) == ("check", "computed") && value.is_number();
+        assert!(
+            is_of(known.form, value) || is_text_that_is_short || (known.is_optional && value.is_null()),
+            "{command}: {column} is {value}, said to be {:?}, optional {}",
+            known.form,
+            known.is_optional
+        );
+    }
+    for known in described(command).filter(|known| !known.is_optional) {
+        assert!(row.contains_key(&known.column), "{command}: no {}", known.column);
+    }
+}
+
+#[test]
+fn the_columns_of_every_command_are_as_described() {
+    let directory = std::env::temp_dir().join(format!("vibro-audit-columns-{}", std::process::id()));
+    std::fs::create_dir_all(directory.join("golden/reference")).expect("a directory");
+    let path = |name: &str| directory.join(name).display().to_string();
+    let write = |name: &str, text: &str| {
+        std::fs::write(directory.join(name), text).expect("a file");
+        path(name)
+    };
+    let answers = write("answers.csv", "problem,quantity,answer\nimpact-fast,time,1.7\n");
+    let sheet = write(
+        "sheet.toml",
+        "[[equation]]\nlabel = 'a'\nrole = 'claim'\ntex = '(T + d)^2 = T^2 + d^2'\n",
+    );
+    write(
+        "golden/printed.csv",
+        "id,place,scene,set,quantity,printed,unit,expected,rests_on,note\n\
+         a,p. 1,fig02,motion.d=0.4,orbits.velocities[0],0.83272,,reproduced,,\n",
+    );
+    write(
+        "golden/reference/mine.csv",
+        "id,scene,set,quantity,value,by,confirmed_by\nb,fig02,motion.d=0.4,orbits.trace,,,\n",
+    );
+    let words = "words=[\"BT\", \"BBT\", \"B\"]";
+    let few = ["--set", "sweep.points=3"];
+    let swept = [
+        "--set",
+        "sweep.over=r_b",
+        "--set",
+        "sweep.from=0.4",
+        "--set",
+        "sweep.to=0.6",
+        "--set",
+        "sweep.points=2",
+    ];
+    let (golden, pages, figures, files) = (path("golden"), path("man"), path("figures"), path("files"));
+    let runs: &[(&str, Vec<&str>)] = &[
+        ("audit", vec!["audit"]),
+        ("audit", vec!["audit", &sheet, "--repair"]),
+        ("check --bless", vec!["check", &golden, "--bless"]),
+        ("check", vec!["check", &golden]),
+        ("orbits", vec!["orbits", "fig02", "--set", words]),
+        ("orbits", vec!["orbits", "fig02", "--digits", "30"]),
+        ("branch", [&["branch", "fig02", "--set", words][..], &few].concat()),
+        ("branch", [&["branch", "fig03"][..], &swept].concat()),
+        (
+            "simulate",
+            vec!["simulate", "fig03", "--set", "motion.d=0.18", "--until", "6.5"],
+        ),
+        (
+            "simulate",
+            vec!["simulate", "fig03", "--impacts", "9", "--proved", "--digits", "20"],
+        ),
+        ("trajectory", vec!["trajectory", "fig12", "--samples", "5"]),
+        ("trajectory", vec!["trajectory", "fig02", "--samples", "5"]),
+        ("sweep", [&["sweep", "fig03"][..], &few].concat()),
+        ("sweep", [&["sweep", "fig03"][..], &swept].concat()),
+        (
+            "sweep --summary",
+            [&["sweep", "fig03", "--summary", "--set", "sweep.error=0.1"][..], &few].concat(),
+        ),
+        ("plot all", vec!["plot", "all", "--out", &figures]),
+        ("scenes", vec!["scenes"]),
+        ("run", [&["run", "fig03", "--out", &files][..], &few].concat()),
+        ("trade", vec!["trade", "multipliers"]),
+        ("trade --problems", vec!["trade", "multipliers", "--problems"]),
+        (
+            "trade --advise",
+            vec!["trade", "--advise", "digits=3,task=multipliers/random"],
+        ),
+        ("stress", vec!["stress", "Delta"]),
+        ("stress --curve", vec!["stress", "Delta", "--curve"]),
+        ("problems", vec!["problems", "--level", "easy"]),
+        ("problems", vec!["problems", "--level", "easy", "--without-answers"]),
+        ("problems --solve", vec!["problems", "--solve", "--kind", "impact"]),
+        ("score", vec!["score", &answers, "--kind", "impact"]),
+        (
+            "score",
+            vec![
+                "score",
+                "--exec",
+                "cat >/dev/null; echo problem,quantity,answer",
+                "--kind",
+                "impact",
+            ],
+        ),
+        (
+            "score --summary",
+            vec!["score", &answers, "--kind", "impact", "--summary"],
+        ),
+        (
+            "score --summary",
+            vec![
+                "score",
+                "--exec",
+                "cat >/dev/null; echo problem,quantity,answer",
+                "--kind",
+                "impact",
+                "--summary",
+            ],
+        ),
+        ("man", vec!["man", &pages]),
+    ];
+    let mut shown = BTreeSet::new();
+    for (command, arguments) in runs {
+        let text = run(&[&arguments[..], &["--format", "json"]].concat());
+        let rows: Vec<Map<String, Value>> =
+            serde_json::from_str(&text).unwrap_or_else(|error| panic!("{arguments:?}: {error} in {text:.400}"));
+        assert!(!rows.is_empty(), "{arguments:?}");
+        for row in &rows {
+            assert_row(command, row);
+            let there = row.iter().filter(|(_, value)| !value.is_null());
+            shown.extend(there.map(|(column, _)| (*command, column.clone())));
+        }
+    }
+    std::fs::remove_dir_all(&directory).expect("the directory");
+    // every column that is described was seen, but those that only other scenes have
+    let rare = ["incline", "g", "forcing_amplitude", "provided", "r_t"];
+    for command in described_commands() {
+        for known in described(command) {
+            let is_seen = shown
+                .iter()
+                .any(|(own, column)| *own == command && *column == known.column);
+            assert!(
+                is_seen || rare.contains(&&*known.column) || known.is_optional,
+                "{command}: {}",
+                known.column
+            );
+        }
+    }
+    let seen: BTreeSet<&str> = shown.iter().map(|(command, _)| *command).collect();
+    assert_eq!(seen, described_commands().into_iter().collect(), "every command is run");
+}
+
+#[test]
+fn columns_are_printed_as_a_table_and_as_a_schema() {
+    let table = run(&["--columns", "sweep --summary", "--format", "csv"]);
+    assert!(
+        table.starts_with("command,column,type,unit,optional,meaning,version\n"),
+        "{table}"
+    );
+    assert_eq!(table.lines().count(), described("sweep --summary").count() + 1);
+    let printed: Value = serde_json::from_str(&run(&["--columns", "orbits", "--schema"])).expect("JSON");
+    assert_eq!(printed, schema("orbits"));
+    assert!(printed.pointer("/items/properties/velocities/anyOf").is_some());
+}
+
+#[test]
+fn a_command_that_has_no_columns_is_refused_and_named() {
+    for arguments in [
+        &["--columns", "sweeps"][..],
+        &["--schema"],
+        &["--columns", "orbits", "scenes"],
+        &["--digits", "3"],
+    ] {
+        let run = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
+            .args(arguments)
+            .output()
+            .expect("the binary");
+        assert_eq!(run.status.code(), Some(2), "{arguments:?}");
+        assert!(!run.stderr.is_empty() && run.stdout.is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn shells_complete_and_manuals_name_every_command() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = run(&["completions", shell]);
+        assert!(
+            ["orbits", "--digits", "completions"]
+                .iter()
+                .all(|word| script.contains(word)),
+            "{shell}"
+        );
+    }
+    let directory = std::env::temp_dir().join(format!("vibro-audit-man-{}", std::process::id()));
+    run(&["man", directory.to_str().expect("a path")]);
+    let page = |name: &str| std::fs::read_to_string(directory.join(name)).expect("a page");
+    assert!(page("vibro-audit.1").contains("orbits"));
+    assert!(page("vibro-audit-simulate.1").contains("impacts"));
+    std::fs::remove_dir_all(&directory).expect("the directory");
+}
