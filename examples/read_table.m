@@ -2,7 +2,7 @@
 % numbers, or a cell array of words. t = read_table('rows.csv'), t = read_table('rows.json').
 function t = read_table(path)
   text = fileread(path);
-  if endsWith(path, '.json'), t = jsondecode(text); return; end   % a struct for each row; NaN and inf are words
+  if endsWith(path, '.json'), t = jsondecode(text); return; end   % a struct each row; NaN is a word
   lines = regexp(text, '("[^"]*"|[^"\n])+', 'match');             % a line break within quotes ends no line
   cells = @(line) regexprep(regexp(line, '(?<=^|,)("([^"]|"")*"|[^,"]*)(?=,|$)', 'match', 'emptymatch'), '^"|"$', '');
   names = cells(lines{1}); rows = cellfun(cells, lines(2:end), 'UniformOutput', false); rows = vertcat(rows{:}, cell(0, numel(names)));

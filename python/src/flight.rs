@@ -18,10 +18,20 @@ struct Arrival {
 /// Sides, times, phases, velocities, the Jacobian, and of each state without a next impact the reason.
 type Found = (Vec<Option<&'static str>>, [Py<PyAny>; 4], Vec<(usize, String)>);
 
-fn arrival(motion: &Motion<f64>, side: Side, phase: f64, velocity: f64, with_jacobian: bool) -> Result<Arrival, String> {
+fn arrival(
+    motion: &Motion<f64>,
+    side: Side,
+    phase: f64,
+    velocity: f64,
+    with_jacobian: bool,
+) -> Result<Arrival, String> {
     let told = |error: FlightError| error.to_string();
     let forcing = Forcing::harmonic(&phase);
-    let impact = Impact { side, time: 0.0, velocity };
+    let impact = Impact {
+        side,
+        time: 0.0,
+        velocity,
+    };
     let leg = next(motion, &forcing, &impact).map_err(told)?;
     let jacobian = if with_jacobian {
         let passage = Passage::new(motion, &forcing, &impact, &leg.duration);
@@ -84,8 +94,16 @@ pub fn next_impact(
         let numbers = arrivals.iter().map(|found| found.as_ref().map_or(f64::NAN, of));
         buffer(py, "d", &[count], &numbers.collect::<Vec<_>>(), f64::to_ne_bytes)
     };
-    let jacobians = arrivals.iter().flat_map(|found| found.as_ref().map_or([f64::NAN; 4], |found| found.jacobian));
-    let jacobians = buffer(py, "d", &[count, 2, 2], &jacobians.collect::<Vec<_>>(), f64::to_ne_bytes)?;
+    let jacobians = arrivals
+        .iter()
+        .flat_map(|found| found.as_ref().map_or([f64::NAN; 4], |found| found.jacobian));
+    let jacobians = buffer(
+        py,
+        "d",
+        &[count, 2, 2],
+        &jacobians.collect::<Vec<_>>(),
+        f64::to_ne_bytes,
+    )?;
     let arrays = [
         array(|found| found.duration)?,
         array(|found| found.phase)?,

@@ -15,7 +15,13 @@ use vibro_audit::report::{Cell, Frame, Values};
 type Column = (String, Py<PyAny>);
 
 /// Rows and columns of each table, the page, the text, the exit status, the notes.
-type Found = (Vec<(usize, Vec<Column>)>, Option<String>, Option<String>, u8, Vec<String>);
+type Found = (
+    Vec<(usize, Vec<Column>)>,
+    Option<String>,
+    Option<String>,
+    u8,
+    Vec<String>,
+);
 
 /// Answers a command line without the program's name; `input`, a name and a text, stands for stdin.
 #[pyfunction]
@@ -89,7 +95,9 @@ fn column(py: Python<'_>, values: Values) -> PyResult<Py<PyAny>> {
             PyList::new(py, cells?)?.into_any().unbind()
         }
         Values::Decimals(own) => {
-            let own = own.iter().map(|text| text.as_deref().map(|text| decimal(py, text)).transpose());
+            let own = own
+                .iter()
+                .map(|text| text.as_deref().map(|text| decimal(py, text)).transpose());
             let own: PyResult<Vec<_>> = own.collect();
             PyList::new(py, own?)?.into_any().unbind()
         }
@@ -114,7 +122,8 @@ fn buffer<T: Copy, const N: usize>(
 }
 
 fn decimal<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
-    py.import(intern!(py, "decimal"))?.call_method1(intern!(py, "Decimal"), (text,))
+    py.import(intern!(py, "decimal"))?
+        .call_method1(intern!(py, "Decimal"), (text,))
 }
 
 fn object(py: Python<'_>, cell: Cell) -> PyResult<Bound<'_, PyAny>> {

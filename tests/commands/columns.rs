@@ -31,10 +31,9 @@ fn is_of(form: Form, value: &Value) -> bool {
 }
 
 fn assert_row(command: &str, row: &Map<String, Value>) {
-    let mut known = described(command);
     for (column, value) in row.iter().filter(|(column, _)| !column.ends_with("_values")) {
-        let Some(known) = known.find(|known| known.column == *column) else {
-            panic!("{command}: `{column}` is not described, or not at its place")
+        let Some(known) = described(command).find(|known| known.column == *column) else {
+            panic!("{command}: `{column}` is not described")
         };
         let is_text_that_is_short = (command, &**column) == ("check", "computed") && value.is_number();
         assert!(
@@ -158,6 +157,9 @@ fn the_columns_of_every_command_are_as_described() {
         let rows: Vec<Map<String, Value>> =
             serde_json::from_str(&text).unwrap_or_else(|error| panic!("{arguments:?}: {error} in {text:.400}"));
         assert!(!rows.is_empty(), "{arguments:?}");
+        let first = text.lines().nth(1).unwrap_or_default();
+        let places = described(command).filter_map(|known| first.find(&format!("\"{}\":", known.column)));
+        assert!(places.is_sorted(), "{command}: the order is another");
         for row in &rows {
             assert_row(command, row);
             let there = row.iter().filter(|(_, value)| !value.is_null());
@@ -218,7 +220,7 @@ fn shells_complete_and_manuals_name_every_command() {
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
         let script = run(&["completions", shell]);
         assert!(
-            ["orbits", "--digits", "completions"]
+            ["orbits", "digits", "completions"]
                 .iter()
                 .all(|word| script.contains(word)),
             "{shell}"
