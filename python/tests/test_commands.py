@@ -3,14 +3,12 @@
 import copy
 import decimal
 import pickle
-from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import pytest
 import vibro_audit as va
 
-ROOT = Path(__file__).parents[2]
 SCENE = {"motion": {"g": 0.122, "d": 0.4, "r_b": 0.5, "r_t": 0.5}}
 SHEET = {
     "equation": [
@@ -50,7 +48,7 @@ def test_numbers_are_taken_without_copying_and_can_be_written():
 
 
 def test_the_type_of_a_column_does_not_depend_on_its_rows():
-    for points in (2, 30):
+    for points in (2, 6):
         frame = va.sweep("fig03", summary=True, set={"sweep.points": points}).to_pandas()
         assert (frame["periods"].dtype, frame["digits"].dtype) == (np.float64, np.float64)
         assert len(frame) == points
@@ -71,12 +69,21 @@ def test_an_audit_has_verdicts_counterexamples_and_a_page():
     assert values[0] is None and values[1]["left"] != values[1]["right"]
     page = found._repr_html_()
     assert page.startswith("<iframe") and "<script" not in page and "proved" in page
-    assert "counterexample" in va.explain(SHEET, "c")
+    assert "(c) refuted" in va.explain(SHEET, "c")
 
 
-def test_a_document_brings_its_numbers():
-    found = va.audit(ROOT / "golden/paper/paper.tex")
-    assert found.as_expected and found.numbers is not None and found.numbers.rows > 0
+def test_a_document_brings_its_numbers(tmp_path):
+    (tmp_path / "paper.tex").write_text(
+        r"""
+        The velocity is 0.83272. % audit: value orbits.velocities[0], scene fig02, motion.d=0.4
+        \begin{equation}
+        T + T = 2 T \label{a} % audit: claim
+        \end{equation}
+        """
+    )
+    found = va.audit(tmp_path / "paper.tex")
+    assert found["verdict"] == ["proved"] and found["place"] == ["4:9"]
+    assert found.numbers is not None and found.numbers["verdict"] == ["reproduced"]
 
 
 def test_golden_values_of_a_directory_are_checked(tmp_path):
