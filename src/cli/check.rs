@@ -2,7 +2,7 @@
 
 use super::caller::quietly;
 use super::{Answer, Content, Exit, Failure, Options, golden};
-use crate::reference::{Certified, Directory, Outcome, bless, check};
+use crate::reference::{Certified, Directory, Outcome, Verdict, bless, check};
 use crate::report::{Cell, Format, Output, Page, Part, Table, note_input};
 use std::path::PathBuf;
 
@@ -43,9 +43,7 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
         Directory::BuiltIn => quietly(outcomes),
         Directory::At(_) => outcomes(),
     }?;
-    // which rows the paper's own numbers are of is known
-    let is_brief = options.format == Format::Text && directory == Directory::BuiltIn;
-    let table = table(&outcomes, !is_brief)?;
+    let table = table(&outcomes, options.format)?;
     let content = match options.format {
         Format::Html => Content::Page(page(arguments, table)),
         _ => Content::Table(table),
@@ -70,11 +68,12 @@ fn page(arguments: &Arguments, table: Table) -> Page {
 }
 
 /// The table of what rows of golden values came to.
-pub(super) fn table(outcomes: &[Outcome], with_picked: bool) -> Result<Table, Failure> {
-    let shown = COLUMNS.len() - usize::from(!with_picked);
-    let mut table = Table::new(COLUMNS.into_iter().take(shown));
+pub(super) fn table(outcomes: &[Outcome], format: Format) -> Result<Table, Failure> {
+    let mut table = Table::new(COLUMNS);
     for outcome in outcomes {
-        let cells = [
+        // nobody asks where a number that is right was found
+        let is_told = format != Format::Text || outcome.verdict != Verdict::Reproduced || !outcome.is_expected();
+        table.push(vec![
             Cell::from(outcome.id.as_str()),
             Cell::from(outcome.place.as_str()),
             Cell::from(outcome.printed.as_str()),
@@ -84,9 +83,12 @@ pub(super) fn table(outcomes: &[Outcome], with_picked: bool) -> Result<Table, Fa
             Cell::from(outcome.expected.name()),
             Cell::from(outcome.rests_on.as_str()),
             Cell::from(outcome.reason.as_str()),
-            Cell::from(outcome.picked.as_str()),
-        ];
-        table.push(cells.into_iter().take(shown).collect::<Vec<_>>())?;
+            if is_told {
+                Cell::from(outcome.picked.as_str())
+            } else {
+                Cell::Empty
+            },
+        ])?;
     }
     Ok(table)
 }

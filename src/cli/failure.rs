@@ -55,7 +55,7 @@ pub enum Failure {
     #[error("--bless rewrites the reference files of a directory: name it, as in `check golden/paper --bless`")]
     BlessNothing,
     /// A directory without reference files.
-    #[error("{0} has no folder reference/ with .csv files, and --bless creates none; to begin, write {0}/reference/mine.csv: the header {header}, then rows whose last three fields are empty, which --bless fills", header = crate::reference::CERTIFIED_COLUMNS.join(","))]
+    #[error("{0} has no folder reference/ with .csv files; nothing can be blessed, and none is created; to begin, write {0}/reference/mine.csv: the header {header}, then rows whose last three fields are empty, which --bless fills", header = crate::reference::CERTIFIED_COLUMNS.join(","))]
     NoReference(String),
     /// A name that is no built-in scene.
     #[error("there is no built-in scene `{0}`; a file is named by its path in the directory, such as scenes/{0}.toml")]

@@ -110,7 +110,8 @@ impl Computed {
             .iter()
             .position(|own| std::ptr::eq(own, *row))
             .map_or(0, |place| place + 1);
-        let tells = self.tells(row).collect::<Vec<_>>().join(" ");
+        let tells = self.tells(row).filter(|told| !told.starts_with("velocities="));
+        let tells = tells.collect::<Vec<_>>().join(" ");
         let row_of_all = (all > 1).then(|| {
             format!("row {number} of {all}: {tells}")
                 .trim_end_matches(": ")

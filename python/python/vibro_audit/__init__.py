@@ -75,8 +75,8 @@ def check(directory: Path | None = None) -> Report:
 
     A row per value. `verdict` is "reproduced", "rounded", "wrong", "undetermined" or "undecided".
     """
-    named = None if directory is None else _path(directory, "directory")
-    return _report("check", {}, named and ([named], None))
+    named = _path(directory, "directory")
+    return _report("check", {}, None if named is None else ([named], None))
 
 
 def orbits(

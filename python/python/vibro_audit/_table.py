@@ -25,11 +25,12 @@ class Column(Sequence[Any]):
         self.shape: tuple[int, ...] = tuple(shape)
 
     @property
-    def view(self) -> memoryview:
+    def view(self) -> "memoryview[Any]":
         """The numbers as a `memoryview` of their type and shape."""
         # a view of nothing cannot be cast to a shape with zeros in it
-        flat = memoryview(self._bytes).cast(self._format)  # type: ignore[call-overload]
-        return flat if len(self.shape) == 1 or not self._bytes else flat.cast("B").cast(self._format, self.shape)
+        flat: Any = memoryview(self._bytes)
+        numbers: memoryview[Any] = flat.cast(self._format, self.shape) if self._bytes else flat.cast(self._format)
+        return numbers
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
         import numpy
