@@ -49,7 +49,7 @@ def test_numbers_are_taken_without_copying_and_can_be_written():
 
 def test_the_type_of_a_column_does_not_depend_on_its_rows():
     for points in (2, 6):
-        frame = va.sweep("fig03", summary=True, set={"sweep.points": points}).to_pandas()
+        frame = va.sweep("fig03", summary=True, set={"sweep.points": points, "sweep.impacts": 80}).to_pandas()
         assert (frame["periods"].dtype, frame["digits"].dtype) == (np.float64, np.float64)
         assert len(frame) == points
     assert np.asarray(va.simulate("fig03", impacts=3)["event"]).dtype == np.int64
@@ -102,7 +102,7 @@ def test_a_branch_has_its_bifurcations():
 
 
 def test_a_figure_is_an_svg(tmp_path):
-    figure = va.plot("fig03", set={"sweep.points": 5})
+    figure = va.plot("fig03", set={"want": ["sweep"], "sweep.points": 5})
     assert figure._repr_svg_().startswith("<svg") or "<svg" in figure.svg[:200]
     figure.save(tmp_path / "figure.svg")
     assert (tmp_path / "figure.svg").stat().st_size == len(figure.svg.encode())
