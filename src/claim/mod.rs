@@ -27,6 +27,6 @@ pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Premise, Statements};
 pub use reduce::{Goal, Reduced, along_a_sequence, other_ways, reduced, reduced_by_cases};
 pub use sheet::{Sheet, read_symbols};
-pub use substitute::{any, any_side, flies, number_of, rewrite, rewrite_equation};
+pub use substitute::{any, any_side, flies, number_of, rewrite, rewrite_equation, tree_runs};
 pub use verdict::Verdict;
 pub use vocabulary::{Map, Vocabulary, index_of, subscript_of};

@@ -4,8 +4,8 @@ use super::formula::{Formula, Op, Program};
 use super::newton::{Unknown, least, norm};
 use super::space::Slot;
 use super::system::System;
-use super::tolerance::{DEPENDENT, SLOPE, SLOPE_WIDE};
-use super::value::{Numbers, Real, Reals, Value};
+use super::tolerance::{CORNER, DEPENDENT, SLOPE, SLOPE_WIDE};
+use super::value::{Function, Numbers, Real, Reals, Value};
 use crate::number::{Analytic, Dual};
 use std::collections::BTreeSet;
 
@@ -98,6 +98,9 @@ impl System {
     fn differentiate<T: Real>(&self, step: usize, values: &[T]) -> Option<Found<T>> {
         let map = self.maps.steps.get(step)?;
         let rough: Vec<f64> = values.iter().map(Analytic::to_f64).collect();
+        if self.is_at_corner(step, &rough) {
+            return None;
+        }
         let moving = self.moving(step, &rough)?;
         let mut partials = Vec::new();
         for &by in &map.by {
@@ -117,6 +120,23 @@ impl System {
         }
         let determined = moving.determined && map.of.iter().all(|of| moving.slots.contains(of));
         Some(Found { partials, determined })
+    }
+
+    /// Whether something between bars, or whose sign is taken, is 0 in the rows of a map: these have no derivative there.
+    fn is_at_corner(&self, step: usize, values: &[f64]) -> bool {
+        let rows = self.step_rows.get(step).map_or(&[][..], Vec::as_slice);
+        let parts = self.formulas.parts(rows).into_iter();
+        let turns = parts.filter_map(|part| match self.formulas.op(part) {
+            Op::Apply(Function::Abs | Function::Sgn, inside) => Some(inside),
+            _ => None,
+        });
+        let turns: Vec<Formula> = turns.collect();
+        if turns.is_empty() {
+            return false;
+        }
+        let program = self.formulas.program(&turns);
+        let found = program.run(&self.inputs(values, None));
+        program.outputs(&found).iter().any(|value| value.abs() < CORNER)
     }
 
     /// What the premises say of the derivatives of a map that they leave open, as equations between these; nothing

@@ -111,7 +111,9 @@ impl System {
             ))
         };
         let number = |n: i64| N::Of::<T>::integer(n);
-        for &premise in &premises {
+        // a condition may leave one of the two solutions
+        let both = premises.iter().filter(|_| self.conditions.is_empty());
+        for &premise in both {
             let at_integer = |n: i64| at(&number(n), premise);
             let (Some((c, _)), Some((plus, _)), Some((minus, _))) = (at_integer(0), at_integer(1), at_integer(-1))
             else {

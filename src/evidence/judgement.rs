@@ -104,11 +104,12 @@ pub fn witness_near(
         let evidence = against(lemma, Verdict::Proved);
         evidence.points > 0 && evidence.against.is_none()
     };
-    if verdict == Verdict::Refuted && evidence.against.is_some() {
-        let doubt = match is_whole {
-            false => Some("the sides agree at the integers that are tried"),
-            true if lemmas.iter().all(holds) => None,
-            true => Some("the goals agree, but rest on lemmas that the points do not confirm"),
+    if evidence.against.is_some() {
+        let doubt = match (is_whole, verdict) {
+            (false, Verdict::Refuted) => Some("the sides agree at the integers that are tried"),
+            (false, _) => None,
+            (true, _) if lemmas.iter().all(holds) => None,
+            (true, _) => Some("the goals rest on lemmas that the points do not confirm"),
         };
         if let Some(doubt) = doubt {
             evidence.against = None;

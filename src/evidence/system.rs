@@ -8,7 +8,7 @@ use super::formula::{Formula, Formulas, Op, Program, Work};
 use super::maps::{Maps, Step, read_maps};
 use super::space::{Slot, Space};
 use super::value::Function;
-use crate::claim::{Local, Premise, Statements, Vocabulary, flies};
+use crate::claim::{Local, Premise, Statements, Vocabulary, flies, tree_runs};
 use crate::tex::{At, Condition as Assumption, Equation, Invariant, Name, Relation, Tree};
 use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
@@ -158,7 +158,10 @@ impl System {
         let first = statements.first.unwrap_or(0);
         let mut maps = read_maps(vocabulary, &mut self.compiler(vocabulary, &[]))?;
         maps.tell_led(statements, &mut self.compiler(vocabulary, &[]));
-        for (of, by) in partials(statements) {
+        let mut written = partials(statements);
+        // a derivative over several impacts is that over each of them where these are written too
+        written.sort_by_key(|(of, by)| vocabulary.impact(of).unwrap_or(0) - vocabulary.impact(by).unwrap_or(0));
+        for (of, by) in written {
             let is_of = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if *name == of);
             let said = statements.premises.iter().any(|premise| any(&premise.equation, &is_of));
             maps.add_step(&of, &by, said, &mut self.compiler(vocabulary, &[]));
@@ -211,6 +214,13 @@ impl System {
                 .iter()
                 .map(|condition| (condition, premise.locals.as_slice(), premise.first))
         });
+        let of_times = premises.iter().flat_map(|(premise, _)| &premise.assume);
+        if of_times
+            .flat_map(Assumption::sides)
+            .any(|side| tree_runs(side, vocabulary))
+        {
+            return Err(Unwitnessed::Kind("a law that holds at some times alone has no witness"));
+        }
         let given = self.rows.len();
         for (condition, locals, at) in claimed.chain(brought) {
             if let Assumption::Relation(equation) = condition

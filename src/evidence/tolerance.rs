@@ -14,6 +14,9 @@ pub const PREMISE_REFINED: f64 = 1e-36;
 /// nothing new: rows are right to about 1e-14, and points are drawn without special properties.
 pub const DEPENDENT: f64 = 1e-9;
 
+/// What stands between bars is 0 at a point where it is smaller: points are of the size of 1, and solved to 1e-13.
+pub const CORNER: f64 = 1e-9;
+
 /// The last refinement of a derivative, relative to its size: in f64 what a flight close to grazing leaves, in 40
 /// digits far below the gap that tells equal sides from others.
 pub const SLOPE: f64 = 1e-11;

@@ -18,6 +18,16 @@ const HIGHEST_INDEX: u32 = 1000;
 
 const PARTNER: &str = "write \\frac{\\partial a}{\\partial b} with one name above and one below";
 
+/// Whether a tree is written without a sign between terms, and is no quotient.
+fn is_single(tree: &Tree) -> bool {
+    match tree {
+        Tree::Symbol(..) | Tree::Number(_) | Tree::Power(..) => true,
+        Tree::Negate(inner) => is_single(inner),
+        Tree::Product(factors) => factors.iter().all(is_single),
+        _ => false,
+    }
+}
+
 impl<'a> Reader<'a> {
     /// One factor, with the power or the factorial sign that it carries.
     pub(super) fn factor(&mut self) -> Result<Part, Fault> {
@@ -58,8 +68,22 @@ impl<'a> Reader<'a> {
             Kind::Series(kind) => self.series(token, kind),
             Kind::Integral => self.integral(token),
             Kind::Limit => self.limit_of(token),
-            Kind::Open(_) => {
+            Kind::Open(bracket) => {
+                let inside = self.next + 1;
                 let tree = self.bracketed()?;
+                let has_brackets = self.tokens[inside..self.next]
+                    .iter()
+                    .any(|token| matches!(token.kind, Kind::Open(_)));
+                let is_needless =
+                    !has_brackets && is_single(&tree) && !matches!(self.peek_kind(), Some(Kind::Sup | Kind::Sub));
+                if matches!(bracket, Bracket::Square | Bracket::Curly) && is_needless {
+                    let found = match bracket {
+                        Bracket::Curly => "a single term in curly brackets",
+                        _ => "a single term in square brackets",
+                    };
+                    let instead = "a product needs none, and they stand for the integer or the fractional part, or for a mean, too";
+                    return Err(Fault::ambiguous(token.at, found, instead));
+                }
                 if token.kind == Kind::Open(Bracket::Square)
                     && let Some(between) = self.between_limits(&tree, token.at)?
                 {

@@ -669,3 +669,63 @@ fn the_document_of_the_guide_is_proved() {
             .all(|decision| !decision.reason.contains("guess"))
     );
 }
+
+#[test]
+fn a_label_in_a_comment_is_that_of_all_rows_under_it_that_say_nothing() {
+    let text = r"
+% audit: symbols x, y
+\begin{equation} \begin{cases} x+y=2\\ x-y=0\end{cases} \end{equation} % audit: premise; label S
+\begin{equation} x=1 \end{equation} % audit: claim; follows from S
+% audit: premise; label G
+\begin{gather*} x + 2 y = 4\\ x - y = 1 \end{gather*}
+\[ x = 2 \] % audit: claim; follows from G
+% audit: premise; label R
+\begin{align} x &= y + 3 \\ y &= 1 \end{align}
+\[ x = 4 \] % audit: claim; follows from R
+";
+    let verdicts: Vec<Verdict> = decisions(&document(text, &[])).iter().map(|row| row.verdict).collect();
+    assert_eq!(verdicts, [Verdict::Proved; 3]);
+}
+
+#[test]
+fn letters_before_brackets_that_may_be_functions_are_not_guessed_to_be_factors() {
+    let unread = [
+        "E[X^2] = E[X]^2",
+        r"\delta(2x) = 2\delta(x)",
+        r"\zeta(4) = 2 \zeta(2)",
+        "[2x] = 2[x]",
+        "[x] + [-x] = 0",
+        "J_0(2x) = 2 J_0(x)",
+        r"\{x\} = x - [x]",
+    ];
+    for tex in unread {
+        assert_eq!(
+            decisions(&document(&format!("\\[ {tex} \\]"), &[]))[0].verdict,
+            Verdict::Unread,
+            "{tex}"
+        );
+    }
+    let factors = [
+        r"\omega(t_2 - t_1) = \omega t_2 - \omega t_1",
+        "A(1-x)(1+x) = A(1-x^2)",
+        r"\left[ \frac{a}{b} \right]^2 = \frac{a^2}{b^2}",
+        "a [ b (c + d) + e ] = a b c + a b d + a e",
+    ];
+    for tex in factors {
+        assert_eq!(
+            decisions(&document(&format!("\\[ {tex} \\]"), &[]))[0].verdict,
+            Verdict::Proved,
+            "{tex}"
+        );
+    }
+}
+
+#[test]
+fn a_pair_of_roots_and_its_members_are_guessed_as_one_symbol_each() {
+    let text = "\\[ x_{1,2} = \\pm\\sqrt{a} \\]\n\\[ x_1 x_2 = -a \\]\n\\[ x^2 = a \\]\n";
+    assert!(
+        decisions(&document(text, &[]))
+            .iter()
+            .all(|row| row.verdict != Verdict::Refuted)
+    );
+}

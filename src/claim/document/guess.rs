@@ -166,17 +166,9 @@ impl Guess {
             .iter()
             .any(|command| tex.contains(command));
         let shown: String = tex.replace(r"\left", "").split_whitespace().collect();
-        let is_called = |letter: &str| {
-            let mut found = shown.match_indices(letter);
-            found.any(|(at, _)| {
-                let before = shown.get(..at).unwrap_or_default();
-                let rest = shown.get(at + letter.len()..).unwrap_or_default();
-                rest.starts_with('(') && !rest.starts_with("(t)") && !before.ends_with(|c: char| c.is_alphabetic())
-            })
-        };
         let problem = if is_bold {
             "vectors and matrices are not guessed"
-        } else if ["f", "g", "h", "F", "G", "H"].iter().any(|letter| is_called(letter)) {
+        } else if is_called(&shown, &|letter| self.functions.iter().any(|name| name.base == letter)) {
             "a function or a factor before a bracket is not guessed"
         } else {
             return None;
@@ -258,15 +250,14 @@ impl Guess {
             .iter()
             .filter(|name| !is_constant(name) && !defined(name) && !is_function(name));
         let needed = needed.filter(|name| !(runs && is_time(name))).map(single);
-        let mut parameters: Vec<String> = needed.map(|name| name.to_string()).collect();
-        parameters.dedup();
+        let parameters: BTreeSet<String> = needed.map(|name| name.to_string()).collect();
         let derivative = |name: &Name| {
             let next = name.dotted();
             let next = self.functions.contains(&next).then(|| next.to_string());
             format!("{name} = {}", next.unwrap_or_default())
         };
         Some(Symbols {
-            parameters,
+            parameters: parameters.into_iter().collect(),
             times: if runs { vec![TIME.to_owned()] } else { Vec::new() },
             functions: Pairs::List(self.functions.iter().map(derivative).collect()),
             ..Symbols::default()
@@ -339,4 +330,49 @@ fn last_name(before: &str) -> Option<Name> {
         (!is_elementary && name.primes == 0 && name.mark.is_empty()).then_some(name)
     });
     names.last()
+}
+/// Letters that stand for functions more often than for factors.
+const FUNCTIONS: [&str; 10] = ["f", "g", "h", "F", "G", "H", r"\delta", r"\Gamma", r"\zeta", r"\Theta"];
+
+/// Whether a letter before a bracket may be a function: one that mostly is, or before a single term, which a factor would
+/// need no bracket for; those of time are known. What is shown has no blanks, and no `\left`.
+fn is_called(shown: &str, is_of_time: &dyn Fn(&str) -> bool) -> bool {
+    shown.match_indices(['(', '[']).any(|(at, bracket)| {
+        let (before, inside) = (&shown[..at], &shown[at + 1..]);
+        let Some(letter) = letter_before(before) else {
+            return false;
+        };
+        if inside.starts_with("t)") {
+            return false;
+        }
+        let close = if bracket == "(" { ')' } else { ']' };
+        let inside = inside.split([close, '(', '[']).next().unwrap_or_default();
+        let is_closed = shown[at + 1 + inside.len()..].starts_with(close);
+        let is_single = is_closed && !inside.trim_start_matches('-').contains(['+', '-', '=', ',']);
+        let may_be_called = is_single || (bracket == "[" && is_closed);
+        FUNCTIONS.contains(&letter) || (may_be_called && !is_of_time(letter))
+    })
+}
+
+/// The letter at the end, without its scripts and primes.
+fn letter_before(text: &str) -> Option<&str> {
+    let text = text.trim_end_matches('\'');
+    let bare = match text.strip_suffix('}') {
+        Some(open) => open
+            .rfind('{')
+            .map(|brace| &open[..brace])
+            .filter(|head| head.ends_with('_')),
+        None => text.get(..text.len().saturating_sub(1)),
+    };
+    let text = bare.and_then(|head| head.strip_suffix('_')).unwrap_or(text);
+    let last = text.chars().next_back().filter(|c| c.is_alphabetic())?;
+    let head = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    match head.strip_suffix('\\') {
+        Some(before) => {
+            let command = &text[before.len()..];
+            let is_letter = crate::tex::letter(command).is_some() && command != r"\pi";
+            is_letter.then_some(command)
+        }
+        None => Some(&text[text.len() - last.len_utf8()..]),
+    }
 }

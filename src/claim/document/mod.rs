@@ -371,6 +371,7 @@ fn entries(
     line: &dyn Fn(usize) -> usize,
 ) -> Vec<String> {
     let mut said: Vec<Said> = said;
+    let is_silent: Vec<bool> = said.iter().map(Said::is_nothing).collect();
     for at in 1..said.len() {
         // what stands before a display is said of each of its rows that says nothing of its own
         if let Some(formula) = formulas
@@ -394,7 +395,26 @@ fn entries(
             *own = std::mem::take(own).or(&before, formula.is_link);
         }
     }
-    let labels = labels(formulas, &said, line);
+    let mut labels = labels(formulas, &said, line);
+    // a label that is said of one row, or before the display, is that of the rows after it that say nothing
+    let mut named: Option<(usize, &String)> = None;
+    for (at, formula) in formulas.iter().enumerate() {
+        if !is_silent[at] {
+            named = said[at].label.as_ref().map(|label| (at, label));
+        } else if let Some((from, name)) = named {
+            let is_of_display = formula.goes_with_last || of_displays.get(from) == Some(&true);
+            if formula.first != formulas[from].first || !is_of_display {
+                named = None;
+                continue;
+            }
+            let own = labels.own[at].clone();
+            if let Some(known) = labels.known.get_mut(name)
+                && let Some(place) = known.first().map(|(place, _)| *place)
+            {
+                known.push((place, own));
+            }
+        }
+    }
     let mut guess = Guess::new(formulas, raw.symbols.as_ref().map(Spanned::get_ref), of_the_pair);
     for (at, ((formula, own), label)) in formulas.iter().zip(said).zip(&labels.own).enumerate() {
         let tex = formula.tex.clone().unwrap_or_default();

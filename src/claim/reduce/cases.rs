@@ -1,14 +1,19 @@
 //! Values by cases: one goal for each choice of cases, under the conditions of these.
 
+use super::super::definition::pair_of;
 use super::super::premise::Statements;
-use super::super::substitute::{any, mapped, runs};
+use super::super::substitute::{any, mapped, runs, tree_runs};
 use super::super::vocabulary::{Vocabulary, index_of};
 use super::build::{integer, negative};
-use super::{holds, rewritten, trees};
+use super::derivative::mentions;
+use super::{Goal, holds, rewritten, trees};
 use crate::tex::{Case, Condition, Equation, Name, Operation, Relation, Tree};
 
 /// The most choices of cases.
 const MOST: usize = 64;
+
+/// The most absolute values, each of two cases: with one more there are more choices than that.
+pub(super) const MOST_BARS: usize = 6;
 
 /// The sign of a number, which is 0 at 0, by cases.
 pub(super) fn signs(tree: &Tree) -> Tree {
@@ -59,25 +64,59 @@ pub(super) fn absolute_values(tree: &Tree) -> Tree {
     })
 }
 
-/// `|a| <= b` as `a <= b` and `-a <= b`; any other claim as it is.
-pub(super) fn between_bounds(claim: &Equation) -> Vec<Equation> {
-    let (inner, bound, relation) = match (&claim.left, claim.relation, &claim.right) {
-        (Tree::Call(_, inner, _), Relation::Less | Relation::LessOrEqual, bound) if is_absolute(&claim.left) => {
-            (inner, bound, claim.relation)
+/// The statements with each `|a| <= b` that is claimed or assumed as `a <= b` and `-a <= b`.
+pub(super) fn between_bounds(statements: &Statements) -> Statements {
+    let conditions = |all: &[Condition]| -> Vec<Condition> {
+        let both = |condition: &Condition| match condition {
+            Condition::Relation(relation) => both(relation).into_iter().map(Condition::Relation).collect(),
+            Condition::Integer(_) => vec![condition.clone()],
+        };
+        all.iter().flat_map(both).collect()
+    };
+    let mut between = statements.clone();
+    between.claims = statements.claims.iter().flat_map(both).collect();
+    between.assume = conditions(&statements.assume);
+    for premise in &mut between.premises {
+        premise.assume = conditions(&premise.assume);
+    }
+    between
+}
+
+/// `|a| <= b` as `a <= b` and `-a <= b`; any other relation as it is.
+fn both(relation: &Equation) -> Vec<Equation> {
+    let (inner, bound, kind) = match (&relation.left, relation.relation, &relation.right) {
+        (Tree::Call(_, inner, _), Relation::Less | Relation::LessOrEqual, bound) if is_absolute(&relation.left) => {
+            (inner, bound, relation.relation)
         }
-        (bound, Relation::Greater | Relation::GreaterOrEqual, Tree::Call(_, inner, _)) if is_absolute(&claim.right) => {
-            (inner, bound, claim.relation.turned())
+        (bound, Relation::Greater | Relation::GreaterOrEqual, Tree::Call(_, inner, _))
+            if is_absolute(&relation.right) =>
+        {
+            (inner, bound, relation.relation.turned())
         }
-        _ => return vec![claim.clone()],
+        _ => return vec![relation.clone()],
     };
     let sides = [(**inner).clone(), negative((**inner).clone())];
     let own = |left: Tree| Equation {
         left,
-        relation,
+        relation: kind,
         right: bound.clone(),
-        ..claim.clone()
+        ..relation.clone()
     };
     sides.map(own).to_vec()
+}
+
+/// How many absolute values there are, each counted once.
+pub(super) fn bars(statements: &Statements) -> usize {
+    let mut found: Vec<Tree> = Vec::new();
+    for tree in trees(statements) {
+        any(tree, &mut |node| {
+            if is_absolute(node) && !found.contains(node) {
+                found.push(node.clone());
+            }
+            false
+        });
+    }
+    found.len()
 }
 
 /// Whether a node is the absolute value of something.
@@ -91,25 +130,29 @@ pub(super) fn is_sign(node: &Tree) -> bool {
 }
 
 /// The statements for each choice of cases, with what is chosen.
-pub(super) fn split(statements: &Statements, vocabulary: &Vocabulary) -> Result<Vec<(String, Statements)>, String> {
+pub(super) struct Split {
+    pub choices: Vec<(String, Statements)>,
+    /// That no case ends where the statements hold, where derivatives are taken of it.
+    pub lemmas: Vec<Goal>,
+}
+
+/// Splits the statements by the cases in them.
+///
+/// # Errors
+/// Why the statements do not hold where all of them hold in each case: something is said at more than one point of what
+/// the cases speak of, or there are too many choices.
+pub(super) fn split(statements: &Statements, vocabulary: &Vocabulary) -> Result<Split, String> {
     if trees(statements).into_iter().any(is_bound_within) {
         return Err("cases of a letter that a sum, an integral or a derivative binds".to_owned());
     }
     let mut all = vec![(Vec::<String>::new(), statements.clone())];
+    let mut lemmas = Vec::new();
     while let Some(cases) = all.iter().find_map(|(_, statements)| first(statements)) {
-        let is_cases = |operation: &Operation| matches!(operation, Operation::Cases(_));
-        let moves = statements
-            .claims
-            .iter()
-            .any(|claim| runs(claim, vocabulary) && holds(claim, &is_cases));
-        let in_law = statements
-            .premises
-            .iter()
-            .any(|premise| holds(&premise.equation, &is_cases) && vocabulary.is_law(&premise.equation));
-        if moves || in_law {
-            return Err("cases of what runs are not read: write each as an equation with its condition".to_owned());
-        }
+        at_one_point(statements, vocabulary, &cases)?;
         let conditions = conditions(&cases)?;
+        if is_differentiated(statements, vocabulary) {
+            lemmas.extend(ends(statements, vocabulary, &cases, &conditions)?);
+        }
         let mut more = Vec::new();
         for (chosen, statements) in all {
             if first(&statements).as_ref() != Some(&cases) {
@@ -133,7 +176,108 @@ pub(super) fn split(statements: &Statements, vocabulary: &Vocabulary) -> Result<
         true => String::new(),
         false => format!("the case {}", chosen.join(", ")),
     };
-    Ok(all.into_iter().map(|(chosen, own)| (said(chosen), own)).collect())
+    Ok(Split {
+        choices: all.into_iter().map(|(chosen, own)| (said(chosen), own)).collect(),
+        lemmas,
+    })
+}
+
+/// That all of what is said by cases, or beside it, is said at one point of what these cases speak of.
+fn at_one_point(statements: &Statements, vocabulary: &Vocabulary, cases: &[Case]) -> Result<(), String> {
+    let is_cases = |operation: &Operation| matches!(operation, Operation::Cases(_));
+    let in_equation = |equation: &Equation| holds(equation, &is_cases);
+    let in_condition = |condition: &Condition| condition.sides().into_iter().any(|side| stands_in(side));
+    let is_law = |condition: &Condition| match condition {
+        Condition::Relation(relation) => vocabulary.is_law(relation),
+        Condition::Integer(tree) => tree_runs(tree, vocabulary),
+    };
+    let runs_in_claim = statements.claims.iter().any(|claim| runs(claim, vocabulary))
+        && (statements.claims.iter().any(in_equation)
+            || statements.assume.iter().any(|own| is_law(own) && in_condition(own)));
+    let in_law = statements.premises.iter().any(|premise| {
+        let is_law = vocabulary.is_law(&premise.equation) || premise.assume.iter().any(is_law);
+        is_law && (in_equation(&premise.equation) || premise.assume.iter().any(in_condition))
+    });
+    if runs_in_claim || in_law {
+        return Err("cases of what runs are not read: write each as an equation with its condition".to_owned());
+    }
+    let speaks = |name: &Name| {
+        let conditions = cases
+            .iter()
+            .flat_map(|case| &case.conditions)
+            .flat_map(Condition::sides);
+        let values = cases.iter().map(|case| &case.value);
+        conditions.chain(values).any(|tree| mentions(tree, name))
+    };
+    match solved_for(statements).iter().find(|name| speaks(name)) {
+        Some(name) => Err(format!("cases of `{name}`, of which the claim says all values")),
+        None => Ok(()),
+    }
+}
+
+/// Whether derivatives of what premises give are written, so that premises are used beside the point too.
+fn is_differentiated(statements: &Statements, vocabulary: &Vocabulary) -> bool {
+    let has_partial = |tree: &Tree| any(tree, &mut |node| matches!(node, Tree::Partial { .. }));
+    trees(statements).into_iter().any(has_partial) || statements.clone().with_overview(vocabulary).speaks_of_maps
+}
+
+/// That the conditions of cases in premises hold around each point at which all else does: none of their ends is met.
+fn ends(
+    statements: &Statements,
+    vocabulary: &Vocabulary,
+    cases: &[Case],
+    conditions: &[Vec<Condition>],
+) -> Result<Vec<Goal>, String> {
+    let is_cases = |operation: &Operation| matches!(operation, Operation::Cases(own) if own == cases);
+    if !statements
+        .premises
+        .iter()
+        .any(|premise| holds(&premise.equation, &is_cases))
+    {
+        return Ok(Vec::new());
+    }
+    let mut rest = statements.clone();
+    rest.premises
+        .retain(|premise| !holds(&premise.equation, &|operation| matches!(operation, Operation::Cases(_))));
+    rest.assume
+        .retain(|condition| !condition.sides().into_iter().any(|side| stands_in(side)));
+    let mut goals: Vec<Goal> = Vec::new();
+    for condition in conditions.iter().flatten() {
+        let Condition::Relation(relation) = condition else {
+            return Err("the derivative of what is said of integers".to_owned());
+        };
+        let end = Equation {
+            relation: Relation::NotEqual,
+            ..relation.clone()
+        };
+        if stands_in(&end.left) || stands_in(&end.right) {
+            return Err("the derivative of cases within the conditions of cases".to_owned());
+        }
+        if !goals.iter().any(|goal| goal.statements.claims.contains(&end)) {
+            let part = format!("a derivative beside the end {end} of a case");
+            rest.claims = vec![end];
+            goals.push(Goal::of(&rest, vocabulary, part));
+        }
+    }
+    Ok(goals)
+}
+
+/// Whether there are values by cases in a tree.
+fn stands_in(tree: &Tree) -> bool {
+    any(
+        tree,
+        &mut |node| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Cases(_))),
+    )
+}
+
+/// The symbols of which claims state all values, as `x_{1,2} = a \pm b` does of x.
+pub(super) fn solved_for(statements: &Statements) -> Vec<Name> {
+    let claims = statements.claims.iter();
+    let single = |claim: &Equation| match &claim.left {
+        Tree::Symbol(name, _) => pair_of(name),
+        _ => None,
+    };
+    claims.filter_map(single).collect()
 }
 
 /// Whether an operation binds a letter of which cases within it speak.

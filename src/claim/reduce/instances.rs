@@ -85,7 +85,8 @@ fn first_found<T>(
 ) -> Vec<T> {
     let letters = free_integers(statements, vocabulary);
     let mut all = Vec::new();
-    let is_kept = |letter: &Name| super::stands_in_symbols(vocabulary, letter);
+    let solved = super::cases::solved_for(statements);
+    let is_kept = |letter: &Name| super::stands_in_symbols(vocabulary, letter) || solved.contains(letter);
     if letters.is_empty() || letters.len() > MOST_LETTERS || letters.iter().any(is_kept) {
         return all;
     }

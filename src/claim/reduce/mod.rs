@@ -164,7 +164,9 @@ fn without_operations(statements: &Statements, vocabulary: &Vocabulary) -> Resul
         lemmas.extend(needed);
     }
     let mut goals = Vec::new();
-    for (part, statements) in cases::split(&statements, vocabulary)? {
+    let split = cases::split(&statements, vocabulary)?;
+    lemmas.extend(split.lemmas);
+    for (part, statements) in split.choices {
         let by_numbers = evaluate::evaluated(&statements, vocabulary);
         match by_numbers {
             Ok(evaluated) => goals.push(Goal::of(&evaluated, vocabulary, part)),
@@ -199,20 +201,15 @@ pub fn reduced_by_cases(statements: &Statements, vocabulary: &Vocabulary) -> Opt
     }
     let necessary = instances::of(&written, vocabulary);
     let is_real = !trees(&written).into_iter().any(|tree| vocabulary.may_be_complex(tree));
-    let has_bars = trees(&written)
-        .into_iter()
-        .any(|tree| any(tree, &mut cases::is_absolute));
-    let with_cases = (is_real && has_bars).then(|| {
-        let mut between = written.clone();
-        between.claims = written.claims.iter().flat_map(cases::between_bounds).collect();
-        rewritten(&between, &cases::absolute_values)
-    });
+    let may_be_split = is_real && (1..=cases::MOST_BARS).contains(&cases::bars(&written));
+    let with_cases = may_be_split.then(|| rewritten(&cases::between_bounds(&written), &cases::absolute_values));
     let split = with_cases.and_then(|with_cases| cases::split(&with_cases, vocabulary).ok());
+    let (choices, lemmas) = split.map_or_else(Default::default, |split| (split.choices, split.lemmas));
     let goal = |(part, own): (String, Statements)| Goal::of(&own, vocabulary, part);
-    let sufficient: Vec<Goal> = split.into_iter().flatten().map(goal).collect();
+    let sufficient: Vec<Goal> = choices.into_iter().map(goal).collect();
     let is_any = !(necessary.is_empty() && sufficient.is_empty());
     is_any.then_some(Reduced {
-        lemmas: Vec::new(),
+        lemmas,
         is_equivalent: !sufficient.is_empty(),
         sufficient,
         necessary,
