@@ -211,9 +211,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
     let token = signals::token();
     let answered = token.during(|| run_line(&line));
     if token.is_stopped() {
+        let steps = match token.steps() {
+            0 => String::new(),
+            steps => format!(" after {steps} steps"),
+        };
         note(&format!(
-            "stopped by a signal after {} steps: rows and files are whole, or not there",
-            token.steps()
+            "stopped by a signal{steps}: rows and files are whole, or not there"
         ));
         return Exit::Stopped;
     }
@@ -225,7 +228,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
 
 /// A message beside the answer, on stderr.
 fn note(text: &str) {
-    say("note", text);
+    // what is computed after a signal is cut short: nothing is to be said of it
+    if !crate::stop::Token::current().is_stopped() {
+        say("note", text);
+    }
 }
 
 /// The characters of a word that a message repeats, at most; of a longer one its beginning.

@@ -453,13 +453,15 @@ fn proved<T: Endpoint, N: Telling<T> + 'static>(
         };
         let values = [&time, &event.phase, &event.velocity];
         let told = values.map(|value| telling.tell(value));
-        let bound = |index: usize| telling.bound(telling.error(&told[index], values[index]));
-        let bounds = [0, 1, 2].map(bound);
-        let part = |value: &Interval<T>| match value.mignitude().to_f64() {
-            _ if value.width().is_zero() => 0.0,
-            least => value.width().to_f64() / least,
+        let errors = [0, 1, 2].map(|index| telling.error(&told[index], values[index]));
+        // what is told has the digits of the enclosure, and those that it is rounded to
+        let apart = |index: usize| errors[index].to_f64().max(values[index].width().to_f64());
+        let part = |index: usize| match values[index].mignitude().to_f64() {
+            0.0 if values[index].width().is_zero() => 0.0,
+            least => apart(index) / least,
         };
-        let error = event.phase.width().to_f64().max(part(&time)).max(part(&event.velocity));
+        let error = apart(1).max(part(0)).max(part(2));
+        let bounds = errors.map(|error| telling.bound(error));
         let [told_time, phase, velocity] = told;
         Some(Told {
             row: Row {

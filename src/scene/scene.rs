@@ -111,8 +111,12 @@ impl Scene {
                 words.push(word);
             }
         }
-        if words.is_empty() {
-            words.push(Word::pair());
+        match self.document.get(&key::WORDS) {
+            None => words.push(Word::pair()),
+            Some(entry) if words.is_empty() => {
+                return Err(self.wrong(&key::WORDS, entry, "a list of words, as [\"BT\"]".to_owned()));
+            }
+            Some(_) => {}
         }
         Ok(words)
     }
@@ -296,6 +300,18 @@ impl Scene {
             let allowed = format!("at most sweep.impacts, {impacts}");
             return Err(self.wrong(&key::KEEP, self.require(&key::KEEP, None)?, allowed));
         }
+        let error = match self.document.get(&key::ERROR) {
+            Some(_) => Some(self.number(&key::ERROR)?.value()),
+            None => None,
+        };
+        let most_impacts = self.count_or(&key::MOST_IMPACTS, FOR_AN_ERROR)?;
+        if let (true, Some(entry)) = (
+            error.is_some() && most_impacts < impacts,
+            self.document.get(&key::MOST_IMPACTS),
+        ) {
+            let allowed = format!("at least sweep.impacts, {impacts}");
+            return Err(self.wrong(&key::MOST_IMPACTS, entry, allowed));
+        }
         let entry = self.require(&key::BEGIN, None)?;
         let name = self.text(&key::BEGIN, entry)?;
         let start = Begin::ALL.into_iter().find(|begin| begin.name() == name);
@@ -304,11 +320,8 @@ impl Scene {
             impacts,
             keep,
             start: start.ok_or_else(|| self.wrong(&key::BEGIN, entry, one_of(name, &known)))?,
-            error: match self.document.get(&key::ERROR) {
-                Some(_) => Some(self.number(&key::ERROR)?.value()),
-                None => None,
-            },
-            most_impacts: self.count_or(&key::MOST_IMPACTS, FOR_AN_ERROR)?,
+            error,
+            most_impacts,
         })
     }
 

@@ -182,6 +182,20 @@ fn what_no_want_requires_may_be_wrong_or_missing() {
 }
 
 #[test]
+fn a_list_of_no_words_and_fewer_most_impacts_than_impacts_are_refused() {
+    let error = set(&whole(), &["words=[]"])
+        .check(&[Want::Orbits])
+        .unwrap_err()
+        .to_string();
+    assert_says(&error, &["words", "a list of words"]);
+    let fewer = set(&whole(), &["sweep.error=0.01", "sweep.most_impacts=10"]);
+    assert_says(
+        &fewer.check(&[Want::Sweep]).unwrap_err().to_string(),
+        &["most_impacts", "at least sweep.impacts, 500"],
+    );
+}
+
+#[test]
 fn each_want_requires_its_own_sections() {
     let lines: Vec<&str> = WHOLE.lines().collect();
     let without = |key: &str| {

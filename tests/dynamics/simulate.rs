@@ -137,6 +137,25 @@ fn proved_events_come_with_bounds_that_hold_and_end_where_they_can_no_longer() {
     }
 }
 
+#[test]
+fn digits_of_proved_events_are_those_of_the_decimals_that_are_printed() {
+    let scene =
+        "motion = { g = 1, d = 0.026747, r_b = 0.5616, r_t = 1e-9 }\nstart = { phase = 3.3183, velocity = 0.01006 }\n";
+    let file = std::env::temp_dir().join(format!("digits-{}.toml", std::process::id()));
+    std::fs::write(&file, scene).unwrap();
+    let asked = |digits: &str| {
+        let file = file.to_str().expect("a path");
+        let own = ["--impacts", "6", "--proved", "--digits", digits, "--format", "csv"];
+        printed(&[&["simulate", file][..], &own].concat())
+    };
+    for (row, exact) in asked("25").iter().zip(&asked("60")).skip(2) {
+        let [told, exact] = [row, exact].map(|row| Wide::<80>::parse(&row[4]).expect("a number"));
+        let error = ((told - exact.clone()) / exact).to_f64().abs();
+        assert!(-error.log10() >= number(&row[6]) - 0.01, "{row:?}: {error}");
+    }
+    std::fs::remove_file(&file).unwrap();
+}
+
 fn start(phase: f64, velocity: f64) -> Start<f64> {
     Start {
         side: Side::Bottom,

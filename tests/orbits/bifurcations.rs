@@ -494,4 +494,18 @@ fn events_that_wide_ranges_lost_are_found() {
         holds(&found, BifurcationKind::PeriodDoubling, 0.004_153_745_486_343_401),
         "{found:?}"
     );
+    // beside the turn of the symmetric motions at 2.87, on which no other has its multipliers meet
+    for (r, at) in [
+        (50, 2.864_788_975_654_116),
+        (40, 2.228_169_203_286_535),
+        (80, 8.594_366_926_962_348),
+    ] {
+        for range in [[0.8 * at, 1.05 * at], [0.5 * at, 1.5 * at]] {
+            let found = events(&along(0, r, r), 3, range);
+            assert!(
+                holds(&found, BifurcationKind::NodeFocus, at),
+                "{r} {range:?}: {found:?}"
+            );
+        }
+    }
 }

@@ -295,7 +295,8 @@ fn conditioned(
     };
     let isolation = isolated(&system, cover.cells.clone());
     for root in distinct_phases(isolation.roots, PHASE) {
-        let new = !is_known_turn(&root, found) && !is_known_grazing(condition, &root, found);
+        let is_turn = condition == BifurcationCondition::MultiplierOne && is_known_turn(&root, cover.periods, found);
+        let new = !is_turn && !is_known_grazing(condition, &root, found);
         if new && system.is_wanted(&root.enclosure) {
             found.located.push(LocatedBifurcation::Condition(condition, root));
         }
@@ -402,11 +403,15 @@ impl<'a, F: Family> Line<'a, F> {
     }
 }
 
-/// Whether the event is one found on the branch of symmetric motions.
-fn is_known_turn(root: &ProvedRoot<f64, 3>, found: &Bifurcations) -> bool {
-    let [_, middle, parameter] = root.enclosure;
+/// Whether a multiplier of 1 is one found on the branch of symmetric motions, where T_1 is the number of periods.
+fn is_known_turn(root: &ProvedRoot<f64, 3>, periods: u32, found: &Bifurcations) -> bool {
+    let [t_1, middle, parameter] = root.enclosure;
+    let line = Interval::from_integer(i64::from(periods));
     found.located.iter().any(|located| match located {
-        LocatedBifurcation::Turn(turn) => middle.is_subset(&turn.unique[0]) && parameter.is_subset(&turn.unique[1]),
+        LocatedBifurcation::Turn(turn) => {
+            let is_near = middle.is_subset(&turn.unique[0]) && parameter.is_subset(&turn.unique[1]);
+            t_1.intersection(&line).is_some() && is_near
+        }
         _ => false,
     })
 }
