@@ -86,7 +86,14 @@ mod tests {
 
     #[test]
     fn brackets_match() {
-        check(&[(r"\left[ \{ a \rbrace + \lbrack b \rbrack \right]", "(+ a b)")]);
+        check(&[(
+            r"\left[ \{ a - 1 \rbrace c + \lbrack b + 1 \rbrack \right]",
+            "(+ (* (+ a (- 1)) c) (+ b 1))",
+        )]);
+        for single in [r"\lbrack a \rbrack", r"\{ 2 a \}", "[-a]"] {
+            refuse(&[(&format!("b + {single}"), "a single term in")]);
+        }
+        check(&[("[a b]^2", "(^ (* a b) 2)")]);
         refuse(&[
             ("a (b + c", "column 3: `(` is not closed"),
             ("a + b)", "column 6: `)` closes nothing"),

@@ -313,7 +313,7 @@ mod tests {
     #[test]
     fn what_has_a_group_of_its_own_ends_with_it_too() {
         for (command, limit) in [
-            ("setsid sleep 98761 & exit 0", 60.0),
+            ("setsid sleep 98761 & exit 0", 3.0),
             ("setsid sleep 98762 & sleep 98763", 0.5),
         ] {
             let _ = run(command, limit);

@@ -186,7 +186,7 @@ pub(super) fn split(statements: &Statements, vocabulary: &Vocabulary) -> Result<
 fn at_one_point(statements: &Statements, vocabulary: &Vocabulary, cases: &[Case]) -> Result<(), String> {
     let is_cases = |operation: &Operation| matches!(operation, Operation::Cases(_));
     let in_equation = |equation: &Equation| holds(equation, &is_cases);
-    let in_condition = |condition: &Condition| condition.sides().into_iter().any(|side| stands_in(side));
+    let in_condition = |condition: &Condition| condition.sides().into_iter().any(stands_in);
     let is_law = |condition: &Condition| match condition {
         Condition::Relation(relation) => vocabulary.is_law(relation),
         Condition::Integer(tree) => tree_runs(tree, vocabulary),
@@ -240,7 +240,7 @@ fn ends(
     rest.premises
         .retain(|premise| !holds(&premise.equation, &|operation| matches!(operation, Operation::Cases(_))));
     rest.assume
-        .retain(|condition| !condition.sides().into_iter().any(|side| stands_in(side)));
+        .retain(|condition| !condition.sides().into_iter().any(stands_in));
     let mut goals: Vec<Goal> = Vec::new();
     for condition in conditions.iter().flatten() {
         let Condition::Relation(relation) = condition else {
