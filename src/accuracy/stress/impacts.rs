@@ -41,37 +41,12 @@ fn motion<T: Analytic>([g, d, r_b, r_t, phase, velocity]: &[T; 6]) -> Option<(Mo
     Some((motion, start))
 }
 
-/// The impact, or what happens instead. A motion that comes back to an impact bit for bit repeats from there on, so that
-/// what is left is a part of one cycle.
+/// The impact, or what happens instead.
 fn simulated<T: Analytic>(inputs: &[T; 6], impacts: u32) -> Option<Event<T>> {
     let (motion, start) = motion(inputs)?;
-    let wanted = impacts as usize;
-    let mut events = Simulation::new(&motion, &start).enumerate();
-    let mut last: Option<(usize, Event<T>)> = None;
-    // Brent's method (An improved Monte Carlo factorization algorithm, 1980): one impact is remembered, twice as long each time
-    let mut remembered: Option<(usize, Event<T>)> = None;
-    while last.as_ref().is_none_or(|(index, _)| *index < wanted)
-        && let Some((index, event)) = events.next()
-    {
-        if let Some((since, old)) = &remembered
-            && is_same(old, &event)
-        {
-            let left = (wanted - index) % (index - since);
-            let rest = events.take(left).last();
-            return Some(rest.map_or(event, |(_, event)| event));
-        }
-        if remembered.as_ref().is_none_or(|(since, _)| index > 2 * since) {
-            remembered = Some((index, event.clone()));
-        }
-        last = Some((index, event));
-    }
-    let (index, event) = last?;
-    (index == wanted || event.kind != Kind::Impact).then_some(event)
-}
-
-fn is_same<T: Analytic>(one: &Event<T>, other: &Event<T>) -> bool {
-    let is_impact = one.kind == Kind::Impact && other.kind == Kind::Impact;
-    is_impact && one.side == other.side && one.phase == other.phase && one.velocity == other.velocity
+    let events = Simulation::new(&motion, &start).take(impacts as usize + 1);
+    let (index, event) = events.enumerate().last()?;
+    (index == impacts as usize || event.kind != Kind::Impact).then_some(event)
 }
 
 /// An impact, without the flight after it.

@@ -11,11 +11,8 @@ use crate::orbit::{Word, find};
 /// g, d, r_B, r_T: the paper's first orbit.
 const SCENE: [f64; 4] = [0.12201, 0.4, 0.5, 0.5];
 
-/// The extremes, each with its impacts.
-pub(super) const CASES: [(&str, u32); 2] = [("a million impacts", 1_000_000), ("a billion impacts", 1_000_000_000)];
-
-/// The most impacts that are followed by the time, which never repeats.
-const MOST_BY_TIME: u32 = 1_000_000;
+/// The extreme.
+pub(super) const CASE: &str = "a million impacts";
 
 /// How far from the orbit the motion starts: enough to have to settle.
 pub(super) const OFF: f64 = 0.01;
@@ -46,31 +43,14 @@ pub(super) fn rows(case: &'static str, impacts: u32, off: f64) -> Result<Vec<Str
         .map(|(phase, velocity)| from(*phase, *velocity))
         .ok_or_else(fault)?;
     let exact = known.fixes.first().ok_or_else(fault)?;
-    let mut made = Vec::new();
-    if impacts <= MOST_BY_TIME {
-        made.push(Evaluation::of::<f32>(
-            Rung::Single,
-            Form::Printed,
-            error(simulated.by_time::<f32>(), exact),
-        ));
-        made.push(Evaluation::of::<f64>(
-            Rung::Double,
-            Form::Printed,
-            error(simulated.by_time::<f64>(), exact),
-        ));
-    }
-    made.push(Evaluation::of::<f32>(
-        Rung::Single,
-        Form::Stable,
-        error(simulated.by_phase::<f32>(), exact),
-    ));
-    made.push(Evaluation::of::<f64>(
-        Rung::Double,
-        Form::Stable,
-        error(simulated.by_phase::<f64>(), exact),
-    ));
+    let made = [
+        Evaluation::of::<f32>(Rung::Single, Form::Printed, error(simulated.by_time::<f32>(), exact)),
+        Evaluation::of::<f64>(Rung::Double, Form::Printed, error(simulated.by_time::<f64>(), exact)),
+        Evaluation::of::<f32>(Rung::Single, Form::Stable, error(simulated.by_phase::<f32>(), exact)),
+        Evaluation::of::<f64>(Rung::Double, Form::Stable, error(simulated.by_phase::<f64>(), exact)),
+    ];
     let row = |evaluation| StressRow::new(case, FORMULA, evaluation, known.condition, simulated.at());
-    Ok(made.into_iter().map(row).collect())
+    Ok(made.map(row).to_vec())
 }
 
 #[cfg(test)]
@@ -79,7 +59,7 @@ mod tests {
 
     #[test]
     fn after_some_thousand_impacts_the_time_has_cost_digits_and_the_phase_none() {
-        let rows = rows("four thousand impacts", 4000, OFF).unwrap();
+        let rows = rows(CASE, 4000, OFF).unwrap();
         let digits = |form, number: &str| {
             let row = rows.iter().find(|row| row.form == form && row.number == number);
             row.map_or(f64::NAN, |row| row.digits)
