@@ -331,6 +331,7 @@ fn last_name(before: &str) -> Option<Name> {
     });
     names.last()
 }
+
 /// Letters that stand for functions more often than for factors.
 const FUNCTIONS: [&str; 10] = ["f", "g", "h", "F", "G", "H", r"\delta", r"\Gamma", r"\zeta", r"\Theta"];
 

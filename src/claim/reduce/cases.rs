@@ -263,7 +263,7 @@ fn ends(
 }
 
 /// Whether there are values by cases in a tree.
-fn stands_in(tree: &Tree) -> bool {
+pub(super) fn stands_in(tree: &Tree) -> bool {
     any(
         tree,
         &mut |node| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Cases(_))),

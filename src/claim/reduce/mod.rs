@@ -149,13 +149,7 @@ fn without_operations(statements: &Statements, vocabulary: &Vocabulary) -> Resul
             "a function without its argument where `{running}` is bound: write it"
         ));
     }
-    let has_cases = |tree: &&Tree| {
-        any(
-            tree,
-            &mut |node| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Cases(_))),
-        )
-    };
-    if integral::is_indefinite(&statements) && all.iter().any(has_cases) {
+    if integral::is_indefinite(&statements) && all.into_iter().any(cases::stands_in) {
         return Err("an antiderivative by cases".to_owned());
     }
     if limit::stands_in(&statements) {
