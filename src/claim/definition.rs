@@ -48,7 +48,8 @@ pub(super) fn two_of_pair(equation: Equation, vocabulary: &Vocabulary) -> Vec<Eq
     }
 }
 
-fn has_sign(tree: &Tree) -> bool {
+/// Whether `\pm` or `\mp` stands in a tree.
+pub(super) fn has_sign(tree: &Tree) -> bool {
     any(tree, &mut |node| {
         matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_))
     })

@@ -1,7 +1,7 @@
 //! One `[[equation]]` of a sheet: what it states, what it defines, and whether it can be read.
 
 use super::declared::is_defined;
-use super::definition::{Local, circular, inlined_in, speaks_of, two_of_pair};
+use super::definition::{Local, circular, has_sign, inlined_in, speaks_of, two_of_pair};
 use super::fault::{Fault, Source, Text};
 use super::function::Given;
 use super::nearest::nearest;
@@ -52,8 +52,10 @@ pub struct Entry {
     pub local: Vec<(Equation, Source)>,
     /// Substitutions in the premises, with their sources.
     pub with: Vec<(Equation, Source)>,
-    /// The conditions of `assume`, with their sources.
+    /// The conditions that the formula prints and those of `assume`, with their sources.
     pub assume: Vec<(Condition, Source)>,
+    /// How many of these, from the first, the formula prints.
+    pub(super) printed: usize,
     /// The entries it follows from, by position in the sheet.
     pub follows_from: Vec<usize>,
     pub expect: Verdict,
@@ -97,6 +99,12 @@ pub(super) struct RawEntry {
 }
 
 impl RawEntry {
+    /// All formulas of the entry.
+    pub(super) fn formulas(&self) -> impl Iterator<Item = &str> {
+        let more = self.local.iter().chain(&self.with).chain(&self.assume);
+        std::iter::once(&self.tex).chain(more).map(|tex| tex.get_ref().as_str())
+    }
+
     /// The formulas that may define something: those of a definition, and those of `where`.
     pub(super) fn defining(&self) -> impl Iterator<Item = &str> {
         let own = (self.role == Role::Definition).then_some(&self.tex);
@@ -123,11 +131,11 @@ impl Entry {
         }
         let mut stated = Vec::new();
         for equation in &self.equations {
-            let is_done = self.role == Role::Definition
-                && given
-                    .take(equation, vocabulary)
-                    .map_err(|found| problem(&self.tex, found))?;
-            if !is_done {
+            let mut take = || {
+                Given::refuse_at_parameter(equation, vocabulary)?;
+                given.take(equation, vocabulary)
+            };
+            if !(self.role == Role::Definition && take().map_err(|found| problem(&self.tex, found))?) {
                 stated.push(equation.clone());
             }
         }
@@ -490,17 +498,31 @@ impl Entry {
         }
     }
 
-    /// Refuses the time of an impact put in for that of a flight, except at its end: at the start a state that an impact
-    /// changes has two values, and beyond the end the law says nothing.
+    /// Refuses what `with` does not put in everywhere: a complex number whose conjugate stands there too, and the time of an
+    /// impact for that of a flight, except at its end: at the start a state that an impact changes has two values, and beyond
+    /// the end the law says nothing.
     ///
     /// # Errors
     /// The [`Fault`] of the substitution.
-    pub(super) fn check_time_put_in(
-        &self,
-        law: &Equation,
-        locals: &[Local],
-        vocabulary: &Vocabulary,
-    ) -> Result<(), Fault> {
+    pub(super) fn check_put_in(&self, law: &Equation, locals: &[Local], vocabulary: &Vocabulary) -> Result<(), Fault> {
+        let written = inlined_in(law, locals).map(|law| vocabulary.expanded(&law));
+        for (equation, source) in &self.with {
+            let Tree::Symbol(name, _) = &equation.left else {
+                continue;
+            };
+            let mut conjugates =
+                |node: &Tree| matches!(node, Tree::Symbol(other, _) if vocabulary.is_conjugate_of(other, name));
+            if vocabulary.complex.contains(name)
+                && written
+                    .as_ref()
+                    .is_none_or(|written| any_side(written, &mut conjugates))
+            {
+                let problem = format!(
+                    "the conjugate of `{name}` stands there too, which is not put in: write what holds as a premise"
+                );
+                return Err(source.fault(equation.at.0, problem).of(&self.label));
+            }
+        }
         let at_impact = self
             .with
             .iter()
@@ -923,18 +945,18 @@ pub(super) fn read_entry(
         read.flatten().collect()
     };
     let (local, with) = (sourced(&raw.local), sourced(&raw.with));
-    let assumed = raw.assume.iter().map(|value| Source::new(lines, value));
-    for source in implication
-        .map(|(when, _)| when)
-        .into_iter()
-        .chain(assumed)
-        .filter(|_| wanted)
-    {
-        match read_conditions(&source.tex, &vocabulary.names) {
-            Ok(conditions) => assume.extend(conditions.into_iter().map(|condition| (condition, source.clone()))),
-            Err(error) => faults.push(source.fault(error.at, error.reason.to_string())),
-        }
-    }
+    let mut conditions = |source: Source| -> Vec<(Condition, Source)> {
+        let read = read_conditions(&source.tex, &vocabulary.names).unwrap_or_else(|error| {
+            faults.push(source.fault(error.at, error.reason.to_string()));
+            Vec::new()
+        });
+        read.into_iter().map(|condition| (condition, source.clone())).collect()
+    };
+    let when = implication.into_iter().map(|(when, _)| when).filter(|_| wanted);
+    assume.extend(when.flat_map(&mut conditions));
+    let printed = assume.len();
+    let assumed = raw.assume.iter().filter(|_| wanted);
+    assume.extend(assumed.flat_map(|value| conditions(Source::new(lines, value))));
     Ok(Entry {
         label: raw.label.get_ref().clone(),
         role: raw.role,
@@ -942,6 +964,7 @@ pub(super) fn read_entry(
         local,
         with,
         assume,
+        printed,
         follows_from,
         expect: raw.expect,
         guessed: raw.guessed.clone(),
@@ -1024,6 +1047,14 @@ fn stated(source: &Source, vocabulary: &Vocabulary, role: Role, is_identity: boo
             let problem = format!("a {role} under a condition: what holds only there cannot be taken as true");
             return Err(source.fault(at, problem));
         }
+        if let Some(limited) = display
+            .beside
+            .iter()
+            .find(|beside| limits_law(&display.equations, beside))
+        {
+            let problem = format!("`{limited}` says where the function is given so: a {role} holds everywhere");
+            return Err(source.fault(limited.at.0, problem));
+        }
         display.equations.append(&mut display.beside);
     }
     for equation in std::mem::take(&mut display.beside) {
@@ -1040,7 +1071,41 @@ fn stated(source: &Source, vocabulary: &Vocabulary, role: Role, is_identity: boo
         .into_iter()
         .flat_map(|equation| two_of_pair(equation, vocabulary))
         .collect();
-    Ok(display)
+    let mut one_sided = display.equations.iter().filter(|equation| has_one_sided_sign(equation));
+    match one_sided.next().filter(|_| role == Role::Claim) {
+        Some(equation) => {
+            let problem = "a sign \\pm on one side alone can say that one of two equations holds, or both: write the square, or \
+                           a subscript 1,2 for both";
+            Err(source.fault(equation.at.0, problem))
+        }
+        None => Ok(display),
+    }
+}
+
+/// Whether an inequality speaks of the argument of a function that an equation gives.
+fn limits_law(equations: &[Equation], beside: &Equation) -> bool {
+    equations.iter().any(|equation| match &equation.left {
+        Tree::Call(_, argument, _) => match &**argument {
+            Tree::Symbol(name, _) => [&beside.left, &beside.right].iter().any(|side| speaks_of(side, name)),
+            _ => false,
+        },
+        _ => false,
+    })
+}
+
+/// Whether an equation has `\pm` on one side, and no symbol on the other whose subscript says that two are meant.
+fn has_one_sided_sign(equation: &Equation) -> bool {
+    let is_for_both = |side: &Tree| {
+        any(
+            side,
+            &mut |node| matches!(node, Tree::Symbol(name, _) if name.subscript.contains(',')),
+        )
+    };
+    match (has_sign(&equation.left), has_sign(&equation.right)) {
+        (true, false) => !is_for_both(&equation.right),
+        (false, true) => !is_for_both(&equation.left),
+        _ => false,
+    }
 }
 
 /// Whether a side is a symbol, its modulus or a number.

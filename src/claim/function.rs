@@ -79,6 +79,25 @@ impl Given {
         }
     }
 
+    /// Refuses a definition of a declared function at a parameter, which would give its value there alone.
+    ///
+    /// # Errors
+    /// The place and the reason.
+    pub(super) fn refuse_at_parameter(equation: &Equation, vocabulary: &Vocabulary) -> Result<(), Problem> {
+        match &equation.left {
+            Tree::Call(name, argument, _) if !vocabulary.names.defined.contains(name) => match &**argument {
+                Tree::Symbol(at, _) if vocabulary.parameters.contains(at) => Err((
+                    equation.at.0,
+                    format!(
+                        "gives `{name}` at `{at}` alone: leave `{name}` out of `functions`, and it is given at every argument"
+                    ),
+                )),
+                _ => Ok(()),
+            },
+            _ => Ok(()),
+        }
+    }
+
     /// Adds what definitions below give.
     ///
     /// # Errors

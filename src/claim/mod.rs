@@ -13,6 +13,7 @@ mod paper;
 mod premise;
 mod reduce;
 mod sheet;
+mod spelling;
 mod substitute;
 mod symbols;
 mod verdict;

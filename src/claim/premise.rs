@@ -191,6 +191,15 @@ impl Statements {
 
     /// Adds what an entry states to the premises.
     fn rest_on(&mut self, sheet: &Sheet, entry: &Entry, claim: &Entry, shared: &[Local]) -> Result<(), Fault> {
+        let is_shared = |condition: &Condition| claim.assume.iter().any(|(own, _)| own == condition);
+        let mut printed = entry.assume.iter().take(entry.printed);
+        if !printed.all(|(condition, _)| is_shared(condition)) {
+            let problem = format!(
+                "follows from ({}), which holds under conditions that it prints: state them here too, by `assume`",
+                entry.label
+            );
+            return Err(claim.tex.fault(0, problem).of(&claim.label));
+        }
         let brought = self::shared(sheet, entry)?;
         for (name, at) in &entry.borrowed {
             if !is_defined(name, shared) && !is_defined(name, &brought) {
@@ -335,7 +344,7 @@ impl Statements {
                     return Err(claim.tex.fault(0, problem).of(&claim.label));
                 }
                 let shifted = premise.shifted(shift, vocabulary);
-                claim.check_time_put_in(&shifted.equation, &shifted.locals, vocabulary)?;
+                claim.check_put_in(&shifted.equation, &shifted.locals, vocabulary)?;
                 let put_in = shifted.rewritten(&|equation| vocabulary.substituted(equation, &pairs));
                 let one_impact = vocabulary.impacts(&put_in.equation).len() == 1;
                 let substituted = one_impact && put_in.equation != shifted.equation;
@@ -349,7 +358,7 @@ impl Statements {
             for local in followed {
                 let left = Tree::Symbol(local.name.clone(), At(0));
                 let equation = Equation::between(left, local.tree.clone());
-                claim.check_time_put_in(&equation, &[], vocabulary)?;
+                claim.check_put_in(&equation, &[], vocabulary)?;
                 local.tree = vocabulary.substituted(&equation, &pairs).right;
             }
         }

@@ -6,6 +6,7 @@ use super::entry::{Entry, RawEntry, Role, read_entry};
 use super::fault::{Fault, Source, Text};
 use super::function::{Given, names_given};
 use super::premise::{refuse_two_meanings, shared};
+use super::spelling::refuse_two_spellings;
 use super::symbols::{MapEntry, Symbols};
 use super::vocabulary::Vocabulary;
 use crate::tex::{Equation, Name};
@@ -87,6 +88,7 @@ impl Sheet {
             let read = read_entry(lines, entry, &positions, &vocabulary, wanted);
             entries.push(read.map_err(|fault| fault.of(label))?);
         }
+        refuse_two_spellings(&raw.equation, &mut entries);
         if entries.iter().all(|entry: &Entry| entry.role != Role::Claim) {
             let problem = "the sheet has no claim: give an equation that is to be decided `role = \"claim\"`";
             return Err(Fault::new(problem).at(&Source::new(lines, &Spanned::new(0..0, String::new()))));

@@ -76,11 +76,24 @@ impl<'a> Reader<'a> {
             return self.call(Box::new(Tree::Call(name, argument, At(at))), power);
         }
         let is_plain = power.is_none();
+        if is_plain && self.letter_in_brackets_follows() {
+            let found = format!("`{name}` before a single letter in brackets");
+            let instead = "a product needs none; declare what is a function";
+            return Err(Fault::ambiguous(at, &found, instead));
+        }
         let symbol = raise(Box::new(Tree::Symbol(name, At(at))), power);
         match is_plain {
             true => self.in_degrees(symbol),
             false => Ok(symbol),
         }
+    }
+
+    /// Whether `(x)` stands next, alone.
+    fn letter_in_brackets_follows(&self) -> bool {
+        let kinds = [0, 1, 2].map(|ahead| self.look(ahead).map(|token| token.kind));
+        let [open, letter, close] = [Kind::Open(Bracket::Round), Kind::Letter, Kind::Close(Bracket::Round)].map(Some);
+        let is_raised = matches!(self.look(3).map(|token| token.kind), Some(Kind::Sup | Kind::Sub));
+        kinds == [open, letter, close] && !is_raised
     }
 
     /// The argument between brackets that stands next, perhaps with braces around them.
@@ -505,12 +518,13 @@ mod tests {
             check(&[(tex, "(^ trace(DP) 2)")]);
         }
         check(&[
-            ("T r(a)", "(* T r a)"),
+            ("T r(a + 1)", "(* T r (+ a 1))"),
             ("Tr + 1", "(+ (* T r) 1)"),
             ("4 \\cdot Det(DP)", "(* 4 determinant(DP))"),
             ("aTr(DP)", "(* a trace(DP))"),
         ]);
         refuse(&[
+            ("T r(a)", "`r` before a single letter in brackets"),
             ("Tr(A)", "`A` is no known matrix (known: DP)"),
             ("Tr(DP", "`(` is not closed"),
             ("Tr(DP_2)", "is no known matrix"),

@@ -31,6 +31,12 @@ pub(super) enum Command {
     /// A set of numbers follows.
     Blackboard,
     Font,
+    /// A font whose letters are often other symbols than those in italics.
+    Bold,
+    /// It is a blank as wide as the dimension behind it.
+    Glue,
+    /// What is in the braces after it is spaced as a relation or operator.
+    Class,
     Text,
     Begin,
     End,
@@ -221,7 +227,9 @@ pub(super) fn command(text: &str) -> Command {
 fn structure(text: &str) -> Option<Command> {
     Some(match text {
         "\\\\" | "\\cr" | "\\newline" => Command::Row,
-        "\\quad" | "\\qquad" | "\\enspace" => Command::Token(Kind::Quad),
+        "\\quad" | "\\qquad" | "\\enspace" | "\\hfill" | "\\hfil" => Command::Token(Kind::Quad),
+        "\\hskip" | "\\mskip" | "\\kern" | "\\mkern" => Command::Glue,
+        "\\mathrel" | "\\mathbin" | "\\mathord" => Command::Class,
         "\\," | "\\thinspace" => Command::Blank(3),
         "\\:" | "\\>" => Command::Blank(4),
         "\\;" => Command::Blank(5),
@@ -233,8 +241,8 @@ fn structure(text: &str) -> Option<Command> {
         "\\bigl" | "\\Bigl" | "\\biggl" | "\\Biggl" => Command::Side(Side::Opening),
         "\\bigr" | "\\Bigr" | "\\biggr" | "\\Biggr" => Command::Side(Side::Closing),
         "\\mathbb" => Command::Blackboard,
-        "\\mathrm" | "\\mathbf" | "\\mathit" | "\\mathsf" | "\\mathnormal" | "\\boldsymbol" | "\\bm" | "\\rm"
-        | "\\bf" | "\\it" => Command::Font,
+        "\\mathrm" | "\\mathit" | "\\mathnormal" | "\\rm" | "\\it" => Command::Font,
+        "\\mathbf" | "\\mathsf" | "\\boldsymbol" | "\\bm" => Command::Bold,
         "\\text" | "\\textrm" | "\\textit" | "\\textbf" | "\\mbox" | "\\operatorname" => Command::Text,
         "\\begin" => Command::Begin,
         "\\end" => Command::End,
@@ -382,6 +390,15 @@ pub(super) fn spelled(c: char) -> Option<&'static [(Kind, &'static str)]> {
     Some(tokens)
 }
 
+/// The shape of a letter that has two, which are read as one: its command.
+pub(super) fn shape(letter: &str) -> Option<&'static str> {
+    match letter {
+        "\\varphi" | "φ" => Some("\\varphi"),
+        "\\varepsilon" | "ε" => Some("\\varepsilon"),
+        _ => None,
+    }
+}
+
 /// The TeX with its letters outside ASCII written as commands.
 pub(crate) fn with_commands(tex: &str) -> String {
     let letter = |c: char| match spelled(c) {
@@ -402,6 +419,7 @@ pub(super) fn character_hint(c: char) -> &'static str {
 fn hint(text: &str) -> &'static str {
     match text {
         "\\over" => ": write \\frac{..}{..}",
+        "\\bf" => ": write \\mathbf{..}",
         "\\bigg/" | "\\middle" => ": write / alone",
         "\\sim" | "\\simeq" | "\\cong" | "\\propto" | "\\ll" | "\\gg" => {
             ": it has no exact meaning; write =, \\neq, <, >, \\leq or \\geq"

@@ -3,7 +3,7 @@
 use super::conditions::conditions_of;
 use super::error::{Fault, Reason};
 use super::reader::Reader;
-use super::statement::{Stands, Statement, divided};
+use super::statement::{Stands, Statement, divided, end_at_conditions};
 use super::token::{Bracket, Kind, Token};
 use super::{At, Condition, Equation, Name, Names, ReadError, Relation, Tree};
 
@@ -12,7 +12,7 @@ use super::{At, Condition, Equation, Name, Names, ReadError, Relation, Tree};
 pub struct Display {
     /// Its equations and inequalities, in order; a chain `a = b < c` gives `a = b` and `b < c`.
     pub equations: Vec<Equation>,
-    /// The inequalities behind an equation and a comma or a wide blank, each of which can be one statement more or a
+    /// The inequalities behind a statement and a comma or a wide blank, each of which can be one statement more or a
     /// condition: `\sqrt{x^2} = -x, \quad x < 0`.
     pub beside: Vec<Equation>,
     /// The conditions on its one equation or chain: those behind "for", "if", "when" or `\forall`, inequalities behind "where"
@@ -86,16 +86,18 @@ pub fn functions_given(tex: &str, names: &Names) -> Vec<(Name, Name)> {
 
 fn read_statements(tex: &str, names: &Names) -> Result<Display, Fault> {
     let (mut display, mut conditions, mut stated) = (Display::default(), Vec::new(), 0);
-    for statement in divided(tex)? {
-        let Statement { tokens, stands } = statement;
+    let statements = divided(tex)?;
+    end_at_conditions(&statements)?;
+    for statement in statements {
+        let (tokens, stands) = (&statement.tokens, statement.stands);
         // Text taken from a PDF carries the number of the display along.
-        if stated > 0 && is_number_of_display(&tokens) {
+        if stated > 0 && is_number_of_display(tokens) {
             continue;
         }
         if stands == Stands::Condition {
             let first = tokens.first().map(|token| token.at);
             display.conditions_at = display.conditions_at.or(first);
-            conditions.push(Statement { tokens, stands });
+            conditions.push(statement);
             continue;
         }
         let list = match stands {
@@ -103,7 +105,7 @@ fn read_statements(tex: &str, names: &Names) -> Result<Display, Fault> {
             _ => &mut display.equations,
         };
         let known = list.len();
-        Reader::new(tokens, names).chain(list)?;
+        Reader::new(statement.tokens, names).chain(list)?;
         for equation in list.iter_mut().skip(known) {
             equation.explains = stands == Stands::Explains;
         }

@@ -1,7 +1,7 @@
 //! TeX source -> tokens. What does not change the meaning (blanks, sizes, fonts, alignment) ends here.
 
 use super::Relation;
-use super::command::{Command, Side, WORD_SPACE, character, character_hint, command, spelled};
+use super::command::{Command, Side, WORD_SPACE, character, character_hint, command, shape, spelled};
 use super::error::{Fault, Reason};
 use super::token::{Bracket, Kind, Rows, Set, Token};
 
@@ -10,19 +10,8 @@ const WIDE: u32 = 12;
 
 /// The tokens of `tex`.
 pub(super) fn lex(tex: &str) -> Result<Vec<Token<'_>>, Fault> {
-    let mut lexer = Lexer {
-        tex,
-        at: 0,
-        tokens: Vec::new(),
-        sized: None,
-        styled: false,
-        side: None,
-        blank: 0,
-        environments: Vec::new(),
-    };
-    while let Some(c) = lexer.rest().chars().next() {
-        lexer.step(c)?;
-    }
+    let mut lexer = Lexer::new(tex);
+    while lexer.step()? {}
     if let Some((at, text)) = lexer.sized {
         return Err(Fault::unexpected(tex.len().max(at), text, "a bracket after it"));
     }
@@ -30,6 +19,46 @@ pub(super) fn lex(tex: &str) -> Result<Vec<Token<'_>>, Fault> {
         Some((at, name)) => Err(Fault::unclosed(at, &format!("\\begin{{{name}}}"))),
         None => Ok(lexer.tokens),
     }
+}
+
+/// The letters of `tex` as far as it can be read, each with how it is printed: in bold or not, and in which of two shapes.
+pub(crate) fn letters(tex: &str) -> Vec<(&str, String)> {
+    let mut lexer = Lexer::new(tex);
+    while matches!(lexer.step(), Ok(true)) {}
+    lexer.letters
+}
+
+/// What `tex` prints, without the blanks before and behind it.
+pub(crate) fn printed(tex: &str) -> &str {
+    let mut lexer = Lexer::new(tex);
+    // what prints something, but for empty groups
+    let (mut printing, mut seen) = (Vec::<Token<'_>>::new(), 0);
+    let (mut start, mut end) = (0, tex.len());
+    loop {
+        let more = lexer.step();
+        for token in lexer.tokens.iter().skip(seen) {
+            match (printing.last().map(|last| last.kind), token.kind) {
+                (_, Kind::Quad | Kind::Column) => {}
+                (Some(Kind::BraceOpen), Kind::BraceClose) => {
+                    printing.pop();
+                }
+                _ => printing.push(*token),
+            }
+        }
+        seen = lexer.tokens.len();
+        if printing.is_empty() && lexer.sized.is_none() && lexer.side.is_none() && more.is_ok() {
+            start = lexer.at;
+        }
+        match more {
+            Ok(true) => {}
+            Ok(false) => {
+                end = printing.last().map_or(start, |last| last.end);
+                break;
+            }
+            Err(_) => break,
+        }
+    }
+    tex.get(start..end).unwrap_or_default().trim()
 }
 
 struct Lexer<'a> {
@@ -45,9 +74,28 @@ struct Lexer<'a> {
     /// The width of the small blanks since the last token, in eighteenths of a quad.
     blank: u32,
     environments: Vec<(usize, &'a str)>,
+    /// Where the letters in bold end.
+    bold: usize,
+    /// The letters, and how each is printed.
+    letters: Vec<(&'a str, String)>,
 }
 
 impl<'a> Lexer<'a> {
+    fn new(tex: &'a str) -> Self {
+        Self {
+            tex,
+            at: 0,
+            tokens: Vec::new(),
+            sized: None,
+            styled: false,
+            side: None,
+            blank: 0,
+            environments: Vec::new(),
+            bold: 0,
+            letters: Vec::new(),
+        }
+    }
+
     fn rest(&self) -> &'a str {
         self.tex.get(self.at..).unwrap_or("")
     }
@@ -56,7 +104,15 @@ impl<'a> Lexer<'a> {
         self.tex.get(from..to).unwrap_or("")
     }
 
-    fn step(&mut self, c: char) -> Result<(), Fault> {
+    /// Reads on; whether there was more.
+    fn step(&mut self) -> Result<bool, Fault> {
+        match self.rest().chars().next() {
+            Some(c) => self.step_over(c).map(|()| true),
+            None => Ok(false),
+        }
+    }
+
+    fn step_over(&mut self, c: char) -> Result<(), Fault> {
         let rest = self.rest();
         match c {
             '%' => self.at += rest.find('\n').unwrap_or(rest.len()),
@@ -103,6 +159,15 @@ impl<'a> Lexer<'a> {
         {
             let wanted = format!("a bracket after `{sized}`");
             return Err(Fault::unexpected(at, text, &wanted));
+        }
+        if kind == Kind::Letter {
+            let shape = shape(self.span(at, end)).unwrap_or(text);
+            let printed = if at < self.bold {
+                format!("\\mathbf{{{shape}}}")
+            } else {
+                shape.to_owned()
+            };
+            self.letters.push((text, printed));
         }
         let styled = self.styled && kind == Kind::Letter;
         self.styled &= kind == Kind::BraceOpen;
@@ -161,6 +226,18 @@ impl<'a> Lexer<'a> {
                 self.empty_delimiter()
             }
             Command::Font => self.font(end),
+            Command::Bold => {
+                self.bold = self.bold.max(self.end_of_argument(end));
+                self.font(end)
+            }
+            Command::Glue => {
+                self.at = end + glue_length(self.span(end, self.tex.len()));
+                self.push_as(Kind::Quad, text, at, self.at)
+            }
+            Command::Class => match printed(self.group(end)?.0) {
+                "" => self.skip_group(end).map(|_| ()),
+                _ => Err(Fault::unreadable(at, text, "")),
+            },
             Command::Text => self.text(end),
             Command::Begin => self.begin(end),
             Command::End => self.end(end),
@@ -259,6 +336,19 @@ impl<'a> Lexer<'a> {
         }
     }
 
+    /// Where the argument ends that starts at byte `from`: a group, a command or a character.
+    fn end_of_argument(&self, from: usize) -> usize {
+        let rest = self.span(from, self.tex.len());
+        let start = from + (rest.len() - rest.trim_start().len());
+        let mut behind = self.span(start, self.tex.len()).chars();
+        match behind.next() {
+            Some('{') => self.group(from).map_or(self.tex.len(), |(_, end)| end),
+            Some('\\') => start + 1 + behind.take_while(char::is_ascii_alphabetic).count(),
+            Some(c) => start + c.len_utf8(),
+            None => start,
+        }
+    }
+
     /// `\mathbb{R}` and its like.
     fn set(&mut self, end: usize) -> Result<(), Fault> {
         let at = self.at;
@@ -297,7 +387,7 @@ impl<'a> Lexer<'a> {
                 self.at = after;
                 Ok(())
             }
-            _ if word.chars().all(|c| c.is_ascii_alphabetic()) && !content.contains(',') => {
+            _ if word.chars().all(|c| c.is_ascii_alphabetic()) && content.trim_end() == word => {
                 self.push_as(Kind::Word, word, at, after)
             }
             _ => Err(Fault::unreadable(at, self.span(at, after), "")),
@@ -352,6 +442,29 @@ impl<'a> Lexer<'a> {
                 Err(Fault::new(self.at, Reason::Mismatched { open, close }))
             }
             None => Err(Fault::new(self.at, Reason::Unopened { close })),
+        }
+    }
+}
+
+/// The length of the dimension behind `\hskip`: `1em plus 1fil minus 2pt`.
+fn glue_length(rest: &str) -> usize {
+    const STRETCHES: [&str; 2] = ["plus", "minus"];
+    const UNITS: [&str; 13] = [
+        "filll", "fill", "fil", "pt", "em", "ex", "mm", "cm", "in", "mu", "sp", "bp", "pc",
+    ];
+    let belongs = |c: char| c.is_ascii_digit() || c.is_whitespace() || "+-.".contains(c);
+    let mut length = 0;
+    loop {
+        let behind = rest.get(length..).unwrap_or_default();
+        let number = behind.len() - behind.trim_start_matches(belongs).len();
+        let mut words = STRETCHES.iter().chain(&UNITS);
+        let Some(word) = words.find(|word| behind.get(number..).is_some_and(|unit| unit.starts_with(**word))) else {
+            return length;
+        };
+        length += number + word.len();
+        let next = rest.get(length..).unwrap_or_default().trim_start();
+        if !STRETCHES.contains(word) && !STRETCHES.iter().any(|stretch| next.starts_with(stretch)) {
+            return length;
         }
     }
 }
@@ -441,12 +554,61 @@ mod tests {
     #[test]
     fn several_small_blanks_are_a_wide_one() {
         let kinds = |tex: &str| lex(tex).unwrap().iter().map(|token| token.kind).collect::<Vec<_>>();
-        for wide in [r"\;\;\;", "~~~", r"\ \ ", r"\phantom{xx}", r"\hspace{1em}"] {
+        for wide in [
+            r"\;\;\;",
+            "~~~",
+            r"\ \ ",
+            r"\phantom{xx}",
+            r"\hspace{1em}",
+            r"\hskip 1em plus 1fil ",
+            r"\hfill ",
+        ] {
             assert!(kinds(&format!("a{wide}b")).contains(&Kind::Quad), "{wide}");
         }
         for small in [r"\,\;", "~", r"\phantom{}", r"\vphantom{x}"] {
             assert_eq!(kinds(&format!("a{small}b")).len(), 2, "{small}");
         }
+    }
+
+    #[test]
+    fn what_prints_starts_and_ends_behind_all_blanks() {
+        for blank in [
+            r"\phantom{=}",
+            r"\hphantom{{}={}}",
+            r"\hspace{1cm}",
+            r"\hspace*{1cm}",
+            r"\hskip 1em",
+            r"\hskip1em plus 1fil",
+            r"\hfill",
+            r"\enspace",
+            r"\text{}",
+            r"\mbox{ }",
+            r"\mathrel{\phantom{=}}",
+            r"\quad {}",
+            r"& \,",
+        ] {
+            assert_eq!(printed(&format!("{blank} + b {blank}")), "+ b", "{blank}");
+        }
+        assert_eq!(printed(r"{} \left( a + b \right) \quad"), r"\left( a + b \right)");
+        assert_eq!(printed(r"\quad \unknown + b \quad"), r"\unknown + b \quad");
+        assert_eq!(printed(r"\quad"), "");
+        assert!(lex(r"a \mathrel{R} b").is_err());
+    }
+
+    #[test]
+    fn letters_are_told_by_how_they_print() {
+        let shown = |tex: &str| {
+            letters(tex)
+                .iter()
+                .map(|(_, printed)| printed.clone())
+                .collect::<Vec<_>>()
+                .join(" ")
+        };
+        assert_eq!(
+            shown(r"\mathbf{a} \cdot b + \boldsymbol\lambda c = \bm{\dot x}_k"),
+            r"\mathbf{a} b \mathbf{\lambda} c \mathbf{x} k"
+        );
+        assert_eq!(shown(r"\phi \varphi φ ϕ"), r"\phi \varphi \varphi \phi");
     }
 
     #[test]
@@ -468,6 +630,7 @@ mod tests {
             r"\label",
             r"\label{",
             r"\text{a b}",
+            r"3 \text{ m}",
             "\\",
             r"\begin{align}\end{split}",
         ] {

@@ -61,6 +61,7 @@ pub(crate) use display::functions_given;
 pub use display::{Display, read, read_display, read_expression, read_name};
 pub use error::{ReadError, Reason};
 pub use evaluate::{EvaluationError, Scope, Unsupported, evaluate};
+pub(crate) use lexer::{letters, printed};
 pub use mathml::{letter, mathml, mathml_display, mathml_of_condition, mathml_of_name};
 pub use names::Names;
 pub use place::{Lines, Place};

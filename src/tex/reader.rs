@@ -399,7 +399,7 @@ mod tests {
             ("1/2 T_1", r"\frac{1}{2} T_1 or as \frac{1}{2 T_1}"),
             ("1/2(a + b)", r"\frac{1}{2} (a + b) or as \frac{1}{2 (a + b)}"),
             ("a/(b) c", r"\frac{a}{b} c or as"),
-            ("1/r_B(a)", r"\frac{1}{r_B} a or as"),
+            ("1/r_B(a)", r"`r_B` before a single letter in brackets"),
             ("1/0.5 x", r"or as \frac{1}{0.5 x}"),
             ("1/2^2 x", r"or as \frac{1}{2^2 x}"),
             ("1/2 3", r"\frac{1}{2} \cdot 3 or as \frac{1}{2 \cdot 3}"),

@@ -18,6 +18,8 @@ pub(super) const LONGEST: usize = 100_000;
 pub(super) struct Statement<'a> {
     pub tokens: Vec<Token<'a>>,
     pub stands: Stands,
+    /// Follows a condition, and says itself neither what it is nor that it is one.
+    follows: bool,
 }
 
 /// What a statement is to the others of its display.
@@ -27,7 +29,7 @@ pub(super) enum Stands {
     Stated,
     /// Behind "where" or "with".
     Explains,
-    /// An inequality behind an equation and a comma or a wide blank: one statement more, or a condition.
+    /// An inequality behind a statement and a comma or a wide blank: one statement more, or a condition.
     Beside,
     /// A condition on the others.
     Condition,
@@ -44,6 +46,8 @@ struct Piece<'a> {
     aligned: bool,
     /// Begins a row, or behind "and".
     apart: bool,
+    /// Follows a condition behind a comma, a blank or "and".
+    follows: bool,
     stands: Stands,
 }
 
@@ -64,8 +68,15 @@ pub(super) fn divided(tex: &str) -> Result<Vec<Statement<'_>>, Fault> {
 fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Statement<'_>>, Fault> {
     let mut whole: Vec<Piece<'_>> = Vec::new();
     for piece in pieces(tokens) {
+        let is_first = whole.len() < 2;
         match whole.last_mut() {
             Some(before) if continues(before, &piece)? => {
+                if !is_first && !matches!(standing(before), Stands::Stated | Stands::Explains) {
+                    let at = piece.tokens.first().map_or(0, |token| token.at);
+                    let instead =
+                        "write the side that is meant before the relation, or give each statement an entry of its own";
+                    return Err(Fault::ambiguous(at, "a row that goes on behind a condition", instead));
+                }
                 before.related |= piece.related;
                 before.tokens.extend(piece.tokens);
             }
@@ -74,13 +85,17 @@ fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Statement<'_>>, Fault> {
     }
     let mut found: Vec<Statement<'_>> = Vec::new();
     for piece in whole {
-        let stands = found.first().map_or(piece.stands, |first| standing(&piece, first));
+        let stands = match found.is_empty() {
+            true => piece.stands,
+            false => standing(&piece),
+        };
         match conditions_in_brackets(&piece) {
             Some(inside) if stands == Stands::Condition => {
                 let conditions = statements(inside)?.into_iter();
-                found.extend(conditions.map(|Statement { tokens, .. }| Statement { tokens, stands }));
+                found.extend(conditions.map(|condition| Statement { stands, ..condition }));
             }
             _ => found.push(Statement {
+                follows: piece.follows && !compares_letters(&piece.tokens),
                 tokens: piece.tokens,
                 stands,
             }),
@@ -89,11 +104,23 @@ fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Statement<'_>>, Fault> {
     Ok(found)
 }
 
-/// What a piece is to a display that begins with the statement `first`.
-fn standing(piece: &Piece<'_>, first: &Statement<'_>) -> Stands {
-    let equal = Kind::Relation(Relation::Equal);
+/// Refuses what stands behind a condition and could be one claim more.
+pub(super) fn end_at_conditions(statements: &[Statement<'_>]) -> Result<(), Fault> {
+    let is_condition = |one: &Statement<'_>| matches!(one.stands, Stands::Condition | Stands::Beside);
+    let mut behind = statements.iter().skip_while(|one| !is_condition(one)).skip(1);
+    match behind.find(|one| one.stands == Stands::Stated || one.follows) {
+        Some(one) => {
+            let at = one.tokens.first().map_or(0, |token| token.at);
+            let instead = "give each statement with its conditions an entry of its own";
+            Err(Fault::ambiguous(at, "what stands behind a condition", instead))
+        }
+        None => Ok(()),
+    }
+}
+
+/// What a piece is to the display that it does not begin.
+fn standing(piece: &Piece<'_>) -> Stands {
     let mut outside = outside_brackets(&piece.tokens).filter(|kind| is_relation(*kind));
-    let is_equation = |statement: &Statement<'_>| outside_brackets(&statement.tokens).any(|kind| kind == equal);
     let (mut orders, mut equates, mut belongs) = (false, false, false);
     for kind in &mut outside {
         match kind {
@@ -105,9 +132,22 @@ fn standing(piece: &Piece<'_>, first: &Statement<'_>) -> Stands {
     match piece.stands {
         Stands::Explains if orders || belongs => Stands::Condition,
         Stands::Stated if belongs || conditions_in_brackets(piece).is_some() => Stands::Condition,
-        Stands::Stated if orders && !equates && !piece.apart && is_equation(first) => Stands::Beside,
+        Stands::Stated if orders && !equates && !piece.apart => Stands::Beside,
         stands => stands,
     }
+}
+
+/// Whether a relation other than `=` stands between letters and numbers alone, as conditions mostly do.
+fn compares_letters(tokens: &[Token<'_>]) -> bool {
+    let is_plain = |token: &Token<'_>| match token.kind {
+        Kind::Relation(relation) => relation != Relation::Equal,
+        Kind::Element | Kind::Letter | Kind::Word | Kind::Number | Kind::Minus | Kind::Sub | Kind::Comma => true,
+        Kind::BraceOpen | Kind::BraceClose | Kind::Prime | Kind::Slash | Kind::Accent | Kind::Fraction => true,
+        Kind::Bar | Kind::Open(Bracket::Bar) | Kind::Close(Bracket::Bar) => true,
+        _ => false,
+    };
+    let belongs = tokens.iter().any(|token| token.kind == Kind::Element);
+    belongs || tokens.iter().all(is_plain)
 }
 
 /// The conditions of `\quad (x > 0)`.
@@ -143,6 +183,7 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
         related: false,
         aligned: false,
         apart: false,
+        follows: false,
         stands,
     };
     // which brackets are open: true for those that hold rows
@@ -162,6 +203,7 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
                 if depth == 0 && piece.related && !ends_open(&piece.tokens) && !goes_on {
                     let stands = piece.stands;
                     done.push(std::mem::replace(&mut piece, fresh(true, stands)));
+                    piece.aligned = true;
                 }
                 continue;
             }
@@ -189,6 +231,7 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
                 }
                 piece.aligned |= token.kind == Kind::Quad;
                 piece.apart |= matches!(token.kind, Kind::Row | Kind::And);
+                piece.follows = piece.stands == Stands::Condition;
                 continue;
             }
             Kind::Said if depth == 0 && is_about(token.text) && !(done.is_empty() && piece.tokens.is_empty()) => {
@@ -318,7 +361,7 @@ mod tests {
                 vec![Stated, Explains, Condition],
             ),
             (
-                r"a = b \quad \text{for } x > 0, y = 0",
+                r"a = b \quad \text{for } x > 0, y < 0",
                 vec![Stated, Condition, Condition],
             ),
             (r"a = b \text{ for all } x > 0", vec![Stated, Condition]),
@@ -328,13 +371,53 @@ mod tests {
             (r"a = b, \quad x < 0", vec![Stated, Beside]),
             (r"a = b, x < 0", vec![Stated, Beside]),
             (r"a = b \\ x < 0", vec![Stated, Stated]),
-            (r"a < b, x < 0", vec![Stated, Stated]),
+            (r"a < b, x < 0", vec![Stated, Beside]),
+            (r"x^2 > 1 \quad x > 1", vec![Stated, Beside]),
             (r"a = b \text{ for } x > 0 \\ c = d", vec![Stated, Condition, Stated]),
             (r"a = b, \quad (x - y) = c", vec![Stated, Stated]),
             (r"a = b \quad (x - y)", vec![Stated, Stated]),
         ] {
             assert_eq!(stand(tex), wanted, "{tex}");
         }
+    }
+
+    #[test]
+    fn a_statement_behind_a_condition_is_refused() {
+        for tex in [
+            r"a = b \text{ for } x > 0 \\ c = d",
+            r"|x| = x \quad \text{for } x > 0, \qquad |y| = y",
+            r"|x| = x \text{ for } x > 0 \text{ and } |y| = -y \text{ for } y < 1",
+            r"a = b, \quad x > 0, \\ a = c, \quad y > 0",
+            r"\ln x \le x - 1 \text{ for } x > 0, \quad \ln x \ge 0",
+        ] {
+            assert!(
+                end_at_conditions(&statements(lex(tex).unwrap()).unwrap()).is_err(),
+                "{tex}"
+            );
+        }
+        for tex in [
+            r"a = b \text{ for } x > 0, y < 0",
+            r"a = b \quad (x > 0, y = 0)",
+            r"a = b, \quad 0 < x < 1, \quad n \in \mathbb{Z}",
+        ] {
+            assert!(
+                end_at_conditions(&statements(lex(tex).unwrap()).unwrap()).is_ok(),
+                "{tex}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_row_that_goes_on_behind_a_condition_is_refused() {
+        for tex in [
+            r"|x| &= x, x \ge 0 \\ &= -x, x < 0",
+            r"|x| &= x \quad \text{for } x \ge 0 \\ &= -x",
+            r"|x| &= x && (x \ge 0) \\ &= -x && (x < 0)",
+            r"a &= b, \quad x > 0 \\ &\quad + c",
+        ] {
+            assert!(statements(lex(tex).unwrap()).is_err(), "{tex}");
+        }
+        assert!(statements(lex(r"a > b \\ = c").unwrap()).is_ok());
     }
 
     #[test]

@@ -6,7 +6,7 @@ use vibro_audit::tex::{Names, read_name};
 pub fn names() -> Names {
     let plain = Names::default();
     let name = |tex: &str| read_name(tex, &plain).expect("a name");
-    let functions = ["f", "F_1", "F_2", "Z", r"\dot{Z}"];
+    let functions = ["f", "F_1", "F_2", "Z", r"\dot{Z}", r"\ddot{X}"];
     Names {
         functions: functions.iter().map(|tex| name(tex)).collect(),
         words: vec!["eta".into()],

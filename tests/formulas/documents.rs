@@ -342,7 +342,7 @@ fn columns_labels_and_conditions_of_rows_are_their_own() {
 \begin{{equation}} a = 2 \end{{equation}} % audit: claim; follows from \eqref{{u}}; expect refuted
 \begin{{equation}} c = 3 \end{{equation}} % audit: claim; follows from \eqref{{v}}
 \begin{{equation}} \cos\h^2 = \cos(a^2) \end{{equation}} % audit: claim
-\begin{{align*}} x x &= x^2, \qquad x > 0 \\ &= x \cdot x \\ &\quad - y + y \end{{align*}} % audit: premise
+\begin{{align*}} x x &= x^2 \\ &= x \cdot x \\ &\quad - y + y, \qquad x > 0 \end{{align*}} % audit: premise
 \begin{{equation}} \boxed{{a = b}} \end{{equation}}
 "
     );
@@ -357,12 +357,32 @@ fn columns_labels_and_conditions_of_rows_are_their_own() {
         (tex("1"), tex("C"), tex("4")),
         ("a = 1 , b = 2".into(), "c = 3".into(), r"\cos a^2 = \cos(a^2)".into())
     );
-    assert_eq!(tex("line 9.2"), r"x^2 = x \cdot x - y + y");
+    assert_eq!(tex("line 9.2"), r"x^2 = x \cdot x - y + y, \qquad x > 0");
     let rows = verdicts(&found);
     assert!(
         rows.starts_with(&["2 refuted".into(), "3 proved".into()]) && rows.last() == Some(&"5 unread".to_owned()),
         "{rows:?}"
     );
+}
+
+#[test]
+fn a_row_that_states_nothing_belongs_to_the_one_before_and_cases_share_their_left_side() {
+    let text = format!(
+        r"{SYMBOLS}
+\begin{{align}} (a+b)^2 &= a^2 + 2 a b \\ &\phantom{{=}} + b^2 \notag \end{{align}} % audit: claim
+\begin{{align}} (a-b)^2 &= a^2 \\ &\hspace*{{1cm}} - 2 a b \notag \\ &\mathrel{{\phantom{{=}}}} + b^2 \notag \end{{align}} % audit: claim
+\begin{{align}} |x| &= x \text{{ for }} x \ge 0, \\ &= -x \text{{ for }} x < 0 \end{{align}}
+\begin{{align}} \sqrt{{x^2}} &= x \\ &\text{{for }} x \ge 0 \notag \end{{align}} % audit: claim
+\begin{{align}} a &= b \\ &\unknown c \notag \end{{align}} % audit: claim
+"
+    );
+    let text = text
+        .replace("&= -x", "% audit: claim\n&= -x")
+        .replace("x < 0 \\end{align}", "x < 0 \\end{align} % audit: claim");
+    let found = document(&text, &[]);
+    assert_eq!(faults(&found), "");
+    let rows = verdicts(&found).join(", ");
+    assert_eq!(rows, "1 proved, 2 proved, 3 proved, 4 proved, 5 proved, 6 unread");
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The rows of a display, and the formulas that they make.
 
-use super::tex::{BRACES, Outside, after_blanks, environment, group, outside, trimmed};
+use super::tex::{BRACES, Outside, after_blanks, environment, group, outside, relates, trimmed};
+use crate::tex::printed;
 use std::ops::Range;
 
 /// A row of a display, or several that are one formula.
@@ -106,6 +107,8 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
     }
     end_of_row(text, start..inner.end, &mut columns);
     let mut rows: Vec<Row> = Vec::new();
+    // the first side of the chain that a row continues
+    let mut head: Option<Range<usize>> = None;
     for (piece, is_aligned) in pieces {
         let mut row = Row::new(piece.clone(), line_end(text, piece.end));
         row.take_names(text, piece.clone());
@@ -113,20 +116,26 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
         if row.part.is_empty() {
             continue;
         }
-        let starts = starts_with_relation(text, &row.part);
-        match rows.last_mut() {
-            Some(last) if goes_on(text, &last.part, &row.part, starts, is_aligned) => {
+        let joined = rows
+            .last()
+            .and_then(|last| joined(text, &last.part, &row.part, is_aligned));
+        match (rows.last_mut(), joined) {
+            (Some(last), Some(Joined::Blank)) => {
                 // one formula of two rows is read as one row, without the blanks that indent the second
-                let shown = text.get(row.part.clone()).unwrap_or_default();
-                let indent = shown.find(printed(text, &row.part)).unwrap_or(0);
+                let own = text.get(row.part.clone()).unwrap_or_default();
+                let indent = own.find(printed(own)).unwrap_or(0);
                 blank(text, last.part.end..row.part.start + indent);
                 last.join(row);
             }
-            Some(last) => {
-                row.continues = starts.then(|| last_side(text, &last.part)).flatten();
+            (Some(last), Some(Joined::Row)) => last.join(row),
+            (last, None) => {
+                match last.filter(|_| starts_with_relation(text, &row.part)) {
+                    Some(last) => row.continues = side_before(text, &last.part, &row.part, head.clone()),
+                    None => head = first_side(text, &row.part),
+                }
                 rows.push(row);
             }
-            None => rows.push(row),
+            (None, Some(_)) => {}
         }
     }
     if let Some(first) = rows.first_mut() {
@@ -255,39 +264,6 @@ fn layer(text: &str) -> Option<(&str, Range<usize>)> {
     Some((name, start..inner.end))
 }
 
-/// What prints a blank alone, or nothing.
-const BLANKS: [&str; 10] = [
-    r"\quad",
-    r"\qquad",
-    r"\,",
-    r"\;",
-    r"\:",
-    r"\!",
-    r"\ ",
-    "{}",
-    r"\displaystyle",
-    "~",
-];
-
-fn printed<'t>(text: &'t str, part: &Range<usize>) -> &'t str {
-    let mut rest = text.get(part.clone()).unwrap_or_default().trim();
-    loop {
-        let start = BLANKS.iter().find_map(|blank| rest.strip_prefix(blank));
-        match start {
-            Some(after) => rest = after.trim_start(),
-            None => break,
-        }
-    }
-    loop {
-        let end = BLANKS.iter().find_map(|blank| rest.strip_suffix(blank));
-        match end {
-            // `\\,` is no blank
-            Some(before) if !before.ends_with('\\') => rest = before.trim_end(),
-            _ => return rest,
-        }
-    }
-}
-
 fn relations(text: &str) -> Vec<Range<usize>> {
     let found = outside(text, 0..text.len()).into_iter();
     found
@@ -299,37 +275,95 @@ fn relations(text: &str) -> Vec<Range<usize>> {
 }
 
 fn starts_with_relation(text: &str, part: &Range<usize>) -> bool {
-    let own = printed(text, part);
+    let own = printed(text.get(part.clone()).unwrap_or_default());
     relations(own).first().is_some_and(|first| first.start == 0)
 }
 
 /// The signs that join two sides of a row's end.
 const OPERATORS: [&str; 8] = ["+", "-", "−", r"\pm", r"\mp", r"\cdot", r"\times", "/"];
 
-/// Whether a row is the same formula as the one before it: that one cannot end where it does, or states nothing yet, or this one
-/// starts with an operator, behind a column sign or stating nothing itself.
-fn goes_on(
-    text: &str,
-    before: &Range<usize>,
-    part: &Range<usize>,
-    starts_with_relation: bool,
-    is_aligned: bool,
-) -> bool {
-    let own = printed(text, part);
+/// How a row is the same formula as the one before it.
+#[derive(Clone, Copy)]
+enum Joined {
+    /// By a blank.
+    Blank,
+    /// By a row, which does not make a product of what stands on its sides.
+    Row,
+}
+
+/// How a row is the same formula as the one before it, if it is: that one cannot end where it does, or states nothing yet, or this
+/// one states nothing itself and starts with an operator, a condition or a column sign.
+fn joined(text: &str, before: &Range<usize>, part: &Range<usize>, is_aligned: bool) -> Option<Joined> {
+    let shown = |part: &Range<usize>| printed(text.get(part.clone()).unwrap_or_default());
+    let (before, own) = (shown(before), shown(part));
+    let states_nothing = relations(own).is_empty();
     let starts = OPERATORS.iter().any(|operator| own.starts_with(operator)) || own.starts_with(r"\right");
-    let is_left_side = starts_with_relation && relations(printed(text, before)).is_empty();
-    is_left_side || is_continued(text, before) || (starts && (is_aligned || relations(own).is_empty()))
+    let is_left_side = starts_with_relation(text, part) && relations(before).is_empty();
+    if is_left_side || is_continued(before) || (starts && (is_aligned || states_nothing)) {
+        return Some(Joined::Blank);
+    }
+    (says_condition(own) || (is_aligned && states_nothing)).then_some(Joined::Row)
 }
 
 /// Whether a row cannot end where it does: behind an operator or a relation.
-fn is_continued(text: &str, part: &Range<usize>) -> bool {
-    let own = printed(text, part);
+fn is_continued(own: &str) -> bool {
     let related = relations(own).last().is_some_and(|last| last.end == own.len());
     related || OPERATORS.iter().any(|operator| own.ends_with(operator))
 }
 
-/// What stands behind the last relation of what a row states first, without the conditions behind it.
-fn last_side(text: &str, part: &Range<usize>) -> Option<Range<usize>> {
+/// The commands that print words.
+const WORDS: [&str; 3] = [r"\text", r"\mbox", r"\textrm"];
+
+/// Whether what stands at the start of a text says that a condition follows.
+fn says_condition(text: &str) -> bool {
+    let said = WORDS.iter().find_map(|command| text.strip_prefix(command));
+    let word = said.map(|said| said.trim_start().trim_start_matches('{').trim_start());
+    let word = word.map(|word| {
+        word.split(|c: char| !c.is_ascii_alphabetic())
+            .next()
+            .unwrap_or_default()
+    });
+    let words = ["for", "if", "when", "whenever", "provided", "unless", "as"];
+    text.starts_with(r"\forall") || word.is_some_and(|word| words.contains(&word))
+}
+
+/// The first side of a row.
+fn first_side(text: &str, part: &Range<usize>) -> Option<Range<usize>> {
+    let found = outside(text, part.clone()).into_iter();
+    let mut ends = found.filter_map(|found| match found {
+        Outside::Relation(at) => Some(at.start),
+        _ => None,
+    });
+    let side = trimmed(text, part.start..ends.next()?);
+    (!side.is_empty()).then_some(side)
+}
+
+/// The side that a row continues which starts with a relation: the last one of the row before it; behind a row that holds under a
+/// condition the first of the chain, `head`, where this row has a condition too, and else none, as it could be either.
+fn side_before(
+    text: &str,
+    before: &Range<usize>,
+    part: &Range<usize>,
+    head: Option<Range<usize>>,
+) -> Option<Range<usize>> {
+    match (has_condition(text, before), has_condition(text, part)) {
+        (true, true) => head,
+        (true, false) => None,
+        (false, _) => last_side(text, before).map(|(side, _)| side),
+    }
+}
+
+/// Whether something stands behind the sides of a row that is or could be a condition.
+fn has_condition(text: &str, part: &Range<usize>) -> bool {
+    let behind = last_side(text, part).and_then(|(_, end)| text.get(end..part.end));
+    behind.is_some_and(|behind| {
+        let mut commands = behind.match_indices('\\').filter_map(|(at, _)| behind.get(at..));
+        relates(behind) || commands.any(says_condition)
+    })
+}
+
+/// What stands behind the last relation of what a row states first, without the conditions behind it, and where these start.
+fn last_side(text: &str, part: &Range<usize>) -> Option<(Range<usize>, usize)> {
     let mut side: Option<usize> = None;
     let mut end = part.end;
     for found in outside(text, part.clone()) {
@@ -341,9 +375,8 @@ fn last_side(text: &str, part: &Range<usize>) -> Option<Range<usize>> {
             Outside::Comma(at) => Some(*at),
             Outside::Command(at) => {
                 let name = text.get(at.clone()).unwrap_or_default();
-                [r"\quad", r"\qquad", r"\text", r"\mbox", r"\textrm"]
-                    .contains(&name)
-                    .then_some(at.start)
+                let parts = [r"\quad", r"\qquad", r"\forall"].contains(&name) || WORDS.contains(&name);
+                parts.then_some(at.start)
             }
             _ => None,
         };
@@ -356,7 +389,7 @@ fn last_side(text: &str, part: &Range<usize>) -> Option<Range<usize>> {
     }
     let side = trimmed(text, side?..end);
     let printed = text.get(side.clone())?.trim_end_matches([',', '.', ';']).trim_end();
-    Some(side.start..side.start + printed.len())
+    Some((side.start..side.start + printed.len(), end))
 }
 
 #[cfg(test)]
@@ -406,10 +439,45 @@ mod tests {
         let wanted = [
             ("a = 1 , b = 2", None),
             (r"c = d, \qquad d > 0", None),
-            (r"= e \quad\text{for } x > 0", Some("d")),
-            ("= f - g = h", Some("e")),
+            (r"= e \quad\text{for } x > 0", Some("c")),
+            ("= f - g = h", None),
         ];
         assert_eq!(own, wanted);
+    }
+
+    #[test]
+    fn what_states_nothing_belongs_to_the_row_before_it() {
+        for (tex, wanted) in [
+            (r"a &= b \\ &\phantom{=} + c", "a = b + c"),
+            (r"a &= b \\ &\hspace{1cm} - c", "a = b - c"),
+            (r"a &= b \\ & c", r"a = b \\ c"),
+            (r"a &= b \\ &\text{for } x > 0", r"a = b \\ \text{for } x > 0"),
+            (
+                r"a = b \\ \forall x \in \mathbb{R}",
+                r"a = b \\ \forall x \in \mathbb{R}",
+            ),
+            (r"a &= b \\ &\plus c", r"a = b \\ \plus c"),
+        ] {
+            let own: Vec<String> = shown(tex).into_iter().map(|row| row.0).collect();
+            assert_eq!(own, [wanted], "{tex}");
+        }
+    }
+
+    #[test]
+    fn a_row_behind_a_condition_continues_the_first_side_or_none() {
+        for (tex, wanted) in [
+            (
+                r"|x| &= x \text{ for } x \ge 0, \\ &= -x \text{ for } x < 0",
+                Some("|x|"),
+            ),
+            (r"|x| &= x && (x \ge 0) \\ &= -x && (x < 0)", Some("|x|")),
+            (r"|x| &= x \quad \forall x \\ &= y", None),
+            (r"a &= b, \quad x > 0 \\ &= c", None),
+            (r"a &= b, \\ &= c, \quad x > 0", Some("b")),
+        ] {
+            let found = shown(tex);
+            assert_eq!(found[1].1.as_deref(), wanted, "{tex}");
+        }
     }
 
     #[test]
