@@ -158,6 +158,15 @@ impl Entry {
         if given.is_idle(vocabulary) {
             return Ok(());
         }
+        for (equation, source) in &self.with {
+            if let Tree::Symbol(name, _) = &equation.left
+                && let Some(function) = given.function_of(name)
+            {
+                let problem =
+                    format!("`{name}` stands in what gives `{function}`, where nothing is put in: write a premise");
+                return Err(fault(source, (equation.at.0, problem)));
+            }
+        }
         let written = |tree: &Tree, source: &Source| {
             given
                 .written_out(tree, vocabulary)

@@ -138,6 +138,12 @@ impl Given {
         }
     }
 
+    /// The function whose formula speaks of a name, other than as its argument.
+    pub(super) fn function_of(&self, name: &Name) -> Option<&Name> {
+        let speaks = |function: &&Function| function.argument != *name && speaks_of(&function.value, name);
+        self.functions.iter().find(speaks).map(|function| &function.name)
+    }
+
     /// Whether nothing here can be written out.
     pub(super) fn is_idle(&self, vocabulary: &Vocabulary) -> bool {
         self.names.is_empty() && vocabulary.names.defined.is_empty()

@@ -6,7 +6,7 @@ use super::entry::{Entry, RawEntry, Role, read_entry};
 use super::fault::{Fault, Source, Text};
 use super::function::{Given, names_given};
 use super::premise::{refuse_two_meanings, shared};
-use super::spelling::refuse_two_spellings;
+use super::spelling::{refuse_products_of_vectors, refuse_two_spellings};
 use super::symbols::{MapEntry, Symbols};
 use super::vocabulary::Vocabulary;
 use crate::tex::{Equation, Name};
@@ -89,6 +89,7 @@ impl Sheet {
             entries.push(read.map_err(|fault| fault.of(label))?);
         }
         refuse_two_spellings(&raw.equation, &mut entries);
+        refuse_products_of_vectors(&raw.equation, &mut entries, &vocabulary);
         if entries.iter().all(|entry: &Entry| entry.role != Role::Claim) {
             let problem = "the sheet has no claim: give an equation that is to be decided `role = \"claim\"`";
             return Err(Fault::new(problem).at(&Source::new(lines, &Spanned::new(0..0, String::new()))));

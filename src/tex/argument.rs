@@ -419,7 +419,7 @@ mod tests {
     fn what_may_be_more_of_the_argument_is_refused() {
         refuse(&[
             (r"\sin x (a + b)", r"\sin(x) (a + b) or as \sin(x \cdot (a + b))"),
-            (r"\cos\theta(x)", r"`\theta` before a single letter in brackets"),
+            (r"\cos\theta(x)", r"`\theta` before a single term in brackets"),
             (r"\sin 2x/3", r"\frac{\sin(2 x)}{3} or as \sin(\frac{2 x}{3})"),
             (r"\cos\theta/2", r"\frac{\cos(\theta)}{2} or as \cos(\frac{\theta}{2})"),
             (r"\sin x\, y", r"\sin(x) y or as \sin(x y)"),

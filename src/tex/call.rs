@@ -76,8 +76,8 @@ impl<'a> Reader<'a> {
             return self.call(Box::new(Tree::Call(name, argument, At(at))), power);
         }
         let is_plain = power.is_none();
-        if is_plain && self.letter_in_brackets_follows() {
-            let found = format!("`{name}` before a single letter in brackets");
+        if is_plain && self.single_term_in_brackets_follows() {
+            let found = format!("`{name}` before a single term in brackets");
             let instead = "a product needs none; declare what is a function";
             return Err(Fault::ambiguous(at, &found, instead));
         }
@@ -88,12 +88,25 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Whether `(x)` stands next, alone.
-    fn letter_in_brackets_follows(&self) -> bool {
-        let kinds = [0, 1, 2].map(|ahead| self.look(ahead).map(|token| token.kind));
-        let [open, letter, close] = [Kind::Open(Bracket::Round), Kind::Letter, Kind::Close(Bracket::Round)].map(Some);
-        let is_raised = matches!(self.look(3).map(|token| token.kind), Some(Kind::Sup | Kind::Sub));
-        kinds == [open, letter, close] && !is_raised
+    /// Whether `(x)`, `(0)` or `(-2 t)` stands next.
+    fn single_term_in_brackets_follows(&self) -> bool {
+        let kind = |ahead: usize| self.look(ahead).map(|token| token.kind);
+        let first = 1 + usize::from(kind(1) == Some(Kind::Minus));
+        let is_part = |ahead: &usize| {
+            let part = [
+                Kind::Letter,
+                Kind::Number,
+                Kind::Sub,
+                Kind::BraceOpen,
+                Kind::BraceClose,
+                Kind::Prime,
+            ];
+            kind(*ahead).is_some_and(|kind| part.contains(&kind))
+        };
+        // a term is short; looking further would make long input slow
+        let length = (first..first + 12).take_while(is_part).count();
+        let ends = kind(first + length) == Some(Kind::Close(Bracket::Round));
+        kind(0) == Some(Kind::Open(Bracket::Round)) && length > 0 && ends
     }
 
     /// The argument between brackets that stands next, perhaps with braces around them.
@@ -524,7 +537,7 @@ mod tests {
             ("aTr(DP)", "(* a trace(DP))"),
         ]);
         refuse(&[
-            ("T r(a)", "`r` before a single letter in brackets"),
+            ("T r(a)", "`r` before a single term in brackets"),
             ("Tr(A)", "`A` is no known matrix (known: DP)"),
             ("Tr(DP", "`(` is not closed"),
             ("Tr(DP_2)", "is no known matrix"),

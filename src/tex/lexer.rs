@@ -162,10 +162,11 @@ impl<'a> Lexer<'a> {
         }
         if kind == Kind::Letter {
             let shape = shape(self.span(at, end)).unwrap_or(text);
-            let printed = if at < self.bold {
-                format!("\\mathbf{{{shape}}}")
-            } else {
-                shape.to_owned()
+            // upright d, e, i and T are what they are in italics: a differential, constants, a transpose
+            let printed = match self.styled && !matches!(text, "d" | "e" | "i" | "T") {
+                _ if at < self.bold => format!("\\mathbf{{{shape}}}"),
+                true => format!("\\mathrm{{{shape}}}"),
+                false => shape.to_owned(),
             };
             self.letters.push((text, printed));
         }
@@ -605,8 +606,8 @@ mod tests {
                 .join(" ")
         };
         assert_eq!(
-            shown(r"\mathbf{a} \cdot b + \boldsymbol\lambda c = \bm{\dot x}_k"),
-            r"\mathbf{a} b \mathbf{\lambda} c \mathbf{x} k"
+            shown(r"\mathbf{a} \cdot b + \boldsymbol\lambda c = \bm{\dot x}_k + \mathrm{m} \mathrm{d} x"),
+            r"\mathbf{a} b \mathbf{\lambda} c \mathbf{x} k \mathrm{m} d x"
         );
         assert_eq!(shown(r"\phi \varphi φ ϕ"), r"\phi \varphi \varphi \phi");
     }

@@ -370,7 +370,7 @@ mod tests {
     fn products_and_slashes() {
         check(&[
             (r"a b \cdot c \times d * e \ast f", "(* a b c d e f)"),
-            ("a(b c)", "(* a (* b c))"),
+            ("a(b + c)", "(* a (+ b c))"),
             ("a/b/c", "(/ (/ a b) c)"),
             (r"a b \div c \cdot d", "(* (/ (* a b) c) d)"),
             (r"\frac12(a + b)", "(* (/ 1 2) (+ a b))"),
@@ -399,7 +399,7 @@ mod tests {
             ("1/2 T_1", r"\frac{1}{2} T_1 or as \frac{1}{2 T_1}"),
             ("1/2(a + b)", r"\frac{1}{2} (a + b) or as \frac{1}{2 (a + b)}"),
             ("a/(b) c", r"\frac{a}{b} c or as"),
-            ("1/r_B(a)", r"`r_B` before a single letter in brackets"),
+            ("1/r_B(a)", r"`r_B` before a single term in brackets"),
             ("1/0.5 x", r"or as \frac{1}{0.5 x}"),
             ("1/2^2 x", r"or as \frac{1}{2^2 x}"),
             ("1/2 3", r"\frac{1}{2} \cdot 3 or as \frac{1}{2 \cdot 3}"),

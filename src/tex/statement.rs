@@ -150,13 +150,13 @@ fn compares_letters(tokens: &[Token<'_>]) -> bool {
     belongs || tokens.iter().all(is_plain)
 }
 
-/// The conditions of `\quad (x > 0)`.
+/// The conditions of `\quad (x > 0)`, which state nothing else.
 fn conditions_in_brackets<'a>(piece: &Piece<'a>) -> Option<Vec<Token<'a>>> {
     let [open, inside @ .., close] = piece.tokens.as_slice() else {
         return None;
     };
     let round = (Kind::Open(Bracket::Round), Kind::Close(Bracket::Round));
-    let is_pair = piece.aligned && (open.kind, close.kind) == round && outside_brackets(&piece.tokens).count() == 0;
+    let is_pair = (open.kind, close.kind) == round && outside_brackets(&piece.tokens).count() == 0;
     (is_pair && outside_brackets(inside).any(is_relation)).then(|| inside.to_vec())
 }
 
@@ -203,7 +203,6 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
                 if depth == 0 && piece.related && !ends_open(&piece.tokens) && !goes_on {
                     let stands = piece.stands;
                     done.push(std::mem::replace(&mut piece, fresh(true, stands)));
-                    piece.aligned = true;
                 }
                 continue;
             }

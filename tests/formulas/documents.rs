@@ -386,6 +386,101 @@ fn a_row_that_states_nothing_belongs_to_the_one_before_and_cases_share_their_lef
 }
 
 #[test]
+fn what_could_be_a_condition_of_another_row_refutes_nothing() {
+    for (display, wanted) in [
+        (r"\begin{gather*} \sqrt{x^2} = x \\ (x > 0) \end{gather*}", "proved"),
+        (
+            r"\begin{align*} \sqrt{x^2 y^2} &= x y \text{ for } x > 0 \text{ and}\\ & \quad y > 0. \end{align*}",
+            "undecided undecided",
+        ),
+        (
+            r"\begin{align*} \sqrt{x^2 y^2} &= x y, & x &> 0,\\ & & y &> 0. \end{align*}",
+            "undecided undecided",
+        ),
+        (
+            r"\begin{gather*} \text{If } x > 0 \text{ then} \\ \sqrt{x^2} = x. \end{gather*}",
+            "unread undecided",
+        ),
+        (
+            r"\begin{align*} \sqrt{x^2} &= x, \\ x &> 0. \end{align*}",
+            "undecided undecided",
+        ),
+        (
+            r"\begin{equation}\begin{split} \sqrt{x^2 y^2} &= x \sqrt{y^2} \\ &= x y \quad (x,y > 0) \end{split}\end{equation}",
+            "undecided proved",
+        ),
+        (
+            r"\begin{align*} \intertext{For $x > 0$} \sqrt{x^2} &= x \end{align*}",
+            "undecided",
+        ),
+        (r"\begin{align*} x &= 1 \\ \Rightarrow x^2 &= 1. \end{align*}", "proved"),
+        (
+            r"\begin{gather*} x = 1 \\ \Downarrow \\ x^2 = 1 \end{gather*}",
+            "undecided unread",
+        ),
+        (
+            r"\begin{align*} \sqrt{x^2 y^2} &= x \sqrt{y^2} \quad (x > 0) \\ &= -x y \quad (y < 0) \end{align*}",
+            "proved undecided",
+        ),
+        (r"\begin{align*} x &= y, \\ y &= x. \end{align*}", "refuted refuted"),
+        (
+            r"\begin{multline*} (x + y)^2 - 2 x y \\ - x^2 - y^2 = 0 \end{multline*}",
+            "unread",
+        ),
+        (
+            r"\begin{multline*} (x + y)^2 = x^2 \\ + 2 x y \\ + y^2 \end{multline*}",
+            "proved",
+        ),
+        (
+            r"\begin{gather*} (x + y)^2 - 2 x y \\ - x^2 - y^2 = 0 \end{gather*}",
+            "unread",
+        ),
+        (
+            r"\begin{aligned} (x + y)^2 & = 2 x y \\ + x^2 + y^2 &= (y+x)^2 \end{aligned}",
+            "unread",
+        ),
+        (
+            r"\begin{align*} a b &= b a, & (a+b)(a-b) &= a^2 \\ &= 2 a b - a b & &\quad - b^2 \end{align*}",
+            "unread unread",
+        ),
+    ] {
+        let display = display.replace(r"\begin{aligned}", r"\begin{equation}\begin{aligned}");
+        let display = display.replace(r"\end{aligned}", r"\end{aligned}\end{equation}");
+        let found = document(&format!("{SYMBOLS}% audit: claim\n{display}\n"), &[]);
+        let rows: Vec<String> = decisions(&found).iter().map(|row| row.verdict.to_string()).collect();
+        assert_eq!(rows.join(" "), wanted, "{display}");
+    }
+}
+
+#[test]
+fn code_of_markdown_states_nothing_and_a_comment_is_of_the_row_on_its_line() {
+    let text = "<!-- audit: symbols x -->\n<!-- audit: default claim -->\n~~~\n$$ 1 = 6 $$\n~~~\n\n```\n$$ 1 = 5 $$\n```\n\n$$ x + x = 2 x $$\n";
+    assert_eq!(verdicts(&markdown(text)), ["line 11 proved"]);
+    let text = r"% audit: symbols x
+\begin{align}
+ x^2 &= 2 % audit: claim
+\\ x &= 1 % audit: premise
+\end{align}
+";
+    assert_eq!(verdicts(&document(text, &[])), ["1 refuted"]);
+}
+
+#[test]
+fn what_no_author_means_is_not_guessed() {
+    for tex in [
+        r"\frac{dx}{dt} = 0",
+        r"\frac{d}{dt} (m v^2) = 0",
+        r"d x^2 = x\, d x",
+        r"\lim_{n\to\infty} \frac{a_n}{n} = 0",
+    ] {
+        let text =
+            format!("\\begin{{equation}} {tex} \\end{{equation}}\n\\begin{{equation}} b = b \\end{{equation}}\n");
+        let rows = verdicts(&document(&text, &[]));
+        assert!(rows[0] == "1 unread" || rows[0] == "1 undecided", "{tex}: {rows:?}");
+    }
+}
+
+#[test]
 fn a_guess_is_said_and_never_refutes() {
     let text = r"
 \begin{equation} E = \frac{m v^2}{2} + m g h \end{equation}

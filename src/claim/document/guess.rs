@@ -7,7 +7,7 @@ use super::super::substitute::any;
 use super::super::symbols::{Pairs, Symbols};
 use super::super::vocabulary::Vocabulary;
 use super::scan::Formula;
-use crate::tex::{Equation, Name, Names, Relation, Tree, read_display, read_name, with_commands};
+use crate::tex::{Equation, Name, Names, Operation, Relation, Tree, read_display, read_name, with_commands};
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// What is guessed of one formula.
@@ -38,6 +38,25 @@ pub(super) struct Guess {
     names: BTreeSet<Name>,
     /// The formulas of which nobody says what they are.
     guessed: HashMap<String, Role>,
+    /// The formulas on which another row of their display could be a condition.
+    doubtful: HashSet<String>,
+}
+
+/// Whether an equation holds a derivative of more than what it is taken by, or a differential.
+fn has_dependence(equation: &Equation) -> bool {
+    let is_d = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name.to_string() == "d");
+    let mut depends = |node: &Tree| match node {
+        Tree::Operation(operation, _) => match &**operation {
+            Operation::Derivative { of, by, .. } => any(
+                of,
+                &mut |node| matches!(node, Tree::Symbol(name, _) if name != by && !is_constant(name)),
+            ),
+            _ => false,
+        },
+        Tree::Product(factors) => factors.iter().rev().skip(1).any(is_d),
+        _ => false,
+    };
+    any(&equation.left, &mut depends) || any(&equation.right, &mut depends)
 }
 
 /// The running time of a document that does not say it.
@@ -88,12 +107,18 @@ impl Guess {
             premises: Vec::new(),
             names: BTreeSet::new(),
             guessed: HashMap::new(),
+            doubtful: HashSet::new(),
         }
     }
 
+    /// Whether formula number `at` can be read.
+    pub fn is_read(&self, at: usize) -> bool {
+        self.read.get(at).is_some_and(|equations| !equations.is_empty())
+    }
+
     /// What formula number `at`, called `label`, is; `role` is what its author says, `is_founded` whether he says what it follows
-    /// from.
-    pub fn of(&mut self, at: usize, label: &str, role: Option<Role>, is_founded: bool) -> Guessed {
+    /// from, `is_doubtful` whether another row of its display could be a condition on it.
+    pub fn of(&mut self, at: usize, label: &str, role: Option<Role>, is_founded: bool, is_doubtful: bool) -> Guessed {
         let equations = self.read.get(at).cloned().unwrap_or_default();
         let new = match equations.as_slice() {
             [equation] => self.defined(equation),
@@ -147,6 +172,11 @@ impl Guess {
         if is_guess {
             self.guessed.insert(label.to_owned(), role);
         }
+        if is_doubtful {
+            self.doubtful.insert(label.to_owned());
+            guessed
+                .extend((role == Role::Claim).then(|| "no other row of its display is a condition on it".to_owned()));
+        }
         self.met.extend(names.iter().cloned());
         names.retain(|name| role != Role::Definition || Some(name) != new.as_ref());
         self.names.extend(names);
@@ -157,8 +187,8 @@ impl Guess {
         }
     }
 
-    /// Why what a formula speaks of cannot be guessed.
-    pub fn problem(&self, tex: &str) -> Option<String> {
+    /// Why what formula number `at` speaks of cannot be guessed.
+    pub fn problem(&self, at: usize, tex: &str) -> Option<String> {
         if self.has_symbols {
             return None;
         }
@@ -170,6 +200,8 @@ impl Guess {
             "vectors and matrices are not guessed"
         } else if is_called(&shown, &|letter| self.functions.iter().any(|name| name.base == letter)) {
             "a function or a factor before a bracket is not guessed"
+        } else if self.read.get(at).into_iter().flatten().any(has_dependence) {
+            "what depends on what is not guessed"
         } else {
             return None;
         };
@@ -214,18 +246,18 @@ impl Guess {
     pub fn beneath(&self, label: &str, below: &HashMap<String, Vec<String>>) -> Vec<String> {
         let of = |label: &str| below.get(label).into_iter().flatten();
         let (mut met, mut open): (HashSet<&String>, Vec<&String>) = (HashSet::new(), of(label).collect());
-        let mut guessed: Vec<(&String, Role)> = Vec::new();
+        let mut guessed: Vec<(&String, String)> = Vec::new();
         while let Some(next) = open.pop() {
             if met.insert(next) {
-                guessed.extend(self.guessed.get(next).map(|role| (next, *role)));
+                let role = self.guessed.get(next).map(|role| format!("({next}) is a {role}"));
+                let doubt = format!("no other row of its display is a condition on ({next})");
+                let told = role.into_iter().chain(self.doubtful.contains(next).then_some(doubt));
+                guessed.extend(told.map(|told| (next, told)));
                 open.extend(of(next));
             }
         }
-        guessed.sort_by_key(|(label, _)| *label);
-        let told = guessed
-            .iter()
-            .take(MOST_TOLD)
-            .map(|(label, role)| format!("({label}) is a {role}"));
+        guessed.sort();
+        let told = guessed.iter().take(MOST_TOLD).map(|(_, told)| told.clone());
         let more = guessed.len().saturating_sub(MOST_TOLD);
         let more = (more > 0).then(|| format!("{more} more are what they are taken for"));
         told.chain(more).collect()

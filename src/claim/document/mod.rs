@@ -372,6 +372,11 @@ fn entries(
 ) -> Vec<String> {
     let mut said: Vec<Said> = said;
     let is_silent: Vec<bool> = said.iter().map(Said::is_nothing).collect();
+    // an author who says of each row what it is leaves no doubt
+    let silent_displays: BTreeSet<usize> = (0..formulas.len())
+        .filter(|&at| is_silent[at] || of_displays.get(at) == Some(&true))
+        .map(|at| formulas[at].first)
+        .collect();
     for at in 1..said.len() {
         // what stands before a display is said of each of its rows that says nothing of its own
         if let Some(formula) = formulas
@@ -416,6 +421,11 @@ fn entries(
         }
     }
     let mut guess = Guess::new(formulas, raw.symbols.as_ref().map(Spanned::get_ref), of_the_pair);
+    // a row that cannot be read may say what the others mean
+    let unread_displays: BTreeSet<usize> = (0..formulas.len())
+        .filter(|&at| !guess.is_read(at))
+        .map(|at| formulas[at].first)
+        .collect();
     for (at, ((formula, own), label)) in formulas.iter().zip(said).zip(&labels.own).enumerate() {
         let tex = formula.tex.clone().unwrap_or_default();
         // a default is of what states something
@@ -429,9 +439,11 @@ fn entries(
             continue;
         }
         let here = |text: String| Spanned::new(formula.part.clone(), text);
-        let guessed = guess.of(at, label, role, own.follows_from.is_some());
+        let is_doubtful = (formula.is_doubtful || unread_displays.contains(&formula.first))
+            && silent_displays.contains(&formula.first);
+        let guessed = guess.of(at, label, role, own.follows_from.is_some(), is_doubtful);
         let mut unread = formula.tex.clone().err();
-        unread = unread.or_else(|| guess.problem(&tex));
+        unread = unread.or_else(|| guess.problem(at, &tex));
         let mut follows_from = guessed.follows_from;
         for asked in own.follows_from.iter().flatten() {
             match labels.find(asked) {

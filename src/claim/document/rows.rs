@@ -1,6 +1,6 @@
 //! The rows of a display, and the formulas that they make.
 
-use super::tex::{BRACES, Outside, after_blanks, environment, group, outside, relates, trimmed};
+use super::tex::{BRACES, Outside, after_blanks, environment, group, is_equating, orders, outside, relates, trimmed};
 use crate::tex::printed;
 use std::ops::Range;
 
@@ -17,6 +17,10 @@ pub(super) struct Row {
     pub numbers: usize,
     /// The last side of the row before, where this one starts with a relation and continues it.
     pub continues: Option<Range<usize>>,
+    /// Whether another row of the display could be a condition on it, or it one on another.
+    pub is_doubtful: bool,
+    /// Why it cannot be told from the others.
+    pub problem: Option<&'static str>,
 }
 
 /// Environments within a display that lay out its rows.
@@ -65,6 +69,7 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
     // what is said outside a layer is said of all of it
     let mut own = text.get(body.clone()).unwrap_or_default().to_owned();
     let length = own.len();
+    let has_words = own.contains(r"\intertext") || own.contains(r"\shortintertext");
     whole.take_names(&mut own, 0..length);
     let (inner, name) = match layer(&own) {
         Some((name, inner)) => {
@@ -80,6 +85,7 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
     let mut pieces: Vec<(Range<usize>, bool)> = Vec::new();
     let mut start = inner.start;
     let mut columns: Vec<usize> = Vec::new();
+    let mut has_columns = false;
     let mut end_of_row = |text: &mut String, part: Range<usize>, columns: &mut Vec<usize>| {
         let starts = text
             .get(part.clone())
@@ -91,6 +97,7 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
             };
             let parts =
                 place % 2 == 1 && PAIRED.contains(&name.as_str()) && has(part.start..at) && has(at + 1..part.end);
+            has_columns |= parts;
             text.replace_range(at..=at, if parts { "," } else { " " });
         }
         pieces.push((part, starts));
@@ -109,16 +116,19 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
     let mut rows: Vec<Row> = Vec::new();
     // the first side of the chain that a row continues
     let mut head: Option<Range<usize>> = None;
+    let mut goes_on = false;
     for (piece, is_aligned) in pieces {
-        let mut row = Row::new(piece.clone(), line_end(text, piece.end));
+        let mut row = Row::new(piece.clone(), line_end(text, trimmed(text, piece.clone()).end));
         row.take_names(text, piece.clone());
         row.part = trimmed(text, piece);
         if row.part.is_empty() {
             continue;
         }
-        let joined = rows
-            .last()
-            .and_then(|last| joined(text, &last.part, &row.part, is_aligned));
+        let joined = match (rows.last(), name.starts_with("multline")) {
+            (Some(_), true) => Some(Joined::Row),
+            (last, _) => last.and_then(|last| joined(text, &last.part, &row.part, is_aligned)),
+        };
+        goes_on |= joined.is_some() || (!rows.is_empty() && starts_with_relation(text, &row.part));
         match (rows.last_mut(), joined) {
             (Some(last), Some(Joined::Blank)) => {
                 // one formula of two rows is read as one row, without the blanks that indent the second
@@ -146,7 +156,68 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
     if let Some(last) = rows.last_mut() {
         last.line_end = whole.line_end;
     }
+    let is_doubtful = has_words || share_conditions(text, &rows);
+    let problem = "columns of equations that go on in another row: give each formula a display of its own";
+    for row in &mut rows {
+        row.is_doubtful = is_doubtful;
+        row.problem = (has_columns && goes_on).then_some(problem);
+    }
     rows
+}
+
+/// Whether a row could be a condition on another, or hold one that is said of another too: an inequality beside equations, or between
+/// single letters; words, an arrow or what states nothing in a row of its own; a condition behind some rows and not
+/// behind others, or behind a link of a chain.
+fn share_conditions(text: &str, rows: &[Row]) -> bool {
+    let own = |row: &Row| printed(text.get(row.part.clone()).unwrap_or_default());
+    let equates = |row: &Row| {
+        let own = own(row);
+        relations(own)
+            .into_iter()
+            .any(|at| own.get(at).is_some_and(is_equating))
+    };
+    let is_said = |row: &Row| {
+        let own = own(row);
+        let has_words = WORDS.iter().any(|command| own.contains(command)) && !is_followed(text, &row.part, orders);
+        relations(own).is_empty() || has_words || begins_with(own, &ARROWS) || own.starts_with(r"\forall")
+    };
+    let is_bare = |row: &Row| {
+        let (own, mut start, mut sides) = (own(row), 0, Vec::new());
+        for at in relations(own) {
+            sides.extend(own.get(start..at.start));
+            start = at.end;
+        }
+        sides.extend(own.get(start..));
+        let is_letter = |side: &&str| {
+            !side
+                .trim()
+                .trim_end_matches(['.', ','])
+                .contains([' ', '+', '-', '^', '(', '|'])
+        };
+        !equates(row) && sides.iter().all(is_letter)
+    };
+    let equations = rows.iter().filter(|row| equates(row)).count();
+    let has_condition = |row: &Row| is_followed(text, &row.part, orders);
+    let conditioned = rows.iter().filter(|row| has_condition(row)).count();
+    let is_mixed = |count: usize| 0 < count && count < rows.len();
+    let is_doubtful = |row: &Row| is_said(row) || is_bare(row) || (row.continues.is_some() && has_condition(row));
+    is_mixed(equations) || is_mixed(conditioned) || (rows.len() > 1 && rows.iter().any(is_doubtful))
+}
+
+/// The arrows between what is given and what follows.
+const ARROWS: [&str; 8] = [
+    r"\Rightarrow",
+    r"\implies",
+    r"\Longrightarrow",
+    r"\Leftrightarrow",
+    r"\iff",
+    r"\Longleftrightarrow",
+    r"\Downarrow",
+    r"\therefore",
+];
+
+fn begins_with(text: &str, commands: &[&str]) -> bool {
+    commands.iter().any(|command| text.starts_with(command))
 }
 
 impl Row {
@@ -158,6 +229,8 @@ impl Row {
             tag: None,
             numbers: 1,
             continues: None,
+            is_doubtful: false,
+            problem: None,
         }
     }
 
@@ -297,12 +370,16 @@ fn joined(text: &str, before: &Range<usize>, part: &Range<usize>, is_aligned: bo
     let shown = |part: &Range<usize>| printed(text.get(part.clone()).unwrap_or_default());
     let (before, own) = (shown(before), shown(part));
     let states_nothing = relations(own).is_empty();
-    let starts = OPERATORS.iter().any(|operator| own.starts_with(operator)) || own.starts_with(r"\right");
+    let starts = begins_with(own, &OPERATORS) || own.starts_with(r"\right");
     let is_left_side = starts_with_relation(text, part) && relations(before).is_empty();
-    if is_left_side || is_continued(before) || (starts && (is_aligned || states_nothing)) {
+    // an arrow goes on from what is given
+    let is_consequence = begins_with(own, &ARROWS) && !states_nothing;
+    if is_left_side || is_continued(before) || is_consequence || (starts && (is_aligned || states_nothing)) {
         return Some(Joined::Blank);
     }
-    (says_condition(own) || (is_aligned && states_nothing)).then_some(Joined::Row)
+    let is_in_brackets = own.starts_with('(') && relates(own);
+    let is_incomplete = relations(before).is_empty() || (starts && !own.starts_with(['-', '−']));
+    (is_incomplete || says_condition(own) || (states_nothing && (is_aligned || is_in_brackets))).then_some(Joined::Row)
 }
 
 /// Whether a row cannot end where it does: behind an operator or a relation.
@@ -346,19 +423,19 @@ fn side_before(
     part: &Range<usize>,
     head: Option<Range<usize>>,
 ) -> Option<Range<usize>> {
-    match (has_condition(text, before), has_condition(text, part)) {
+    match (is_followed(text, before, relates), is_followed(text, part, relates)) {
         (true, true) => head,
         (true, false) => None,
         (false, _) => last_side(text, before).map(|(side, _)| side),
     }
 }
 
-/// Whether something stands behind the sides of a row that is or could be a condition.
-fn has_condition(text: &str, part: &Range<usize>) -> bool {
+/// Whether something stands behind the sides of a row that states, by this test, or says that it is a condition.
+fn is_followed(text: &str, part: &Range<usize>, states: impl Fn(&str) -> bool) -> bool {
     let behind = last_side(text, part).and_then(|(_, end)| text.get(end..part.end));
     behind.is_some_and(|behind| {
         let mut commands = behind.match_indices('\\').filter_map(|(at, _)| behind.get(at..));
-        relates(behind) || commands.any(says_condition)
+        states(behind) || commands.any(says_condition)
     })
 }
 

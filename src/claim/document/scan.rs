@@ -45,6 +45,8 @@ pub(super) struct Formula {
     /// The number or tag that it prints.
     pub number: Option<String>,
     pub labels: Vec<String>,
+    /// Whether another row of its display could be a condition on it.
+    pub is_doubtful: bool,
     /// Whether it continues the formula before it.
     pub is_link: bool,
     /// Whether it goes with the formula before it: as a link, or as another row of a display with one number or none.
@@ -339,7 +341,7 @@ impl<'a> Scan<'a> {
                 break;
             }
             let rest = self.text.get(at..part.end).unwrap_or_default();
-            let Some(found) = rest.find(['\\', '$', '`', '{', '}']) else {
+            let Some(found) = rest.find(['\\', '$', '`', '~', '{', '}']) else {
                 break;
             };
             let here = at + found;
@@ -352,7 +354,8 @@ impl<'a> Scan<'a> {
                     self.groups = self.groups.saturating_sub(1);
                     here + 1
                 }
-                Some(b'`') if self.markup == Markup::Markdown => self.code(here, part.end),
+                Some(b'`') if self.markup == Markup::Markdown => self.code('`', here, part.end),
+                Some(b'~') if self.markup == Markup::Markdown && self.is_fence(here) => self.code('~', here, part.end),
                 Some(b'$') => self.dollars(here, part.end),
                 Some(b'\\') => self.command(here, part.end),
                 _ => here + 1,
@@ -360,10 +363,17 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Where the code that starts here ends; a block of `math` is a display.
-    fn code(&mut self, here: usize, end: usize) -> usize {
+    /// Whether `~~~` stands here at the start of a line.
+    fn is_fence(&self, here: usize) -> bool {
+        let before = self.text.get(..here).unwrap_or_default();
+        let is_first = before.trim_end_matches(' ').ends_with('\n') || before.trim_end_matches(' ').is_empty();
+        is_first && self.text.get(here..).is_some_and(|rest| rest.starts_with("~~~"))
+    }
+
+    /// Where the code ends that a fence of these signs starts here; a block of `math` is a display.
+    fn code(&mut self, sign: char, here: usize, end: usize) -> usize {
         let rest = self.text.get(here..end).unwrap_or_default();
-        let fence: String = rest.chars().take_while(|c| *c == '`').collect();
+        let fence: String = rest.chars().take_while(|c| *c == sign).collect();
         let body = here + fence.len();
         let Some(close) = self
             .text
@@ -848,13 +858,17 @@ impl<'a> Scan<'a> {
             "" => own.to_owned(),
             side => format!("{side} {own}"),
         };
-        let tex = self.macros.expanded(&tex);
+        let tex = match row.problem {
+            Some(problem) => Err(problem.to_owned()),
+            None => self.macros.expanded(&tex),
+        };
         self.formulas.push(Formula {
             part: row.part,
             tex,
             number,
             labels: row.labels,
             is_link: row.continues.is_some(),
+            is_doubtful: row.is_doubtful,
             goes_with_last,
             first,
             comments: Vec::new(),

@@ -111,10 +111,49 @@ const RELATING: [&str; 22] = [
     "in",
 ];
 
+/// The relations that say that two sides are equal, or nearly, or that what is claimed follows.
+const EQUATING: [&str; 14] = [
+    "=",
+    ":=",
+    "≡",
+    "≈",
+    r"\equiv",
+    r"\approx",
+    r"\simeq",
+    r"\sim",
+    r"\to",
+    r"\propto",
+    r"\Rightarrow",
+    r"\implies",
+    r"\Leftrightarrow",
+    "≃",
+];
+
+/// Whether a relation says that two sides are equal.
+pub(super) fn is_equating(relation: &str) -> bool {
+    EQUATING.contains(&relation)
+}
+
+/// The relations that stand anywhere in a formula, be it within brackets.
+fn relations(tex: &str) -> impl Iterator<Item = &str> {
+    let commands = tex.match_indices('\\').filter_map(|(at, _)| {
+        let (name, end) = command(tex, at);
+        RELATING.contains(&name).then(|| tex.get(at..end)).flatten()
+    });
+    RELATIONS
+        .into_iter()
+        .filter(|relation| tex.contains(relation))
+        .chain(commands)
+}
+
 /// Whether a relation stands anywhere in a formula, be it within brackets.
 pub(super) fn relates(tex: &str) -> bool {
-    let is_relating = |at: usize| RELATING.contains(&command(tex, at).0);
-    RELATIONS.iter().any(|relation| tex.contains(relation)) || tex.match_indices('\\').any(|(at, _)| is_relating(at))
+    relations(tex).next().is_some()
+}
+
+/// Whether an inequality or `\in` stands anywhere in a formula.
+pub(super) fn orders(tex: &str) -> bool {
+    relations(tex).any(|relation| !is_equating(relation))
 }
 
 /// What stands outside all brackets in part of a text.

@@ -246,6 +246,17 @@ pub(super) fn of_limit(
     to: &Tree,
 ) -> Result<(Tree, Vec<Equation>, Vec<Tree>), String> {
     let of = rewrite(of, &|name| vocabulary.meaning(name, &|_| false));
+    let is_carried = |name: &Name| name.subscript.split([',', ' ']).any(|part| part == by.to_string());
+    let mut moves = None;
+    any(&of, &mut |node| {
+        if let Tree::Symbol(name, _) = node {
+            moves = moves.take().or_else(|| is_carried(name).then(|| name.clone()));
+        }
+        moves.is_some()
+    });
+    if let Some(name) = moves {
+        return Err(format!("`{name}` may move with `{by}`"));
+    }
     let mut small = small(statements, vocabulary, by, to, TERMS)?;
     let series = small.of(&of)?;
     let (mut needed, written) = (small.needed, small.written);
