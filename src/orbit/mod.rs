@@ -51,7 +51,7 @@ pub use long_run::cycle_means::CycleMeans;
 pub use long_run::lyapunov::{largest_multiplier, lyapunov};
 pub use long_run::repetition::{LONGEST_WORD, SETTLED};
 pub use long_run::resting::RestingCycle;
-pub use long_run::statistics::{Averaging, AveragingLength, BATCHES, Estimate, LongRun, OfImpact, Statistics};
+pub use long_run::statistics::{Averaging, AveragingLength, Estimate, FREQUENCIES, LongRun, OfImpact, Statistics};
 pub use long_run::steady_state::SteadyState;
 pub use one_one_branches::{OneOneBranches, OpenBifurcation};
 pub use orbit::{Orbit, flight_jacobians};

@@ -6,21 +6,24 @@ use crate::orbit::long_run::resting::Releases;
 use crate::orbit::long_run::steady_state::BETWEEN_STOPS;
 use crate::stop;
 
-/// The batches that a standard error is taken from: enough for Student's factor to be near 2, few enough for each to
-/// be long.
-pub const BATCHES: usize = 20;
+/// The frequencies of the periodogram that a standard error is taken from, the lowest: each has two degrees of freedom,
+/// enough for Student's factor to be near 2, and all of them are waves that are long beside what the motion remembers.
+pub const FREQUENCIES: usize = 10;
 
-/// The batches at which an error that is asked for is looked at between a length and its double: lengths grow by no more
-/// than 1.43 from look to look, and looks stay few, since each is one more chance to stop by luck.
-const BETWEEN_DOUBLES: usize = 28;
+/// A length is a multiple of so many impacts, at least two to a wave.
+const LEAST: u64 = 2 * FREQUENCIES as u64;
+
+/// The most cells that sums are kept in: so many that the waves of those frequencies are long beside a cell.
+const MOST_CELLS: usize = 1024;
 
 /// A statistic with its standard error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
     /// Its value.
     pub value: f64,
-    /// One standard error: 0 where the value is exact but for rounding; where it is measured, that of [`BATCHES`] batch
-    /// means or a few more, of which 2.09 (Student's t of 19 degrees of freedom) are 95%; none where nothing is claimed.
+    /// One standard error: 0 where the value is exact but for rounding; where it is measured, that of the periodogram at
+    /// its [`FREQUENCIES`] lowest frequencies, of which 2.09 (Student's t of 20 degrees of freedom) are 95%; none where
+    /// nothing is claimed.
     pub error: Option<f64>,
 }
 
@@ -89,16 +92,16 @@ pub struct Averaging<'a> {
     pub at_releases: bool,
 }
 
-/// Sums over the impacts of a batch.
+/// Sums over consecutive impacts.
 #[derive(Clone, Copy, Debug, Default)]
-struct BatchSums {
+struct Sums {
     impacts: f64,
     voltage: f64,
     time: f64,
     stretch: f64,
 }
 
-impl BatchSums {
+impl Sums {
     fn plus(self, other: &Self) -> Self {
         Self {
             impacts: self.impacts + other.impacts,
@@ -109,14 +112,46 @@ impl BatchSums {
     }
 }
 
+/// The sums along a motion, in at most [`MOST_CELLS`] cells of equally many impacts; the last may have fewer.
+struct Cells {
+    sums: Vec<Sums>,
+    size: f64,
+}
+
+impl Cells {
+    const fn new() -> Self {
+        Self {
+            sums: Vec::new(),
+            size: 1.0,
+        }
+    }
+
+    fn add(&mut self, impact: &Sums) {
+        match self.sums.last_mut() {
+            Some(last) if last.impacts < self.size => *last = last.plus(impact),
+            _ => {
+                if self.sums.len() == MOST_CELLS {
+                    self.sums = self.sums.chunks(2).map(|pair| pair[0].plus(&pair[1])).collect();
+                    self.size *= 2.0;
+                }
+                self.sums.push(*impact);
+            }
+        }
+    }
+}
+
 impl Averaging<'_> {
-    /// Follows the motion on after `event` and takes its means over [`BATCHES`] batches of equally many impacts. A release
-    /// forgets what was before, so the means begin again there; the second one from a wall closes a cycle.
+    /// Follows the motion on after `event` and takes its means, over [`AveragingLength::impacts`] rounded up to a multiple
+    /// of 20. A release forgets what was before, so the means begin again there; the second one from a wall closes a cycle.
     ///
-    /// The errors are those of batch means (G. S. Fishman, 1978, "Principles of Discrete Event Simulation", 5.4), for a
-    /// mean per unit of time those of the residuals of the ratio. Batches that still speak of each other show in those
-    /// twice and four times as long: the largest error of the three is given. None is given where r_B r_T = 1: nothing
-    /// is lost there, and a mean may drift for ever; nor of a motion that ends before its batches are full.
+    /// A mean is a ratio of two sums, and its error that of the sum of the residuals. The variance of this sum is the
+    /// spectral density of the residuals at frequency 0: the mean of their periodogram at its lowest frequencies
+    /// (E. Lazarus, D. J. Lewis, J. H. Stock and M. W. Watson, 2018, "HAR Inference: Recommendations for Practice", Journal
+    /// of Business & Economic Statistics 36, 541-559). Batch means see too much there where fluctuations take each other
+    /// back, as those of a voltage per unit of time do: their steps have a part of every frequency. A motion with a long
+    /// memory shows in the lowest half and the lowest fifth of the frequencies: the largest error of the three is given.
+    /// None is given where r_B r_T = 1: nothing is lost there, and a mean may drift for ever; nor of a motion that ends
+    /// before its length.
     pub fn after(&self, event: &Event<f64>) -> LongRun {
         let events = Widening::after(self.motion, event);
         let mut events = if self.with_growth {
@@ -126,9 +161,10 @@ impl Averaging<'_> {
         };
         let mut releases = Releases::default();
         let (mut before, mut stretch, mut impacts) = (event.clone(), 0.0, 0);
-        let mut full: Vec<BatchSums> = Vec::with_capacity(2 * BATCHES);
-        let mut batch = BatchSums::default();
-        let mut size = f64::from(self.length.impacts.div_ceil(BATCHES as u32));
+        let mut cells = Cells::new();
+        let mut taken = 0;
+        let mut lengths = lengths(self.length.impacts);
+        let mut length = lengths.next();
         while let Some(event) = events.next() {
             match event.kind {
                 Kind::Undecided => break,
@@ -140,104 +176,98 @@ impl Averaging<'_> {
                 }
                 Kind::Release if releases.is_second(&event) => return LongRun::Released(event.side, impacts),
                 Kind::Release => {
-                    full.clear();
-                    (batch, before, stretch) = (BatchSums::default(), event, 0.0);
+                    (cells, taken) = (Cells::new(), 0);
+                    (before, stretch) = (event, 0.0);
                     continue;
                 }
                 Kind::Impact => {}
             }
             impacts += 1;
+            taken += 1;
             if impacts % BETWEEN_STOPS == 0 && !stop::goes_on() {
                 break;
             }
             let grown = events.growth().stretch_since_release();
-            batch = batch.plus(&BatchSums {
+            cells.add(&Sums {
                 impacts: 1.0,
                 voltage: self.voltage.map_or(0.0, |voltage| voltage(&event)),
                 time: before.time_to(&event),
                 stretch: grown - stretch,
             });
             (before, stretch) = (event, grown);
-            if batch.impacts < size {
+            if Some(taken) != length {
                 continue;
             }
-            full.push(std::mem::take(&mut batch));
-            if full.len() == 2 * BATCHES {
-                (full, size) = (joined(&full), 2.0 * size);
-            }
-            let next = match full.len() {
-                BATCHES => BETWEEN_DOUBLES,
-                BETWEEN_DOUBLES => 2 * BATCHES,
-                _ => continue,
-            };
-            let may_go_on = size * next as f64 <= f64::from(self.length.most);
-            if !(may_go_on && self.is_met(&full) == Some(false)) {
-                return LongRun::Measured(self.statistics(&full));
+            let found = self.statistics(&cells.sums);
+            length = lengths.next().filter(|next| *next <= u64::from(self.length.most));
+            if found.is_met != Some(false) || length.is_none() {
+                return LongRun::Measured(found);
             }
         }
-        // what there is, as one batch
-        let all = full.iter().fold(batch, BatchSums::plus);
+        // what there is, as one cell
+        let all = cells.sums.iter().fold(Sums::default(), Sums::plus);
         LongRun::Measured(self.statistics(&[all]))
     }
 
-    fn statistics(&self, batches: &[BatchSums]) -> Statistics {
-        let impacts: f64 = batches.iter().map(|batch| batch.impacts).sum();
+    fn statistics(&self, cells: &[Sums]) -> Statistics {
+        let impacts: f64 = cells.iter().map(|cell| cell.impacts).sum();
         let is_lossless = [Side::Bottom, Side::Top]
             .iter()
             .all(|side| *self.motion.restitution(*side) == 1.0);
-        let estimate = |is_wanted: bool, of: fn(&BatchSums) -> f64, over: fn(&BatchSums) -> f64| {
-            let ratio = is_wanted.then(|| ratio(batches, of, over)).flatten()?;
+        let estimate = |is_wanted: bool, of: fn(&Sums) -> f64, over: fn(&Sums) -> f64| {
+            let ratio = is_wanted.then(|| ratio(cells, of, over)).flatten()?;
             let error = ratio.error.filter(|_| !is_lossless);
             Some(Estimate { error, ..ratio })
         };
         let has_voltage = self.voltage.is_some();
+        let voltage = estimate(has_voltage, |cell| cell.voltage, |cell| cell.impacts);
+        let rate = estimate(has_voltage, |cell| cell.voltage, |cell| cell.time / 2.0);
+        let part = self.length.error.filter(|_| has_voltage);
         Statistics {
             impacts: impacts as u64,
-            voltage: estimate(has_voltage, |batch| batch.voltage, |batch| batch.impacts),
-            rate: estimate(has_voltage, |batch| batch.voltage, |batch| batch.time / 2.0),
-            lyapunov: estimate(self.with_growth, |batch| batch.stretch, |batch| batch.time),
-            is_met: self.is_met(batches),
+            voltage,
+            rate,
+            lyapunov: estimate(self.with_growth, |cell| cell.stretch, |cell| cell.time),
+            is_met: part.map(|part| [voltage, rate].iter().flatten().all(|mean| mean.is_within(part))),
         }
-    }
-
-    fn is_met(&self, batches: &[BatchSums]) -> Option<bool> {
-        let part = self.length.error.filter(|_| self.voltage.is_some())?;
-        let statistics = Self {
-            length: AveragingLength {
-                error: None,
-                ..self.length
-            },
-            ..*self
-        }
-        .statistics(batches);
-        let mut means = [statistics.voltage, statistics.rate].into_iter().flatten();
-        Some(means.all(|mean| mean.is_within(part)))
     }
 }
 
-/// The batches by pairs.
-fn joined(batches: &[BatchSums]) -> Vec<BatchSums> {
-    batches
-        .chunks(2)
-        .map(|pair| pair.iter().fold(BatchSums::default(), BatchSums::plus))
-        .collect()
+/// The lengths at which an error that is asked for is looked at: each no more than 1.43 times the one before, and few, since
+/// each is one more chance to stop by luck.
+fn lengths(first: u32) -> impl Iterator<Item = u64> {
+    let first = u64::from(first.max(1)).div_ceil(LEAST);
+    (0..).flat_map(move |doubles| [20, 28].map(|times| times * (first << doubles)))
 }
 
 /// The ratio of two sums with its standard error; `None` where it is no number.
-fn ratio(batches: &[BatchSums], of: fn(&BatchSums) -> f64, over: fn(&BatchSums) -> f64) -> Option<Estimate> {
-    let sum = |of: fn(&BatchSums) -> f64| batches.iter().map(of).sum::<f64>();
+fn ratio(cells: &[Sums], of: fn(&Sums) -> f64, over: fn(&Sums) -> f64) -> Option<Estimate> {
+    let sum = |of: fn(&Sums) -> f64| cells.iter().map(of).sum::<f64>();
     let value = sum(of) / sum(over);
-    let error = |batches: &[BatchSums]| {
-        let count = batches.len() as f64;
-        let squares: f64 = batches
-            .iter()
-            .map(|batch| (of(batch) - value * over(batch)).powi(2))
-            .sum();
-        (squares * count / (count - 1.0)).sqrt() / sum(over)
-    };
-    let longer = joined(batches);
-    let error = (batches.len() >= BATCHES).then(|| error(batches).max(error(&longer)).max(error(&joined(&longer))));
+    let residuals = cells.iter().map(|cell| of(cell) - value * over(cell));
+    let error = (cells.len() as u64 >= LEAST).then(|| variance_of_sum(residuals).sqrt() / sum(over));
     value.is_finite().then_some(Estimate { value, error })
+}
+
+/// The variance of the sum of a stationary series of mean 0: its periodogram at its lowest frequencies, by the recurrence
+/// of G. Goertzel, 1958, American Mathematical Monthly 65, 34-35.
+fn variance_of_sum(series: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let angle = std::f64::consts::TAU / series.len() as f64;
+    let twice_cosine: [f64; FREQUENCIES] = std::array::from_fn(|index| 2.0 * ((index + 1) as f64 * angle).cos());
+    let [mut last, mut before] = [[0.0; FREQUENCIES]; 2];
+    for value in series {
+        let next = std::array::from_fn(|index| value + twice_cosine[index] * last[index] - before[index]);
+        (before, last) = (last, next);
+    }
+    let powers: [f64; FREQUENCIES] = std::array::from_fn(|index| {
+        let (last, before) = (last[index], before[index]);
+        last * last + before * before - twice_cosine[index] * last * before
+    });
+    let of_lowest = |count: usize| powers[..count].iter().sum::<f64>() / count as f64;
+    [FREQUENCIES, FREQUENCIES / 2, FREQUENCIES / 5]
+        .into_iter()
+        .map(of_lowest)
+        .fold(0.0, f64::max)
 }
 
 #[cfg(test)]
@@ -333,26 +363,56 @@ mod tests {
         );
     }
 
+    /// The mean error over many series of this length, relative to the deviation of their means; and that of batch means.
+    fn relative_error(of: &dyn Fn(&mut dyn FnMut() -> f64) -> Vec<f64>) -> [f64; 2] {
+        let mut sequence = Sequence::new(7);
+        let mut draw = || sequence.between(-1.0, 1.0);
+        let [mut spread, mut estimated, mut by_batches] = [0.0; 3];
+        for _ in 0..400 {
+            let series = of(&mut draw);
+            let mut cells = Cells::new();
+            for value in &series {
+                let (impacts, voltage) = (1.0, *value);
+                cells.add(&Sums {
+                    impacts,
+                    voltage,
+                    ..Sums::default()
+                });
+            }
+            let found = ratio(&cells.sums, |cell| cell.voltage, |cell| cell.impacts).unwrap();
+            spread += found.value.powi(2);
+            estimated += found.error.unwrap().powi(2);
+            let batch = |batch: &[f64]| batch.iter().sum::<f64>().powi(2);
+            by_batches += series.chunks(series.len() / 20).map(batch).sum::<f64>() / (series.len() as f64).powi(2);
+        }
+        [estimated, by_batches].map(|squares| (squares / spread).sqrt())
+    }
+
     #[test]
-    fn batches_that_speak_of_each_other_widen_the_error() {
-        let batch = |voltage: f64| BatchSums {
-            impacts: 1.0,
-            voltage,
-            time: 1.0,
-            stretch: 0.0,
-        };
-        let error = |of: &dyn Fn(usize) -> f64| {
-            let batches: Vec<BatchSums> = (0..BATCHES).map(|index| batch(of(index))).collect();
-            ratio(&batches, |batch| batch.voltage, |batch| batch.impacts)
-                .unwrap()
-                .error
-                .unwrap()
-        };
-        let alternating = error(&|index| (index % 2) as f64);
-        let slow = error(&|index| (index / 4 % 2) as f64);
-        assert!(
-            (alternating - 0.5 / 19_f64.sqrt()).abs() < 1e-12 && slow > 1.8 * alternating,
-            "{alternating} {slow}"
-        );
+    fn the_error_is_the_deviation_of_the_mean_whether_what_follows_adds_to_it_or_takes_it_back() {
+        for length in [500, 3000] {
+            // independent
+            let [error, _] = relative_error(&|draw| (0..length).map(|_| draw()).collect());
+            assert!((0.95..1.3).contains(&error), "{length}: {error}");
+            // with a memory of 10
+            let [error, _] = relative_error(&|draw| {
+                let mut last = 0.0;
+                let mut next = || {
+                    last = 0.9 * last + draw();
+                    last
+                };
+                (0..length + 100).map(|_| next()).skip(100).collect()
+            });
+            assert!((0.95..1.3).contains(&error), "{length}: {error}");
+            // differences: all that is left is the last less the first
+            let [error, by_batches] = relative_error(&|draw| {
+                let ends: Vec<f64> = (0..=length).map(|_| draw()).collect();
+                ends.windows(2).map(|pair| pair[1] - pair[0]).collect()
+            });
+            assert!(
+                (1.0..1.9).contains(&error) && by_batches > 4.0,
+                "{length}: {error} {by_batches}"
+            );
+        }
     }
 }
