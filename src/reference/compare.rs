@@ -134,12 +134,12 @@ fn words(printed: &str, computed: &str) -> Comparison {
     Comparison::new(Verdict::Wrong, None, reason)
 }
 
-/// Whether at least one figure agrees: of a single one, that the computed value rounds or truncates to it; of 0.00, that it
-/// rounds to it; of 0 alone, that nothing parts them.
-fn agrees(printed: &Figures, number: &Rational, least: &Rational) -> bool {
+/// Whether at least one figure agrees: of a single one, that the value rounds or truncates to it; of 0.00, that it rounds to
+/// it; of 0 alone, that it is 0.
+fn agrees(printed: &Figures, number: &Rational) -> bool {
     let places = printed.places;
-    if printed.value.is_zero() && places <= 0 {
-        return *least <= Rational::zero();
+    if printed.is_zero_alone() {
+        return number.is_zero();
     }
     let shown = |value: &Rational| rounded(&(value.clone() * power_of_ten(places)), 0);
     let size_of = |value: &Rational| size(value.clone());
@@ -150,6 +150,21 @@ fn agrees(printed: &Figures, number: &Rational, least: &Rational) -> bool {
             && (*number < Rational::zero()) == (printed.value < Rational::zero())
 }
 
+/// Whether at least one figure agrees with a number that is known to within a bound; `None` where the bound leaves it open.
+fn agrees_within(printed: &Figures, number: &Rational, bound: &Rational) -> Option<bool> {
+    if printed.is_zero_alone() && number.is_zero() {
+        return Some(true);
+    }
+    let all = [
+        number.clone() - bound.clone(),
+        number.clone(),
+        number.clone() + bound.clone(),
+    ];
+    let reaches_zero = printed.is_zero_alone() && all[0] <= Rational::zero() && all[2] >= Rational::zero();
+    let [low, middle, high] = all.map(|value| agrees(printed, &value));
+    (low == middle && middle == high && !reaches_zero).then_some(middle)
+}
+
 fn numbers(printed: &Figures, number: &Rational, computed: &Value) -> Comparison {
     let difference = size(number.clone() - printed.value.clone());
     let digits = if difference.is_zero() {
@@ -157,8 +172,11 @@ fn numbers(printed: &Figures, number: &Rational, computed: &Value) -> Comparison
     } else {
         agreeing(&difference, number)
     };
-    let shown = |value: &Rational| rounded(value, printed.places.max(0) + PLACES_BEYOND);
-    let both = format!("printed {}, computed {}", plain(printed), shown(number));
+    let both = format!(
+        "printed {}, computed {}",
+        plain(printed),
+        shown(number, printed.places, computed)
+    );
     if !computed.text.contains(['.', 'e', 'E']) {
         let (verdict, reason) = if difference.is_zero() {
             (Verdict::Reproduced, String::new())
@@ -175,11 +193,12 @@ fn numbers(printed: &Figures, number: &Rational, computed: &Value) -> Comparison
     let before = unit.clone() * Rational::from_integer(10);
     let (least, most) = (difference.clone() - bound.clone(), difference.clone() + bound.clone());
     let has_figure_before = printed.count > 1;
-    let verdict = if most <= unit && agrees(printed, number, &least) {
+    let agrees = agrees_within(printed, number, bound);
+    let verdict = if most <= unit && agrees == Some(true) {
         Verdict::Reproduced
     } else if least > unit && has_figure_before && most <= before {
         Verdict::Rounded
-    } else if least > before || !has_figure_before && (least > unit || most <= unit) {
+    } else if least > before || !has_figure_before && (least > unit || agrees == Some(false)) {
         Verdict::Wrong
     } else {
         Verdict::Undecided
@@ -194,6 +213,7 @@ fn numbers(printed: &Figures, number: &Rational, computed: &Value) -> Comparison
             "computed only to within {}, which leaves the verdict open; {both}",
             power_above(bound)
         ),
+        _ if difference < unit => format!("no figure agrees: {both}"),
         _ => format!(
             "differs from the {} figure on: {both}",
             ordinal(printed.first_differing(&difference))
@@ -202,8 +222,26 @@ fn numbers(printed: &Figures, number: &Rational, computed: &Value) -> Comparison
     Comparison::new(verdict, Some(digits), reason)
 }
 
+/// Decimals of no more characters than this are shown in full.
+const LEGIBLE: usize = 40;
+
+/// What is printed, in full or with a power of ten.
 pub(super) fn plain(figures: &Figures) -> String {
-    rounded(&figures.value, figures.places.max(0))
+    let decimal = rounded(&figures.value, figures.places.max(0));
+    if decimal.len() <= LEGIBLE {
+        return decimal;
+    }
+    let mantissa = rounded(&(figures.value.clone() * power_of_ten(figures.places)), 0);
+    format!("{mantissa}e{}", -figures.places)
+}
+
+/// A computed number to some places beyond the printed ones; as it is written where that is long.
+pub(super) fn shown(number: &Rational, places: i32, computed: &Value) -> String {
+    let decimal = rounded(number, places.max(0) + PLACES_BEYOND);
+    if decimal.len() <= LEGIBLE {
+        return decimal;
+    }
+    computed.text.clone()
 }
 
 /// The power of ten at or above a small number, as `1e-9`.
@@ -274,6 +312,8 @@ mod tests {
             ("1e300", "1.0e299", Wrong),
             ("1e300", "2.5", Wrong),
             ("1e400", "2.5", Wrong),
+            ("0.0e300", "2.5", Wrong),
+            ("0", "-0.0", Reproduced),
         ] {
             assert_eq!(
                 verdict(printed, computed, "1e-12"),
@@ -305,6 +345,11 @@ mod tests {
         assert_eq!(verdict("0.677449", "0.6774485", "4e-7"), Some(Verdict::Reproduced));
         assert_eq!(verdict("0.677449", "0.6774485", ""), Some(Verdict::Undecided));
         assert_eq!(verdict("0.677449", "", ""), Some(Verdict::Undecided));
+        // whether it rounds to the only figure, and whether it is 0
+        assert_eq!(verdict("5", "4.5001", "1e-3"), Some(Verdict::Undecided));
+        assert_eq!(verdict("5", "4.51", "1e-3"), Some(Verdict::Reproduced));
+        assert_eq!(verdict("0", "1e-13", "1e-12"), Some(Verdict::Undecided));
+        assert_eq!(verdict("0", "1e-11", "1e-12"), Some(Verdict::Wrong));
         assert_eq!(verdict("(0.4, 1)", "0.999999", "1e-3"), Some(Verdict::Undecided));
         assert_eq!(verdict("proved", "undecided", "0"), Some(Verdict::Undecided));
     }
@@ -345,6 +390,26 @@ mod tests {
             "right but for the last figure, off by 3.7: printed -0.555468, computed -0.555471663"
         );
         assert_eq!(reason("0.677449", "0.6774485037"), "");
+        for (printed, computed, both) in [
+            ("0", "0.4", "printed 0, computed 0.4"),
+            ("5", "4.2", "printed 5, computed 4.2"),
+            ("1e300", "2.5", "printed 1e300, computed 2.5"),
+            ("-1e400", "2.5e-7", "printed -1e400, computed 2.5e-7"),
+        ] {
+            let all = [
+                format!("no figure agrees: {both}"),
+                format!("differs from the 1st figure on: {both}"),
+            ];
+            assert!(
+                all.contains(&reason(printed, computed)),
+                "{}",
+                reason(printed, computed)
+            );
+        }
+        assert_eq!(
+            reason("1.5e-300", "2.5e-300"),
+            "differs from the 1st figure on: printed 15e-301, computed 2.5e-300"
+        );
         assert_eq!(
             reason("(-0.2, -0.15)", "0.165"),
             "computed 0.165, which is outside (-0.2, -0.15)"

@@ -46,6 +46,11 @@ impl Figures {
         })
     }
 
+    /// Whether this is 0 without places after the point, whose unit says nothing.
+    pub fn is_zero_alone(&self) -> bool {
+        self.value.is_zero() && self.places <= 0
+    }
+
     /// One unit of the last figure.
     pub fn unit(&self) -> Rational {
         power_of_ten(-self.places)

@@ -1,9 +1,9 @@
 //! A range, as a paper prints it.
 
 use super::Verdict;
-use super::compare::{Comparison, PLACES_BEYOND, plain};
+use super::compare::{Comparison, plain, shown};
 use super::computed::Value;
-use super::figures::{Figures, rounded};
+use super::figures::Figures;
 use crate::number::Rational;
 use std::fmt;
 
@@ -31,7 +31,7 @@ impl Range {
     /// `reproduced` where the number lies strictly within, whatever its bound leaves open, `wrong` where it does not.
     pub fn compare(&self, number: &Rational, computed: &Value) -> Comparison {
         let places = self.ends().map(|end| end.places).max().unwrap_or(0);
-        let shown = rounded(number, places.max(0) + PLACES_BEYOND);
+        let shown = shown(number, places, computed);
         let Some(bound) = &computed.bound else {
             let reason = format!("no bound of the computed value is certified: nothing is decided; computed {shown}");
             return Comparison::new(Verdict::Undecided, None, reason);
