@@ -342,11 +342,11 @@ fn what_cannot_be_parsed_is_told_by_line_and_column() {
     let answers = scratch.path("answers.csv");
     for (row, place) in [
         ("foo,phase_1,1", "line 2, column problem"),
-        ("orbit-focus,phase_9,1", "line 2, column quantity"),
-        ("orbit-focus,phase_1,one", "line 2, column answer"),
+        ("impact-fast,phase_9,1", "line 2, column quantity"),
+        ("impact-fast,time,one", "line 2, column answer"),
     ] {
         fs::write(&answers, format!("problem,quantity,answer\n{row}\n")).unwrap();
-        assert_refused(&["score", &answers], &[place]);
+        assert_refused(&["score", &answers, "--kind", "impact"], &[place]);
     }
 }
 

@@ -109,7 +109,7 @@ fn the_columns_of_every_command_are_as_described() {
             "sweep --summary",
             [&["sweep", "fig03", "--summary", "--set", "sweep.error=0.1"][..], &few].concat(),
         ),
-        ("plot all", vec!["plot", "all", "--out", &figures]),
+        ("plot all", [&["plot", "all", "--out", &figures][..], &few].concat()),
         ("scenes", vec!["scenes"]),
         ("run", [&["run", "fig03", "--out", &files][..], &few].concat()),
         ("trade", vec!["trade", "multipliers"]),

@@ -5,6 +5,9 @@ use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::LazyLock;
+
+use super::check::Golden;
 
 /// A directory of its own, gone when it goes out of scope.
 struct Scratch(PathBuf);
@@ -58,11 +61,18 @@ fn as_xml(html: &str) -> String {
     xml
 }
 
-fn paper() -> String {
+/// The page of the paper, once for all tests.
+static PAPER_PAGE: LazyLock<String> = LazyLock::new(|| {
     let output = run(&["audit", "--repair", "--format", "html"]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     stdout(&output)
-}
+});
+
+/// The page of the numbers that the paper prints, once for all tests.
+static CHECK_PAGE: LazyLock<String> = LazyLock::new(|| {
+    let golden = Golden::paper("page", |row| row.contains(",orbits.velocities"));
+    stdout(&run(&["check", golden.path(), "--format", "html"]))
+});
 
 /// The labels of the paper's rows, by another format.
 fn labels(arguments: &[&str]) -> Vec<String> {
@@ -73,7 +83,7 @@ fn labels(arguments: &[&str]) -> Vec<String> {
 
 #[test]
 fn the_page_of_the_paper_is_one_short_file_with_a_place_for_each_formula() {
-    let html = paper();
+    let html = &*PAPER_PAGE;
     assert!(html.len() < 400_000, "{} bytes", html.len());
     // what is wider than a phone is scrolled by keys too (axe-core: scrollable-region-focusable)
     for class in ["formula", "wide"] {
@@ -84,7 +94,7 @@ fn the_page_of_the_paper_is_one_short_file_with_a_place_for_each_formula() {
     for outside in ["http://", "https://", "src=", "url(", "@import"] {
         assert!(!html.contains(outside), "{outside}");
     }
-    let xml = as_xml(&html);
+    let xml = as_xml(html);
     let document = roxmltree::Document::parse(&xml).unwrap();
     let ids: Vec<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
     assert_eq!(ids.iter().collect::<HashSet<_>>().len(), ids.len(), "an id twice");
@@ -299,13 +309,13 @@ fn verdicts_are_tests_in_ci() {
 fn the_other_commands_have_a_page_of_their_tables_and_figures() {
     let scratch = Scratch::new("others");
     let directory = scratch.path("run");
-    let output = run(&["run", "fig02", "--format", "html", "--out", &directory]);
+    let few = ["--set", "sweep.points=41"];
+    let output = run(&[&["run", "fig02", "--format", "html", "--out", &directory], &few[..]].concat());
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let of_run = fs::read_to_string(Path::new(&directory).join("report.html")).unwrap();
     let trade = stdout(&run(&["trade", "orbit", "--problems", "--format", "html"]));
-    let check = stdout(&run(&["check", "--format", "html"]));
-    for (html, words) in [(of_run, "<svg"), (trade, "solved"), (check, "reproduced")] {
-        let xml = as_xml(&html);
+    for (html, words) in [(&of_run, "<svg"), (&trade, "solved"), (&*CHECK_PAGE, "reproduced")] {
+        let xml = as_xml(html);
         let document = roxmltree::Document::parse(&xml).unwrap();
         let heads = document.descendants().filter(|node| node.has_tag_name("th"));
         assert!(html.contains(words) && heads.clone().count() > 3, "{words}");
@@ -405,8 +415,8 @@ fn measured(scratch: &Scratch, html: &str, script: &str) -> Option<serde_json::V
 #[test]
 fn a_browser_lays_the_page_out_and_has_nothing_to_complain_of() {
     let scratch = Scratch::new("browser");
-    let html = paper();
-    let page = scratch.file("page.html", &html);
+    let html = &*PAPER_PAGE;
+    let page = scratch.file("page.html", html);
     let Some(output) = browser(
         &scratch,
         &page,
@@ -434,7 +444,7 @@ fn a_browser_lays_the_page_out_and_has_nothing_to_complain_of() {
         return { articles: articles.map((a) => a.id), maths: maths.length, flat: maths.filter((m) => !box(m)).length,\
           leaves: leaves.length, empty: leaves.filter((m) => !box(m)).length,\
           texts: texts.length, folded, unfolded, refuted, wide: document.documentElement.scrollWidth };";
-    let found = measured(&scratch, &html, script).unwrap();
+    let found = measured(&scratch, html, script).unwrap();
     let articles: Vec<&str> = found["articles"]
         .as_array()
         .unwrap()
@@ -455,14 +465,13 @@ fn a_browser_lays_the_page_out_and_has_nothing_to_complain_of() {
 #[test]
 fn a_browser_sorts_a_table_by_its_numbers() {
     let scratch = Scratch::new("sort");
-    let html = stdout(&run(&["check", "--format", "html"]));
     let script = "const heads = [...document.querySelectorAll('thead th')];\
         const at = heads.findIndex((h) => h.textContent === 'digits');\
         const column = () => [...document.querySelectorAll('tbody tr')].map((r) => r.cells[at].textContent).filter((t) => t !== '').map(Number);\
         const button = heads[at].querySelector('button');\
         button.click(); const up = column(); const said = heads[at].getAttribute('aria-sort');\
         button.click(); return { up, down: column(), said };";
-    let Some(found) = measured(&scratch, &html, script) else {
+    let Some(found) = measured(&scratch, &CHECK_PAGE, script) else {
         return;
     };
     let list = |key: &str| -> Vec<f64> {
@@ -482,7 +491,7 @@ fn a_browser_sorts_a_table_by_its_numbers() {
 #[test]
 fn a_printed_page_has_every_formula_and_every_proof() {
     let scratch = Scratch::new("print");
-    let page = scratch.file("page.html", &paper());
+    let page = scratch.file("page.html", &PAPER_PAGE);
     let pdf = scratch.path("page.pdf");
     if browser(&scratch, &page, &[&format!("--print-to-pdf={pdf}")]).is_none() {
         return;
