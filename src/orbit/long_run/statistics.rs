@@ -274,6 +274,7 @@ fn variance_of_sum(series: impl ExactSizeIterator<Item = f64>) -> f64 {
 mod tests {
     use super::*;
     use crate::impact::Start;
+    use crate::number::Sequence;
     use crate::orbit::{SteadyState, lyapunov};
 
     fn measured(motion: &Motion<f64>, length: AveragingLength) -> Option<Statistics> {
