@@ -1,13 +1,14 @@
-//! `vibro-audit check [DIR] [--bless]`.
+//! `vibro-audit check [DIR] [--add ID ... | --bless]`.
 
 use super::caller::quietly;
-use super::{Answer, Content, Exit, Failure, Options, golden};
+use super::{Answer, Content, Exit, Failure, Options, added, golden};
 use crate::reference::{Certified, Directory, Outcome, Verdict, bless, check};
 use crate::report::{Cell, Format, Output, Page, Part, Table, note_input};
 use std::path::PathBuf;
 
 /// Hold golden values, the paper's or your own directory's, against what is computed
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = EXAMPLE)]
 pub struct Arguments {
     /// A directory with printed.csv, and scenes/ and reference/ where its rows name them; without it, the paper's
     #[arg(value_name = "DIR")]
@@ -15,7 +16,18 @@ pub struct Arguments {
     /// Compute the reference files of DIR anew and rewrite them; never printed.csv
     #[arg(long)]
     pub(super) bless: bool,
+    #[command(flatten)]
+    row: added::Row,
 }
+
+/// How to begin a directory.
+const EXAMPLE: &str = "\
+A directory of your own begins with its first row, which says what is printed where, and what it is a value of:
+  vibro-audit check golden/mine --add table2-bottom --place 'Table 2' --scene fig02 --set motion.d=0.4 \\
+      --quantity 'orbits.velocities[0]' --printed 0.83272
+`vibro-audit check golden/mine` then checks it. A quantity is a column of orbits, branch, simulate, sweep, summary (that
+of `sweep --summary`), trajectory, voltage or audit (its verdicts), as COMMAND.COLUMN, with [n] for an entry of a list,
+counted from 0; over several rows .min, .max, .spread, .trend or .count may follow.";
 
 /// The columns: those that scripts rely on, and the reason.
 const COLUMNS: [&str; 10] = [
@@ -24,26 +36,33 @@ const COLUMNS: [&str; 10] = [
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
+    if let Some(outcome) = arguments.row.add(arguments.directory.as_deref(), options)? {
+        return answer(arguments, &[outcome], options);
+    }
     let directory = arguments.directory.clone().map_or(Directory::BuiltIn, Directory::At);
     let printed = directory.printed()?;
     if arguments.bless {
         return rewrite(&directory);
     }
-    if let Directory::At(path) = &directory {
+    if let Some(path) = directory.path() {
         note_input(path);
         for file in directory.reference_files()? {
             note_input(&path.join(file));
         }
     }
     let certified = directory.certified()?;
-    let mut answer = |request: &_| golden::answer(&directory, request, options).map_err(|failure| failure.to_string());
-    let mut outcomes = || check(&printed, &certified, &mut answer);
+    let mut compute = |request: &_| golden::answer(&directory, request, options).map_err(|failure| failure.to_string());
+    let mut outcomes = || check(&printed, &certified, &mut compute);
     let outcomes = match &directory {
         // what is to be said of the paper's own scenes is known
         Directory::BuiltIn => quietly(outcomes),
-        Directory::At(_) => outcomes(),
+        _ => outcomes(),
     }?;
-    let table = table(&outcomes, options.format)?;
+    answer(arguments, &outcomes, options)
+}
+
+fn answer(arguments: &Arguments, outcomes: &[Outcome], options: &Options) -> Result<Answer, Failure> {
+    let table = table(outcomes, options.format)?;
     let content = match options.format {
         Format::Html => Content::Page(page(arguments, table)),
         _ => Content::Table(table),
@@ -106,7 +125,7 @@ fn computed(text: &str) -> Cell {
 
 /// Computes every reference file anew before any is written.
 fn rewrite(directory: &Directory) -> Result<Answer, Failure> {
-    let Directory::At(path) = directory else {
+    let Some(path) = directory.path() else {
         return Err(Failure::BlessNothing);
     };
     let files = directory.reference_files()?;

@@ -97,13 +97,8 @@ pub fn numbers(exit: Exit, document: &Document, source: &Source, options: &Optio
 
 /// What a row of golden values comes to.
 fn outcome(row: &[String], name: &str, directory: &Directory, options: &Options) -> Result<Vec<Outcome>, String> {
-    let mut csv = csv::Writer::from_writer(Vec::new());
-    let header = PRINTED_COLUMNS.iter().map(ToString::to_string).collect();
-    for fields in [&header, &row.to_vec()] {
-        csv.write_record(fields).map_err(|error| error.to_string())?;
-    }
-    let text = csv.into_inner().map_err(|error| error.to_string())?;
-    let printed = Printed::read(name, &String::from_utf8_lossy(&text)).map_err(|fault| fault.to_string())?;
+    let text = Printed::with_row("", row).map_err(|fault| fault.to_string())?;
+    let printed = Printed::read(name, &text).map_err(|fault| fault.to_string())?;
     let mut compute = |request: &_| golden::answer(directory, request, options).map_err(|failure| failure.to_string());
     reference::check(&printed, &[], &mut compute).map_err(|fault| fault.to_string())
 }

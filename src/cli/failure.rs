@@ -57,6 +57,9 @@ pub enum Failure {
     /// A directory without reference files.
     #[error("{0} has no folder reference/ with .csv files; nothing can be blessed, and none is created; to begin, write {0}/reference/mine.csv: the header {header}, then rows whose last three fields are empty, which --bless fills", header = crate::reference::CERTIFIED_COLUMNS.join(","))]
     NoReference(String),
+    /// A scene would be copied onto another one.
+    #[error("{there} is another scene than {given}: give one of them another name")]
+    OtherScene { there: String, given: String },
     /// A name that is no built-in scene.
     #[error("there is no built-in scene `{0}`; a file is named by its path in the directory, such as scenes/{0}.toml")]
     NoScene(String),

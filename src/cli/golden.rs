@@ -156,7 +156,7 @@ fn scene(directory: &Directory, request: &Request) -> Result<Scene, Failure> {
             .strip_prefix("scenes/")
             .and_then(|name| name.strip_suffix(".toml"))
             .and_then(scene::find),
-        (Directory::At(_), true) => None,
+        (_, true) => None,
     };
     let text = match built_in {
         Some(text) => text.to_owned(),
@@ -212,7 +212,7 @@ fn as_text(table: &Table) -> Computed {
 }
 /// A file of the directory, which no output replaces from now on.
 fn read(directory: &Directory, name: &str) -> Result<String, Failure> {
-    if let Directory::At(path) = directory {
+    if let Some(path) = directory.path() {
         note_input(&path.join(name));
     }
     Ok(directory.read(name)?)

@@ -1,6 +1,7 @@
 //! Where golden files lie: in the binary, or in a directory that stands alone wherever it is copied.
 
 use super::{Certified, Fault, Printed};
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
@@ -46,14 +47,24 @@ pub enum Directory {
     BuiltIn,
     /// Anyone's.
     At(PathBuf),
+    /// Anyone's with files, by their paths relative to it, that are not written yet.
+    Draft(PathBuf, BTreeMap<String, String>),
 }
 
 impl Directory {
+    /// Where it lies, unless in the binary.
+    pub fn path(&self) -> Option<&Path> {
+        match self {
+            Self::BuiltIn => None,
+            Self::At(path) | Self::Draft(path, _) => Some(path),
+        }
+    }
+
     /// How errors name a file of it.
     pub fn name(&self, relative: &str) -> String {
-        match self {
-            Self::BuiltIn => format!("golden/paper/{relative}"),
-            Self::At(path) => path.join(relative).display().to_string(),
+        match self.path() {
+            None => format!("golden/paper/{relative}"),
+            Some(path) => path.join(relative).display().to_string(),
         }
     }
 
@@ -72,12 +83,13 @@ impl Directory {
             ));
         }
         match self {
+            Self::Draft(_, files) if files.contains_key(relative) => Ok(files[relative].clone()),
             Self::BuiltIn => {
                 let found = BUILT_IN.iter().find(|(name, _)| *name == relative);
                 let text = found.map(|(_, text)| (*text).to_owned());
                 text.ok_or_else(|| fault("there is no such built-in file".to_owned()))
             }
-            Self::At(directory) => {
+            Self::At(directory) | Self::Draft(directory, _) => {
                 let bytes = limited(&directory.join(relative)).map_err(|error| fault(self.why(relative, &error)))?;
                 if bytes.len() as u64 > MOST_BYTES {
                     return Err(fault(
@@ -93,12 +105,16 @@ impl Directory {
     }
 
     fn why(&self, relative: &str, error: &io::Error) -> String {
-        match (self, error.kind()) {
-            (Self::At(directory), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) if !directory.is_dir() => {
-                format!("there is no directory {}", directory.display())
+        match (self.path(), error.kind()) {
+            (Some(directory), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) if !directory.is_dir() => {
+                format!(
+                    "there is no directory {}; `check DIR --add` makes one",
+                    directory.display()
+                )
             }
             (_, io::ErrorKind::NotFound) if relative == PRINTED => {
-                "there is no such file; a directory of golden values has one, and it is never created".to_owned()
+                "there is no such file; a directory of golden values has one, which `check DIR --add` alone makes"
+                    .to_owned()
             }
             (_, io::ErrorKind::NotFound) => "there is no such file".to_owned(),
             (_, io::ErrorKind::IsADirectory) => "it is a directory, not a file".to_owned(),
@@ -120,13 +136,11 @@ impl Directory {
     /// # Errors
     /// The folder cannot be listed, or has no file.
     pub fn reference_files(&self) -> Result<Vec<String>, Fault> {
-        let directory = match self {
-            Self::BuiltIn => {
-                let names = BUILT_IN.iter().map(|(name, _)| (*name).to_owned());
-                return Ok(names.filter(|name| name.starts_with("reference/")).collect());
-            }
-            Self::At(path) => path.join(REFERENCE),
+        let Some(path) = self.path() else {
+            let names = BUILT_IN.iter().map(|(name, _)| (*name).to_owned());
+            return Ok(names.filter(|name| name.starts_with("reference/")).collect());
         };
+        let directory = path.join(REFERENCE);
         let fault = |message: String| Fault::of_file(&self.name(REFERENCE), message);
         let entries = match fs::read_dir(&directory) {
             Ok(entries) => entries,
@@ -198,6 +212,6 @@ mod tests {
                 .map_or_else(|fault| fault.to_string(), |_| String::new())
         };
         assert!(of(PathBuf::from("no/such/directory")).contains("there is no directory no/such/directory"));
-        assert!(of(Path::new(env!("CARGO_MANIFEST_DIR")).join("src")).contains("never created"));
+        assert!(of(Path::new(env!("CARGO_MANIFEST_DIR")).join("src")).contains("there is no such file"));
     }
 }

@@ -39,6 +39,13 @@ impl Fault {
         self
     }
 
+    /// The same fault, of a row that stands on no line yet.
+    #[must_use]
+    pub fn without_line(mut self) -> Self {
+        self.line = None;
+        self
+    }
+
     /// The same fault, in the column of this name.
     #[must_use]
     pub fn in_column(mut self, column: &str) -> Self {

@@ -26,10 +26,10 @@ pub use bless::{Blessed, Change, Made, bless};
 pub use certified::{COLUMNS as CERTIFIED_COLUMNS, Certified, FIGURES};
 pub use compare::{Comparison, certified_against, compare};
 pub use computed::{Computed, Value};
-pub use directory::Directory;
+pub use directory::{Directory, PRINTED};
 pub use fault::Fault;
 pub use figures::Figures;
-pub use outcome::{Outcome, check};
+pub use outcome::{Outcome, check, check_row};
 pub use printed::{COLUMNS as PRINTED_COLUMNS, Printed};
 pub use quantity::{Across, FieldName, NoQuantity, Quantity};
 #[cfg(feature = "cli")]

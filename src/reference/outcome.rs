@@ -53,6 +53,14 @@ pub fn check(printed: &[Printed], certified: &[Certified], answer: &mut Answer<'
     Ok(outcomes)
 }
 
+/// Holds one of the printed rows alone.
+///
+/// # Errors
+/// As [`check`].
+pub fn check_row(row: &Printed, printed: &[Printed], answer: &mut Answer<'_>) -> Result<Outcome, Fault> {
+    of_printed(row, printed, &mut Asked::new(answer))
+}
+
 fn of_printed(row: &Printed, rows: &[Printed], asked: &mut Asked<'_>) -> Result<Outcome, Fault> {
     let (computed, note, comparison, picked) = match &row.quantity {
         None => {

@@ -44,6 +44,33 @@ impl Printed {
             .collect()
     }
 
+    /// The text of `printed.csv` with one row more, whose fields are in the order of the columns; `text` may be empty.
+    ///
+    /// # Errors
+    /// None but a fault of ours.
+    pub fn with_row(text: &str, row: &[String]) -> Result<String, Fault> {
+        let fault = |error: &dyn std::fmt::Display| Fault::of_file("a row", error.to_string());
+        let (line_break, terminator) = match text.contains("\r\n") {
+            true => ("\r\n", csv::Terminator::CRLF),
+            false => ("\n", csv::Terminator::Any(b'\n')),
+        };
+        let mut writer = csv::WriterBuilder::new().terminator(terminator).from_writer(Vec::new());
+        let before = match text.trim_matches(['\u{feff}', ' ', '\n', '\r']) {
+            "" => "",
+            _ => text,
+        };
+        if before.is_empty() {
+            writer.write_record(COLUMNS).map_err(|error| fault(&error))?;
+        }
+        writer.write_record(row).map_err(|error| fault(&error))?;
+        let added = writer.into_inner().map_err(|error| fault(&error))?;
+        let between = match before.is_empty() || before.ends_with('\n') {
+            true => "",
+            false => line_break,
+        };
+        Ok(format!("{before}{between}{}", String::from_utf8_lossy(&added)))
+    }
+
     fn from_record(record: Record) -> Result<Self, Fault> {
         record.required("place")?;
         record.required("printed")?;
@@ -97,6 +124,28 @@ mod tests {
             Some(("a", "0.83272", Verdict::Reproduced))
         );
         assert_eq!(row.map(|row| row.setting.overrides.len()), Some(1));
+    }
+
+    #[test]
+    fn a_row_is_added_with_the_header_and_the_line_break_that_the_text_needs() {
+        let row: Vec<String> = COLUMNS.iter().map(|_| "a, \"b\"".to_owned()).collect();
+        let header = COLUMNS.join(",");
+        for (before, breaks) in [
+            ("", "\n"),
+            (" \n\n", "\n"),
+            (&*header, "\n"),
+            (&*format!("{header}\r\n"), "\r\n"),
+        ] {
+            let after = Printed::with_row(before, &row).unwrap_or_default();
+            let (first, rest) = after.split_once(breaks).unwrap_or_default();
+            assert_eq!(first, header, "{before:?}");
+            assert!(
+                rest.ends_with(breaks) && rest.matches('\n').count() == 1,
+                "{before:?}: {rest:?}"
+            );
+            let records = records::read("x", &after, COLUMNS).unwrap_or_default();
+            assert_eq!(records.first().map(Record::fields), Some(&*row));
+        }
     }
 
     #[test]

@@ -148,7 +148,7 @@ fn missing_and_empty_files_are_failures_and_never_created() {
     assert_refused(&["no/such/directory"], &["there is no directory no/such/directory"]);
     let golden = Golden::new("missing", &[RIGHT]);
     fs::remove_file(golden.0.join("printed.csv")).unwrap();
-    golden.assert_refused(&["printed.csv", "there is no such file", "never created"]);
+    golden.assert_refused(&["printed.csv", "there is no such file", "`check DIR --add` alone makes"]);
     assert!(!golden.0.join("printed.csv").exists());
     for (text, words) in [
         ("", "it is empty"),
@@ -165,6 +165,153 @@ fn missing_and_empty_files_are_failures_and_never_created() {
     fs::remove_file(golden.0.join("printed.csv")).unwrap();
     fs::create_dir(golden.0.join("printed.csv")).unwrap();
     golden.assert_refused(&["it is a directory"]);
+}
+
+/// The arguments that add a row of the scene `scenes/own.toml`, which is right as it stands.
+const ADDED: [&str; 10] = [
+    "--add",
+    "added",
+    "--place",
+    "section 2, \"g\"",
+    "--scene",
+    "scenes/own.toml",
+    "--quantity",
+    "motion.g",
+    "--printed",
+    "0.12201",
+];
+
+/// Adds a row whose arguments are `ADDED` but for these, the last of which win.
+fn add(golden: &Path, other: &[(&str, &str)]) -> (Option<i32>, String, String) {
+    let mut arguments = vec![golden.to_str().unwrap().to_owned()];
+    for pair in ADDED.chunks(2) {
+        let value = other
+            .iter()
+            .find(|(name, _)| *name == pair[0])
+            .map_or(pair[1], |(_, value)| value);
+        arguments.push(format!("{}={value}", pair[0]));
+    }
+    let more = other.iter().filter(|(name, _)| !ADDED.contains(name));
+    arguments.extend(more.map(|(name, value)| format!("{name}={value}")));
+    let output = check(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
+    let message = String::from_utf8(output.stderr.clone()).unwrap();
+    (output.status.code(), stdout(&output), message)
+}
+
+#[test]
+fn a_row_is_added_where_its_verdict_is_the_expected_one() {
+    let golden = Golden::new("add", &[RIGHT]);
+    let before = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+    let (status, table, message) = add(&golden.0, &[("--format", "csv"), ("--unit", "m")]);
+    assert_eq!(status, Some(0), "{message}");
+    assert!(
+        table.lines().count() == 2 && table.contains(",reproduced,reproduced,"),
+        "{table}"
+    );
+    assert!(message.contains("`added` is line 3 of "), "{message}");
+    let after = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+    let row = "added,\"section 2, \"\"g\"\"\",scenes/own.toml,,motion.g,0.12201,m,reproduced,,\n";
+    assert_eq!(after, before + row);
+    assert_eq!(golden.verdicts().0, Some(0));
+    // what is not as expected is shown, not added, and the message says how it would be
+    let wrong = [("--add", "other"), ("--printed", "-0.5")];
+    let (status, table, message) = add(&golden.0, &wrong);
+    assert_eq!(status, Some(1), "{message}");
+    assert!(table.contains("EXPECTED reproduced, IS wrong"), "{table}");
+    assert!(
+        message.contains("`other` is not added") && message.contains("--expected wrong"),
+        "{message}"
+    );
+    assert_eq!(fs::read_to_string(golden.0.join("printed.csv")).unwrap(), after);
+    let (status, ..) = add(
+        &golden.0,
+        &[&wrong[..], &[("--expected", "wrong"), ("--set", "motion.d=0.3")]].concat(),
+    );
+    assert_eq!(status, Some(0));
+    let added = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+    assert!(
+        added.ends_with("scenes/own.toml,motion.d=0.3,motion.g,-0.5,,wrong,,\n"),
+        "{added}"
+    );
+}
+
+#[test]
+fn the_first_row_makes_a_directory_that_stands_alone() {
+    let scratch = Golden::new("begin", &[]);
+    let scene = scratch.0.join("scenes/own.toml");
+    let [mine, other] = ["mine/deep", "other"].map(|name| scratch.0.join(name));
+    let of_file = [("--scene", scene.to_str().unwrap())];
+    let (status, _, message) = add(&mine, &of_file);
+    assert_eq!(status, Some(0), "{message}");
+    assert!(message.contains("the scene is copied to"), "{message}");
+    assert_eq!(fs::read_to_string(mine.join("scenes/own.toml")).unwrap(), SCENE);
+    let text = fs::read_to_string(mine.join("printed.csv")).unwrap();
+    assert!(text.starts_with(&format!("{HEADER}\nadded,")), "{text}");
+    // the same scene is there, another of its name is not written over
+    let again = [of_file[0], ("--add", "again")];
+    assert_eq!(add(&mine, &again).0, Some(0));
+    scratch.write("scenes/own.toml", SCENE.replace("0.26", "0.27"));
+    let (status, _, message) = add(&mine, &[of_file[0], ("--add", "third")]);
+    assert_eq!(status, Some(2));
+    assert!(message.contains("another scene than"), "{message}");
+    fs::rename(&mine, &other).unwrap();
+    let moved = check(&[other.to_str().unwrap()]);
+    assert_eq!(moved.status.code(), Some(0), "{}", stdout(&moved));
+    // of what cannot be a row nothing remains
+    let (status, ..) = add(&mine, &[of_file[0], ("--quantity", "motion.speed")]);
+    assert!(status == Some(2) && !mine.exists());
+}
+
+#[test]
+fn what_makes_no_row_is_refused_by_column_and_changes_nothing() {
+    let golden = Golden::new("add-bad", &[RIGHT]);
+    let before = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+    let printed = golden.0.join("printed.csv");
+    for (other, words) in [
+        (("--add", "g"), "--add, column `id`: `g` stands on line 2 already"),
+        (("--add", " "), "--add, column `id`: it is empty"),
+        (("--place", ""), "--add, column `place`: it is empty"),
+        (
+            ("--quantity", "speed"),
+            "--add, column `quantity`: `speed` is no quantity",
+        ),
+        (("--quantity", ""), "--add, column `quantity`: it is empty"),
+        (
+            ("--quantity", "motion.speed"),
+            "--add, column `quantity`: there is no column `speed`",
+        ),
+        (("--printed", "NaN"), "--add, column `printed`: `NaN` is not a number"),
+        (("--set", "motion.d"), "--add, column `set`: `motion.d` is no setting"),
+        (("--set", "motion.r_b=2"), "above 0 and at most 1"),
+        (("--scene", "none.toml"), "none.toml: there is no such file"),
+        (("--scene", "fig99"), "no built-in scene `fig99`"),
+        (
+            ("--expected", "undecided"),
+            "--add, column `expected`: `undecided` is no verdict to expect",
+        ),
+        (("--out", printed.to_str().unwrap()), "cannot hold both"),
+    ] {
+        let (status, table, message) = add(&golden.0, &[other]);
+        assert!(status == Some(2) && table.is_empty(), "{other:?}: {message}");
+        assert!(
+            message.starts_with("error: ") && message.contains(words),
+            "{other:?}: {message}"
+        );
+        assert_eq!(fs::read_to_string(&printed).unwrap(), before, "{other:?}");
+    }
+    // a file that makes no sense is named, whatever the row
+    golden.write("printed.csv", before.replacen("reproduced", "right", 1));
+    let (status, _, message) = add(&golden.0, &[]);
+    assert_eq!(status, Some(2));
+    assert!(message.contains("printed.csv, line 2, column `expected`"), "{message}");
+    for arguments in [
+        &["--add", "a", "--place", "p", "--printed", "1"][..],
+        &["golden", "--place", "p"],
+        &["golden", "--add", "a"],
+    ] {
+        let output = check(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+    }
 }
 
 #[test]

@@ -1,59 +1,80 @@
 //! What the README and the guide show is what happens.
 
 use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use super::check;
 
 const README: &str = include_str!("../../README.md");
-const GUIDE: [&str; 9] = [
-    include_str!("../../doc/sheets.md"),
-    include_str!("../../doc/numbers.md"),
-    include_str!("../../doc/orbits.md"),
-    include_str!("../../doc/simulation.md"),
-    include_str!("../../doc/scenes.md"),
-    include_str!("../../doc/accuracy.md"),
-    include_str!("../../doc/solvers.md"),
-    include_str!("../../doc/documents.md"),
-    include_str!("../../doc/library.md"),
+const GUIDE: [(&str, &str); 11] = [
+    ("first", include_str!("../../doc/first.md")),
+    ("sheets", include_str!("../../doc/sheets.md")),
+    ("numbers", include_str!("../../doc/numbers.md")),
+    ("golden", include_str!("../../doc/golden.md")),
+    ("orbits", include_str!("../../doc/orbits.md")),
+    ("simulation", include_str!("../../doc/simulation.md")),
+    ("scenes", include_str!("../../doc/scenes.md")),
+    ("accuracy", include_str!("../../doc/accuracy.md")),
+    ("solvers", include_str!("../../doc/solvers.md")),
+    ("documents", include_str!("../../doc/documents.md")),
+    ("library", include_str!("../../doc/library.md")),
 ];
 
-fn block(language: &str, first: &str) -> String {
-    let fence = format!("```{language}\n");
-    let mut blocks = README
-        .split(&fence)
-        .skip(1)
-        .filter_map(|rest| rest.split("\n```").next());
-    blocks
-        .find(|block| block.starts_with(first))
-        .unwrap_or_else(|| panic!("no block `{first}`"))
-        .to_string()
+/// The language and the text of each block of a page.
+fn blocks(page: &str) -> impl Iterator<Item = (&str, &str)> {
+    let fenced = page.split("\n```").skip(1).step_by(2);
+    fenced.filter_map(|block| block.split_once('\n'))
 }
 
-fn run(arguments: &[&str]) -> (Option<i32>, String) {
-    let run = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .args(arguments)
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
+/// A directory in which the blocks of a page that begin with the name of a file, as `# my-sheet.toml`, are these files.
+fn directory(name: &str, page: &str) -> PathBuf {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("guide-{name}"));
+    let _ = fs::remove_dir_all(&directory);
+    fs::create_dir_all(&directory).expect("a directory");
+    for (_, text) in blocks(page) {
+        let first = text.lines().next().unwrap_or_default();
+        let named = first.strip_prefix("# ").or(first.strip_prefix("% "));
+        if let Some(file) = named.filter(|file| file.ends_with(".toml") || file.ends_with(".tex")) {
+            fs::write(directory.join(file), text).expect("a file");
+        }
+    }
+    directory
+}
+
+/// Types a command of a page into a shell.
+fn run(command: &str, directory: &Path) -> (Option<i32>, String) {
+    let program = Path::new(env!("CARGO_BIN_EXE_vibro-audit"))
+        .parent()
+        .expect("a directory");
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let places = std::iter::once(program.to_owned()).chain(std::env::split_paths(&path));
+    let run = Command::new("sh")
+        .args(["-c", &command.replace("cargo run --release --", "vibro-audit")])
+        .current_dir(directory)
+        .env("PATH", std::env::join_paths(places).expect("paths"))
         .output()
-        .expect("the binary");
+        .expect("a shell");
     (run.status.code(), String::from_utf8_lossy(&run.stdout).into_owned())
 }
 
-/// Runs `command` over a file with the block of the README that starts with `first`.
-fn run_on(command: &str, first: &str, rest: &[&str]) -> (Option<i32>, String) {
-    let name = format!("vibro-audit-readme-{}-{command}.toml", std::process::id());
-    let path = std::env::temp_dir().join(name);
-    std::fs::write(&path, block("toml", first)).expect("a temporary file");
-    let mut arguments = vec![command, path.to_str().expect("a path")];
-    arguments.extend(rest);
-    let answer = run(&arguments);
-    std::fs::remove_file(&path).expect("the temporary file");
-    answer
+/// The commands that a block shows, each with what it shows of their output; `\\` ends a line that goes on.
+fn shown(block: &str) -> Vec<(String, String)> {
+    let joined = block.replace("\\\n", "");
+    let commands = joined
+        .strip_prefix("$ ")
+        .into_iter()
+        .flat_map(|rest| rest.split("\n$ "));
+    commands
+        .map(|shown| shown.split_once('\n').unwrap_or((shown, "")))
+        .map(|(command, output)| (command.to_owned(), output.to_owned()))
+        .collect()
 }
 
 /// Every line that is shown, up to its `...`, starts a line that is printed.
 fn assert_shown(shown: &str, printed: &str) {
-    for line in shown.lines().filter(|line| *line != "...") {
+    for line in shown.lines().filter(|line| !matches!(*line, "" | "...")) {
         let start = line.trim_end_matches("...");
         assert!(
             printed.lines().any(|printed| printed.starts_with(start)),
@@ -63,41 +84,37 @@ fn assert_shown(shown: &str, printed: &str) {
 }
 
 #[test]
-fn the_sheet_of_the_readme_is_decided_as_it_says() {
-    let (status, table) = run_on("audit", "# my-sheet.toml", &["--format", "csv"]);
+fn the_sheet_and_the_scene_of_the_readme_come_to_what_it_says() {
+    let directory = directory("readme-files", README);
+    let (status, table) = run("vibro-audit audit my-sheet.toml --format csv", &directory);
     assert_eq!(status, Some(0), "{table}");
-    let shown = block("text", "$ vibro-audit audit my-sheet");
-    assert_shown(shown.split_once('\n').expect("output").1, &table);
-}
-
-#[test]
-fn the_scene_of_the_readme_has_its_two_orbits() {
-    let (status, table) = run_on("orbits", "# my-scene.toml", &["--format", "csv"]);
+    let (status, table) = run("vibro-audit orbits my-scene.toml --format csv", &directory);
     assert_eq!((status, table.lines().count()), (Some(0), 3), "{table}");
 }
 
 #[test]
 fn the_output_that_readme_and_guide_show_is_what_the_program_prints() {
-    let pages = std::iter::once(README).chain(GUIDE);
-    let shown = pages.flat_map(|page| page.split("```text\n$ ").skip(1));
     let mut seen = 0;
-    let mut by_command = BTreeMap::from([("check --format csv", check::BUILT_IN.1.clone())]);
-    for rest in shown {
-        let (command, output) = rest.split_once('\n').expect("output below a command");
-        let arguments = command
-            .strip_prefix("cargo run --release -- ")
-            .or_else(|| command.strip_prefix("vibro-audit "))
-            .expect("a command of this program");
-        if arguments.contains("my-sheet.toml") {
-            continue;
+    let known = ("", "vibro-audit check --format csv".to_owned());
+    let mut by_command = BTreeMap::from([(known, (Some(0), check::BUILT_IN.1.clone()))]);
+    for (name, page) in std::iter::once(("readme", README)).chain(GUIDE) {
+        let directory = directory(name, page);
+        for (command, output) in blocks(page)
+            .filter(|(kind, _)| *kind == "text")
+            .flat_map(|(_, block)| shown(block))
+        {
+            let command = command.replace("cargo run --release --", "vibro-audit");
+            // what reads no file of the page prints the same on each
+            let of_page = if command.contains(['/', '.']) { name } else { "" };
+            let (status, printed) = by_command
+                .entry((of_page, command.clone()))
+                .or_insert_with(|| run(&command, &directory));
+            assert!(matches!(status, Some(0 | 1)), "{name}: {command} ends with {status:?}");
+            assert_shown(&output, printed);
+            seen += 1;
         }
-        let printed = by_command
-            .entry(arguments)
-            .or_insert_with(|| run(&arguments.split(' ').collect::<Vec<_>>()).1);
-        assert_shown(output.split("\n```").next().expect("a block"), printed);
-        seen += 1;
     }
-    assert!(seen >= 12, "only {seen} examples are run");
+    assert!(seen >= 20, "only {seen} examples are run");
 }
 
 #[test]
