@@ -44,6 +44,11 @@ pub struct Row {
 }
 
 impl Row {
+    /// Whether one is to be added.
+    pub fn is_added(&self) -> bool {
+        self.id.is_some()
+    }
+
     /// Computes the row and adds it where its verdict is the expected one; nothing where none is to be added.
     ///
     /// # Errors
@@ -61,7 +66,7 @@ impl Row {
             }
             false => String::new(),
         };
-        let (scene, copied) = self.scene(path)?;
+        let (scene, copied) = self.scene(&there, path)?;
         let fields: Vec<String> = PRINTED_COLUMNS
             .iter()
             .map(|column| self.field(column, &scene))
@@ -119,11 +124,11 @@ impl Row {
     }
 
     /// How the row names its scene, and the file that is to be copied for it: the directory stands alone.
-    fn scene(&self, directory: &Path) -> Result<(String, Option<(String, String)>), Failure> {
+    fn scene(&self, there: &Directory, directory: &Path) -> Result<(String, Option<(String, String)>), Failure> {
         let given = self.scene.as_deref().unwrap_or_default();
         let path = Path::new(given);
         let as_it_is = (given.to_owned(), None);
-        if given.is_empty() || scene::find(given).is_some() || directory.join(given).is_file() || !path.is_file() {
+        if given.is_empty() || scene::find(given).is_some() || there.has(given) || !path.is_file() {
             return Ok(as_it_is);
         }
         if let (Ok(place), Ok(directory)) = (path.canonicalize(), directory.canonicalize())

@@ -62,7 +62,8 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
 }
 
 fn answer(arguments: &Arguments, outcomes: &[Outcome], options: &Options) -> Result<Answer, Failure> {
-    let table = table(outcomes, options.format)?;
+    // of a row that is added, all is told
+    let table = table(outcomes, options.format == Format::Text && !arguments.row.is_added())?;
     let content = match options.format {
         Format::Html => Content::Page(page(arguments, table)),
         _ => Content::Table(table),
@@ -86,12 +87,11 @@ fn page(arguments: &Arguments, table: Table) -> Page {
     }
 }
 
-/// The table of what rows of golden values came to.
-pub(super) fn table(outcomes: &[Outcome], format: Format) -> Result<Table, Failure> {
+/// The table of what rows of golden values came to; where it is brief, without what nobody asks of a number that is right.
+pub(super) fn table(outcomes: &[Outcome], is_brief: bool) -> Result<Table, Failure> {
     let mut table = Table::new(COLUMNS);
     for outcome in outcomes {
-        // nobody asks where a number that is right was found
-        let is_told = format != Format::Text || outcome.verdict != Verdict::Reproduced || !outcome.is_expected();
+        let is_told = !is_brief || outcome.verdict != Verdict::Reproduced || !outcome.is_expected();
         table.push(vec![
             Cell::from(outcome.id.as_str()),
             Cell::from(outcome.place.as_str()),

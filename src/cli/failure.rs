@@ -60,6 +60,9 @@ pub enum Failure {
     /// A scene would be copied onto another one.
     #[error("{there} is another scene than {given}: give one of them another name")]
     OtherScene { there: String, given: String },
+    /// A row that names no scene.
+    #[error("no scene is named: a built-in one, such as fig02, or a path in the directory, such as scenes/mine.toml")]
+    NoSceneNamed,
     /// A name that is no built-in scene.
     #[error("there is no built-in scene `{0}`; a file is named by its path in the directory, such as scenes/{0}.toml")]
     NoScene(String),

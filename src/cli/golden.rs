@@ -149,6 +149,9 @@ fn twice(directory: &Directory, request: &Request) -> Result<[Computed; 2], Fail
 /// the name of a built-in one. Of the paper's own directory, the scenes are those that are built in.
 fn scene(directory: &Directory, request: &Request) -> Result<Scene, Failure> {
     let name = request.scene.as_str();
+    if name.is_empty() {
+        return Err(Failure::NoSceneNamed);
+    }
     let is_path = name.contains('/') || name.ends_with(".toml");
     let built_in = match (directory, is_path) {
         (_, false) => scene::find(name),

@@ -225,7 +225,7 @@ impl Audited<'_> {
                 let verdicts = table(&self.rows, self.sheet, format)?;
                 match self.numbers.as_slice() {
                     [] => Content::Table(verdicts),
-                    numbers => Content::Tables(vec![verdicts, check::table(numbers, format)?]),
+                    numbers => Content::Tables(vec![verdicts, check::table(numbers, format == Format::Text)?]),
                 }
             }
         };
@@ -246,7 +246,7 @@ impl Audited<'_> {
             parts.push(Part::Table(
                 "Numbers".to_owned(),
                 said,
-                check::table(&self.numbers, Format::Html)?,
+                check::table(&self.numbers, false)?,
             ));
         }
         let title = self.sheet.title.clone().unwrap_or_else(|| self.name.to_owned());

@@ -40,6 +40,12 @@ fn limited(path: &Path) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// Whether a path leads nowhere out of the directory that it is relative to.
+fn stays_within(relative: &str) -> bool {
+    let mut parts = Path::new(relative).components();
+    parts.all(|part| matches!(part, Component::Normal(_) | Component::CurDir))
+}
+
 /// A directory of golden values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Directory {
@@ -68,16 +74,19 @@ impl Directory {
         }
     }
 
+    /// Whether a file lies in the directory at this path relative to it.
+    pub fn has(&self, relative: &str) -> bool {
+        let is_file = |path: &Path| path.join(relative).is_file();
+        stays_within(relative) && self.path().is_some_and(is_file)
+    }
+
     /// The text of a file by its path relative to the directory.
     ///
     /// # Errors
     /// A path that leads out of the directory; a file that is missing, no text, or cannot be read.
     pub fn read(&self, relative: &str) -> Result<String, Fault> {
         let fault = |message: String| Fault::of_file(&self.name(relative), message);
-        if !Path::new(relative)
-            .components()
-            .all(|part| matches!(part, Component::Normal(_) | Component::CurDir))
-        {
+        if !stays_within(relative) {
             return Err(fault(
                 "the path leads out of the directory, which must stand alone wherever it is copied".to_owned(),
             ));

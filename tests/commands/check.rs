@@ -285,6 +285,7 @@ fn what_makes_no_row_is_refused_by_column_and_changes_nothing() {
         (("--set", "motion.r_b=2"), "above 0 and at most 1"),
         (("--scene", "none.toml"), "none.toml: there is no such file"),
         (("--scene", "fig99"), "no built-in scene `fig99`"),
+        (("--scene", ""), "--add: no scene is named"),
         (
             ("--expected", "undecided"),
             "--add, column `expected`: `undecided` is no verdict to expect",
