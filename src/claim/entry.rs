@@ -96,9 +96,33 @@ pub(super) struct RawEntry {
     /// Why an entry of a document cannot be read, beyond its formulas.
     #[serde(skip)]
     pub unread: Option<String>,
+    /// Which way of `A \Leftrightarrow B` the entry is.
+    #[serde(skip)]
+    pub way: Option<Way>,
+}
+
+/// A way of an equivalence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Way {
+    /// From its left side to its right one.
+    Right,
+    Left,
 }
 
 impl RawEntry {
+    /// The entry, or of a claim `A \Leftrightarrow B` its two ways, called `7 =>` and `7 <=`.
+    pub(super) fn ways(&self) -> Vec<Self> {
+        if self.role != Role::Claim || parted(self.tex.get_ref(), &EQUIVALENT).is_none() {
+            return vec![self.clone()];
+        }
+        let way = |(way, arrow): (Way, &str)| Self {
+            label: Spanned::new(self.label.span(), format!("{} {arrow}", self.label.get_ref())),
+            way: Some(way),
+            ..self.clone()
+        };
+        [(Way::Right, "=>"), (Way::Left, "<=")].map(way).to_vec()
+    }
+
     /// All formulas of the entry.
     pub(super) fn formulas(&self) -> impl Iterator<Item = &str> {
         let more = self.local.iter().chain(&self.with).chain(&self.assume);
@@ -929,7 +953,7 @@ pub(super) fn read_entry(
         })
     };
     let implication = match raw.role {
-        Role::Claim => implication(&tex),
+        Role::Claim => implication(&tex, raw.way),
         _ => None,
     };
     let mut assume = Vec::new();
@@ -992,23 +1016,38 @@ pub(super) fn read_entry(
 /// The signs of an implication between what is assumed and what is claimed.
 const IMPLIES: [&str; 5] = ["\\Rightarrow", "\\Longrightarrow", "\\implies", "\u{21d2}", "\u{27f9}"];
 
-/// What a claim `A \Rightarrow B` assumes, and what it states, both at their places; `None` where it is no implication,
-/// or more than one.
-fn implication(source: &Source) -> Option<(Source, Source)> {
+/// The signs of an equivalence.
+const EQUIVALENT: [&str; 5] = [
+    "\\Leftrightarrow",
+    "\\Longleftrightarrow",
+    "\\iff",
+    "\u{21d4}",
+    "\u{27fa}",
+];
+
+/// What stands before and behind the one sign of these that stands in a formula; `None` for none or several.
+fn parted<'t>(tex: &'t str, signs: &[&str]) -> Option<(&'t str, &'t str)> {
     let is_word = |end: usize| {
-        source
-            .tex
-            .get(end..)
+        tex.get(end..)
             .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_alphabetic()))
     };
-    let found = IMPLIES.iter().flat_map(|sign| source.tex.match_indices(sign));
+    let found = signs.iter().flat_map(|sign| tex.match_indices(sign));
     let mut found = found.filter(|(at, sign)| !(sign.starts_with('\\') && is_word(at + sign.len())));
     let (at, sign) = found.next().filter(|_| found.next().is_none())?;
-    let (when, rest) = source.tex.split_at_checked(at)?;
-    let then = rest.get(sign.len()..)?;
-    let blank = |text: &str| " ".repeat(text.len());
-    let before = source.tex.get(..source.tex.len() - then.len())?;
-    Some((source.with_tex(when.to_owned()), source.with_tex(blank(before) + then)))
+    Some((tex.get(..at)?, tex.get(at + sign.len()..)?))
+}
+
+/// What a claim `A \Rightarrow B`, or this way of `A \Leftrightarrow B`, assumes, and what it states, both at their places; `None`
+/// where it is no implication, or more than one.
+fn implication(source: &Source, way: Option<Way>) -> Option<(Source, Source)> {
+    let signs = if way.is_some() { &EQUIVALENT } else { &IMPLIES };
+    let (left, right) = parted(&source.tex, signs)?;
+    let before = " ".repeat(source.tex.len() - right.len());
+    let (left, right) = (source.with_tex(left.to_owned()), source.with_tex(before + right));
+    match way {
+        Some(Way::Left) => Some((right, left)),
+        _ => Some((left, right)),
+    }
 }
 
 /// What a condition says to tend to something.

@@ -75,11 +75,12 @@ impl Sheet {
             })?,
         };
         let mut vocabulary = vocabulary;
-        vocabulary.names.defined = names_given(raw.equation.iter().flat_map(RawEntry::defining), &vocabulary);
-        let positions = positions(lines, &raw.equation)?;
-        let needed = needed(&raw.equation, &positions);
+        let equations: Vec<RawEntry> = raw.equation.iter().flat_map(RawEntry::ways).collect();
+        vocabulary.names.defined = names_given(equations.iter().flat_map(RawEntry::defining), &vocabulary);
+        let positions = positions(lines, &equations)?;
+        let needed = needed(&equations, &positions);
         let mut entries = Vec::new();
-        for entry in &raw.equation {
+        for entry in &equations {
             let label = entry.label.get_ref();
             let wanted = entry.role != Role::Definition
                 || positions
@@ -88,8 +89,8 @@ impl Sheet {
             let read = read_entry(lines, entry, &positions, &vocabulary, wanted);
             entries.push(read.map_err(|fault| fault.of(label))?);
         }
-        refuse_two_spellings(&raw.equation, &mut entries);
-        refuse_products_of_vectors(&raw.equation, &mut entries, &vocabulary);
+        refuse_two_spellings(&equations, &mut entries);
+        refuse_products_of_vectors(&equations, &mut entries, &vocabulary);
         if entries.iter().all(|entry: &Entry| entry.role != Role::Claim) {
             let problem = "the sheet has no claim: give an equation that is to be decided `role = \"claim\"`";
             return Err(Fault::new(problem).at(&Source::new(lines, &Spanned::new(0..0, String::new()))));

@@ -462,6 +462,7 @@ fn entries(
             expect: own.expect.unwrap_or_default(),
             guessed: guessed.guessed,
             unread,
+            way: None,
         });
     }
     // a claim rests on what is guessed of all that it follows from
