@@ -155,11 +155,14 @@ impl Entry {
         }
         let mut stated = Vec::new();
         for equation in &self.equations {
-            let mut take = || {
-                Given::refuse_at_parameter(equation, vocabulary)?;
-                given.take(equation, vocabulary)
-            };
-            if !(self.role == Role::Definition && take().map_err(|found| problem(&self.tex, found))?) {
+            if self.role != Role::Claim {
+                Given::refuse_at_parameter(equation, vocabulary).map_err(|found| problem(&self.tex, found))?;
+            }
+            let is_done = self.role == Role::Definition
+                && given
+                    .take(equation, vocabulary)
+                    .map_err(|found| problem(&self.tex, found))?;
+            if !is_done {
                 stated.push(equation.clone());
             }
         }
@@ -793,6 +796,12 @@ fn wrong_letter(tree: &Tree, vocabulary: &Vocabulary, is_formula: &dyn Fn(&Name)
                 }
                 Operation::Derivative { by, .. } if is_formula(by) => {
                     Some(format!("`{by}` stands for a formula: nothing is differentiated by it"))
+                }
+                // the index of a sum is another letter, as authors bind it
+                Operation::Integral { by: letter, .. } | Operation::Limit { by: letter, .. } if is_formula(letter) => {
+                    Some(format!(
+                        "`{letter}` stands for a formula, and runs here: give one of the two another name"
+                    ))
                 }
                 _ => None,
             };

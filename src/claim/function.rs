@@ -79,21 +79,27 @@ impl Given {
         }
     }
 
-    /// Refuses a definition of a declared function at a parameter, which would give its value there alone.
+    /// Refuses what gives a declared function by a formula in a parameter: it holds at that alone, and authors mean every argument.
     ///
     /// # Errors
     /// The place and the reason.
     pub(super) fn refuse_at_parameter(equation: &Equation, vocabulary: &Vocabulary) -> Result<(), Problem> {
-        match &equation.left {
-            Tree::Call(name, argument, _) if !vocabulary.names.defined.contains(name) => match &**argument {
-                Tree::Symbol(at, _) if vocabulary.parameters.contains(at) => Err((
-                    equation.at.0,
-                    format!(
-                        "gives `{name}` at `{at}` alone: leave `{name}` out of `functions`, and it is given at every argument"
-                    ),
-                )),
-                _ => Ok(()),
-            },
+        let Tree::Call(name, argument, _) = &equation.left else {
+            return Ok(());
+        };
+        match &**argument {
+            Tree::Symbol(at, _)
+                if !vocabulary.names.defined.contains(name)
+                    && vocabulary.parameters.contains(at)
+                    && at.subscript.is_empty()
+                    && equation.relation == Relation::Equal
+                    && speaks_of(&equation.right, at) =>
+            {
+                let instead = format!(
+                    "leave `{name}` out of `functions` and give it by a definition, and it is given at every argument"
+                );
+                Err((equation.at.0, format!("gives `{name}` at `{at}` alone: {instead}")))
+            }
             _ => Ok(()),
         }
     }

@@ -722,10 +722,13 @@ impl<'a> Reader<'a> {
         let mut order = 1;
         if kind(above) == Some(Kind::Sup) {
             let braced = usize::from(kind(above + 1) == Some(Kind::BraceOpen));
-            let number = self
-                .look(above + 1 + braced)
-                .filter(|token| token.kind == Kind::Number)?;
-            order = number.text.parse().ok()?;
+            let written = self.look(above + 1 + braced)?;
+            order = match written.kind {
+                Kind::Number => written.text.parse().ok()?,
+                // of this order none is read
+                Kind::Letter => 0,
+                _ => return None,
+            };
             above += 2 + 2 * braced;
         }
         // the end of the group above

@@ -29,7 +29,7 @@ pub(super) enum Stands {
     Stated,
     /// Behind "where" or "with".
     Explains,
-    /// An inequality behind a statement and a comma or a wide blank: one statement more, or a condition.
+    /// An inequality behind a statement and a comma, a wide blank or in a row of its own: one statement more, or a condition.
     Beside,
     /// A condition on the others.
     Condition,
@@ -44,7 +44,7 @@ struct Piece<'a> {
     related: bool,
     /// Begins behind a `&` or a wide blank, in line with what stands above it.
     aligned: bool,
-    /// Begins a row, or behind "and".
+    /// Begins behind "and".
     apart: bool,
     /// Follows a condition behind a comma, a blank or "and".
     follows: bool,
@@ -229,7 +229,7 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
                     done.push(std::mem::replace(&mut piece, fresh(hard, stands)));
                 }
                 piece.aligned |= token.kind == Kind::Quad;
-                piece.apart |= matches!(token.kind, Kind::Row | Kind::And);
+                piece.apart |= token.kind == Kind::And;
                 piece.follows = piece.stands == Stands::Condition;
                 continue;
             }
@@ -369,7 +369,8 @@ mod tests {
             (r"a = b, \quad n \in \mathbb{Z}", vec![Stated, Condition]),
             (r"a = b, \quad x < 0", vec![Stated, Beside]),
             (r"a = b, x < 0", vec![Stated, Beside]),
-            (r"a = b \\ x < 0", vec![Stated, Stated]),
+            (r"a = b \\ x < 0", vec![Stated, Beside]),
+            (r"a = b \text{ and } x < 0", vec![Stated, Stated]),
             (r"a < b, x < 0", vec![Stated, Beside]),
             (r"x^2 > 1 \quad x > 1", vec![Stated, Beside]),
             (r"a = b \text{ for } x > 0 \\ c = d", vec![Stated, Condition, Stated]),

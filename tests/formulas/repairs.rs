@@ -274,22 +274,22 @@ fn assert_shares(name: &str, misprints: &[Misprint], first: f64, among_five: f64
 
 #[test]
 fn single_misprints_of_the_paper_are_mended() {
-    assert_shares("paper", &sample(of_the_paper(), 24, 16), 95.0, 95.0);
+    assert_shares("paper", &sample(of_the_paper(), 60, 16), 97.0, 97.0);
 }
 
 #[test]
 fn single_misprints_of_other_sheets_are_mended() {
-    assert_shares("others", &sample(of_others(), 24, 22), 87.0, 91.0);
+    assert_shares("others", &sample(of_others(), 60, 22), 90.0, 92.0);
 }
 
 #[test]
-#[ignore = "minutes: part of .ci/long"]
+#[ignore = "minutes: for .ci/long"]
 fn every_single_misprint_of_the_paper_is_mended() {
     assert_shares("paper, all", &of_the_paper(), 97.0, 97.0);
 }
 
 #[test]
-#[ignore = "minutes: part of .ci/long"]
+#[ignore = "minutes: for .ci/long"]
 fn many_misprints_of_other_sheets_are_mended() {
     assert_shares("others, many", &sample(of_others(), 600, 7), 85.0, 90.0);
 }

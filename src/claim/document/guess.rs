@@ -111,11 +111,6 @@ impl Guess {
         }
     }
 
-    /// Whether formula number `at` can be read.
-    pub fn is_read(&self, at: usize) -> bool {
-        self.read.get(at).is_some_and(|equations| !equations.is_empty())
-    }
-
     /// What formula number `at`, called `label`, is; `role` is what its author says, `is_founded` whether he says what it follows
     /// from, `is_doubtful` whether another row of its display could be a condition on it.
     pub fn of(&mut self, at: usize, label: &str, role: Option<Role>, is_founded: bool, is_doubtful: bool) -> Guessed {

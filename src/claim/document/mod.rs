@@ -421,11 +421,6 @@ fn entries(
         }
     }
     let mut guess = Guess::new(formulas, raw.symbols.as_ref().map(Spanned::get_ref), of_the_pair);
-    // a row that cannot be read may say what the others mean
-    let unread_displays: BTreeSet<usize> = (0..formulas.len())
-        .filter(|&at| !guess.is_read(at))
-        .map(|at| formulas[at].first)
-        .collect();
     for (at, ((formula, own), label)) in formulas.iter().zip(said).zip(&labels.own).enumerate() {
         let tex = formula.tex.clone().unwrap_or_default();
         // a default is of what states something
@@ -439,8 +434,7 @@ fn entries(
             continue;
         }
         let here = |text: String| Spanned::new(formula.part.clone(), text);
-        let is_doubtful = (formula.is_doubtful || unread_displays.contains(&formula.first))
-            && silent_displays.contains(&formula.first);
+        let is_doubtful = formula.is_doubtful && silent_displays.contains(&formula.first);
         let guessed = guess.of(at, label, role, own.follows_from.is_some(), is_doubtful);
         let mut unread = formula.tex.clone().err();
         unread = unread.or_else(|| guess.problem(at, &tex));

@@ -90,14 +90,20 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
         let starts = text
             .get(part.clone())
             .is_some_and(|row| row.trim_start().starts_with('&'));
+        let mut column = part.start;
         for (place, at) in std::mem::take(columns).into_iter().enumerate() {
-            let has = |side: Range<usize>| {
-                text.get(side)
-                    .is_some_and(|side| !side.replace('&', "").trim().is_empty())
-            };
-            let parts =
-                place % 2 == 1 && PAIRED.contains(&name.as_str()) && has(part.start..at) && has(at + 1..part.end);
-            has_columns |= parts;
+            let shown = |side: Range<usize>| text.get(side).unwrap_or_default().replace('&', " ");
+            let (left, right) = (shown(column..at), shown(at + 1..part.end));
+            let (left, right) = (printed(&left), printed(&right));
+            let is_pair = place % 2 == 1 && PAIRED.contains(&name.as_str());
+            // a column of its own begins where an equation is complete and no part of it follows
+            let goes_on = begins_with(right, &OPERATORS) && !(is_pair && right.starts_with(['-', '−']));
+            let is_complete = !relations(left).is_empty() && !is_continued(left);
+            let parts = is_complete && !right.is_empty() && !goes_on && !begins_with_relation(right);
+            if parts {
+                column = at + 1;
+            }
+            has_columns |= parts && equates(right);
             text.replace_range(at..=at, if parts { "," } else { " " });
         }
         pieces.push((part, starts));
@@ -156,7 +162,13 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
     if let Some(last) = rows.last_mut() {
         last.line_end = whole.line_end;
     }
-    let is_doubtful = has_words || share_conditions(text, &rows);
+    // a comma within what is one formula may part it from its condition
+    let has_parts = |row: &Row| {
+        text.get(row.part.clone())
+            .is_some_and(|row| row.trim_end_matches(',').contains(','))
+    };
+    let is_doubtful =
+        has_words || share_conditions(text, &rows) || (name.starts_with("multline") && rows.iter().any(has_parts));
     let problem = "columns of equations that go on in another row: give each formula a display of its own";
     for row in &mut rows {
         row.is_doubtful = is_doubtful;
@@ -170,12 +182,6 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
 /// behind others, or behind a link of a chain.
 fn share_conditions(text: &str, rows: &[Row]) -> bool {
     let own = |row: &Row| printed(text.get(row.part.clone()).unwrap_or_default());
-    let equates = |row: &Row| {
-        let own = own(row);
-        relations(own)
-            .into_iter()
-            .any(|at| own.get(at).is_some_and(is_equating))
-    };
     let is_said = |row: &Row| {
         let own = own(row);
         let has_words = WORDS.iter().any(|command| own.contains(command)) && !is_followed(text, &row.part, orders);
@@ -194,9 +200,9 @@ fn share_conditions(text: &str, rows: &[Row]) -> bool {
                 .trim_end_matches(['.', ','])
                 .contains([' ', '+', '-', '^', '(', '|'])
         };
-        !equates(row) && sides.iter().all(is_letter)
+        !equates(own) && sides.iter().all(is_letter)
     };
-    let equations = rows.iter().filter(|row| equates(row)).count();
+    let equations = rows.iter().filter(|row| equates(own(row))).count();
     let has_condition = |row: &Row| is_followed(text, &row.part, orders);
     let conditioned = rows.iter().filter(|row| has_condition(row)).count();
     let is_mixed = |count: usize| 0 < count && count < rows.len();
@@ -348,8 +354,18 @@ fn relations(text: &str) -> Vec<Range<usize>> {
 }
 
 fn starts_with_relation(text: &str, part: &Range<usize>) -> bool {
-    let own = printed(text.get(part.clone()).unwrap_or_default());
-    relations(own).first().is_some_and(|first| first.start == 0)
+    begins_with_relation(printed(text.get(part.clone()).unwrap_or_default()))
+}
+
+/// Whether a text states an equation.
+fn equates(text: &str) -> bool {
+    relations(text)
+        .into_iter()
+        .any(|at| text.get(at).is_some_and(is_equating))
+}
+
+fn begins_with_relation(text: &str) -> bool {
+    relations(text).first().is_some_and(|first| first.start == 0)
 }
 
 /// The signs that join two sides of a row's end.
