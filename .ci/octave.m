@@ -1,6 +1,6 @@
 % Reads what the commands write, as examples/read_table.m does, and holds CSV against JSON.
 addpath('examples');
-command = ['target/release/vibro-audit ' '%s --format %s --out target/octave.%s'];
+command = ['target/debug/vibro-audit ' '%s --format %s --out target/octave.%s'];
 for asked = {'sweep fig03 --set sweep.points=5', 'audit'}
   for format = {'csv', 'json'}
     assert(system(sprintf(command, asked{1}, format{1}, format{1})) == 0);

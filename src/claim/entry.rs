@@ -123,6 +123,12 @@ impl RawEntry {
         [(Way::Right, "=>"), (Way::Left, "<=")].map(way).to_vec()
     }
 
+    /// The label of the equivalence whose way from left to right the entry is.
+    pub(super) fn label_of_both(&self) -> Option<&str> {
+        let is_first = self.way == Some(Way::Right);
+        is_first.then(|| self.label.get_ref().trim_end_matches(" =>"))
+    }
+
     /// All formulas of the entry.
     pub(super) fn formulas(&self) -> impl Iterator<Item = &str> {
         let more = self.local.iter().chain(&self.with).chain(&self.assume);
@@ -786,6 +792,16 @@ fn called_with_itself(tree: &Tree) -> Option<(Name, usize)> {
 /// What is wrong with a letter of an operation, and where: a complex one that counts terms, or one that stands for a
 /// formula and is differentiated by.
 fn wrong_letter(tree: &Tree, vocabulary: &Vocabulary, is_formula: &dyn Fn(&Name) -> bool) -> Option<(usize, String)> {
+    let applies = |of: &Tree, by: &Name| any(of, &mut |node| matches!(node, Tree::Call(name, ..) if name == by));
+    let is_function = |name: &Name| vocabulary.names.is_function(name);
+    let speaks_of_others = |of: &Tree, by: &Name| {
+        let is_other = |name: &Name| name != by && is_function(name);
+        is_function(by)
+            && any(
+                of,
+                &mut |node| matches!(node, Tree::Symbol(name, _) | Tree::Call(name, ..) if is_other(name)),
+            )
+    };
     let mut found = None;
     any(tree, &mut |node| {
         if let Tree::Operation(operation, at) = node {
@@ -796,6 +812,16 @@ fn wrong_letter(tree: &Tree, vocabulary: &Vocabulary, is_formula: &dyn Fn(&Name)
                 }
                 Operation::Derivative { by, .. } if is_formula(by) => {
                     Some(format!("`{by}` stands for a formula: nothing is differentiated by it"))
+                }
+                Operation::Derivative { of, by, .. } if applies(of, by) => {
+                    Some(format!("`{by}` is a function here, and a letter that runs"))
+                }
+                Operation::Integral { of, by: letter, .. } | Operation::Limit { of, by: letter, .. }
+                    if applies(of, letter) || speaks_of_others(of, letter) =>
+                {
+                    Some(format!(
+                        "`{letter}` runs here, and is a function beside others that may move with it"
+                    ))
                 }
                 // the index of a sum is another letter, as authors bind it
                 Operation::Integral { by: letter, .. } | Operation::Limit { by: letter, .. } if is_formula(letter) => {

@@ -346,6 +346,12 @@ fn positions<'a>(lines: &Text, entries: &'a [RawEntry]) -> Result<BTreeMap<&'a s
         };
         return Err(Fault::new(problem).of(label).at(&Source::new(lines, &entry.label)));
     }
+    // what follows from an equivalence is told that its ways have conditions
+    for (position, entry) in entries.iter().enumerate() {
+        if let Some(label) = entry.label_of_both() {
+            positions.entry(label).or_insert(position);
+        }
+    }
     Ok(positions)
 }
 

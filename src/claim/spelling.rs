@@ -37,8 +37,8 @@ pub(super) fn refuse_two_spellings(raw: &[RawEntry], entries: &mut [Entry]) {
 /// are declared as numbers.
 pub(super) fn refuse_products_of_vectors(raw: &[RawEntry], entries: &mut [Entry], vocabulary: &Vocabulary) {
     let is_number = |letter: &str, accents: &[&str]| {
-        let declared = |name: &&Name| name.base == letter && name.subscript.is_empty() && name.accents == accents;
-        vocabulary.parameters.iter().find(declared).is_some()
+        let is_it = |name: &Name| name.base == letter && name.subscript.is_empty() && name.accents == accents;
+        vocabulary.parameters.iter().any(is_it)
     };
     for (raw, entry) in raw.iter().zip(entries) {
         for tex in raw.formulas() {

@@ -10,7 +10,7 @@ use std::path::Path;
 /// A row of `printed.csv`, an argument for each of its columns.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "A row to add")]
-pub struct Row {
+pub struct RowToAdd {
     /// Compute this row and, if its verdict is the expected one, add it to DIR/printed.csv; what is not there is made
     #[arg(long = "add", value_name = "ID", requires_all = ["directory", "place", "printed"], conflicts_with = "bless")]
     id: Option<String>,
@@ -43,7 +43,7 @@ pub struct Row {
     note: Option<String>,
 }
 
-impl Row {
+impl RowToAdd {
     /// Whether one is to be added.
     pub fn is_added(&self) -> bool {
         self.id.is_some()

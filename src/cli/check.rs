@@ -17,7 +17,7 @@ pub struct Arguments {
     #[arg(long)]
     pub(super) bless: bool,
     #[command(flatten)]
-    row: added::Row,
+    row: added::RowToAdd,
 }
 
 /// How to begin a directory.

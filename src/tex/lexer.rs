@@ -25,7 +25,11 @@ pub(super) fn lex(tex: &str) -> Result<Vec<Token<'_>>, Fault> {
 pub(crate) fn letters(tex: &str) -> Vec<(&str, String)> {
     let mut lexer = Lexer::new(tex);
     while matches!(lexer.step(), Ok(true)) {}
-    lexer.letters
+    let printed = |(letter, shape, font): (_, &str, &str)| match font {
+        "" => (letter, shape.to_owned()),
+        font => (letter, format!("{font}{{{shape}}}")),
+    };
+    lexer.letters.into_iter().map(printed).collect()
 }
 
 /// What `tex` prints, without the blanks before and behind it.
@@ -76,8 +80,8 @@ struct Lexer<'a> {
     environments: Vec<(usize, &'a str)>,
     /// Where the letters in bold end.
     bold: usize,
-    /// The letters, and how each is printed.
-    letters: Vec<(&'a str, String)>,
+    /// The letters, each with its shape and the command of its font, if that tells it from others.
+    letters: Vec<(&'a str, &'a str, &'static str)>,
 }
 
 impl<'a> Lexer<'a> {
@@ -160,15 +164,19 @@ impl<'a> Lexer<'a> {
             let wanted = format!("a bracket after `{sized}`");
             return Err(Fault::unexpected(at, text, &wanted));
         }
+        let kind = match kind {
+            Kind::BraceClose if self.closes_blanks() => Kind::Quad,
+            kind => kind,
+        };
         if kind == Kind::Letter {
             let shape = shape(self.span(at, end)).unwrap_or(text);
             // upright d, e, i and T are what they are in italics: a differential, constants, a transpose
-            let printed = match self.styled && !matches!(text, "d" | "e" | "i" | "T") {
-                _ if at < self.bold => format!("\\mathbf{{{shape}}}"),
-                true => format!("\\mathrm{{{shape}}}"),
-                false => shape.to_owned(),
+            let font = match self.styled && !matches!(text, "d" | "e" | "i" | "T") {
+                _ if at < self.bold => r"\mathbf",
+                true => r"\mathrm",
+                false => "",
             };
-            self.letters.push((text, printed));
+            self.letters.push((text, shape, font));
         }
         let styled = self.styled && kind == Kind::Letter;
         self.styled &= kind == Kind::BraceOpen;
@@ -184,6 +192,22 @@ impl<'a> Lexer<'a> {
         });
         self.at = end;
         Ok(())
+    }
+
+    /// Whether a brace that closes now holds wide blanks alone, which are taken away with the brace that opens.
+    fn closes_blanks(&mut self) -> bool {
+        let blanks = self
+            .tokens
+            .iter()
+            .rev()
+            .take_while(|token| token.kind == Kind::Quad)
+            .count();
+        let open = self.tokens.len() - blanks;
+        let is_group = blanks > 0 && open > 0 && self.tokens[open - 1].kind == Kind::BraceOpen;
+        if is_group {
+            self.tokens.truncate(open - 1);
+        }
+        is_group
     }
 
     fn command(&mut self) -> Result<(), Fault> {
@@ -228,17 +252,22 @@ impl<'a> Lexer<'a> {
             }
             Command::Font => self.font(end),
             Command::Bold => {
-                self.bold = self.bold.max(self.end_of_argument(end));
+                // within bold letters all are bold; looking for the end at each depth would make long input slow
+                if end > self.bold {
+                    self.bold = self.end_of_argument(end);
+                }
                 self.font(end)
             }
             Command::Glue => {
                 self.at = end + glue_length(self.span(end, self.tex.len()));
                 self.push_as(Kind::Quad, text, at, self.at)
             }
-            Command::Class => match printed(self.group(end)?.0) {
-                "" => self.skip_group(end).map(|_| ()),
-                _ => Err(Fault::unreadable(at, text, "")),
-            },
+            Command::Class => {
+                let inside = self.skip_group(end)?;
+                // one within another would be looked into at each depth
+                let is_blank = !inside.contains(r"\math") && printed(inside).is_empty();
+                is_blank.then_some(()).ok_or_else(|| Fault::unreadable(at, text, ""))
+            }
             Command::Text => self.text(end),
             Command::Begin => self.begin(end),
             Command::End => self.end(end),
@@ -563,6 +592,8 @@ mod tests {
             r"\hspace{1em}",
             r"\hskip 1em plus 1fil ",
             r"\hfill ",
+            r"{\qquad}",
+            r"{\quad\quad}",
         ] {
             assert!(kinds(&format!("a{wide}b")).contains(&Kind::Quad), "{wide}");
         }
@@ -594,6 +625,11 @@ mod tests {
         assert_eq!(printed(r"\quad \unknown + b \quad"), r"\unknown + b \quad");
         assert_eq!(printed(r"\quad"), "");
         assert!(lex(r"a \mathrel{R} b").is_err());
+        for deep in [r"\mathrel{", r"\mathbf{", r"{\quad"] {
+            let (levels, end) = (99_000 / deep.len(), "}".repeat(99_000 / deep.len()));
+            assert!(lex(&deep.repeat(levels)).is_err() || !deep.contains("rel"), "{deep}");
+            printed(&(deep.repeat(levels) + &end));
+        }
     }
 
     #[test]

@@ -707,6 +707,20 @@ impl<'a> Reader<'a> {
         order.ok_or_else(|| Fault::unsupported(at, "this order", "the order of a derivative is a number up to 20"))
     }
 
+    /// How many tokens stand before the end of an open group, its brace among them, from the one `ahead` of the next.
+    fn end_of_group(&self, ahead: usize) -> Option<usize> {
+        let (mut depth, mut length) = (1_usize, 0);
+        while depth > 0 {
+            match self.look(ahead + length)?.kind {
+                Kind::BraceOpen => depth += 1,
+                Kind::BraceClose => depth -= 1,
+                _ => {}
+            }
+            length += 1;
+        }
+        Some(length)
+    }
+
     /// Whether the two groups that stand next are those of a derivative.
     fn derivative_ahead(&self) -> Option<Shape> {
         let kind = |at: usize| self.look(at).map(|token| token.kind);
@@ -722,25 +736,19 @@ impl<'a> Reader<'a> {
         let mut order = 1;
         if kind(above) == Some(Kind::Sup) {
             let braced = usize::from(kind(above + 1) == Some(Kind::BraceOpen));
-            let written = self.look(above + 1 + braced)?;
-            order = match written.kind {
-                Kind::Number => written.text.parse().ok()?,
-                // of this order none is read
-                Kind::Letter => 0,
-                _ => return None,
-            };
-            above += 2 + 2 * braced;
-        }
-        // the end of the group above
-        let (mut depth, mut end) = (1_usize, above);
-        while depth > 0 {
-            match kind(end)? {
-                Kind::BraceOpen => depth += 1,
-                Kind::BraceClose => depth -= 1,
-                _ => {}
+            let first = above + 1 + braced;
+            let mut end = first + 1;
+            if braced == 1 {
+                end = first + self.end_of_group(first)?;
             }
-            end += 1;
+            let number = self
+                .look(first)
+                .filter(|token| token.kind == Kind::Number && end == first + 1 + braced);
+            // of any other order none is read
+            order = number.map_or(Some(0), |number| number.text.parse().ok())?;
+            above = end;
         }
+        let end = above + self.end_of_group(above)?;
         if kind(end) != Some(Kind::BraceOpen) {
             return None;
         }

@@ -18,7 +18,7 @@ pub(super) const LONGEST: usize = 100_000;
 pub(super) struct Statement<'a> {
     pub tokens: Vec<Token<'a>>,
     pub stands: Stands,
-    /// Follows a condition, and says itself neither what it is nor that it is one.
+    /// Follows a condition, and could be one claim more.
     follows: bool,
 }
 
@@ -68,10 +68,10 @@ pub(super) fn divided(tex: &str) -> Result<Vec<Statement<'_>>, Fault> {
 fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Statement<'_>>, Fault> {
     let mut whole: Vec<Piece<'_>> = Vec::new();
     for piece in pieces(tokens) {
-        let is_first = whole.len() < 2;
+        let is_behind_first = whole.len() < 2;
         match whole.last_mut() {
             Some(before) if continues(before, &piece)? => {
-                if !is_first && !matches!(standing(before), Stands::Stated | Stands::Explains) {
+                if !is_behind_first && !matches!(standing(before), Stands::Stated | Stands::Explains) {
                     let at = piece.tokens.first().map_or(0, |token| token.at);
                     let instead =
                         "write the side that is meant before the relation, or give each statement an entry of its own";

@@ -144,14 +144,13 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
                 last.join(row);
             }
             (Some(last), Some(Joined::Row)) => last.join(row),
-            (last, None) => {
+            (last, _) => {
                 match last.filter(|_| starts_with_relation(text, &row.part)) {
                     Some(last) => row.continues = side_before(text, &last.part, &row.part, head.clone()),
                     None => head = first_side(text, &row.part),
                 }
                 rows.push(row);
             }
-            (None, Some(_)) => {}
         }
     }
     if let Some(first) = rows.first_mut() {

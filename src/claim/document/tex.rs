@@ -112,7 +112,7 @@ const RELATING: [&str; 22] = [
 ];
 
 /// The relations that say that two sides are equal, or nearly, or that what is claimed follows.
-const EQUATING: [&str; 14] = [
+const EQUATING: [&str; 13] = [
     "=",
     ":=",
     "≡",
@@ -126,7 +126,6 @@ const EQUATING: [&str; 14] = [
     r"\Rightarrow",
     r"\implies",
     r"\Leftrightarrow",
-    "≃",
 ];
 
 /// Whether a relation says that two sides are equal.
