@@ -5,7 +5,7 @@ use super::term::{Elementary, Function, Node, Symbol, Term, TermMap, Terms};
 use crate::number::{Field, Rational};
 use num_traits::{One, Zero};
 use std::borrow::Cow;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// A numerator over a product of powers of polynomials, each with leading coefficient 1.
@@ -227,7 +227,7 @@ fn monomial_power(base: &Polynomial, exponent: u32) -> Result<Polynomial, Refusa
 }
 
 /// What a declared derivative of an unknown function is: another function, or the next order of its own.
-pub type Derivatives = HashMap<Function, Function>;
+pub type Derivatives = BTreeMap<Function, Function>;
 
 /// The value of the derivative of order `order`, under the name that is declared for it.
 pub fn value(terms: &mut Terms, declared: &Derivatives, mut function: Function, mut order: u32, at: Term) -> Term {

@@ -435,7 +435,7 @@ impl Bench {
             return None;
         }
         let defined: HashSet<Name> = formulas.iter().filter_map(|formula| formula.name.clone()).collect();
-        let mut trees = HashSet::new();
+        let mut trees = Vec::new();
         let sides = formulas
             .iter()
             .flat_map(|formula| [&formula.equation.left, &formula.equation.right]);
@@ -452,7 +452,9 @@ impl Bench {
                 take_leaves(&leaf, &defined, &mut trees);
             }
         }
-        let trees: Vec<Tree> = trees.into_iter().collect();
+        // in the order in which they stand: which points are drawn is the same in each run
+        let mut met = HashSet::new();
+        trees.retain(|tree| met.insert(tree.clone()));
         let stated = || formulas.iter().filter(|formula| formula.name.is_none());
         let sides: Vec<Tree> = stated()
             .flat_map(|formula| [formula.equation.left.clone(), formula.equation.right.clone()])

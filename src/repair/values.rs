@@ -113,13 +113,13 @@ pub struct Leaves {
     pub points: usize,
 }
 
-/// Takes the leaves of a tree; names that definitions give are none.
-pub fn take_leaves(tree: &Tree, defined: &HashSet<Name>, into: &mut HashSet<Tree>) {
+/// Takes the leaves of a tree as they stand, again and again; names that definitions give are none.
+pub fn take_leaves(tree: &Tree, defined: &HashSet<Name>, into: &mut Vec<Tree>) {
     match tree {
         Tree::Number(_) => {}
         Tree::Symbol(name, _) if defined.contains(name) => {}
         _ if matches!(Op::of(tree), Op::Leaf) => {
-            into.insert(tree.clone());
+            into.push(tree.clone());
         }
         _ => parts(tree).iter().for_each(|part| take_leaves(part, defined, into)),
     }
