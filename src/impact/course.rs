@@ -114,6 +114,15 @@ impl<T: Analytic> Course<T> {
         }
     }
 
+    /// Whether both have just left a wall and all that decides what follows is the same, but for whole turns.
+    pub fn goes_on_like(&self, other: &Self) -> bool {
+        let bits = |ball: &Ball<T>| [ball.latest, ball.recent].map(|angles| angles.map(|met| met.map(f64::to_bits)));
+        self.departure().is_some()
+            && self.departure() == other.departure()
+            && bits(&self.ball) == bits(&other.ball)
+            && self.ball.completing == other.ball.completing
+    }
+
     /// The departure, with the turns before it, of a flight whose end cannot be told; `None` while it can be.
     pub fn lost(&self) -> Option<(&Departure<T>, i64)> {
         match &self.ball.place {

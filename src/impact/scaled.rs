@@ -65,7 +65,7 @@ impl<T: Analytic> Scaled<T> {
 }
 
 /// A ball that has just left a wall. `sin` and `cos` belong to `phase`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Departure<T> {
     pub side: Side,
     /// In [0, 2 pi).

@@ -90,6 +90,12 @@ impl<T: Analytic> Simulation<T> {
         self.idle > 4
     }
 
+    /// Whether the same motion, at another of its impacts, goes on from there as from here, number for number: it goes
+    /// round for ever. False where that cannot be told.
+    pub fn goes_on_like(&self, other: &Self) -> bool {
+        self.exhaustive == other.exhaustive && self.course.goes_on_like(&other.course)
+    }
+
     /// How rounding errors have grown up to the latest event; `None` where it is not followed.
     pub fn growth(&self) -> Option<&Growth> {
         self.is_tracked.then_some(&self.growth)

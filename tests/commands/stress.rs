@@ -85,8 +85,8 @@ fn the_printed_form_loses_its_digits_where_it_should() {
 }
 
 #[test]
-fn the_longest_motion_keeps_its_digits_by_phase_and_loses_them_by_time() {
-    let rows = rows("a million impacts");
+fn the_longest_motions_keep_their_digits_by_phase_and_lose_them_by_time() {
+    let [rows, longer] = ["a million impacts", "a billion impacts"].map(rows);
     let digits = |form, number: &str| {
         let row = rows.iter().find(|row| row.form == form && row.number == number);
         row.map_or(f64::NAN, |row| row.digits)
@@ -95,6 +95,13 @@ fn the_longest_motion_keeps_its_digits_by_phase_and_loses_them_by_time() {
     assert!(digits(Form::Printed, "f64") < 11.0);
     assert!(digits(Form::Stable, "f32") > 5.5);
     assert!(digits(Form::Printed, "f32") < 2.0);
+    assert_eq!(longer.len(), 2);
+    for row in &longer {
+        let again = rows
+            .iter()
+            .find(|other| (other.form, &other.number) == (row.form, &row.number));
+        assert!(again.is_some_and(|other| row.digits > other.digits - 0.5), "{row:?}");
+    }
 }
 
 #[test]

@@ -49,6 +49,31 @@ fn simulated<T: Analytic>(inputs: &[T; 6], impacts: u32) -> Option<Event<T>> {
     (index == impacts as usize || event.kind != Kind::Impact).then_some(event)
 }
 
+/// The same, for less where the motion comes to go round in this number: whole rounds are left out (Brent 1980). Of a
+/// dual number the derivatives would not be compared.
+fn simulated_by_rounds<T: Analytic>(inputs: &[T; 6], impacts: u32) -> Option<Event<T>> {
+    let (motion, start) = motion(inputs)?;
+    let mut events = Simulation::new(&motion, &start);
+    let mut event = events.next()?;
+    let (mut before, mut since, mut window) = (events.clone(), 0, 1);
+    let mut left = impacts;
+    while left > 0 {
+        let Some(next) = events.next() else {
+            return (event.kind != Kind::Impact).then_some(event);
+        };
+        event = next;
+        left -= 1;
+        since += 1;
+        if events.goes_on_like(&before) {
+            left %= since;
+        }
+        if since == window {
+            (before, since, window) = (events.clone(), 0, 2 * window);
+        }
+    }
+    Some(event)
+}
+
 /// An impact, without the flight after it.
 pub(super) fn fix(phase: Exact, velocity: Exact) -> OrbitImpact<Exact> {
     let time = Exact::from(0.0);
@@ -72,6 +97,12 @@ impl SimulatedImpact {
     /// As the program simulates; `None` where something else happens.
     pub fn by_phase<T: Analytic>(&self) -> Option<OrbitImpact<Exact>> {
         let found = simulated(&self.inputs.map(T::from_f64), self.impacts)?;
+        (found.kind == Kind::Impact).then(|| fix(widen(&found.phase), widen(&found.velocity)))
+    }
+
+    /// The same, for many impacts.
+    pub fn by_rounds<T: Analytic>(&self) -> Option<OrbitImpact<Exact>> {
+        let found = simulated_by_rounds(&self.inputs.map(T::from_f64), self.impacts)?;
         (found.kind == Kind::Impact).then(|| fix(widen(&found.phase), widen(&found.velocity)))
     }
 

@@ -101,9 +101,6 @@ pub enum StressError {
     NoCase(String),
 }
 
-/// How many impacts a long motion has.
-const MILLION: u32 = 1_000_000;
-
 /// The rows of all cases, or of those that have `only` in their names: the listed points, then the frozen ones, of
 /// the file `frozen` ([`WORST`]).
 ///
@@ -139,11 +136,13 @@ pub fn stress(only: Option<&str>, frozen: &str) -> Result<Vec<StressRow>, Stress
             rayon::join(
                 || gathered(restitutions.collect::<Vec<_>>().into_par_iter().map(chatter::rows)),
                 || {
-                    if is_wanted(long::CASE) {
-                        long::rows(long::CASE, MILLION, long::OFF)
-                    } else {
-                        Ok(Vec::new())
-                    }
+                    let wanted = long::CASES.into_iter().filter(|(case, _)| is_wanted(case));
+                    gathered(
+                        wanted
+                            .collect::<Vec<_>>()
+                            .into_par_iter()
+                            .map(|(case, impacts)| long::rows(case, impacts, long::OFF)),
+                    )
                 },
             )
         },
