@@ -101,6 +101,17 @@ def test_a_branch_has_its_bifurcations():
     assert doubling["error_bound"] < 1e-12 and len(doubling["phases"]) == 2
 
 
+def test_a_map_has_the_rows_of_sweeps():
+    along = {"over": "d", "from": 0.1, "to": 0.5, "points": 3}
+    few = {"map": {"impacts": 80, "x": along, "y": {"over": "r_b", "from": 0.3, "to": 0.9, "points": 2}}}
+    found = va.map("fig03", set=few)
+    alike = {"motion.r_b": 0.9, "sweep.points": 3, "sweep.impacts": 80, "sweep.keep": 1}
+    swept = va.sweep("fig03", summary=True, set=alike)
+    assert list(found["y"]) == [0.3] * 3 + [0.9] * 3
+    for name in ("word", "voltage_rate", "digits"):
+        assert list(found[name])[3:] == list(swept[name])
+
+
 def test_a_figure_is_an_svg(tmp_path):
     figure = va.plot("fig03", set={"want": ["sweep"], "sweep.points": 5})
     assert figure._repr_svg_().startswith("<svg") or "<svg" in figure.svg[:200]

@@ -14,6 +14,7 @@ mod exit;
 mod failure;
 mod golden;
 mod man;
+mod map;
 mod mended;
 #[cfg(test)]
 mod modelled;
@@ -97,6 +98,7 @@ enum Command {
     Branch(branch::Arguments),
     Simulate(simulate::Arguments),
     Sweep(sweep::Arguments),
+    Map(map::Arguments),
     Trajectory(trajectory::Arguments),
     Plot(plot::Arguments),
     Scenes(scenes::Arguments),
@@ -118,6 +120,7 @@ impl Command {
             Self::Branch(arguments) => branch::run(arguments, options),
             Self::Simulate(arguments) => simulate::run(arguments, options),
             Self::Sweep(arguments) => sweep::run(arguments, options),
+            Self::Map(arguments) => map::run(arguments, options),
             Self::Trajectory(arguments) => trajectory::run(arguments, options),
             Self::Plot(arguments) => plot::run(arguments, options),
             Self::Scenes(arguments) => scenes::run(arguments),
@@ -141,6 +144,7 @@ impl Command {
             Self::Simulate(_) => "simulate",
             Self::Sweep(arguments) if arguments.summary => "sweep --summary",
             Self::Sweep(_) => "sweep",
+            Self::Map(_) => "map",
             Self::Trajectory(_) => "trajectory",
             Self::Plot(_) => "plot all",
             Self::Scenes(_) => "scenes",

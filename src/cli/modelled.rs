@@ -33,7 +33,12 @@ const WITHOUT: &str = r#"want=["orbits", "branch", "impacts", "sweep", "trajecto
 const WITH: &str = r#"want=["sweep", "voltage"]"#;
 
 /// Fig. 3, which has a [membrane], over few values.
-const FEW: [&str; 3] = ["sweep.points=5", "sweep.impacts=100", "sweep.keep=20"];
+const FEW: [&str; 4] = [
+    "sweep.points=5",
+    "sweep.impacts=100",
+    "sweep.keep=20",
+    r#"map={impacts = 100, x = {over = "d", from = 0.1, to = 0.5, points = 3}, y = {over = "r_b", from = 0.3, to = 0.9, points = 2}}"#,
+];
 
 /// What a command models over [`FEW`], all of its rows made; files go to a directory that is removed.
 fn of(command: &[&str], sets: &[&str]) -> Modelled {
@@ -69,7 +74,8 @@ fn needed(want: Want) -> &'static [Call] {
         // the summary has digits and the exponent, by DP
         Want::Sweep => &[Call::Step, Call::Growth, Call::Exponent, Call::Jacobian],
         Want::Trajectory => &[Call::Step, Call::Growth, Call::Snapshot],
-        Want::Voltage => &[
+        // with every want of a map
+        Want::Voltage | Want::Map => &[
             Call::Step,
             Call::Growth,
             Call::Exponent,

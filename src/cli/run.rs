@@ -1,7 +1,7 @@
 //! `vibro-audit run SCENE [--explain] --out DIR`.
 
 use super::{
-    Answer, Content, Exit, Failure, Options, SceneArguments, branch, orbits, plot, simulate, sweep, trajectory,
+    Answer, Content, Exit, Failure, Options, SceneArguments, branch, map, orbits, plot, simulate, sweep, trajectory,
 };
 use crate::report::plot::Figure;
 use crate::report::{Cell, Format, Output, OutputError, OutputProblem, Page, Part, Table};
@@ -57,6 +57,11 @@ const SERVED: &[Served] = &[
         command: "sweep",
         file: "summary",
         serve: |scene, options| sweep::summary_rows(scene, options).map(Content::Rows),
+    },
+    Served {
+        command: "map",
+        file: "map",
+        serve: |scene, options| map::rows(scene, options).map(Content::Rows),
     },
     Served {
         command: "trajectory",

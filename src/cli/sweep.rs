@@ -123,26 +123,32 @@ fn of_impact(point: &Point, index: usize) -> Vec<Cell> {
 }
 
 fn of_point(point: &Point, _: usize) -> Vec<Cell> {
+    SUMMARY.map(|column| summarised(point, column)).to_vec()
+}
+
+/// What a column of `sweep --summary` or `map` says of a point; empty where that has no such thing.
+pub(super) fn summarised(point: &Point, column: &str) -> Cell {
     let means = point.means.as_ref();
     let attractor = point.settled.attractor.as_ref();
     let estimate = |of: fn(&Means) -> Option<Estimate>| means.and_then(of);
     let value = |of| Cell::from(estimate(of).map(|found| found.value));
     let error = |of| Cell::from(estimate(of).and_then(|found| found.error));
-    vec![
-        Cell::from(*point.motion.d()),
-        attractor.map_or(Cell::Empty, |found| Cell::from(found.word.as_str())),
-        Cell::from(attractor.and_then(|found| found.periods)),
-        means.map_or(Cell::Empty, |means| count(means.impacts)),
-        value(|means| means.voltage),
-        value(|means| means.lyapunov),
-        Cell::from(point.digits.map(i64::from)),
-        means.map_or(Cell::Empty, |means| Cell::from(means.over.name())),
-        error(|means| means.voltage),
-        value(|means| means.rate),
-        error(|means| means.rate),
-        error(|means| means.lyapunov),
-        means.and_then(|means| means.is_met).map_or(Cell::Empty, Cell::from),
-    ]
+    match column {
+        "d" => Cell::from(*point.motion.d()),
+        "word" => attractor.map_or(Cell::Empty, |found| Cell::from(found.word.as_str())),
+        "periods" => Cell::from(attractor.and_then(|found| found.periods)),
+        "impacts" => means.map_or(Cell::Empty, |means| count(means.impacts)),
+        "digits" => Cell::from(point.digits.map(i64::from)),
+        "mean_over" => means.map_or(Cell::Empty, |means| Cell::from(means.over.name())),
+        "mean_voltage" => value(|means| means.voltage),
+        "mean_voltage_error" => error(|means| means.voltage),
+        "voltage_rate" => value(|means| means.rate),
+        "voltage_rate_error" => error(|means| means.rate),
+        "lyapunov" => value(|means| means.lyapunov),
+        "lyapunov_error" => error(|means| means.lyapunov),
+        "error_met" => means.and_then(|means| means.is_met).map_or(Cell::Empty, Cell::from),
+        _ => Cell::Empty,
+    }
 }
 
 fn count(number: u64) -> Cell {

@@ -25,7 +25,9 @@ pub(super) enum Value {
     Text(String),
     Number(String),
     List(Vec<Entry>),
-    /// A flag, a date or a table: nothing in a scene is one.
+    /// By name, in order.
+    Table(Vec<(String, Entry)>),
+    /// A flag or a date: nothing in a scene is one.
     Other,
 }
 
@@ -72,7 +74,15 @@ impl Reading<'_> {
                 Err(_) => Value::Other,
             },
             DeValue::Array(list) => Value::List(list.iter().map(|item| self.entry(item)).collect()),
-            DeValue::Boolean(_) | DeValue::Datetime(_) | DeValue::Table(_) => Value::Other,
+            DeValue::Table(keys) => {
+                let entries = in_order(keys).into_iter();
+                Value::Table(
+                    entries
+                        .map(|(key, value)| (key.get_ref().to_string(), self.entry(value)))
+                        .collect(),
+                )
+            }
+            DeValue::Boolean(_) | DeValue::Datetime(_) => Value::Other,
         }
     }
 }
@@ -107,12 +117,7 @@ impl Document {
             let origin = reading.origin(key.span().start);
             let section = SECTIONS.into_iter().find(|&section| section == key.get_ref());
             match (section, value.get_ref()) {
-                (Some(section), DeValue::Table(keys)) => {
-                    document.sections.push((section, origin));
-                    for (key, value) in in_order(keys) {
-                        document.push(&reading, section, key, value)?;
-                    }
-                }
+                (Some(section), DeValue::Table(keys)) => document.push_section(&reading, section, origin, keys)?,
                 (Some(section), _) => {
                     let problem = SceneProblem::Value {
                         key: section.to_string(),
@@ -133,6 +138,27 @@ impl Document {
             }
         }
         Ok(document)
+    }
+
+    /// The keys of a section, and of the sections within it.
+    fn push_section(
+        &mut self,
+        reading: &Reading,
+        section: &'static str,
+        origin: Origin,
+        keys: &DeTable,
+    ) -> Result<(), SceneError> {
+        self.sections.push((section, origin));
+        for (key, value) in in_order(keys) {
+            let path = format!("{section}.{}", key.get_ref());
+            match (SECTIONS.into_iter().find(|&known| known == path), value.get_ref()) {
+                (Some(inner), DeValue::Table(keys)) => {
+                    self.push_section(reading, inner, reading.origin(key.span().start), keys)?;
+                }
+                _ => self.push(reading, section, key, value)?,
+            }
+        }
+        Ok(())
     }
 
     fn push(
@@ -163,9 +189,14 @@ impl Document {
             return refuse(self, SceneProblem::Override(String::new()));
         };
         let (path, typed) = (path.trim(), typed.trim());
-        let (section, name) = path.split_once('.').unwrap_or(("", path));
-        if section.is_empty() && SECTIONS.contains(&name) {
-            let problem = SceneProblem::Override(format!(": {name} is a section, name a key in it"));
+        let (section, name) = path.rsplit_once('.').unwrap_or(("", path));
+        if let Some(own) = SECTIONS.into_iter().find(|&known| known == path) {
+            if let Ok(value) = DeValue::parse(typed)
+                && let DeValue::Table(keys) = value.get_ref()
+            {
+                return self.set_section(own, keys, argument, typed);
+            }
+            let problem = SceneProblem::Override(format!(": {path} is a section, name a key in it"));
             return refuse(self, problem);
         }
         let Some(key) = Key::find(section, name) else {
@@ -202,11 +233,45 @@ impl Document {
         if !key.section.is_empty() && !self.has_section(key.section) {
             self.sections.push((key.section, entry.origin.clone()));
         }
+        self.put(key, entry);
+        Ok(())
+    }
+
+    /// Gives the keys of a section their values, and those of the sections within it.
+    fn set_section(
+        &mut self,
+        section: &'static str,
+        keys: &DeTable,
+        argument: &str,
+        typed: &str,
+    ) -> Result<(), SceneError> {
+        let reading = Reading {
+            text: typed,
+            argument: Some(argument),
+        };
+        // all of it, or nothing
+        let mut given = Self {
+            name: self.name.clone(),
+            entries: Vec::new(),
+            sections: Vec::new(),
+        };
+        given.push_section(&reading, section, reading.origin(0), keys)?;
+        for (own, origin) in given.sections {
+            if !self.has_section(own) {
+                self.sections.push((own, origin));
+            }
+        }
+        for (key, entry) in given.entries {
+            self.put(key, entry);
+        }
+        Ok(())
+    }
+
+    fn put(&mut self, key: &'static Key, entry: Entry) {
         match self.entries.iter_mut().find(|(known, _)| *known == key) {
             Some((_, old)) => *old = entry,
             None => self.entries.push((key, entry)),
         }
-        Ok(())
     }
 
     /// How errors name the scene.
@@ -313,6 +378,21 @@ mod tests {
         assert!(matches!(value(&key::WORDS), Some(Value::List(words)) if words.len() == 2));
         assert!(document.has_section("sweep") && !document.has_section("membrane"));
         assert_eq!(document.entries().count(), 4);
+    }
+
+    #[test]
+    fn a_section_may_be_given_at_once_and_whole() {
+        let mut document = Document::read("motion.d = 0.26", "x").unwrap();
+        document
+            .set("map={impacts = 9, x = {over = \"d\", points = 3}}")
+            .unwrap();
+        let value = |document: &Document, key| document.get(key).map(|entry| entry.value.clone());
+        assert_eq!(value(&document, &key::MAP_IMPACTS), Some(number("9")));
+        assert_eq!(value(&document, &key::X_POINTS), Some(number("3")));
+        assert!(document.has_section("map.x") && !document.has_section("map.y"));
+        let before = document.clone();
+        assert!(document.set("map.x={from = 1, form = 2}").is_err());
+        assert_eq!(document, before);
     }
 
     #[test]

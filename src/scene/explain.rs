@@ -1,8 +1,8 @@
 //! What a scene will have modelled, and why, in words.
 
 use super::document::Entry;
-use super::key::{self, Key};
-use super::{Over, Scene, SceneError, Want};
+use super::key::{self, Key, RangeKeys};
+use super::{Map, Over, Scene, SceneError, Want};
 use crate::orbit::Word;
 use std::fmt::Write;
 
@@ -93,7 +93,20 @@ impl Scene {
         Ok(match key {
             key if *key == key::WORDS => self.words()?.iter().map(Word::to_string).collect::<Vec<_>>().join(", "),
             key if *key == key::MAX_PERIODS => self.max_periods()?.to_string(),
+            key if key.section == "map" => self.default_of_map(key)?,
             _ => self.digits()?.to_string(),
+        })
+    }
+
+    fn default_of_map(&self, key: &'static Key) -> Result<String, SceneError> {
+        let Map { diagram, wants, .. } = self.map()?;
+        Ok(match key {
+            key if *key == key::MAP_KEEP => diagram.keep.to_string(),
+            key if *key == key::MAP_BEGIN => diagram.start.name().to_owned(),
+            key if *key == key::MAP_MOST_IMPACTS => diagram.most_impacts.to_string(),
+            key if *key == key::MAP_STARTS => "[start]".to_owned(),
+            key if *key == key::MAP_WANT => wants.iter().map(|want| want.name()).collect::<Vec<_>>().join(", "),
+            _ => "as many impacts as are given".to_owned(),
         })
     }
 
@@ -105,9 +118,13 @@ impl Scene {
         }
         let (swept, at_rest): (Vec<Want>, Vec<Want>) = wants
             .iter()
-            .filter(|&&want| want != Want::Voltage)
+            .filter(|&&want| want != Want::Voltage && want != Want::Map)
             .partition(|&&want| matches!(want, Want::Branch | Want::Sweep));
-        let over = if swept.is_empty() { None } else { Some(self.over(None)?) };
+        let over = if swept.is_empty() {
+            None
+        } else {
+            Some(self.over(RangeKeys::SWEEP, None)?)
+        };
         let moves_g = matches!(over, Some(Over::Incline | Over::G | Over::ForcingAmplitude));
         if !at_rest.is_empty() || (over.is_some() && !moves_g) {
             let made = if self.has_device() {
@@ -115,20 +132,22 @@ impl Scene {
             } else {
                 ""
             };
-            lines.push(format!("gravity: g = {:.9}{made}", self.gravity::<f64>(None)?));
+            lines.push(format!("gravity: g = {:.9}{made}", self.gravity::<f64>(&[])?));
         }
         if let (Some(over), true) = (over, moves_g) {
             lines.push(format!("gravity along the sweep: g at each {over}"));
         }
         if over.is_some() {
-            let sweep = self.sweep()?;
-            let by = match sweep.points {
-                1 => String::new(),
-                _ => format!(", every {}", step(&sweep)),
-            };
+            lines.push(format!("sweep: {}", told_range(&self.sweep()?)));
+        }
+        if wants.contains(&Want::Map) {
+            let map = self.map()?;
+            lines.push(format!("map along x: {}", told_range(&map.x)));
+            lines.push(format!("map along y: {}", told_range(&map.y)));
+            let wanted: Vec<&str> = map.wants.iter().map(|want| want.name()).collect();
             lines.push(format!(
-                "sweep: {} from {} to {}, {} values{by}",
-                sweep.over, sweep.from, sweep.to, sweep.points
+                "at each point of the map, for each start: {}",
+                wanted.join(", ")
             ));
         }
         let units = self.units(over, wants);
@@ -168,6 +187,15 @@ fn step(sweep: &super::Sweep) -> f64 {
     format!("{step:.9e}").parse().unwrap_or(step)
 }
 
+fn told_range(range: &super::Sweep) -> String {
+    let by = match range.points {
+        1 => String::new(),
+        _ => format!(", every {}", step(range)),
+    };
+    let super::Sweep { over, from, to, points } = range;
+    format!("{over} from {from} to {to}, {points} values{by}")
+}
+
 fn list(wants: &[Want]) -> String {
     wants.iter().map(|want| want.name()).collect::<Vec<_>>().join(", ")
 }
@@ -205,7 +233,9 @@ mod tests {
         ] {
             assert!(left_alone.contains(key), "{key}\n{orbits}");
         }
-        let all = explained("fig03", &[], &Want::ALL);
+        let map = r#"map={impacts = 80, x = {over = "d", from = 0.1, to = 0.5, points = 9}, y = {over = "r_b", from = 0.3, to = 0.9, points = 2}}"#;
+        let all = explained("fig03", &[map], &Want::ALL);
+        assert!(all.contains("map along y: r_b from 0.3 to 0.9, 2 values"), "{all}");
         assert!(
             all.contains("8.032128514 m/s") && all.contains("every 0.001") && !all.contains("left alone"),
             "{all}"

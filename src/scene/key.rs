@@ -27,6 +27,8 @@ pub(super) enum Allowed {
     Restitution,
     /// An integer from 1 to this.
     Count(u32),
+    /// A list of starts.
+    Starts,
 }
 
 /// The most digits that can be asked for: beyond, a slip of the keyboard is likelier than a need.
@@ -53,7 +55,7 @@ macro_rules! keys {
 
 keys! {
     TITLE = "" "title" Allowed::Text, "what stands above tables and plots";
-    WANT = "" "want" Allowed::Names, "what is wanted: some of orbits, branch, impacts, sweep, trajectory, voltage";
+    WANT = "" "want" Allowed::Names, "what is wanted: some of orbits, branch, impacts, sweep, trajectory, voltage, map";
     WORDS = "" "words" Allowed::Names, "the impacts of one motion by wall";
     MAX_PERIODS = "" "max_periods" Allowed::Count(MOST_PERIODS), "the most forcing periods of a motion";
     DIGITS = "" "digits" Allowed::Count(MOST_DIGITS), "the significant digits to reach";
@@ -83,10 +85,88 @@ keys! {
     BEGIN = "sweep" "start" Allowed::Text, "where each value starts from";
     ERROR = "sweep" "error" Allowed::Positive, "the relative standard error that mean voltages are to have";
     MOST_IMPACTS = "sweep" "most_impacts" Allowed::Count(IMPACTS_AT_MOST), "the most impacts for sweep.error";
+    MAP_WANT = "map" "want" Allowed::Names, "what is wanted at each point: some of word, mean_voltage, voltage_rate, lyapunov";
+    MAP_IMPACTS = "map" "impacts" Allowed::Count(IMPACTS_AT_MOST), "the impacts at each point";
+    MAP_KEEP = "map" "keep" Allowed::Count(KEPT_AT_MOST), "the last impacts at each point, among which a cycle is looked for";
+    MAP_BEGIN = "map" "start" Allowed::Text, "where each value of x starts from";
+    MAP_ERROR = "map" "error" Allowed::Positive, "the relative standard error that mean voltages are to have";
+    MAP_MOST_IMPACTS = "map" "most_impacts" Allowed::Count(IMPACTS_AT_MOST), "the most impacts for map.error";
+    MAP_STARTS = "map" "starts" Allowed::Starts, "the starts at each point, instead of [start]";
+    X_OVER = "map.x" "over" Allowed::Text, "the parameter along x";
+    X_FROM = "map.x" "from" Allowed::Finite, "the first value along x";
+    X_TO = "map.x" "to" Allowed::Finite, "the last value along x";
+    X_POINTS = "map.x" "points" Allowed::Count(MOST_POINTS), "the number of values along x, both ends counted";
+    Y_OVER = "map.y" "over" Allowed::Text, "the parameter along y";
+    Y_FROM = "map.y" "from" Allowed::Finite, "the first value along y";
+    Y_TO = "map.y" "to" Allowed::Finite, "the last value along y";
+    Y_POINTS = "map.y" "points" Allowed::Count(MOST_POINTS), "the number of values along y, both ends counted";
+}
+
+/// The keys of a range of values of one parameter.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RangeKeys {
+    pub over: &'static Key,
+    pub from: &'static Key,
+    pub to: &'static Key,
+    pub points: &'static Key,
+}
+
+impl RangeKeys {
+    pub const SWEEP: Self = Self {
+        over: &OVER,
+        from: &FROM,
+        to: &TO,
+        points: &POINTS,
+    };
+    pub const X: Self = Self {
+        over: &X_OVER,
+        from: &X_FROM,
+        to: &X_TO,
+        points: &X_POINTS,
+    };
+    pub const Y: Self = Self {
+        over: &Y_OVER,
+        from: &Y_FROM,
+        to: &Y_TO,
+        points: &Y_POINTS,
+    };
+
+    pub const fn all(self) -> [&'static Key; 4] {
+        [self.over, self.from, self.to, self.points]
+    }
+}
+
+/// The keys of how motions are followed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct DiagramKeys {
+    pub impacts: &'static Key,
+    pub keep: &'static Key,
+    pub begin: &'static Key,
+    pub error: &'static Key,
+    pub most_impacts: &'static Key,
+}
+
+impl DiagramKeys {
+    pub const SWEEP: Self = Self {
+        impacts: &IMPACTS,
+        keep: &KEEP,
+        begin: &BEGIN,
+        error: &ERROR,
+        most_impacts: &MOST_IMPACTS,
+    };
+    pub const MAP: Self = Self {
+        impacts: &MAP_IMPACTS,
+        keep: &MAP_KEEP,
+        begin: &MAP_BEGIN,
+        error: &MAP_ERROR,
+        most_impacts: &MAP_MOST_IMPACTS,
+    };
 }
 
 /// The sections, in the order of DESIGN.
-pub(super) const SECTIONS: [&str; 5] = ["device", "motion", "membrane", "start", "sweep"];
+pub(super) const SECTIONS: [&str; 8] = [
+    "device", "motion", "membrane", "start", "sweep", "map", "map.x", "map.y",
+];
 
 impl Key {
     /// The name with its section: `motion.d`.

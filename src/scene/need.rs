@@ -2,7 +2,7 @@
 
 use super::document::Entry;
 use super::error::{Origin, SceneError, SceneProblem};
-use super::key::{self, Key};
+use super::key::{self, DiagramKeys, Key, RangeKeys};
 use super::{Over, Scene, Want};
 use std::fmt;
 
@@ -46,8 +46,6 @@ const DEVICE_G: [&Key; 4] = [
 /// The keys that give the units of length, velocity and time.
 const SCALES: [&Key; 3] = [&key::CAPSULE_MASS, &key::FORCING_AMPLITUDE, &key::ANGULAR_FREQUENCY];
 const START: [&Key; 2] = [&key::PHASE, &key::VELOCITY];
-const RANGE: [&Key; 4] = [&key::OVER, &key::FROM, &key::TO, &key::POINTS];
-const DIAGRAM: [&Key; 3] = [&key::IMPACTS, &key::KEEP, &key::BEGIN];
 const MEMBRANE: [&Key; 6] = [
     &key::BALL_MASS,
     &key::STIFFNESS,
@@ -85,15 +83,19 @@ impl Scene {
     /// A sweep over something that cannot be swept.
     pub(super) fn needs(&self, want: Want) -> Result<Need, SceneError> {
         let swept = match want {
-            Want::Branch | Want::Sweep => Some(self.over(Some(want))?),
-            _ => None,
+            Want::Branch | Want::Sweep => vec![self.over(RangeKeys::SWEEP, Some(want))?],
+            Want::Map => {
+                let over = |keys| self.over(keys, Some(want));
+                vec![over(RangeKeys::X)?, over(RangeKeys::Y)?]
+            }
+            _ => Vec::new(),
         };
         let (mut required, mut optional) = (Vec::new(), vec![&key::DIGITS]);
         match want {
             Want::Orbits => optional.extend([&key::WORDS, &key::MAX_PERIODS]),
             Want::Branch => {
                 optional.extend([&key::WORDS, &key::MAX_PERIODS]);
-                required.extend(RANGE);
+                required.extend(RangeKeys::SWEEP.all());
             }
             Want::Impacts => required.extend(START),
             Want::Trajectory => {
@@ -104,44 +106,69 @@ impl Scene {
                 }
             }
             Want::Sweep => {
-                required.extend(RANGE);
-                required.extend(DIAGRAM);
-                optional.extend([&key::ERROR, &key::MOST_IMPACTS]);
+                required.extend(RangeKeys::SWEEP.all());
+                let DiagramKeys {
+                    impacts,
+                    keep,
+                    begin,
+                    error,
+                    most_impacts,
+                } = DiagramKeys::SWEEP;
+                required.extend([impacts, keep, begin]);
+                optional.extend([error, most_impacts]);
                 required.extend(START);
+            }
+            Want::Map => {
+                required.extend(RangeKeys::X.all());
+                required.extend(RangeKeys::Y.all());
+                let DiagramKeys {
+                    impacts,
+                    keep,
+                    begin,
+                    error,
+                    most_impacts,
+                } = DiagramKeys::MAP;
+                required.push(impacts);
+                optional.extend([keep, begin, error, most_impacts, &key::MAP_WANT, &key::MAP_STARTS]);
+                if !self.has_starts() {
+                    required.extend(START);
+                }
+                if self.wants_of_map()?.iter().any(|want| want.is_voltage()) {
+                    required.extend(MEMBRANE);
+                    let replaced = |key: &&Key| swept.iter().any(|over| over.key() == *key);
+                    required.extend(SCALES.into_iter().filter(|key| !replaced(key)));
+                }
             }
             Want::Voltage => {
                 optional.clear();
                 required.extend(MEMBRANE);
                 // Along a sweep the scales are those of its values.
-                let is_swept = matches!(self.over(None), Ok(Over::ForcingAmplitude));
+                let is_swept = matches!(self.over(RangeKeys::SWEEP, None), Ok(Over::ForcingAmplitude));
                 let given = |key: &&Key| !(is_swept && **key == key::FORCING_AMPLITUDE);
                 required.extend(SCALES.into_iter().filter(given));
             }
         }
         if want != Want::Voltage {
-            required.extend(self.motion_keys(swept));
+            required.extend(self.motion_keys(&swept));
         }
         Ok(Need { required, optional })
     }
 
-    /// What the motion is made of, where `swept` comes from elsewhere.
-    pub(super) fn motion_keys(&self, swept: Option<Over>) -> Vec<&'static Key> {
-        let of_device = match swept {
-            Some(Over::Incline | Over::ForcingAmplitude) => true,
-            Some(Over::G) => false,
-            _ => self.has_device(),
-        };
-        let gravity: &[&'static Key] = match (swept, of_device) {
-            (Some(Over::G), _) => &[],
-            (_, true) => &DEVICE_G,
-            (_, false) => &[&key::G],
+    /// What the motion is made of, where `swept` come from elsewhere.
+    pub(super) fn motion_keys(&self, swept: &[Over]) -> Vec<&'static Key> {
+        let is_swept = |over| swept.contains(&over);
+        let gravity: &[&'static Key] = if is_swept(Over::G) {
+            &[]
+        } else if is_swept(Over::Incline) || is_swept(Over::ForcingAmplitude) || self.has_device() {
+            &DEVICE_G
+        } else {
+            &[&key::G]
         };
         let walls = [&key::D, &key::R_B, &key::R_T];
-        let replaced = swept.map(Over::key);
         walls
             .into_iter()
             .chain(gravity.iter().copied())
-            .filter(|&key| Some(key) != replaced)
+            .filter(|&key| !swept.iter().any(|over| over.key() == key))
             .collect()
     }
 
@@ -167,6 +194,7 @@ impl Scene {
                 Want::Voltage => {
                     self.membrane::<f64>()?;
                 }
+                Want::Map => drop(self.map()?),
                 _ => {}
             }
             if need

@@ -1,7 +1,7 @@
 //! The points of a sweep: at each value the motion, its last impacts, what it has come to, and their voltage.
 
 use super::setting::At;
-use super::sweep::{Begin, Diagram, Sweep};
+use super::sweep::{Begin, Diagram, Map, MapWant, Over, Sweep};
 use super::{Quantity, Scene, SceneError, Setting, Want};
 use crate::impact::{Event, Kind, Origin, Start, Widening};
 use crate::model::{Membrane, Motion, MotionError, Parameters};
@@ -11,6 +11,7 @@ use crate::orbit::{
 };
 use crate::stop::Token;
 use rayon::prelude::*;
+use std::ops::Range;
 use std::vec::IntoIter;
 
 /// The impacts that may be held at once, if a point for each thread does not take more.
@@ -111,9 +112,33 @@ impl Scene {
             membrane,
             depth: Depth::SteadyState,
             scene: self.clone(),
+            beside: None,
             next: 0,
             block: Vec::new().into_iter(),
             before: None,
+        })
+    }
+
+    /// The points of the map, computed as they are asked for, on every core: y by y, for each start, along x. What comes
+    /// out does not depend on the number of threads.
+    ///
+    /// # Errors
+    /// What [`Scene::check`] says of [`Want::Map`].
+    pub fn map_points(&self) -> Result<MapPoints, SceneError> {
+        self.check(&[Want::Map])?;
+        let map = self.map()?;
+        let wants = |is_it: fn(&MapWant) -> bool| map.wants.iter().any(is_it);
+        Ok(MapPoints {
+            setting: self.setting_without(&[map.x.over, map.y.over])?,
+            membrane: wants(|want| want.is_voltage()).then(|| self.membrane()).transpose()?,
+            depth: match wants(|want| *want == MapWant::Lyapunov) {
+                true => Depth::Reliable,
+                false => Depth::SteadyState,
+            },
+            scene: self.clone(),
+            rows: 0..u64::from(map.y.points) * map.starts.len() as u64,
+            map,
+            block: Box::new(std::iter::empty()),
         })
     }
 }
@@ -140,6 +165,8 @@ pub struct Points {
     start: Start<f64>,
     membrane: Option<Membrane<f64>>,
     depth: Depth,
+    /// What else stands in the place of a key.
+    beside: Option<(Over, Quantity)>,
     next: u32,
     block: IntoIter<Result<Point, SceneError>>,
     /// Where the motion at the value before came to, where the next one follows it.
@@ -180,7 +207,11 @@ impl Points {
             Some(event) => Widening::after(&motion, event),
         };
         let unit = match &self.membrane {
-            Some(_) => self.scene.swept_scales::<f64>(self.sweep.over, &value)?.velocity,
+            Some(_) => {
+                let beside = self.beside.iter().map(|(over, value)| (*over, value));
+                let swept: Vec<(Over, &Quantity)> = beside.chain([(self.sweep.over, &value)]).collect();
+                self.scene.scales_with::<f64>(&swept)?.velocity
+            }
             None => 1.0,
         };
         let membrane = self.membrane.as_ref();
@@ -304,6 +335,95 @@ impl Points {
         };
         self.next += block.len() as u32;
         self.block = block.into_iter();
+    }
+}
+
+/// What a map shows at one of its points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapPoint {
+    /// The value along y.
+    pub y: Quantity,
+    /// The number of the start, from 0.
+    pub start: usize,
+    /// What is there, with the value along x.
+    pub point: Point,
+}
+
+/// The points of a map, one after the other.
+pub struct MapPoints {
+    scene: Scene,
+    map: Map,
+    setting: Setting,
+    membrane: Option<Membrane<f64>>,
+    depth: Depth,
+    /// The rows along x that are still to come, one for each start at each value of y.
+    rows: Range<u64>,
+    block: Box<dyn Iterator<Item = Result<MapPoint, SceneError>> + Send + Sync>,
+}
+
+impl MapPoints {
+    /// The grid that they are on.
+    pub fn grid(&self) -> &Map {
+        &self.map
+    }
+
+    /// The row of this number.
+    fn row(&self, row: u64) -> impl Iterator<Item = Result<MapPoint, SceneError>> + use<> {
+        let starts = self.map.starts.len() as u64;
+        let (y, start) = (self.map.y.value((row / starts) as u32), (row % starts) as usize);
+        let typed = self.setting.clone().with(self.map.y.over, &y);
+        let points = Points {
+            scene: self.scene.clone(),
+            sweep: self.map.x.clone(),
+            diagram: self.map.diagram,
+            setting: typed.over_number(),
+            typed,
+            start: self.map.starts[start].start(),
+            membrane: self.membrane.clone(),
+            depth: self.depth,
+            beside: Some((self.map.y.over, y.clone())),
+            next: 0,
+            block: Vec::new().into_iter(),
+            before: None,
+        };
+        points.map(move |point| {
+            let y = y.clone();
+            point.map(|point| MapPoint { y, start, point })
+        })
+    }
+
+    /// The next rows, as many as make a block, or one that is longer, point by point.
+    fn fill(&mut self) {
+        let most = (BLOCK as u64 / u64::from(self.map.x.points)).max(1);
+        let rows = self.rows.start..(self.rows.start + most).min(self.rows.end);
+        self.rows.start = rows.end;
+        if rows.end - rows.start == 1 {
+            self.block = Box::new(self.row(rows.start));
+            return;
+        }
+        let token = Token::current();
+        let made = rows.into_par_iter().map(|row| token.during(|| self.row(row).collect()));
+        let made: Vec<Vec<Result<MapPoint, SceneError>>> = made.collect();
+        self.block = Box::new(made.into_iter().flatten());
+    }
+}
+
+impl Iterator for MapPoints {
+    type Item = Result<MapPoint, SceneError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        loop {
+            if Token::current().is_stopped() {
+                return None;
+            }
+            if let Some(point) = self.block.next() {
+                return Some(point);
+            }
+            if self.rows.is_empty() {
+                return None;
+            }
+            self.fill();
+        }
     }
 }
 

@@ -1,9 +1,9 @@
 //! A scene, read key by key as it is asked.
 
-use super::document::{Document, Entry};
+use super::document::{Document, Entry, Value};
 use super::error::{Origin, SceneError, SceneProblem};
-use super::key::{self, Key};
-use super::sweep::{Begin, Diagram, Over, Sweep};
+use super::key::{self, DiagramKeys, Key, RangeKeys};
+use super::sweep::{Begin, Diagram, Map, MapWant, Over, Sweep};
 use super::value::{allowed_number, one_of};
 use super::{Quantity, Want};
 use crate::model::{Device, Membrane, MembraneError, Motion, Scales, gravity_component};
@@ -31,8 +31,8 @@ pub struct Start {
     pub velocity: Quantity,
 }
 
-/// What stands in the place of a key along a sweep.
-pub(super) type Swept<'a> = Option<(Over, &'a Quantity)>;
+/// What stands in the place of keys along a sweep, or at a point of a map.
+pub(super) type Swept<'a> = &'a [(Over, &'a Quantity)];
 
 impl Scene {
     /// Reads the TOML of the scene that errors call `name`.
@@ -151,7 +151,7 @@ impl Scene {
     /// # Errors
     /// A key that is lacking or out of its range, g given twice.
     pub fn motion<T: Analytic>(&self) -> Result<Motion<T>, SceneError> {
-        self.motion_with(None)
+        self.motion_with(&[])
     }
 
     /// The motion with the swept parameter at `value`.
@@ -159,10 +159,10 @@ impl Scene {
     /// # Errors
     /// As [`Scene::motion`], and a value that the parameter cannot have.
     pub fn swept<T: Analytic>(&self, over: Over, value: &Quantity) -> Result<Motion<T>, SceneError> {
-        self.motion_with(Some((over, value)))
+        self.motion_with(&[(over, value)])
     }
 
-    fn motion_with<T: Analytic>(&self, swept: Swept) -> Result<Motion<T>, SceneError> {
+    pub(super) fn motion_with<T: Analytic>(&self, swept: Swept) -> Result<Motion<T>, SceneError> {
         let g = self.gravity(swept)?;
         let number = |key| self.value_with::<T>(key, swept);
         Motion::new(g, number(&key::D)?, number(&key::R_B)?, number(&key::R_T)?)
@@ -172,7 +172,7 @@ impl Scene {
     /// g, from wherever it comes.
     pub(super) fn gravity<T: Analytic>(&self, swept: Swept) -> Result<T, SceneError> {
         let number = |key| self.value_with::<T>(key, swept);
-        let keys = self.motion_keys(swept.map(|(over, _)| over));
+        let keys = self.motion_keys(&swept.iter().map(|(over, _)| *over).collect::<Vec<_>>());
         if keys.iter().any(|key| key.gives_g()) {
             self.one_gravity()?;
         }
@@ -189,7 +189,7 @@ impl Scene {
 
     /// The number of a key, or that of the sweep in its place.
     fn value_with<T: Analytic>(&self, key: &'static Key, swept: Swept) -> Result<T, SceneError> {
-        let Some((over, value)) = swept.filter(|(over, _)| over.key() == key) else {
+        let Some(&(over, value)) = swept.iter().find(|(over, _)| over.key() == key) else {
             return Ok(self.number(key)?.value());
         };
         if allowed_number(key.allowed, value).is_some() {
@@ -204,7 +204,7 @@ impl Scene {
     /// # Errors
     /// A key of `[device]` that is lacking or out of its range.
     pub fn scales<T: Analytic>(&self) -> Result<Scales<T>, SceneError> {
-        self.scales_with(None)
+        self.scales_with(&[])
     }
 
     /// The scales with the swept parameter at `value`; of all that can be swept, the forcing amplitude changes them.
@@ -212,10 +212,10 @@ impl Scene {
     /// # Errors
     /// As [`Scene::scales`], and a value that the parameter cannot have.
     pub fn swept_scales<T: Analytic>(&self, over: Over, value: &Quantity) -> Result<Scales<T>, SceneError> {
-        self.scales_with(Some((over, value)))
+        self.scales_with(&[(over, value)])
     }
 
-    fn scales_with<T: Analytic>(&self, swept: Swept) -> Result<Scales<T>, SceneError> {
+    pub(super) fn scales_with<T: Analytic>(&self, swept: Swept) -> Result<Scales<T>, SceneError> {
         let number = |key| self.value_with::<T>(key, swept);
         let device = Device {
             capsule_mass: number(&key::CAPSULE_MASS)?,
@@ -275,19 +275,23 @@ impl Scene {
     /// A key of `[sweep]` that is lacking or out of its range, an end that the swept parameter cannot have, two
     /// ends that are one although several points are asked for.
     pub fn sweep(&self) -> Result<Sweep, SceneError> {
-        let over = self.over(None)?;
-        let [from, to] = [&key::FROM, &key::TO];
-        let sweep = Sweep {
+        self.range(RangeKeys::SWEEP)
+    }
+
+    fn range(&self, keys: RangeKeys) -> Result<Sweep, SceneError> {
+        let over = self.over(keys, None)?;
+        let range = Sweep {
             over,
-            from: self.end(from, over)?,
-            to: self.end(to, over)?,
-            points: self.count(&key::POINTS)?,
+            from: self.end(keys.from, over)?,
+            to: self.end(keys.to, over)?,
+            points: self.count(keys.points)?,
         };
-        if sweep.points > 1 && sweep.from == sweep.to {
-            let allowed = format!("other than sweep.from, where there are {} points", sweep.points);
-            return Err(self.wrong(to, self.require(to, None)?, allowed));
+        if range.points > 1 && range.from == range.to {
+            let (from, points) = (keys.from.path(), range.points);
+            let allowed = format!("other than {from}, where there are {points} points");
+            return Err(self.wrong(keys.to, self.require(keys.to, None)?, allowed));
         }
-        Ok(sweep)
+        Ok(range)
     }
 
     /// What is computed and kept at each value of the sweep.
@@ -295,43 +299,141 @@ impl Scene {
     /// # Errors
     /// A key of `[sweep]` that is lacking or out of its range.
     pub fn diagram(&self) -> Result<Diagram, SceneError> {
-        let (impacts, keep) = (self.count(&key::IMPACTS)?, self.count(&key::KEEP)?);
-        if keep > impacts {
-            let allowed = format!("at most sweep.impacts, {impacts}");
-            return Err(self.wrong(&key::KEEP, self.require(&key::KEEP, None)?, allowed));
+        for key in [DiagramKeys::SWEEP.keep, DiagramKeys::SWEEP.begin] {
+            self.require(key, None)?;
         }
-        let error = match self.document.get(&key::ERROR) {
-            Some(_) => Some(self.number(&key::ERROR)?.value()),
+        self.diagram_of(DiagramKeys::SWEEP)
+    }
+
+    fn diagram_of(&self, keys: DiagramKeys) -> Result<Diagram, SceneError> {
+        let (impacts, keep) = (self.count(keys.impacts)?, self.count_or(keys.keep, 1)?);
+        if keep > impacts {
+            let allowed = format!("at most {}, {impacts}", keys.impacts.path());
+            return Err(self.wrong(keys.keep, self.require(keys.keep, None)?, allowed));
+        }
+        let error = match self.document.get(keys.error) {
+            Some(_) => Some(self.number(keys.error)?.value()),
             None => None,
         };
-        let most_impacts = self.count_or(&key::MOST_IMPACTS, FOR_AN_ERROR)?;
+        let most_impacts = self.count_or(keys.most_impacts, FOR_AN_ERROR)?;
         if let (true, Some(entry)) = (
             error.is_some() && most_impacts < impacts,
-            self.document.get(&key::MOST_IMPACTS),
+            self.document.get(keys.most_impacts),
         ) {
-            let allowed = format!("at least sweep.impacts, {impacts}");
-            return Err(self.wrong(&key::MOST_IMPACTS, entry, allowed));
+            let allowed = format!("at least {}, {impacts}", keys.impacts.path());
+            return Err(self.wrong(keys.most_impacts, entry, allowed));
         }
-        let entry = self.require(&key::BEGIN, None)?;
-        let name = self.text(&key::BEGIN, entry)?;
-        let start = Begin::ALL.into_iter().find(|begin| begin.name() == name);
-        let known = Begin::ALL.map(Begin::name);
+        let start = match self.document.get(keys.begin) {
+            None => Begin::Each,
+            Some(entry) => {
+                let name = self.text(keys.begin, entry)?;
+                let begin = Begin::ALL.into_iter().find(|begin| begin.name() == name);
+                begin.ok_or_else(|| self.wrong(keys.begin, entry, one_of(name, &Begin::ALL.map(Begin::name))))?
+            }
+        };
         Ok(Diagram {
             impacts,
             keep,
-            start: start.ok_or_else(|| self.wrong(&key::BEGIN, entry, one_of(name, &known)))?,
+            start,
             error,
             most_impacts,
         })
     }
 
-    /// What is swept; where `by` needs it, an error says so.
-    pub(super) fn over(&self, by: Option<Want>) -> Result<Over, SceneError> {
-        let entry = self.require(&key::OVER, by)?;
-        let name = self.text(&key::OVER, entry)?;
+    /// The grid of `[map]`, and what is computed at each of its points.
+    ///
+    /// # Errors
+    /// A key of `[map]`, or of `[start]` where that is read, that is lacking or out of its range; x and y that are one
+    /// parameter, or of which one leaves the other unread.
+    pub fn map(&self) -> Result<Map, SceneError> {
+        let [x, y] = [self.range(RangeKeys::X)?, self.range(RangeKeys::Y)?];
+        let is_pair = |one, other| (x.over, y.over) == (one, other) || (x.over, y.over) == (other, one);
+        if x.over == y.over || is_pair(Over::G, Over::Incline) {
+            let allowed = format!("another parameter than {}, and not both g and incline", x.over);
+            let key = RangeKeys::Y.over;
+            return Err(self.wrong(key, self.require(key, None)?, allowed));
+        }
+        // every parameter of the one goes with every parameter of the other
+        for (x_end, y_end) in [(&x.from, &y.from), (&x.to, &y.to)] {
+            self.motion_with::<f64>(&[(x.over, x_end), (y.over, y_end)])?;
+        }
+        Ok(Map {
+            diagram: self.diagram_of(DiagramKeys::MAP)?,
+            starts: self.starts()?,
+            wants: self.wants_of_map()?,
+            x,
+            y,
+        })
+    }
+
+    pub(super) fn has_starts(&self) -> bool {
+        self.document.get(&key::MAP_STARTS).is_some()
+    }
+
+    /// The starts of a map: those of `map.starts`, else `[start]`.
+    pub(super) fn starts(&self) -> Result<Vec<Start>, SceneError> {
+        let Some(entry) = self.document.get(&key::MAP_STARTS) else {
+            return Ok(vec![self.start()?]);
+        };
+        let key = &key::MAP_STARTS;
+        let allowed = || "a list of starts, as in [{ phase = 6.18, velocity = 0.53 }, …]".to_owned();
+        let list = match &entry.value {
+            Value::List(list) if !list.is_empty() => list,
+            _ => return Err(self.wrong(key, entry, allowed())),
+        };
+        let start = |entry: &Entry| {
+            let Value::Table(keys) = &entry.value else {
+                return Err(self.wrong(key, entry, allowed()));
+            };
+            if let Some((name, entry)) = keys
+                .iter()
+                .find(|(name, _)| !["phase", "velocity"].contains(&name.as_str()))
+            {
+                return Err(self.wrong(key, entry, format!("phase and velocity, not {name}")));
+            }
+            let number = |like: &'static key::Key| {
+                let found = keys.iter().find(|(name, _)| name == like.name);
+                let (_, entry) = found.ok_or_else(|| self.wrong(key, entry, allowed()))?;
+                self.number_in(like, entry)
+            };
+            Ok(Start {
+                phase: number(&key::PHASE)?,
+                velocity: number(&key::VELOCITY)?,
+            })
+        };
+        list.iter().map(start).collect()
+    }
+
+    /// What is wanted at each point of a map; without `map.want` the word, the exponent and, where there is a membrane,
+    /// the voltages.
+    pub(super) fn wants_of_map(&self) -> Result<Vec<MapWant>, SceneError> {
+        let key = &key::MAP_WANT;
+        let Some(entry) = self.document.get(key) else {
+            let is_known = |want: &MapWant| !want.is_voltage() || self.has_membrane();
+            return Ok(MapWant::ALL.into_iter().filter(is_known).collect());
+        };
+        let mut wants = Vec::new();
+        for (name, entry) in self.names(key)? {
+            let want = MapWant::ALL.into_iter().find(|want| want.name() == name);
+            let want = want.ok_or_else(|| self.wrong(key, entry, one_of(name, &MapWant::ALL.map(MapWant::name))))?;
+            if !wants.contains(&want) {
+                wants.push(want);
+            }
+        }
+        if wants.is_empty() {
+            let allowed = format!("a list of some of {}", MapWant::ALL.map(MapWant::name).join(", "));
+            return Err(self.wrong(key, entry, allowed));
+        }
+        Ok(wants)
+    }
+
+    /// What is swept by these keys; where `by` needs it, an error says so.
+    pub(super) fn over(&self, keys: RangeKeys, by: Option<Want>) -> Result<Over, SceneError> {
+        let entry = self.require(keys.over, by)?;
+        let name = self.text(keys.over, entry)?;
         let known = Over::ALL.map(Over::name);
         let over = Over::ALL.into_iter().find(|over| over.name() == name);
-        over.ok_or_else(|| self.wrong(&key::OVER, entry, one_of(name, &known)))
+        over.ok_or_else(|| self.wrong(keys.over, entry, one_of(name, &known)))
     }
 
     fn end(&self, end: &'static Key, over: Over) -> Result<Quantity, SceneError> {

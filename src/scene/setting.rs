@@ -30,7 +30,6 @@ enum Gravity<Q> {
 /// ([`Setting::over_number`]).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting<Q = Quantity> {
-    over: Option<Over>,
     gravity: Gravity<Q>,
     d: Option<Q>,
     r_b: Option<Q>,
@@ -44,7 +43,7 @@ impl Scene {
     /// As [`Scene::motion`].
     pub fn setting(&self) -> Result<Setting, SceneError> {
         self.motion::<f64>()?;
-        self.setting_without(None)
+        self.setting_without(&[])
     }
 
     /// The parameters of the motion along the scene's sweep.
@@ -56,11 +55,12 @@ impl Scene {
         for end in [&sweep.from, &sweep.to] {
             self.swept::<f64>(sweep.over, end)?;
         }
-        self.setting_without(Some(sweep.over))
+        self.setting_without(&[sweep.over])
     }
 
-    fn setting_without(&self, over: Option<Over>) -> Result<Setting, SceneError> {
-        let keys = self.motion_keys(over);
+    /// The parameters of the motion, what is swept left open.
+    pub(super) fn setting_without(&self, swept: &[Over]) -> Result<Setting, SceneError> {
+        let keys = self.motion_keys(swept);
         let open = |key: &'static key::Key| keys.contains(&key).then(|| self.number(key)).transpose();
         let gravity = if keys.contains(&&key::GRAVITY) {
             Gravity::Device {
@@ -73,7 +73,6 @@ impl Scene {
             Gravity::Component(open(&key::G)?)
         };
         Ok(Setting {
-            over,
             gravity,
             d: open(&key::D)?,
             r_b: open(&key::R_B)?,
@@ -83,9 +82,20 @@ impl Scene {
 }
 
 impl Setting {
-    /// What is swept.
-    pub fn over(&self) -> Option<Over> {
-        self.over
+    /// The same with a value for one parameter that is left open.
+    pub(super) fn with(mut self, over: Over, value: &Quantity) -> Self {
+        let place = match (over, &mut self.gravity) {
+            (Over::D, _) => &mut self.d,
+            (Over::RB, _) => &mut self.r_b,
+            (Over::RT, _) => &mut self.r_t,
+            (Over::G, Gravity::Component(g)) => g,
+            (Over::Incline, Gravity::Device { incline, .. }) => incline,
+            (Over::ForcingAmplitude, Gravity::Device { forcing_amplitude, .. }) => forcing_amplitude,
+            // not read where g is given
+            (Over::G | Over::Incline | Over::ForcingAmplitude, _) => return self,
+        };
+        *place = Some(value.clone());
+        self
     }
 
     /// The same over `T`: what is typed is rounded or enclosed once, not at each value of a sweep.
@@ -106,7 +116,6 @@ impl Setting {
             },
         };
         Setting {
-            over: self.over,
             gravity,
             d: value(&self.d),
             r_b: value(&self.r_b),

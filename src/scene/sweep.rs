@@ -1,6 +1,6 @@
 //! What is swept, over which values.
 
-use super::Quantity;
+use super::{Quantity, Start};
 use crate::number::Rational;
 use num_traits::Zero;
 use std::fmt;
@@ -121,6 +121,54 @@ pub struct Diagram {
     pub error: Option<f64>,
     /// The most impacts for that.
     pub most_impacts: u32,
+}
+
+/// What is wanted at each point of a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MapWant {
+    /// The word of what the motion comes to, and its periods.
+    Word,
+    /// The mean voltage of an impact.
+    MeanVoltage,
+    /// The voltage per forcing period.
+    VoltageRate,
+    /// The largest Lyapunov exponent, and the digits that hold.
+    Lyapunov,
+}
+
+impl MapWant {
+    /// All that can be wanted.
+    pub const ALL: [Self; 4] = [Self::Word, Self::MeanVoltage, Self::VoltageRate, Self::Lyapunov];
+
+    /// The word in `want = [...]`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Word => "word",
+            Self::MeanVoltage => "mean_voltage",
+            Self::VoltageRate => "voltage_rate",
+            Self::Lyapunov => "lyapunov",
+        }
+    }
+
+    /// Whether a membrane must be modelled.
+    pub const fn is_voltage(self) -> bool {
+        matches!(self, Self::MeanVoltage | Self::VoltageRate)
+    }
+}
+
+/// A grid of two parameters, and what is computed at each of its points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Map {
+    /// The values along x, which change first.
+    pub x: Sweep,
+    /// The values along y.
+    pub y: Sweep,
+    /// How each motion is followed; where one follows the other, along x.
+    pub diagram: Diagram,
+    /// The starts, at least one.
+    pub starts: Vec<Start>,
+    /// What is wanted at each point, at least one thing.
+    pub wants: Vec<MapWant>,
 }
 
 #[cfg(test)]

@@ -35,7 +35,9 @@ impl Scene {
         match key.allowed {
             Allowed::Text => drop(self.text(key, entry)?),
             Allowed::Names if *key == key::WORDS => drop(self.words()?),
+            Allowed::Names if *key == key::MAP_WANT => drop(self.wants_of_map()?),
             Allowed::Names => drop(self.want()?),
+            Allowed::Starts => drop(self.starts()?),
             Allowed::Count(_) => drop(self.count(key)?),
             _ => drop(self.number(key)?),
         }
@@ -44,7 +46,11 @@ impl Scene {
 
     /// The number of a key.
     pub(super) fn number(&self, key: &'static Key) -> Result<Quantity, SceneError> {
-        let entry = self.require(key, None)?;
+        self.number_in(key, self.require(key, None)?)
+    }
+
+    /// The number that was typed as that of a key.
+    pub(super) fn number_in(&self, key: &'static Key, entry: &Entry) -> Result<Quantity, SceneError> {
         let (Value::Text(typed) | Value::Number(typed)) = &entry.value else {
             return Err(self.wrong(key, entry, QuantityError::NoNumber.to_string()));
         };

@@ -17,17 +17,20 @@ pub enum Want {
     Trajectory,
     /// The voltage of the impacts.
     Voltage,
+    /// What each point of two parameters comes to.
+    Map,
 }
 
 impl Want {
     /// Every want, in the order in which DESIGN lists them.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Orbits,
         Self::Branch,
         Self::Impacts,
         Self::Sweep,
         Self::Trajectory,
         Self::Voltage,
+        Self::Map,
     ];
 
     /// The word in `want = [...]`.
@@ -39,6 +42,7 @@ impl Want {
             Self::Sweep => "sweep",
             Self::Trajectory => "trajectory",
             Self::Voltage => "voltage",
+            Self::Map => "map",
         }
     }
 
@@ -65,6 +69,7 @@ impl Want {
             Self::Sweep => "the bifurcation diagram: the impacts at each value of the sweep",
             Self::Trajectory => "the motion between the impacts, from the start on",
             Self::Voltage => "the voltage that the membrane gives at each impact, and its mean",
+            Self::Map => "what each point of two parameters comes to",
         }
     }
 }

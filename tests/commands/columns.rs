@@ -118,6 +118,15 @@ fn the_columns_of_every_command_are_as_described() {
             "trade --advise",
             vec!["trade", "--advise", "digits=3,task=multipliers/random"],
         ),
+        (
+            "map",
+            vec![
+                "map",
+                "fig03",
+                "--set",
+                r#"map={impacts = 80, x = {over = "d", from = 0.1, to = 0.5, points = 9}, y = {over = "r_b", from = 0.3, to = 0.9, points = 2}}"#,
+            ],
+        ),
         ("stress", vec!["stress", "Delta"]),
         ("stress --curve", vec!["stress", "Delta", "--curve"]),
         ("problems", vec!["problems", "--level", "easy"]),

@@ -43,6 +43,10 @@ points = 401
 impacts = 500
 keep = 60
 start = "follow"
+[map]
+x = { over = "d", from = 0.1, to = 0.5, points = 21 }
+y = { over = "r_t", from = 0.2, to = 0.8, points = 11 }
+impacts = 400
 "#;
 
 /// Without unit.
@@ -205,18 +209,32 @@ fn each_want_requires_its_own_sections() {
     let required: [(&str, &[Want]); 9] = [
         (
             "r_b",
-            &[Want::Orbits, Want::Branch, Want::Impacts, Want::Sweep, Want::Trajectory],
+            &[
+                Want::Orbits,
+                Want::Branch,
+                Want::Impacts,
+                Want::Sweep,
+                Want::Trajectory,
+                Want::Map,
+            ],
         ),
         ("d", &[Want::Orbits, Want::Impacts, Want::Trajectory]),
         (
             "incline",
-            &[Want::Orbits, Want::Branch, Want::Impacts, Want::Sweep, Want::Trajectory],
+            &[
+                Want::Orbits,
+                Want::Branch,
+                Want::Impacts,
+                Want::Sweep,
+                Want::Trajectory,
+                Want::Map,
+            ],
         ),
-        ("phase", &[Want::Impacts, Want::Sweep, Want::Trajectory]),
+        ("phase", &[Want::Impacts, Want::Sweep, Want::Trajectory, Want::Map]),
         ("points", &[Want::Branch, Want::Sweep]),
         ("keep", &[Want::Sweep]),
-        ("exponent", &[Want::Voltage]),
-        ("angular_frequency", &[Want::Voltage]),
+        ("exponent", &[Want::Voltage, Want::Map]),
+        ("angular_frequency", &[Want::Voltage, Want::Map]),
         ("words", &[]),
     ];
     for (key, by) in required {

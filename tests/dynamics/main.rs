@@ -1,6 +1,7 @@
 //! Impacts, simulation, sweeps and trajectories, and their bounds.
 
 mod bounds;
+mod map;
 mod simulate;
 mod sweep;
 mod swept_voltages;

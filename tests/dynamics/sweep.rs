@@ -10,7 +10,7 @@ use vibro_audit::number::Sequence;
 use vibro_audit::orbit::{Averaging, AveragingLength, LongRun, Statistics, SteadyState};
 use vibro_audit::scene::{MeanOver, Scene, find};
 
-fn run_with(arguments: &[&str], stdin: &str, threads: Option<u32>) -> Output {
+pub(super) fn run_with(arguments: &[&str], stdin: &str, threads: Option<u32>) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
     command.args(arguments);
     if let Some(threads) = threads {
@@ -26,14 +26,14 @@ fn run_with(arguments: &[&str], stdin: &str, threads: Option<u32>) -> Output {
     child.wait_with_output().unwrap()
 }
 
-fn printed(arguments: &[&str]) -> String {
+pub(super) fn printed(arguments: &[&str]) -> String {
     let output = run_with(arguments, "", None);
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {message}");
     String::from_utf8(output.stdout).unwrap()
 }
 
-fn assert_refused(arguments: &[&str], stdin: &str, words: &[&str]) {
+pub(super) fn assert_refused(arguments: &[&str], stdin: &str, words: &[&str]) {
     let output = run_with(arguments, stdin, None);
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
@@ -53,13 +53,13 @@ fn arguments<'a>(scene: &'a str, sets: &[&'a str], flags: &[&'a str]) -> Vec<&'a
 }
 
 /// A CSV, by column.
-struct Sheet {
-    columns: Vec<String>,
-    rows: Vec<Vec<String>>,
+pub(super) struct Sheet {
+    pub columns: Vec<String>,
+    pub rows: Vec<Vec<String>>,
 }
 
 impl Sheet {
-    fn of(text: &str) -> Self {
+    pub fn of(text: &str) -> Self {
         let mut lines = text.lines().map(|line| line.split(',').map(str::to_owned).collect());
         let columns = lines.next().unwrap();
         let rows = lines.collect();
@@ -70,16 +70,16 @@ impl Sheet {
         Self::of(&printed(&arguments(scene, sets, &[])))
     }
 
-    fn summary(scene: &str, sets: &[&str]) -> Self {
+    pub fn summary(scene: &str, sets: &[&str]) -> Self {
         Self::of(&printed(&arguments(scene, sets, &["--summary"])))
     }
 
-    fn texts(&self, column: &str) -> Vec<&str> {
+    pub fn texts(&self, column: &str) -> Vec<&str> {
         let index = self.columns.iter().position(|name| name == column).unwrap();
         self.rows.iter().map(|row| row[index].as_str()).collect()
     }
 
-    fn numbers(&self, column: &str) -> Vec<f64> {
+    pub fn numbers(&self, column: &str) -> Vec<f64> {
         self.texts(column).iter().map(|text| text.parse().unwrap()).collect()
     }
 }

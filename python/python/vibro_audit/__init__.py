@@ -14,6 +14,7 @@ import csv as _csv
 import io as _io
 import math as _math
 import os as _os
+from builtins import map as _each
 from collections.abc import Iterable as _Iterable
 from collections.abc import Mapping as _Mapping
 from typing import Any, NamedTuple
@@ -36,6 +37,7 @@ __all__ = [
     "branch",
     "check",
     "explain",
+    "map",
     "next_impact",
     "orbits",
     "plot",
@@ -138,8 +140,17 @@ def sweep(
     return _table("sweep", {"summary": summary, "set": set, "strict": strict}, _input(scene, "scene"))
 
 
+def map(scene: Given, *, set: _Mapping[str, Any] | None = None, strict: bool = False) -> Table:
+    """What each point of the scene's `[map]` of two parameters comes to, from each start.
+
+    A row per point and start, along x first: `x`, `y`, `start` (its number, from 0), `word`, `periods`, mean voltage (V),
+    voltage per forcing period (V) and Lyapunov exponent (per unit of time), each with a standard error.
+    """
+    return _table("map", {"set": set, "strict": strict}, _input(scene, "scene"))
+
+
 def plot(scene: Given, *, set: _Mapping[str, Any] | None = None, strict: bool = False) -> Figure:
-    """What the scene wants as a drawing (SVG): `branch`, `sweep`, `voltage`, `trajectory`."""
+    """What the scene wants as a drawing (SVG): `branch`, `sweep`, `voltage`, `trajectory`, `map`."""
     svg, notes = _text("plot", {"set": set, "strict": strict}, _input(scene, "scene"))
     return Figure(svg, notes)
 
@@ -172,7 +183,7 @@ def score(
 
     A row per quantity, with `summary` per kind and level (per tolerance, with `exec`).
     """
-    steps = None if tolerances is None else ",".join(map(str, tolerances))
+    steps = None if tolerances is None else ",".join(str(step) for step in tolerances)
     options = {"exec": exec, "tolerances": steps, "limit": limit, "kind": kind, "level": level, "summary": summary}
     if answers is None and exec is None:
         raise InputError("answers is None; give a CSV file, a dict of columns, or exec='command'")
@@ -233,7 +244,7 @@ def next_impact(
     if scalars["side"]:
         sides = sides * count
     for name, values in (("phase", phases), ("velocity", velocities)):
-        if not all(map(_math.isfinite, values)):
+        if not all(_each(_math.isfinite, values)):
             place = next(place for place, value in enumerate(values) if not _math.isfinite(value))
             raise InputError(f"{_at(name, place, scalars[name])} is {values[place]}; a finite number is needed")
     is_top = bytes(name == "top" for name in sides)

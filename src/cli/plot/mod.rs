@@ -1,6 +1,7 @@
 //! `vibro-audit plot SCENE` and `vibro-audit plot all --out DIR`.
 
 mod claims;
+mod map;
 mod motion;
 mod paper;
 mod swept;
@@ -16,7 +17,7 @@ use std::path::Path;
 /// Draw what the scene wants as an SVG; `plot all --out DIR` draws every figure of the paper
 ///
 /// `branch` and `sweep` give a bifurcation diagram, `voltage` an energy diagram beside it (without it the phase of the
-/// impacts), `trajectory` a phase portrait and the displacements. What the paper prints is marked on its own figures:
+/// impacts), `trajectory` a phase portrait and the displacements, `map` a map in colours of each thing that it wants. What the paper prints is marked on its own figures:
 /// a ring is reproduced, a cross is wrong.
 #[derive(Debug, clap::Args)]
 pub struct Arguments {
@@ -126,6 +127,9 @@ fn one(scene: &Scene, swept: Option<&swept::Swept>, claims: &Claims) -> Result<F
     }
     if scene.want()?.contains(&Want::Trajectory) {
         panels.extend(motion::panels(scene, claims)?);
+    }
+    if scene.want()?.contains(&Want::Map) {
+        panels.extend(map::panels(scene)?);
     }
     if panels.is_empty() {
         return Err(Failure::NothingDrawn(scene.name().to_owned()));

@@ -81,7 +81,7 @@ impl Swept {
 }
 
 /// Refuses what is too much before anything is computed.
-fn allowed(count: u64, what: &'static str, most: u64, other: &'static str) -> Result<(), Failure> {
+pub(super) fn allowed(count: u64, what: &'static str, most: u64, other: &'static str) -> Result<(), Failure> {
     match count <= most {
         true => Ok(()),
         false => Err(Failure::TooMuchDrawn {

@@ -14,9 +14,26 @@ pub enum Colour {
     Blue,
     Vermillion,
     Purple,
+    /// A step of a scale from dark to light, which orders for every eye: from 0 to [`Colour::LEVELS`] - 1.
+    Level(u8),
 }
 
+/// Eight steps of the map viridis (S. van der Walt and N. Smith, 2015).
+const SCALE: [(u8, u8, u8); 8] = [
+    (68, 1, 84),
+    (70, 51, 127),
+    (54, 92, 141),
+    (39, 127, 142),
+    (31, 161, 135),
+    (74, 194, 109),
+    (159, 218, 58),
+    (253, 231, 37),
+];
+
 impl Colour {
+    /// How many steps the scale has.
+    pub const LEVELS: u8 = SCALE.len() as u8;
+
     /// Those that differ to every eye, darkest first: lines of one panel take them in this order.
     pub const LINES: [Self; 7] = [
         Self::Black,
@@ -40,6 +57,13 @@ impl Colour {
             Self::Blue => (0, 114, 178),
             Self::Vermillion => (213, 94, 0),
             Self::Purple => (204, 121, 167),
+            Self::Level(step) => {
+                SCALE[if step < Self::LEVELS {
+                    step as usize
+                } else {
+                    SCALE.len() - 1
+                }]
+            }
         }
     }
 

@@ -183,7 +183,18 @@ impl<F: Fn(Point) -> (i32, i32)> Frame<'_, '_, F> {
                         self.area.draw(&Rectangle::new(corners, style))?;
                     }
                 }
+                Shape::Cells { corners, colour } => {
+                    let inside = |(x, y): Point| {
+                        let x = x.clamp(self.x.low(), self.x.high());
+                        (x, y.clamp(self.y.low(), self.y.high()))
+                    };
+                    for ends in corners {
+                        let ends = ends.map(inside).map(&self.map);
+                        self.area.draw(&Rectangle::new(ends, colour.pen().filled()))?;
+                    }
+                }
                 Shape::Marks { marks, marker } => self.marks(marks, marker, &mut room)?,
+                Shape::Scale { .. } => {}
             }
         }
         let corners = [(left, top), (left + width, top + height)];

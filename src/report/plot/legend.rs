@@ -103,6 +103,17 @@ fn sample(area: &Area, shape: &Shape, (left, middle): (i32, i32)) -> Drawn {
             let corners = [(left, middle - 45), (left + wide, middle + 45)];
             area.draw(&Rectangle::new(corners, colour.pen().mix(super::draw::SHADE).filled()))
         }
+        Shape::Cells { colour, .. } => {
+            let corners = [(left, middle - 45), (left + wide, middle + 45)];
+            area.draw(&Rectangle::new(corners, colour.pen().filled()))
+        }
+        Shape::Scale { colours } => {
+            let edge = |at: usize| left + wide * at as i32 / colours.len().max(1) as i32;
+            colours.iter().enumerate().try_for_each(|(at, colour)| {
+                let corners = [(edge(at), middle - 45), (edge(at + 1), middle + 45)];
+                area.draw(&Rectangle::new(corners, colour.pen().filled()))
+            })
+        }
     }
 }
 

@@ -1,0 +1,76 @@
+//! `vibro-audit map SCENE`.
+
+use super::answer::Rows;
+use super::progress::Progress;
+use super::sweep::summarised;
+use super::{Answer, Content, Exit, Failure, Options, SceneArguments};
+use crate::report::{Cell, Column};
+use crate::scene::{MapPoint, MapWant, Scene, Want};
+
+/// What each point of two parameters comes to, from each start
+#[derive(Debug, clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+}
+
+/// The columns that scripts rely on.
+const COLUMNS: [&str; 13] = [
+    "x",
+    "y",
+    "start",
+    "word",
+    "periods",
+    "impacts",
+    "mean_voltage",
+    "mean_voltage_error",
+    "voltage_rate",
+    "voltage_rate_error",
+    "lyapunov",
+    "lyapunov_error",
+    "digits",
+];
+
+/// Runs the command.
+pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
+    let scene = arguments.scene.load_for(&[Want::Map])?;
+    Ok(Answer {
+        content: rows(&scene, options).map(Content::Rows)?,
+        exit: Exit::AsExpected,
+    })
+}
+
+/// A row for each point and start.
+pub fn rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
+    let points = scene.map_points()?;
+    let map = points.grid();
+    let shown: Vec<bool> = COLUMNS.iter().map(|column| is_wanted(&map.wants, column)).collect();
+    let total = map.x.points as usize * map.y.points as usize * map.starts.len();
+    let points = Progress::over(points, total, "points", options.out.is_some());
+    let rows = points.map(move |point| {
+        let point = point?;
+        let cell = |(column, is_shown): (&&str, &bool)| if *is_shown { cell(&point, column) } else { Cell::Empty };
+        Ok(COLUMNS.iter().zip(&shown).map(cell).collect())
+    });
+    Ok(Rows::new(COLUMNS.map(Column::from).to_vec(), rows))
+}
+
+fn is_wanted(wants: &[MapWant], column: &str) -> bool {
+    let by = match column {
+        "word" | "periods" => MapWant::Word,
+        "mean_voltage" | "mean_voltage_error" => MapWant::MeanVoltage,
+        "voltage_rate" | "voltage_rate_error" => MapWant::VoltageRate,
+        "lyapunov" | "lyapunov_error" | "digits" => MapWant::Lyapunov,
+        _ => return true,
+    };
+    wants.contains(&by)
+}
+
+fn cell(found: &MapPoint, column: &str) -> Cell {
+    match column {
+        "x" => Cell::from(found.point.value.value::<f64>()),
+        "y" => Cell::from(found.y.value::<f64>()),
+        "start" => Cell::from(found.start as i64),
+        _ => summarised(&found.point, column),
+    }
+}

@@ -1,0 +1,71 @@
+//! The map of a scene as a figure.
+
+use super::super::{Failure, note};
+use crate::report::figure::{HeatMap, Layer, Parameter};
+use crate::report::plot::Panel;
+use crate::scene::{MapWant, Means, Scene};
+
+/// Points that are drawn, at most: more are not told apart.
+const MOST_POINTS: u64 = 500_000;
+
+/// A panel for each thing that the map wants; of several starts the first one.
+pub(super) fn panels(scene: &Scene) -> Result<Vec<Panel>, Failure> {
+    let points = scene.map_points()?;
+    let map = points.grid().clone();
+    super::swept::allowed(
+        u64::from(map.x.points) * u64::from(map.y.points),
+        "points of a map",
+        MOST_POINTS,
+        "map.x.points",
+    )?;
+    if map.starts.len() > 1 {
+        note("the map is drawn for the first of its starts");
+    }
+    let mut words = Vec::new();
+    let mut means: Vec<Option<Means>> = Vec::new();
+    for found in points {
+        let found = found?;
+        if found.start == 0 {
+            let attractor = found.point.settled.attractor.as_ref();
+            words.push(attractor.map_or(String::new(), |found| found.word.clone()));
+            means.push(found.point.means);
+        }
+    }
+    let layer = |want: &MapWant| match want {
+        MapWant::Word => Layer::Words {
+            name: "word".to_owned(),
+            words: words.clone(),
+        },
+        MapWant::MeanVoltage => values(&means, "mean voltage of an impact", "V", |means| {
+            means.voltage.map(|found| found.value)
+        }),
+        MapWant::VoltageRate => values(&means, "voltage per forcing period", "V per period", |means| {
+            means.rate.map(|found| found.value)
+        }),
+        MapWant::Lyapunov => values(&means, "Lyapunov exponent", "per unit of time", |means| {
+            means.lyapunov.map(|found| found.value)
+        }),
+    };
+    let parameter = |range: &crate::scene::Sweep| {
+        let [from, to] = [&range.from, &range.to].map(|end| end.value::<f64>());
+        Parameter::new(range.over.name(), (from, to))
+    };
+    let heat_map = HeatMap {
+        x: parameter(&map.x),
+        y: parameter(&map.y),
+        points: [map.x.points as usize, map.y.points as usize],
+        layers: map.wants.iter().map(layer).collect(),
+    };
+    Ok(heat_map.panels())
+}
+
+fn values(means: &[Option<Means>], name: &str, unit: &str, of: fn(&Means) -> Option<f64>) -> Layer {
+    Layer::Values {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+        values: means
+            .iter()
+            .map(|means| means.as_ref().and_then(of).unwrap_or(f64::NAN))
+            .collect(),
+    }
+}
