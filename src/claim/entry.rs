@@ -1,5 +1,6 @@
 //! One `[[equation]]` of a sheet: what it states, what it defines, and whether it can be read.
 
+use super::declared::is_constant;
 use super::declared::is_defined;
 use super::definition::{Local, circular, has_sign, inlined_in, speaks_of, two_of_pair};
 use super::fault::{Fault, Source, Text};
@@ -322,7 +323,7 @@ impl Entry {
                 return Err(source.fault(at, problem).of(&self.label));
             }
             let is_formula = |name: &Name| mine(name) || vocabulary.meaning(name, &|_| false).is_some();
-            if let Some((at, problem)) = wrong_letter(tree, vocabulary, &is_formula) {
+            if let Some((at, problem)) = wrong_letter(tree, &source.tex, vocabulary, &is_formula) {
                 return Err(source.fault(at, problem).of(&self.label));
             }
             let extra = |name: &Name| {
@@ -791,11 +792,46 @@ fn called_with_itself(tree: &Tree) -> Option<(Name, usize)> {
 
 /// What is wrong with a letter of an operation, and where: a complex one that counts terms, or one that stands for a
 /// formula and is differentiated by.
-fn wrong_letter(tree: &Tree, vocabulary: &Vocabulary, is_formula: &dyn Fn(&Name) -> bool) -> Option<(usize, String)> {
+fn wrong_letter(
+    tree: &Tree,
+    tex: &str,
+    vocabulary: &Vocabulary,
+    is_formula: &dyn Fn(&Name) -> bool,
+) -> Option<(usize, String)> {
     let applies = |of: &Tree, by: &Name| any(of, &mut |node| matches!(node, Tree::Call(name, ..) if name == by));
     let is_function = |name: &Name| vocabulary.names.is_function(name);
+    let runs = |name: &Name| vocabulary.names.running.as_ref() == Some(name);
+    let is_partial = |by: &Name| {
+        let mut parts = tex
+            .match_indices(r"\partial")
+            .filter_map(|(at, sign)| tex.get(at + sign.len()..));
+        parts.any(|behind| behind.trim_start_matches([' ', '{']).starts_with(&by.to_string()))
+    };
+    // more than a function that is known by its name alone
+    let moves = |of: &Tree, by: &Name| {
+        let is_it = |node: &Tree| match node {
+            Tree::Symbol(name, _) | Tree::Call(name, ..) => name != by && (is_function(name) || is_formula(name)),
+            _ => false,
+        };
+        !matches!(of, Tree::Symbol(name, _) | Tree::Call(name, ..) if is_function(name))
+            && any(of, &mut |node| is_it(node))
+    };
+    // `\frac{d x(0)}{dt}`: the derivative there, and no derivative of a constant
+    let is_value_elsewhere = |of: &Tree, by: &Name| {
+        let names_it = |node: &Tree| matches!(node, Tree::Symbol(name, _) if name == by || is_function(name));
+        let is_value = |node: &Tree| matches!(node, Tree::Call(name, ..) if is_function(name));
+        any(of, &mut |node| is_value(node)) && !any(of, &mut |node| names_it(node))
+    };
+    let is_on_its_own = |of: &Name, by: &Name| {
+        let is_free = if is_function(of) {
+            !runs(by)
+        } else {
+            !is_constant(of) && !is_formula(of)
+        };
+        of != by && is_free && !is_function(by)
+    };
     let speaks_of_others = |of: &Tree, by: &Name| {
-        let is_other = |name: &Name| name != by && is_function(name);
+        let is_other = |name: &Name| name != by && (is_function(name) || runs(name));
         is_function(by)
             && any(
                 of,
@@ -816,6 +852,25 @@ fn wrong_letter(tree: &Tree, vocabulary: &Vocabulary, is_formula: &dyn Fn(&Name)
                 Operation::Derivative { of, by, .. } if applies(of, by) => {
                     Some(format!("`{by}` is a function here, and a letter that runs"))
                 }
+                Operation::Derivative { of, by, order: 1.., .. } if speaks_of_others(of, by) => Some(format!(
+                    "`{by}` is a function, and others move with it: say by the chain rule what is meant"
+                )),
+                Operation::Derivative { of, by, order: 1.., .. } if runs(by) && is_partial(by) && moves(of, by) => {
+                    Some(format!(
+                        "a partial derivative by `{by}` of what moves with it: write `\\frac{{d}}{{d{by}}}`, or say by names what is held fixed"
+                    ))
+                }
+                Operation::Derivative { of, by, order: 1.., .. } if is_value_elsewhere(of, by) => Some(format!(
+                    "a derivative by `{by}` of a value that does not move with it: is it the derivative there?"
+                )),
+                Operation::Derivative {
+                    of: Tree::Symbol(of, _),
+                    by,
+                    order: 1..,
+                    ..
+                } if is_on_its_own(of, by) => Some(format!(
+                    "whether `{of}` depends on `{by}` is not said: give it by a definition, or as a function"
+                )),
                 Operation::Integral { of, by: letter, .. } | Operation::Limit { of, by: letter, .. }
                     if applies(of, letter) || speaks_of_others(of, letter) =>
                 {
@@ -1020,11 +1075,21 @@ pub(super) fn read_entry(
         });
         read.into_iter().map(|condition| (condition, source.clone())).collect()
     };
+    let is_implication = implication.is_some();
     let when = implication.into_iter().map(|(when, _)| when).filter(|_| wanted);
+    let given = assume.len();
     assume.extend(when.flat_map(&mut conditions));
     let printed = assume.len();
     let assumed = raw.assume.iter().filter(|_| wanted);
     assume.extend(assumed.flat_map(|value| conditions(Source::new(lines, value))));
+    if raw.role == Role::Claim {
+        let (beside, given) = assume.split_at(given.min(assume.len()));
+        let of_some = is_implication
+            .then(|| new_integer(&equations, given, beside, vocabulary))
+            .flatten();
+        let problem = of_some.or_else(|| listed_values(&equations));
+        faults.extend(problem.map(|(at, problem)| tex.fault(at, problem)));
+    }
     Ok(Entry {
         label: raw.label.get_ref().clone(),
         role: raw.role,
@@ -1083,6 +1148,77 @@ fn implication(source: &Source, way: Option<Way>) -> Option<(Source, Source)> {
         Some(Way::Left) => Some((right, left)),
         _ => Some((left, right)),
     }
+}
+
+/// The sides of an equation that gives a letter, that letter first.
+fn gives(equation: &Equation) -> Option<(&Name, &Tree)> {
+    let (Tree::Symbol(name, _), Relation::Equal) = (&equation.left, equation.relation) else {
+        return None;
+    };
+    Some((name, &equation.right))
+}
+
+/// Where the conclusion of an implication gives a letter by an integer that is not `given`, and why that cannot be read:
+/// authors mean that there is such an integer.
+fn new_integer(
+    equations: &[Equation],
+    given: &[(Condition, Source)],
+    beside: &[(Condition, Source)],
+    vocabulary: &Vocabulary,
+) -> Option<(usize, String)> {
+    let names = |tree: &Tree, is_it: &mut dyn FnMut(&Name) -> bool| {
+        any(tree, &mut |node| matches!(node, Tree::Symbol(name, _) if is_it(name)))
+    };
+    let is_given = |name: &Name| {
+        given.iter().any(|(condition, _)| match condition {
+            Condition::Relation(relation) => {
+                let is_it = &mut |other: &Name| other == name;
+                names(&relation.left, is_it) || names(&relation.right, is_it)
+            }
+            Condition::Integer(tree) => names(tree, &mut |other| other == name),
+        })
+    };
+    let is_integer = |name: &Name| {
+        let is_said =
+            |condition: &Condition| matches!(condition, Condition::Integer(Tree::Symbol(own, _)) if own == name);
+        vocabulary.integers.contains(name) || beside.iter().any(|(condition, _)| is_said(condition))
+    };
+    equations.iter().find_map(|equation| {
+        let (letter, value) = gives(equation)?;
+        let mut found = None;
+        names(value, &mut |name| {
+            let is_new = is_integer(name) && !is_given(name);
+            found = found.take().or_else(|| is_new.then(|| name.clone()));
+            is_new
+        });
+        let new = found.filter(|_| is_given(letter))?;
+        let problem = format!("`{new}` stands in what follows alone: whether for some or for every one is not said");
+        Some((equation.at.0, problem))
+    })
+}
+
+/// Where a claim gives a letter two values, and why that cannot be read: authors list solutions so.
+fn listed_values(equations: &[Equation]) -> Option<(usize, String)> {
+    let is_value = |tree: &Tree| {
+        !any(tree, &mut |node| match node {
+            Tree::Symbol(name, _) => !is_constant(name),
+            node => matches!(
+                node,
+                Tree::Call(..) | Tree::Operation(..) | Tree::PlusMinus(_) | Tree::MinusPlus(_)
+            ),
+        })
+    };
+    let values: Vec<(&Name, &Tree, usize)> = equations
+        .iter()
+        .filter_map(|equation| gives(equation).map(|(name, value)| (name, value, equation.at.0)))
+        .filter(|(_, value, _)| is_value(value))
+        .collect();
+    values.iter().enumerate().find_map(|(place, (name, value, at))| {
+        let is_other = |(other, before, _): &&(&Name, &Tree, usize)| other == name && before != value;
+        let (_, before, _) = values.get(..place)?.iter().find(is_other)?;
+        let problem = format!("`{name}` is `{before}` and `{value}`: give each value an entry of its own, or claim the equation that both solve");
+        Some((*at, problem))
+    })
 }
 
 /// What a condition says to tend to something.
@@ -1196,8 +1332,15 @@ fn is_bare(side: &Tree) -> bool {
     match side {
         Tree::Negate(inner) => is_bare(inner),
         Tree::Call(function, inner, _) => function.base == "\\abs" && is_bare(inner),
-        Tree::Quotient(above, below, _) => [above, below].iter().all(|part| matches!(***part, Tree::Number(_))),
         Tree::Symbol(..) | Tree::Number(_) => true,
+        // as pi/2 is
+        Tree::Quotient(..) | Tree::Product(_) => {
+            let is_variable = |node: &Tree| match node {
+                Tree::Symbol(name, _) => !is_constant(name),
+                node => matches!(node, Tree::Call(..) | Tree::Operation(..) | Tree::Partial { .. }),
+            };
+            !any(side, &mut |node| is_variable(node))
+        }
         _ => false,
     }
 }

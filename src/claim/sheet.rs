@@ -6,7 +6,7 @@ use super::entry::{Entry, RawEntry, Role, read_entry};
 use super::fault::{Fault, Source, Text};
 use super::function::{Given, names_given};
 use super::premise::{refuse_two_meanings, shared};
-use super::spelling::{refuse_products_of_vectors, refuse_two_spellings};
+use super::spelling::{refuse_constants_of_solutions, refuse_products_of_vectors, refuse_two_spellings};
 use super::symbols::{MapEntry, Symbols};
 use super::vocabulary::Vocabulary;
 use crate::tex::{Equation, Name};
@@ -91,6 +91,9 @@ impl Sheet {
         }
         refuse_two_spellings(&equations, &mut entries);
         refuse_products_of_vectors(&equations, &mut entries, &vocabulary);
+        if raw.symbols.is_some() {
+            refuse_constants_of_solutions(&mut entries, &vocabulary);
+        }
         if entries.iter().all(|entry: &Entry| entry.role != Role::Claim) {
             let problem = "the sheet has no claim: give an equation that is to be decided `role = \"claim\"`";
             return Err(Fault::new(problem).at(&Source::new(lines, &Spanned::new(0..0, String::new()))));
@@ -100,7 +103,7 @@ impl Sheet {
             vocabulary,
             entries,
         };
-        sheet.refuse_circles()?;
+        sheet.refuse_circles();
         sheet.write_functions_out();
         sheet.part_definitions();
         sheet.check_names();
@@ -114,6 +117,7 @@ impl Sheet {
         for entry in &mut self.entries {
             let given = entry.take_functions(vocabulary).unwrap_or_else(|fault| {
                 entry.unread.get_or_insert(fault);
+                entry.follows_from.clear();
                 Given::default()
             });
             own.push(given);
@@ -288,17 +292,24 @@ impl Sheet {
         self.entries.iter().position(|entry| entry.label == label)
     }
 
-    fn refuse_circles(&self) -> Result<(), Fault> {
+    /// Refuses the claims that are their own premises.
+    fn refuse_circles(&mut self) {
         let uses = |entry: &Entry| match entry.role {
             Role::Claim => entry.follows_from.clone(),
             _ => Vec::new(),
         };
-        let uses: Vec<Vec<usize>> = self.entries.iter().map(uses).collect();
-        let Some(entry) = circle(&uses).and_then(|position| self.entries.get(position)) else {
-            return Ok(());
-        };
-        let problem = "leads back to itself through `follows_from`: a claim cannot be its own premise";
-        Err(Fault::new(problem).of(&entry.label).at(&entry.tex))
+        let mut uses: Vec<Vec<usize>> = self.entries.iter().map(uses).collect();
+        while let Some(position) = circle(&uses) {
+            if let Some(own) = uses.get_mut(position) {
+                own.clear();
+            }
+            if let Some(entry) = self.entries.get_mut(position) {
+                let problem = "leads back to itself through `follows_from`: a claim cannot be its own premise";
+                let fault = Fault::new(problem).of(&entry.label).at(&entry.tex);
+                entry.unread.get_or_insert(fault);
+                entry.follows_from.clear();
+            }
+        }
     }
 }
 

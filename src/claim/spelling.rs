@@ -1,8 +1,10 @@
-//! Letters that one sheet prints in two ways, which are read as one, and products of vectors that are read as numbers.
+//! Letters that one sheet prints in two ways, which are read as one, products of vectors that are read as numbers, and
+//! constants of solutions.
 
-use super::entry::{Entry, RawEntry};
+use super::entry::{Entry, RawEntry, Role};
+use super::substitute::any;
 use super::vocabulary::Vocabulary;
-use crate::tex::{Name, letters};
+use crate::tex::{Condition, Equation, Name, Operation, Tree, letters};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Makes the entries `unread` that hold a letter which the formulas print in two ways: `\mathbf{a}` and `a`, `\phi` and
@@ -56,6 +58,64 @@ pub(super) fn refuse_products_of_vectors(raw: &[RawEntry], entries: &mut [Entry]
                     .unread
                     .get_or_insert_with(|| entry.tex.fault(0, problem).of(&entry.label));
             }
+        }
+    }
+}
+/// Makes the claims `unread` that give a function of a differential equation by parameters of which no premise of the sheet speaks: with
+/// such constants authors mean that some solve it.
+pub(super) fn refuse_constants_of_solutions(entries: &mut [Entry], vocabulary: &Vocabulary) {
+    let is_derivative = |node: &Tree| match node {
+        Tree::Symbol(name, _) | Tree::Call(name, ..) => {
+            vocabulary.names.is_function(name)
+                && (name.primes > 0 || name.accents.iter().any(|accent| accent.starts_with(r"\d")))
+        }
+        Tree::Operation(operation, _) => matches!(**operation, Operation::Derivative { order: 1.., .. }),
+        _ => false,
+    };
+    let sides = |equation: &Equation| [equation.left.clone(), equation.right.clone()];
+    let premises = entries.iter().filter(|entry| entry.role != Role::Claim);
+    let known: Vec<Tree> = premises
+        .flat_map(|premise| premise.equations.iter().flat_map(sides))
+        .collect();
+    let found: Vec<(usize, usize, Name)> = entries
+        .iter()
+        .enumerate()
+        .filter(|(_, entry)| entry.role == Role::Claim)
+        .filter_map(|(position, entry)| {
+            let below = entry.follows_from.iter().filter_map(|&number| entries.get(number));
+            let mut equations = below.flat_map(|premise| premise.equations.iter().flat_map(sides));
+            if !equations.any(|tree| any(&tree, &mut |node| is_derivative(node))) {
+                return None;
+            }
+            let mut given: Vec<Tree> = Vec::new();
+            let beside = entry.local.iter().chain(&entry.with).map(|(equation, _)| equation);
+            given.extend(beside.flat_map(sides));
+            let assumed = entry.assume.iter().filter_map(|(condition, _)| match condition {
+                Condition::Relation(relation) => Some(relation),
+                Condition::Integer(_) => None,
+            });
+            given.extend(assumed.flat_map(sides));
+            let names = |tree: &Tree, name: &Name| any(tree, &mut |node| matches!(node, Tree::Symbol(own, _) if own == name));
+            entry.equations.iter().find_map(|equation| {
+                let runs = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if Some(name) == vocabulary.names.running.as_ref());
+                let is_given = match &equation.left {
+                    Tree::Symbol(name, _) => vocabulary.names.is_function(name),
+                    Tree::Call(name, argument, _) => vocabulary.names.is_function(name) && runs(argument),
+                    _ => false,
+                };
+                let is_free = |name: &&Name| names(&equation.right, name) && !known.iter().chain(&given).any(|tree| names(tree, name));
+                let free = vocabulary.parameters.iter().find(is_free).filter(|_| is_given)?;
+                Some((position, equation.at.0, free.clone()))
+            })
+        })
+        .collect();
+    for (position, at, name) in found {
+        if let Some(entry) = entries.get_mut(position) {
+            let problem =
+                format!("`{name}` stands in this claim alone: whether for some or for every value is not said");
+            entry
+                .unread
+                .get_or_insert_with(|| entry.tex.fault(at, problem).of(&entry.label));
         }
     }
 }

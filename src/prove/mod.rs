@@ -24,8 +24,24 @@ pub use decision::{Decision, mention_refuted};
 pub use explanation::explain;
 pub use script::{CHECKER, Decided, Found, scripts};
 
-use crate::claim::{Goal, Reduced, Sheet, Verdict, other_ways, reduced, reduced_by_cases};
+use crate::claim::{Goal, Reduced, Sheet, Verdict, any, other_ways, reduced, reduced_by_cases};
 use crate::kernel;
+use crate::tex::{Equation, Tree};
+
+/// A power of a negative number, as `(-1)^{n/2}`, of which an author may mean values of n alone for which it has one.
+fn negative_power(equation: &Equation) -> Option<Tree> {
+    let mut found = None;
+    let mut is_one = |node: &Tree| {
+        if let Tree::RealPower(base, ..) = node
+            && matches!(&**base, Tree::Negate(inner) if matches!(**inner, Tree::Number(_)))
+        {
+            found = Some(node.clone());
+        }
+        found.is_some()
+    };
+    let _ = any(&equation.left, &mut is_one) || any(&equation.right, &mut is_one);
+    found
+}
 
 /// How far the search goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -239,6 +255,14 @@ impl<'a> Search<'a> {
                     self.keep(goal, question, Found::Proved { certificate, point });
                 }
                 Outcome::Refuted(refuted, witness) => {
+                    let power = negative_power(&question.equation);
+                    if let Some(power) = power.filter(|_| refuted.is_nowhere_defined()) {
+                        decision.verdict = Verdict::Undecided;
+                        decision.reason = format!(
+                            "`{power}` has a value where its exponent is written as a polynomial with integer coefficients: nowhere defined as it is"
+                        );
+                        break;
+                    }
                     decision.verdict = Verdict::Refuted;
                     decision.is_vacuous = refuted.is_nowhere_defined();
                     decision.failed = Some(question.equation.clone());

@@ -122,6 +122,9 @@ impl<'a> Lexer<'a> {
             '%' => self.at += rest.find('\n').unwrap_or(rest.len()),
             '$' => self.at += 1,
             '~' => return self.blank(WORD_SPACE, self.at + 1),
+            '.' if rest.starts_with("...") => {
+                return Err(Fault::unreadable(self.at, "...", ": write out what is meant"));
+            }
             '&' => return self.push(Kind::Column, 1),
             '\\' => return self.command(),
             c if c.is_whitespace() => self.at += c.len_utf8(),

@@ -818,11 +818,24 @@ impl<'a> Reader<'a> {
         [left, right]: [&Tree; 2],
         at: usize,
     ) -> Result<[Equation; 2], Fault> {
-        let side = |from: usize, to: usize, tree: &Tree| {
+        let number = |from: usize, to: usize| {
             let tokens = self.tokens.get(from..to)?;
-            let mut numbers = tokens.iter().filter(|token| token.kind == Kind::Number);
-            printed_unit(tree, numbers.next()?.text)
+            tokens.iter().find(|token| token.kind == Kind::Number)
         };
+        let side = |from: usize, to: usize, tree: &Tree| printed_unit(tree, number(from, to)?.text);
+        for (from, to, tree) in [(before, start, left), (start, self.next, right)] {
+            let printed = number(from, to).filter(|_| side(from, to, tree).is_some());
+            if let Some(round) =
+                printed.filter(|token| token.text.len() > 1 && token.text.ends_with('0') && !token.text.contains('.'))
+            {
+                let instead = "write the figures that count, as in `1.00 \\cdot 10^3`";
+                return Err(Fault::ambiguous(
+                    round.at,
+                    "how many zeros of this number count",
+                    instead,
+                ));
+            }
+        }
         // of two printed numbers the coarser one tells
         let unit = match (side(start, self.next, right), side(before, start, left)) {
             (Some(Tree::Number(one)), Some(Tree::Number(other))) => {

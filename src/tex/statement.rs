@@ -29,7 +29,8 @@ pub(super) enum Stands {
     Stated,
     /// Behind "where" or "with".
     Explains,
-    /// An inequality behind a statement and a comma, a wide blank or in a row of its own: one statement more, or a condition.
+    /// An inequality before or behind a statement and a comma, a wide blank or in a row of its own: one statement more, or a
+    /// condition.
     Beside,
     /// A condition on the others.
     Condition,
@@ -66,8 +67,10 @@ pub(super) fn divided(tex: &str) -> Result<Vec<Statement<'_>>, Fault> {
 
 /// The statements, in order.
 fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Statement<'_>>, Fault> {
+    let pieces = pieces(tokens);
+    refuse_shared_bounds(&pieces)?;
     let mut whole: Vec<Piece<'_>> = Vec::new();
-    for piece in pieces(tokens) {
+    for piece in pieces {
         let is_behind_first = whole.len() < 2;
         match whole.last_mut() {
             Some(before) if continues(before, &piece)? => {
@@ -83,9 +86,10 @@ fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Statement<'_>>, Fault> {
             _ => whole.push(piece),
         }
     }
+    let in_front = in_front(&whole);
     let mut found: Vec<Statement<'_>> = Vec::new();
-    for piece in whole {
-        let stands = match found.is_empty() {
+    for (place, piece) in whole.into_iter().enumerate() {
+        let stands = match place == 0 && in_front == 0 {
             true => piece.stands,
             false => standing(&piece),
         };
@@ -104,11 +108,63 @@ fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Statement<'_>>, Fault> {
     Ok(found)
 }
 
-/// Refuses what stands behind a condition and could be one claim more.
+/// To which side a relation is smaller: -1 or 1; 0 for one that does not order.
+fn direction(relation: Relation) -> i8 {
+    match relation {
+        Relation::Less | Relation::LessOrEqual => -1,
+        Relation::Greater | Relation::GreaterOrEqual => 1,
+        Relation::Equal | Relation::NotEqual => 0,
+    }
+}
+
+/// Refuses `0 < a, b < 1`: two inequalities, or both letters between both numbers.
+fn refuse_shared_bounds(pieces: &[Piece<'_>]) -> Result<(), Fault> {
+    let is_letter = |token: &Token<'_>| matches!(token.kind, Kind::Letter | Kind::Word) && token.text != "\\pi";
+    let has_letter = |tokens: &[Token<'_>]| tokens.iter().any(is_letter);
+    let mut open: Option<Relation> = None;
+    for piece in pieces {
+        let tokens = piece.tokens.as_slice();
+        let orders = tokens.iter().enumerate().filter_map(|(at, token)| match token.kind {
+            Kind::Relation(relation) => Some((at, relation)),
+            _ => None,
+        });
+        let orders: Vec<(usize, Relation)> = orders.collect();
+        let Some(&(at, relation)) = orders.first() else {
+            open = open.filter(|_| has_letter(tokens) && !piece.apart);
+            continue;
+        };
+        let (left, right) = (&tokens[..at], &tokens[at + 1..]);
+        let is_alone = orders.len() == 1;
+        let ends = open.filter(|before| direction(*before) == direction(relation) && !piece.apart);
+        if ends.is_some() && is_alone && has_letter(left) && !has_letter(right) {
+            let at = tokens.first().map_or(0, |token| token.at);
+            let instead = "give each letter both of its bounds";
+            return Err(Fault::ambiguous(at, "a comma between two bounds", instead));
+        }
+        let begins = is_alone && !has_letter(left) && has_letter(right);
+        open = Some(relation).filter(|relation| begins && direction(*relation) != 0);
+    }
+    Ok(())
+}
+
+/// How many inequalities and sets stand before the first statement that is neither, as conditions can; 0 where there is
+/// no such statement, or where "and" makes it one statement more.
+fn in_front(whole: &[Piece<'_>]) -> usize {
+    let is_condition = |piece: &Piece<'_>| matches!(standing(piece), Stands::Beside | Stands::Condition);
+    let count = whole.iter().take_while(|piece| is_condition(piece)).count();
+    let goes_with = whole.get(count).is_some_and(|next| next.related && !next.apart);
+    if goes_with { count } else { 0 }
+}
+
+/// Refuses what stands behind a condition and could be one claim more; conditions may stand in front.
 pub(super) fn end_at_conditions(statements: &[Statement<'_>]) -> Result<(), Fault> {
-    let is_condition = |one: &Statement<'_>| matches!(one.stands, Stands::Condition | Stands::Beside);
-    let mut behind = statements.iter().skip_while(|one| !is_condition(one)).skip(1);
-    match behind.find(|one| one.stands == Stands::Stated || one.follows) {
+    let is_condition = |one: &&Statement<'_>| matches!(one.stands, Stands::Condition | Stands::Beside);
+    let in_front = statements.iter().take_while(is_condition).count();
+    let (front, rest) = statements.split_at(in_front);
+    let stated = rest.iter().filter(|one| one.stands == Stands::Stated);
+    let of_several = if front.is_empty() { None } else { stated.clone().nth(1) };
+    let mut behind = rest.iter().skip_while(|one| !is_condition(one)).skip(1);
+    match of_several.or_else(|| behind.find(|one| one.stands == Stands::Stated || one.follows)) {
         Some(one) => {
             let at = one.tokens.first().map_or(0, |token| token.at);
             let instead = "give each statement with its conditions an entry of its own";
@@ -324,6 +380,22 @@ mod tests {
         let join = |statement: Statement<'_>| statement.tokens.iter().map(|token| token.text).collect();
         let statements = statements(lex(tex).unwrap()).unwrap();
         statements.into_iter().map(join).collect()
+    }
+
+    #[test]
+    fn conditions_may_stand_in_front_of_one_statement() {
+        let standing = |tex: &str| -> Vec<Stands> {
+            let found = statements(lex(tex).unwrap()).unwrap();
+            found.into_iter().map(|statement| statement.stands).collect()
+        };
+        use Stands::{Beside, Condition, Stated};
+        assert_eq!(standing(r"x > 0, \quad |x| = x"), [Beside, Stated]);
+        assert_eq!(standing(r"n \in N, x > 0, f = x"), [Condition, Beside, Stated]);
+        assert_eq!(standing("x > 0, y > 0"), [Stated, Beside]);
+        assert_eq!(standing(r"x > 0 \text{ and } x = y"), [Stated, Stated]);
+        let ends = |tex: &str| end_at_conditions(&statements(lex(tex).unwrap()).unwrap()).is_ok();
+        assert!(ends("x > 0, a = b") && ends("x > 0, a = b, x < 2"));
+        assert!(!ends("x > 0, a = b, c = d") && !ends("a = b, x > 0, c = d"));
     }
 
     #[test]

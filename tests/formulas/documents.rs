@@ -210,6 +210,14 @@ fn counters_are_followed() {
             "{before}: {faults} {rows}"
         );
     }
+    let book = |more: &str| {
+        let text = format!(
+            "\\documentclass[a4paper]{{book}}\n\\chapter{{A}}\\section{{B}}\n{sum}\n{more}\\chapter{{C}}\n{sum}\n"
+        );
+        read(&text).1
+    };
+    assert_eq!(book(""), "1.1 proved, 2.1 proved");
+    assert_eq!(book("\\appendix"), "1.1 proved, A.1 proved");
     let (faults, _) = read(r"\begin{equation} a = a \setcounter{equation}{4} \end{equation} % audit: claim");
     assert!(faults.contains("within a display"), "{faults}");
 }
@@ -276,20 +284,23 @@ fn a_macro_of_a_group_is_a_fault_and_so_is_what_an_unknown_conditional_decides()
         (r"\iftrue\renewcommand{\q}{b}\else\[ a = 2 \]\fi", "", "1 refuted"),
         (r"\iffalse\ifx\a\b\else\fi\renewcommand{\q}{b}\else\fi", "", "1 proved"),
         (r"\iffalse\else\renewcommand{\q}{b}\fi", "", "1 refuted"),
+        (r"\iflong\renewcommand{\q}{b}\fi", r"`\iflong` prints", "1 unread"),
+        (r"\newif\iflong \iflong\renewcommand{\q}{b}\fi", "", "1 proved"),
         (
-            r"\newif\iflong \longfalse \iflong\renewcommand{\q}{b}\fi",
-            r"`\iflong` prints",
-            "1 unread",
+            r"\newif\iflong \longtrue \iflong\renewcommand{\q}{b}\fi",
+            "",
+            "1 refuted",
         ),
+        // what number the claim has is not known
         (
-            r"\newif\iflong \iflong\begin{equation} a = 1 \end{equation}\else\fi",
+            r"\iflong\begin{equation} a = 1 \end{equation}\else\fi",
             r"`\iflong` prints",
-            "2 proved",
+            "line 4 proved",
         ),
         (
             r"\ifthenelse{x}{\setcounter{equation}{7}}{}",
             r"`\ifthenelse` prints",
-            "8 proved",
+            "line 4 proved",
         ),
         (r"\ifpdf\usepackage{x}\else\usepackage{y}\fi $a \iff b$", "", "1 proved"),
     ] {
@@ -424,6 +435,34 @@ fn what_could_be_a_condition_of_another_row_refutes_nothing() {
         ),
         (r"\begin{align*} x &= y, \\ y &= x. \end{align*}", "refuted refuted"),
         (
+            r"\begin{align*} x = 1 \implies x^2 &= 1 \\ &= x \end{align*}",
+            "proved unread",
+        ),
+        (
+            r"\begin{equation}\begin{split} x > 0 \iff |x| &= x \\ &= y \\ &= z \end{split}\end{equation}",
+            "proved refuted unread unread",
+        ),
+        (
+            r"\begin{align*} x &> 0 \\ \Rightarrow |x| &= x \\ &= \sqrt{x^2} \end{align*}",
+            "proved unread",
+        ),
+        (
+            r"\begin{align*} x + y &= 3 \\ x - y &= 1 \\ \Rightarrow \quad x &= 2 \end{align*}",
+            "undecided undecided",
+        ),
+        (
+            r"\begin{align*} x &= 1 \\ x &= 1 \\ \Longrightarrow x^2 &= 1 \end{align*}",
+            "undecided proved",
+        ),
+        (
+            r"\begin{align*} x &= y \\ \Rightarrow x^2 &= y^2, \\ x^3 &= y^3 \end{align*}",
+            "proved undecided",
+        ),
+        (
+            r"\begin{align*} x &= y \nonumber \\ &\Downarrow \nonumber \\ x^2 &= y^2 \end{align*}",
+            "unread undecided",
+        ),
+        (
             r"\begin{multline*} (x + y)^2 - 2 x y \\ - x^2 - y^2 = 0 \end{multline*}",
             "unread",
         ),
@@ -472,6 +511,12 @@ fn what_no_author_means_is_not_guessed() {
         r"\frac{d}{dt} (m v^2) = 0",
         r"d x^2 = x\, d x",
         r"\lim_{n\to\infty} \frac{a_n}{n} = 0",
+        r"\frac{\Delta x}{\Delta t} = \frac{x}{t}",
+        r"\Delta x^2 = \Delta x x",
+        r"\frac{\delta W}{\delta q} = \frac{W}{q}",
+        r"\frac{D u}{D t} = \frac{u}{t}",
+        r"\hat{x}\hat{p} = \hat p \hat x",
+        r"\|x y\|^2 = \|x\|^2 \|y\|^2",
     ] {
         let text =
             format!("\\begin{{equation}} {tex} \\end{{equation}}\n\\begin{{equation}} b = b \\end{{equation}}\n");
@@ -609,7 +654,6 @@ fn what_is_wrong_is_said_with_its_place_and_the_rest_is_decided() {
             2,
         ),
         (r"\input{self}", "`self` includes itself", 1),
-        ("% audit: clam\n", "`clam` says nothing here", 2),
         ("% audit: symbols impact pair\n", "impact pair beside others", 2),
         ("% audit: value orbits.d, scene fig02\n\n", "no number is printed", 2),
     ] {
@@ -638,6 +682,7 @@ fn what_is_wrong_is_said_with_its_place_and_the_rest_is_decided() {
             "{text}"
         );
     };
+    unread("\\[ a = a \\] % audit: clam\n", "`clam` says nothing here");
     unread(r"\newcommand{\r}{\r} \[ a = \r \]", "goes on for ever");
     unread(r"\newcommand{\two}[2]{#1} \[ a = {\two} \]", "lacks an argument");
     unread(r"\[ a = \begin{unknown} b \end{unknown} \]", "unknown");
@@ -800,6 +845,157 @@ fn a_label_in_a_comment_is_that_of_all_rows_under_it_that_say_nothing() {
 ";
     let verdicts: Vec<Verdict> = decisions(&document(text, &[])).iter().map(|row| row.verdict).collect();
     assert_eq!(verdicts, [Verdict::Proved; 3]);
+}
+
+#[test]
+fn what_does_not_print_is_not_judged_and_takes_no_number() {
+    let premise = |tex: &str| format!("\\begin{{equation}} {tex} \\end{{equation}} % audit: premise\n");
+    let claim = |number: u32| {
+        format!("\\begin{{equation}} a^2 = 4 \\end{{equation}} % audit: claim; follows from ({number})\n")
+    };
+    let (one, two) = (premise("a = 1"), premise("a = 2"));
+    for (text, wanted) in [
+        (
+            format!(
+                "\\newcommand{{\\ignore}}[1]{{}}\n\\ignore{{\n{one}}}\n{two}{}",
+                claim(1)
+            ),
+            "2 proved",
+        ),
+        (
+            format!("\\long\\def\\omit#1{{}}\n\\omit{{\n{one}}}\n{two}{}", claim(1)),
+            "2 proved",
+        ),
+        (
+            format!(
+                "\\excludecomment{{sol}}\n\\begin{{sol}}\n{one}\\end{{sol}}\n{two}{}",
+                claim(1)
+            ),
+            "2 proved",
+        ),
+        (
+            format!(
+                "\\begin{{filecontents}}{{a.tex}}\n{one}\\end{{filecontents}}\n{two}{}",
+                claim(1)
+            ),
+            "2 proved",
+        ),
+        (
+            format!("\\newif\\ifdraft\n\\ifdraft\n{one}\\fi\n{two}{}", claim(1)),
+            "2 proved",
+        ),
+        (
+            format!("\\newif\\ifdraft\n\\drafttrue\n\\ifdraft\n{one}\\fi\n{two}{}", claim(2)),
+            "3 proved",
+        ),
+        (
+            format!(
+                "\\newenvironment{{eqn}}{{\\begin{{equation}}}}{{\\end{{equation}}}}\n\\begin{{eqn}} a = 1 \\end{{eqn}} % audit: premise\n{two}{}",
+                claim(2)
+            ),
+            "3 proved",
+        ),
+        // a number that is not known is no reference
+        (
+            format!(
+                "\\newenvironment{{eqn}}{{\\hrule\\begin{{equation}}}}{{\\end{{equation}}\\hrule}}\n{one}\\begin{{eqn}} a = 1 \\end{{eqn}}\n{two}{}",
+                claim(2)
+            ),
+            "line 6 unread",
+        ),
+        (
+            format!(
+                "\\newcommand{{\\shown}}{{\\begin{{equation}} a = 1 \\end{{equation}}}}\n{one}\\shown\n{two}{}",
+                claim(2)
+            ),
+            "line 6 unread",
+        ),
+        (
+            format!(
+                "\\begin{{empheq}}{{align}} a = 1 \\end{{empheq}} % audit: premise\n{two}{}",
+                claim(2)
+            ),
+            "line 4 unread",
+        ),
+        // a row behind the last sign of a row prints a number
+        (
+            format!(
+                "% audit: premise\n\\begin{{align}} a &= 1 \\\\ \\end{{align}}\n{two}{}",
+                claim(3)
+            ),
+            "4 proved",
+        ),
+        (
+            format!(
+                "% audit: premise\n\\begin{{align}} a &= 1 \\\\ \\nonumber \\end{{align}}\n{two}{}",
+                claim(2)
+            ),
+            "3 proved",
+        ),
+    ] {
+        let (_, rows) = read(&text);
+        assert!(rows.ends_with(wanted), "{text}: {rows}");
+    }
+}
+
+#[test]
+fn what_a_comment_says_wrong_is_of_its_row_alone() {
+    let premise = "\\begin{equation} a = 1 \\end{equation} % audit: premise\n";
+    let (_, rows) = read(&format!(
+        "{premise}\\begin{{equation}} a = 1 \\end{{equation}} % audit: claim; follow from (1)\n"
+    ));
+    assert_eq!(rows, "2 unread");
+    let own = "\\begin{equation} a = 1 \\end{equation} % audit: claim; follows from (2)\n";
+    let (_, rows) = read(&format!(
+        "{premise}{own}\\begin{{equation}} a + a = 2 a \\end{{equation}} % audit: claim\n"
+    ));
+    assert_eq!(rows, "2 unread, 3 proved");
+    let text = "% audit: symbols positive b; default claim\n\\[ b + b = 2 b \\]\n";
+    assert_eq!(verdicts(&document(text, &[])), ["line 2 proved"]);
+    let found = document(
+        "% audit: symbols x\n% audit: symbols positive k, functions f\n\\[ x = x \\] % audit: claim\n",
+        &[],
+    );
+    assert!(faults(&found).contains("line 2"), "{}", faults(&found));
+    // behind a display it is of all rows, behind a row of that
+    let rows = |end: &str, said: &str| {
+        let rows = format!("\\begin{{align}}\n a + 1 &= 2 \\\\\n a + 2 &= 3{end}\\end{{align}} % audit: {said}\n");
+        read(&format!("{premise}{rows}{}", numbered("a"))).1
+    };
+    assert_eq!(rows("\n", "claim; follows from (1)"), "2 proved, 3 proved, 4 proved");
+    assert_eq!(rows("\n", "skip"), "4 proved");
+    assert_eq!(rows(" ", "skip"), "2 proved, 4 proved");
+    let line = "\\begin{align} a &= 1 \\\\ 2 a &= 2 \\end{align} % audit: skip\n";
+    assert_eq!(read(&format!("{premise}{line}{}", numbered("a"))).1, "4 proved");
+}
+
+#[test]
+fn letters_that_a_document_uses_in_another_way_are_not_guessed() {
+    let last = |formulas: &[&str]| {
+        let shown: Vec<String> = formulas.iter().map(|tex| format!("\\[ {tex} \\]\n")).collect();
+        let found = decisions(&document(&shown.concat(), &[]));
+        found.last().map(|row| row.verdict)
+    };
+    let proved = Some(Verdict::Proved);
+    for formulas in [
+        [r"i = \frac{V}{R}", "P = i^2 R", "P = -R"].as_slice(),
+        &[r"e = \frac{c}{a}", r"\ln e = 1"],
+        &["|z|^2 = z z^*", "|z|^2 = z^2"],
+        &[r"z = e^{i k x}", "|z|^2 = z^2"],
+    ] {
+        let found = last(formulas);
+        assert!(
+            matches!(found, Some(Verdict::Unread | Verdict::Undecided)),
+            "{formulas:?}: {found:?}"
+        );
+    }
+    assert_eq!(last(&["i^2 = -1"]), proved);
+    assert_eq!(last(&["|z|^2 = z^2"]), proved);
+    assert_eq!(
+        last(&[r"\Delta = b^2 - 4 a c", r"2 a \Delta = 2 a (b^2 - 4 a c)"]),
+        proved
+    );
+    assert_eq!(last(&[r"D = \frac{a}{b}", r"\frac{D}{c} = \frac{a}{b c}"]), proved);
 }
 
 #[test]

@@ -37,7 +37,7 @@ pub(super) fn keys(text: &str) -> Result<Vec<Key>, String> {
     if text.ends_with(',') {
         return Err("this ends with a comma: each line of a comment begins with audit:".to_owned());
     }
-    let mut parts = parted(text, ';').into_iter().filter(|part| !part.is_empty());
+    let mut parts = parted(text, ';').into_iter().filter(|part| !part.is_empty()).peekable();
     while let Some(part) = parts.next() {
         let (word, rest) = part.split_once(char::is_whitespace).unwrap_or((part, ""));
         let rest = rest.trim();
@@ -59,7 +59,10 @@ pub(super) fn keys(text: &str) -> Result<Vec<Key>, String> {
             },
             "symbols" if rest == "impact pair" || rest == "of the impact pair" => Key::Symbols(None),
             "symbols" => {
-                let all: Vec<&str> = std::iter::once(rest).chain(parts.by_ref()).collect();
+                let mut all = vec![rest];
+                while let Some(more) = parts.next_if(|part| !begins_key(part)) {
+                    all.push(more);
+                }
                 Key::Symbols(Some(Box::new(symbols(&all)?)))
             }
             "value" => {
@@ -80,6 +83,15 @@ pub(super) fn keys(text: &str) -> Result<Vec<Key>, String> {
         });
     }
     Ok(keys)
+}
+
+/// Whether a part of a comment behind declarations of symbols is a key of its own.
+fn begins_key(part: &str) -> bool {
+    let word = part.split(char::is_whitespace).next().unwrap_or_default();
+    let keys = [
+        "skip", "label", "follows", "from", "with", "where", "assume", "expect", "default", "symbols", "value",
+    ];
+    keys.contains(&word) || role(word).is_some()
 }
 
 fn role(word: &str) -> Option<Role> {
@@ -135,6 +147,27 @@ fn parted(text: &str, by: char) -> Vec<&str> {
     parts
 }
 
+/// The kinds of symbols.
+const KINDS: [&str; 17] = [
+    "parameters",
+    "generic",
+    "positive",
+    "at_most_one",
+    "nonnegative",
+    "nonzero",
+    "integers",
+    "complex",
+    "indices",
+    "times",
+    "states",
+    "continuous",
+    "functions",
+    "periods",
+    "abbreviations",
+    "relations",
+    "maps",
+];
+
 /// The symbols that parts such as `positive T_1, T_2` or `functions F' = f` declare.
 fn symbols(parts: &[&str]) -> Result<Symbols, String> {
     let mut symbols = Symbols::default();
@@ -145,6 +178,12 @@ fn symbols(parts: &[&str]) -> Result<Symbols, String> {
             .filter(|name| !name.is_empty())
             .map(str::to_owned)
             .collect();
+        let is_kind = |name: &&String| name.split_once(' ').is_some_and(|(word, _)| KINDS.contains(&word));
+        if let Some(name) = names.iter().find(is_kind) {
+            return Err(format!(
+                "`{name}` stands behind a comma: kinds of symbols are parted by `;`"
+            ));
+        }
         let list = match kind {
             "parameters" => &mut symbols.parameters,
             "generic" => &mut symbols.generic,

@@ -25,6 +25,10 @@ pub(super) struct Guess {
     read: Vec<Vec<Equation>>,
     /// The functions of time.
     functions: Vec<Name>,
+    /// Letters of constants to which the document gives a value of its own.
+    given: BTreeSet<Name>,
+    /// Symbols that may be complex: with a star somewhere in the document, or given by the imaginary unit.
+    complex: BTreeSet<Name>,
     has_symbols: bool,
     /// What the document declares itself.
     vocabulary: Vocabulary,
@@ -57,6 +61,53 @@ fn has_dependence(equation: &Equation) -> bool {
         _ => false,
     };
     any(&equation.left, &mut depends) || any(&equation.right, &mut depends)
+}
+
+/// The symbol that a factor is, or a power of it.
+fn letter_of(factor: &Tree) -> Option<&Name> {
+    match factor {
+        Tree::Symbol(name, _) | Tree::Call(name, ..) => Some(name),
+        Tree::Power(of, ..) | Tree::RealPower(of, ..) => letter_of(of),
+        _ => None,
+    }
+}
+
+/// Whether a Delta or delta stands before a letter: mostly no factor.
+fn changes_a_letter(node: &Tree) -> bool {
+    let is_delta = |factor: &Tree| matches!(factor, Tree::Symbol(name, _) if matches!(name.to_string().as_str(), r"\Delta" | r"\delta"));
+    let Tree::Product(factors) = node else {
+        return false;
+    };
+    factors
+        .windows(2)
+        .any(|pair| is_delta(&pair[0]) && letter_of(&pair[1]).is_some())
+}
+
+/// Whether this is `\frac{D u}{D t}`.
+fn is_rate(node: &Tree) -> bool {
+    let is_d = |part: &Tree| {
+        let first = if let Tree::Product(factors) = part {
+            factors.first()
+        } else {
+            None
+        };
+        matches!(first, Some(Tree::Symbol(name, _)) if name.to_string() == "D")
+    };
+    matches!(node, Tree::Quotient(above, below, _) if is_d(above) && is_d(below))
+}
+
+/// Whether two letters with hats are multiplied, as operators are that do not commute.
+fn multiplies_operators(node: &Tree) -> bool {
+    let Tree::Product(factors) = node else {
+        return false;
+    };
+    let has_hat = |name: &&Name| {
+        name.accents
+            .iter()
+            .any(|accent| accent == r"\hat" || accent == r"\widehat")
+    };
+    let hats: BTreeSet<&Name> = factors.iter().filter_map(letter_of).filter(has_hat).collect();
+    hats.len() > 1
 }
 
 /// The running time of a document that does not say it.
@@ -97,8 +148,27 @@ impl Guess {
             let tex = formula.tex.as_deref().unwrap_or_default();
             read_display(tex, &names).unwrap_or_default().equations
         };
+        let read: Vec<Vec<Equation>> = formulas.iter().map(stated).collect();
+        let (mut given, mut complex) = (BTreeSet::new(), BTreeSet::new());
+        for equation in read.iter().flatten() {
+            let mut names = BTreeSet::new();
+            names_in(&equation.right, &mut names);
+            if let Tree::Symbol(name, _) = &equation.left {
+                given.extend(is_constant(name).then(|| name.clone()));
+                let is_unit = |name: &Name| is_constant(name) && name.base == "i";
+                complex.extend(names.iter().any(is_unit).then(|| name.clone()));
+            }
+            names_in(&equation.left, &mut names);
+            let starred = names.into_iter().filter(|name| name.mark == "*");
+            complex.extend(starred.map(|name| Name {
+                mark: String::new(),
+                ..name
+            }));
+        }
         Self {
-            read: formulas.iter().map(stated).collect(),
+            read,
+            given,
+            complex,
             functions,
             has_symbols,
             vocabulary,
@@ -195,12 +265,35 @@ impl Guess {
             "vectors and matrices are not guessed"
         } else if is_called(&shown, &|letter| self.functions.iter().any(|name| name.base == letter)) {
             "a function or a factor before a bracket is not guessed"
-        } else if self.read.get(at).into_iter().flatten().any(has_dependence) {
-            "what depends on what is not guessed"
+        } else if shown.contains(r"\|") || shown.contains(r"\Vert") || shown.contains(r"\lVert") {
+            "norms are not guessed"
         } else {
-            return None;
+            self.read.get(at).into_iter().flatten().find_map(|equation| {
+                let is_some = |test: &mut dyn FnMut(&Tree) -> bool| {
+                    any(&equation.left, &mut |node| test(node)) || any(&equation.right, &mut |node| test(node))
+                };
+                if has_dependence(equation) || is_some(&mut is_rate) {
+                    Some("what depends on what is not guessed")
+                } else if is_some(&mut |node| changes_a_letter(node)) {
+                    Some("a difference or variation is not guessed")
+                } else if is_some(&mut |node| multiplies_operators(node)) {
+                    Some("products of operators are not guessed")
+                } else if is_some(&mut |node| matches!(node, Tree::Symbol(name, _) if self.given.contains(name))) {
+                    Some("a letter of a constant that the document gives a value is not guessed")
+                } else if is_some(&mut |node| self.is_modulus(node)) {
+                    Some("whether a symbol is complex is not guessed")
+                } else {
+                    None
+                }
+            })?
         };
         Some(format!("{problem}: say the symbols by `% audit: symbols ...`"))
+    }
+
+    /// Whether this is the modulus of what may be complex.
+    fn is_modulus(&self, node: &Tree) -> bool {
+        let may_be_complex = |node: &Tree| matches!(node, Tree::Symbol(name, _) if self.complex.contains(name));
+        matches!(node, Tree::Call(name, of, _) if name.base == r"\abs" && any(of, &mut |node| may_be_complex(node)))
     }
 
     /// The name that an equation gives, where it is the first to speak of it.

@@ -89,6 +89,15 @@ impl Macros {
         Some((defined, end))
     }
 
+    /// Where the arguments of a macro end that starts behind byte `next`, if it prints none of them.
+    pub(super) fn leaves_out(&self, name: &str, text: &str, next: usize) -> Option<usize> {
+        let known = self.0.get(name)?;
+        let is_silent = known.parameters > 0 && known.problem.is_none() && !known.body.contains('#');
+        is_silent
+            .then(|| known.applied(text, next).map(|(_, end)| end))
+            .flatten()
+    }
+
     /// Whether a macro is the beginning of an environment, or its end, and nothing else; and of which.
     pub(super) fn layout(&self, name: &str) -> Option<(bool, &str)> {
         let known = self
@@ -125,28 +134,27 @@ impl Macros {
             let (put_in, end) = known
                 .applied(&text, end)
                 .ok_or_else(|| format!(r"the macro `\{name}` lacks an argument"))?;
-            // what is put in may end in a command's letters: a blank keeps these from what follows
-            let joins = put_in.ends_with(|c: char| c.is_ascii_alphabetic())
-                && text
-                    .get(end..)
-                    .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_alphabetic()));
-            let blank = if joins { " " } else { "" };
-            // nor may it go on with the letters of the command before it
             let before = text.get(..start).unwrap_or_default();
-            let is_command = before
-                .trim_end_matches(|c: char| c.is_ascii_alphabetic())
-                .ends_with('\\');
-            let is_glued = is_command && before.ends_with(|c: char| c.is_ascii_alphabetic());
-            let space = if is_glued && put_in.starts_with(|c: char| c.is_ascii_alphabetic()) {
-                " "
-            } else {
-                ""
-            };
+            let behind = text.get(end..).unwrap_or_default();
+            let space = if goes_on(before, &put_in) { " " } else { "" };
+            // a blank behind it too where it is a command or ends with a letter, as a word would
+            let is_word = put_in.ends_with(|c: char| c.is_ascii_alphabetic());
+            let blank = if is_word && begins_with_letter(behind) { " " } else { "" };
             text.replace_range(start..end, &format!("{space}{put_in}{blank}"));
             at = start;
         }
         Ok(text)
     }
+}
+
+/// Whether `behind` would make a command longer that `before` ends with.
+fn goes_on(before: &str, behind: &str) -> bool {
+    let letters = before.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    letters.len() < before.len() && letters.ends_with('\\') && begins_with_letter(behind)
+}
+
+fn begins_with_letter(text: &str) -> bool {
+    text.starts_with(|c: char| c.is_ascii_alphabetic())
 }
 
 impl Macro {
@@ -186,9 +194,13 @@ impl Macro {
         for part in parts {
             let number = part.chars().next().and_then(|c| c.to_digit(10));
             match number.and_then(|number| arguments.get((number as usize).checked_sub(1)?)) {
+                // TeX puts in tokens: letters never make a command longer
                 Some(argument) => {
-                    body.push_str(argument);
-                    body.push_str(part.get(1..).unwrap_or_default());
+                    for text in [argument, part.get(1..).unwrap_or_default()] {
+                        let space = if goes_on(&body, text) { " " } else { "" };
+                        body.push_str(space);
+                        body.push_str(text);
+                    }
                 }
                 None => {
                     body.push('#');
@@ -227,6 +239,9 @@ mod tests {
             r"\newcommand{\letter}{h}",
             r"\newcommand{\id}[1]{#1}",
             r"\newcommand{\twice}[1]{\half{#1}+\half{#1}}",
+            r"\newcommand{\tangent}[1]{\tan#1}",
+            r"\newcommand{\first}[1]{#1}",
+            r"\newcommand{\order}[2]{#1\ge#2}",
         ]);
         for (tex, wanted) in [
             (r"\vel_k = a", r"\dot{x}_k = a"),
@@ -235,6 +250,8 @@ mod tests {
             (r"\half a", r"\frac{a}{2}"),
             (r"\Tr M", r"\operatorname{Tr} M"),
             (r"\cos\letter x + \cos\id{h x}", r"\cos h x + \cos h x"),
+            (r"\tangent{h} x + \first{\tan}h", r"\tan h x + \tan h"),
+            (r"\order{p}{q}", r"p\ge q"),
             (r"\phi x \\ y", r"\varphi x \\ y"),
             (r"\twice{\vel}", r"\frac{\dot{x}}{2}+\frac{\dot{x}}{2}"),
         ] {

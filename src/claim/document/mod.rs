@@ -61,6 +61,8 @@ struct Said {
     local: Vec<Spanned<String>>,
     assume: Vec<Spanned<String>>,
     expect: Option<Verdict>,
+    /// Why what is said is not understood: without it the formula may be another.
+    problem: Option<String>,
 }
 
 impl Said {
@@ -72,6 +74,7 @@ impl Said {
             && self.follows_from.is_none()
             && self.label.is_none()
             && self.expect.is_none()
+            && self.problem.is_none()
             && lists.iter().all(|list| list.is_empty())
     }
 }
@@ -108,6 +111,9 @@ impl Document {
             .collect();
         for (number, comment) in scan.comments.iter().enumerate() {
             let keys = keys(&comment.text).unwrap_or_else(|problem| {
+                if let Some(said) = about.get(&number).and_then(|&formula| said.get_mut(formula)) {
+                    said.problem = Some(problem.clone());
+                }
                 faults.push(fault(comment.part.start, problem));
                 Vec::new()
             });
@@ -179,7 +185,7 @@ impl Document {
         let before = |formula: &Formula| {
             let comments = formula.comments.iter().filter_map(|&number| scan.comments.get(number));
             let ends: Vec<usize> = comments.map(|comment| comment.part.end).collect();
-            !ends.is_empty() && ends.iter().all(|end| *end <= formula.part.start)
+            formula.is_of_display || (!ends.is_empty() && ends.iter().all(|end| *end <= formula.part.start))
         };
         let of_displays: Vec<bool> = scan.formulas.iter().map(before).collect();
         let guesses = entries(&scan.formulas, said, &of_displays, &whole, of_the_pair, &mut raw, &line);
@@ -436,7 +442,7 @@ fn entries(
         let here = |text: String| Spanned::new(formula.part.clone(), text);
         let is_doubtful = formula.is_doubtful && silent_displays.contains(&formula.first);
         let guessed = guess.of(at, label, role, own.follows_from.is_some(), is_doubtful);
-        let mut unread = formula.tex.clone().err();
+        let mut unread = formula.tex.clone().err().or(own.problem);
         unread = unread.or_else(|| guess.problem(at, &tex));
         let mut follows_from = guessed.follows_from;
         for asked in own.follows_from.iter().flatten() {

@@ -122,7 +122,7 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
     let mut rows: Vec<Row> = Vec::new();
     // the first side of the chain that a row continues
     let mut head: Option<Range<usize>> = None;
-    let mut goes_on = false;
+    let (mut goes_on, mut is_implied, mut has_arrow) = (false, false, false);
     for (piece, is_aligned) in pieces {
         let mut row = Row::new(piece.clone(), line_end(text, trimmed(text, piece.clone()).end));
         row.take_names(text, piece.clone());
@@ -135,6 +135,7 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
             (last, _) => last.and_then(|last| joined(text, &last.part, &row.part, is_aligned)),
         };
         goes_on |= joined.is_some() || (!rows.is_empty() && starts_with_relation(text, &row.part));
+        has_arrow |= begins_with(printed(text.get(row.part.clone()).unwrap_or_default()), &ARROWS);
         match (rows.last_mut(), joined) {
             (Some(last), Some(Joined::Blank)) => {
                 // one formula of two rows is read as one row, without the blanks that indent the second
@@ -146,8 +147,12 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
             (Some(last), Some(Joined::Row)) => last.join(row),
             (last, _) => {
                 match last.filter(|_| starts_with_relation(text, &row.part)) {
-                    Some(last) => row.continues = side_before(text, &last.part, &row.part, head.clone()),
-                    None => head = first_side(text, &row.part),
+                    // what is given behind an arrow is given to the rows that go on too
+                    Some(last) => {
+                        is_implied |= implies(text, &last.part);
+                        row.continues = side_before(text, &last.part, &row.part, head.clone()).filter(|_| !is_implied);
+                    }
+                    None => (head, is_implied) = (first_side(text, &row.part), false),
                 }
                 rows.push(row);
             }
@@ -166,8 +171,11 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
         text.get(row.part.clone())
             .is_some_and(|row| row.trim_end_matches(',').contains(','))
     };
-    let is_doubtful =
-        has_words || share_conditions(text, &rows) || (name.starts_with("multline") && rows.iter().any(has_parts));
+    // beside a row that an arrow begins the others may be given, or follow
+    let is_doubtful = has_words
+        || (has_arrow && rows.len() > 1)
+        || share_conditions(text, &rows)
+        || (name.starts_with("multline") && rows.iter().any(has_parts));
     let problem = "columns of equations that go on in another row: give each formula a display of its own";
     for row in &mut rows {
         row.is_doubtful = is_doubtful;
@@ -220,6 +228,14 @@ const ARROWS: [&str; 8] = [
     r"\Downarrow",
     r"\therefore",
 ];
+
+/// Whether an arrow stands in a row.
+fn implies(text: &str, part: &Range<usize>) -> bool {
+    let own = text.get(part.clone()).unwrap_or_default();
+    relations(own)
+        .into_iter()
+        .any(|at| own.get(at).is_some_and(|relation| ARROWS.contains(&relation)))
+}
 
 fn begins_with(text: &str, commands: &[&str]) -> bool {
     commands.iter().any(|command| text.starts_with(command))

@@ -3,8 +3,8 @@
 use super::super::fault::File;
 use super::macros::Macros;
 use super::rows::{Row, blank, rows};
-use super::tex::{BRACES, after_blanks, command, environment, group};
-use std::collections::VecDeque;
+use super::tex::{BRACES, Outside, SQUARE, after_blanks, command, environment, group, outside};
+use std::collections::{HashMap, HashSet, VecDeque};
 use std::ops::Range;
 
 /// The most files, and how deep they may include each other.
@@ -55,6 +55,8 @@ pub(super) struct Formula {
     pub first: usize,
     /// The comments that are about it, by number.
     pub comments: Vec<usize>,
+    /// Whether they stand behind its display, and are about all of that.
+    pub is_of_display: bool,
 }
 
 /// A comment that begins with `audit:`.
@@ -85,7 +87,7 @@ fn numbers_of(environment: &str) -> Option<Numbers> {
 }
 
 /// What holds no formulas to be decided.
-const VERBATIM: [&str; 7] = [
+const VERBATIM: [&str; 9] = [
     "verbatim",
     "verbatim*",
     "Verbatim",
@@ -93,7 +95,15 @@ const VERBATIM: [&str; 7] = [
     "minted",
     "comment",
     "tikzpicture",
+    "filecontents",
+    "filecontents*",
 ];
+
+/// Classes of documents that number equations within chapters.
+const CLASSES_WITH_CHAPTERS: [&str; 6] = ["book", "report", "scrbook", "scrreprt", "memoir", "svmono"];
+
+/// What prints numbers and is not read.
+const COUNTING: [&str; 6] = ["empheq", "numcases", "subnumcases", "dgroup", "dseries", "darray"];
 
 /// What lays out displays or names them, and is not looked for in macros.
 const LAYOUT: [&str; 12] = [
@@ -161,6 +171,16 @@ pub(super) struct Scan<'a> {
     macros: Macros,
     /// The comments of the file at hand that no formula has taken yet.
     waiting: VecDeque<usize>,
+    /// The author's environments: which one each stands for; none where it is more.
+    environments: HashMap<String, Option<String>>,
+    /// Environments that do not print.
+    hidden: Vec<String>,
+    /// The author's conditionals, and whether they hold.
+    switches: HashMap<String, bool>,
+    /// Macros that lay out displays or number them, and are not read.
+    layouts: HashSet<String>,
+    /// Whether what was not read may have numbered displays.
+    has_lost_count: bool,
     /// The last number, that of a group of equations, and the letter within it.
     counted: usize,
     group: Option<(usize, u32)>,
@@ -168,6 +188,8 @@ pub(super) struct Scan<'a> {
     section: usize,
     is_appendix: bool,
     within_sections: bool,
+    /// Whether chapters stand in the place of sections.
+    has_chapters: bool,
     /// How many groups are open: braces, and environments other than the document.
     groups: usize,
     /// The conditionals that are open: whether what stands behind `\\else` is left out.
@@ -193,11 +215,17 @@ impl<'a> Scan<'a> {
             faults: Vec::new(),
             macros: Macros::default(),
             waiting: VecDeque::new(),
+            environments: HashMap::new(),
+            hidden: Vec::new(),
+            switches: HashMap::new(),
+            layouts: HashSet::new(),
+            has_lost_count: false,
             counted: 0,
             group: None,
             section: 0,
             is_appendix: false,
             within_sections: false,
+            has_chapters: false,
             groups: 0,
             conditionals: Vec::new(),
             unknown_until: 0,
@@ -433,10 +461,27 @@ impl<'a> Scan<'a> {
         let name = name.to_owned();
         if let Some((opens, own)) = self.macros.layout(&name).map(|(opens, own)| (opens, own.to_owned())) {
             return match numbers_of(&own).filter(|_| opens) {
-                Some(numbers) => self.environment(here, next, end, &own, numbers),
+                Some(numbers) => self.environment(here, next, end, [&own, &own], numbers),
                 None => next,
             };
         }
+        if let Some(close) = self
+            .macros
+            .leaves_out(&name, &self.text, next)
+            .filter(|close| *close <= end)
+        {
+            return self.leave_out(here, close);
+        }
+        self.has_lost_count |= self.layouts.contains(&name);
+        if let Some((switch, holds)) = self.switched(&name) {
+            self.switches.insert(switch, holds);
+        }
+        let known = name.strip_prefix("if").and_then(|switch| self.switches.get(switch));
+        let name = match known {
+            Some(true) => "iftrue".to_owned(),
+            Some(false) => "iffalse".to_owned(),
+            None => name,
+        };
         match name.as_str() {
             "begin" => {
                 let Some(environment_name) = group(&self.text, next, BRACES) else {
@@ -444,10 +489,22 @@ impl<'a> Scan<'a> {
                 };
                 let inside = environment_name.end + 1;
                 let own = self.text.get(environment_name).unwrap_or_default().to_owned();
-                if let Some(numbers) = numbers_of(&own) {
-                    return self.environment(here, inside, end, &own, numbers);
+                let meant = self.environments.get(&own).cloned();
+                if meant == Some(None) {
+                    let problem = "an environment of your own is not read: write the display out";
+                    self.faults.push((here, problem.to_owned()));
+                    self.has_lost_count = true;
                 }
-                if VERBATIM.contains(&own.as_str()) {
+                let meant = meant.flatten().unwrap_or_else(|| own.clone());
+                if let Some(numbers) = numbers_of(&meant) {
+                    return self.environment(here, inside, end, [&own, &meant], numbers);
+                }
+                if COUNTING.contains(&own.as_str()) {
+                    let problem = format!("`{own}` is not read: write its formulas as an align");
+                    self.faults.push((here, problem));
+                    self.has_lost_count = true;
+                }
+                if VERBATIM.contains(&own.as_str()) || self.hidden.contains(&own) {
                     let close = environment(&self.text, here).map(|(.., close)| close);
                     return match close.filter(|close| *close <= end) {
                         Some(close) => self.leave_out(here, close),
@@ -509,14 +566,20 @@ impl<'a> Scan<'a> {
             "newcommand" | "renewcommand" | "providecommand" | "DeclareMathOperator" | "def" | "gdef" => {
                 self.definition(here, &name, next)
             }
-            "newenvironment" => {
-                self.faults.push((
-                    here,
-                    "an environment of your own is not read: write the display out".to_owned(),
-                ));
+            "newenvironment" | "renewenvironment" => self.own_environment(next),
+            "excludecomment" => {
+                let own = group(&self.text, next, BRACES);
+                self.hidden
+                    .extend(own.and_then(|own| self.text.get(own)).map(str::to_owned));
                 next
             }
-            "newif" => command(&self.text, after_blanks(&self.text, next)).1,
+            "newif" => {
+                let (switch, next) = command(&self.text, after_blanks(&self.text, next));
+                if let Some(switch) = switch.strip_prefix("if") {
+                    self.switches.insert(switch.to_owned(), false);
+                }
+                next
+            }
             "iftrue" => {
                 self.conditionals.push(true);
                 next
@@ -545,9 +608,21 @@ impl<'a> Scan<'a> {
             "numberwithin" | "counterwithin" => {
                 let own = self.text.get(next..).unwrap_or_default();
                 self.within_sections |= own.starts_with("{equation}{section}");
+                // by chapter and section, or anew by chapter
+                self.has_lost_count |=
+                    own.starts_with("{equation}") && (self.has_chapters || own.starts_with("{equation}{chapter}"));
                 next
             }
-            "section" if self.text.as_bytes().get(next) != Some(&b'*') => {
+            "documentclass" => {
+                let options = group(&self.text, next, SQUARE).map_or(next, |own| own.end + 1);
+                let class = group(&self.text, options, BRACES).and_then(|own| self.text.get(own));
+                self.has_chapters = class.is_some_and(|class| CLASSES_WITH_CHAPTERS.contains(&class.trim()));
+                self.within_sections |= self.has_chapters;
+                next
+            }
+            division @ ("chapter" | "section")
+                if (division == "chapter") == self.has_chapters && self.text.as_bytes().get(next) != Some(&b'*') =>
+            {
                 self.section += 1;
                 if self.within_sections {
                     self.counted = 0;
@@ -573,13 +648,61 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Reads the display that an environment is, whose body starts at byte `inside`; says where it ends.
-    fn environment(&mut self, here: usize, inside: usize, end: usize, own: &str, numbers: Numbers) -> usize {
+    /// The conditional that `\drafttrue` or `\draftfalse` sets, and whether it holds; only where all read it.
+    fn switched(&self, name: &str) -> Option<(String, bool)> {
+        let (switch, holds) = match name.strip_suffix("true") {
+            Some(switch) => (switch, true),
+            None => (name.strip_suffix("false")?, false),
+        };
+        self.switches.contains_key(switch).then(|| (switch.to_owned(), holds))
+    }
+
+    /// Takes note of an environment of the author's own; says where its definition ends.
+    fn own_environment(&mut self, next: usize) -> usize {
+        let star = usize::from(self.text.as_bytes().get(next) == Some(&b'*'));
+        let Some(name) = group(&self.text, next + star, BRACES) else {
+            return next;
+        };
+        let mut close = name.end + 1;
+        while let Some(own) = group(&self.text, close, SQUARE) {
+            close = own.end + 1;
+        }
+        let mut parts: [&str; 2] = [""; 2];
+        for part in &mut parts {
+            let Some(own) = group(&self.text, close, BRACES) else {
+                return close;
+            };
+            close = own.end + 1;
+            *part = self.text.get(own).unwrap_or_default().trim();
+        }
+        let alone = |part: &str, command: &str| {
+            let inner = part
+                .strip_prefix(command)?
+                .trim_start()
+                .strip_prefix('{')?
+                .strip_suffix('}')?;
+            (!inner.contains('}')).then(|| inner.to_owned())
+        };
+        let [begins, ends] = parts;
+        let meant = alone(begins, r"\begin").filter(|meant| alone(ends, r"\end").as_ref() == Some(meant));
+        let has_layout = words(begins).chain(words(ends)).any(|(word, _)| LAYOUT.contains(&word));
+        if let Some(name) = self.text.get(name).map(|name| name.trim().to_owned())
+            && (meant.is_some() || has_layout)
+        {
+            self.environments.insert(name, meant);
+        }
+        close
+    }
+
+    /// Reads the display that an environment is, whose body starts at byte `inside`; says where it ends. It goes by the first
+    /// name and is what the second is.
+    fn environment(&mut self, here: usize, inside: usize, end: usize, names: [&str; 2], numbers: Numbers) -> usize {
+        let [own, meant] = names;
         let Some((body, close)) = self.ending(inside, end, own) else {
             return self.without_end(here, inside, own);
         };
         let mut body = inside..body;
-        if own.contains("alignat") || own.contains("IEEE") {
+        if meant.contains("alignat") || meant.contains("IEEE") {
             body.start = group(&self.text, body.start, BRACES).map_or(body.start, |count| count.end + 1);
         }
         let shown = self.text.get(body.clone()).unwrap_or_default();
@@ -587,7 +710,7 @@ impl<'a> Scan<'a> {
             let problem = "a counter is changed within a display: do it before or behind";
             self.faults.push((here, problem.to_owned()));
         }
-        self.display(body, numbers, own);
+        self.display(body, numbers, meant);
         close
     }
 
@@ -649,6 +772,7 @@ impl<'a> Scan<'a> {
             let problem =
                 "a macro that opens or ends an environment, or that numbers or labels, is not read: write it out";
             self.faults.push((here, problem.to_owned()));
+            self.layouts.insert(defined);
         }
         close
     }
@@ -690,20 +814,20 @@ impl<'a> Scan<'a> {
             }
         };
         let own = self.text.get(next..close).unwrap_or_default();
-        let matters = |(word, next): (&str, usize)| {
+        let counts = |(word, next): (&str, usize)| {
             let opens = || {
                 let name = group(own, next, BRACES).and_then(|name| own.get(name));
                 name.is_some_and(|name| name == "subequations" || numbers_of(name).is_some())
             };
-            DECIDED.contains(&word)
-                || (word == "begin" && opens())
-                || is_counter(own, word, next)
-                || self.macros.layout(word).is_some()
+            (word == "begin" && opens()) || is_counter(own, word, next) || self.macros.layout(word).is_some()
         };
-        if here >= self.unknown_until && (own.contains("$$") || words(own).any(matters)) {
+        let has_count = words(own).any(counts);
+        let matters = has_count || own.contains("$$") || words(own).any(|(word, _)| DECIDED.contains(&word));
+        if here >= self.unknown_until && matters {
             let problem = format!(r"nobody says which branch of `\{name}` prints: write `\iftrue` or `\iffalse`");
             self.faults.push((here, problem));
             self.unknown_until = close;
+            self.has_lost_count |= has_count;
         }
         next
     }
@@ -776,8 +900,19 @@ impl<'a> Scan<'a> {
 
     fn display(&mut self, body: Range<usize>, numbers: Numbers, name: &str) {
         let first = self.formulas.len();
-        let end = body.end;
+        let (start, end) = (body.start, body.end);
         let mut last_has_number = true;
+        // a row behind the last sign of a row has a number too, empty as it is
+        let mut rows_end = outside(&self.text, body.clone())
+            .into_iter()
+            .filter_map(|found| match found {
+                Outside::Row(at) => Some(at.end),
+                _ => None,
+            });
+        let has_empty_row = rows_end
+            .next_back()
+            .and_then(|at| self.text.get(at..end))
+            .is_some_and(|rest| rest.trim().is_empty());
         for (place, row) in rows(&mut self.text, body, name).into_iter().enumerate() {
             let is_own = match numbers {
                 Numbers::Rows => row.numbers > 0,
@@ -785,7 +920,9 @@ impl<'a> Scan<'a> {
                 Numbers::One => row.numbers > 0 && place == 0,
                 Numbers::None => false,
             };
-            let number = row.tag.clone().or_else(|| is_own.then(|| self.count()));
+            let has_lost_count = self.has_lost_count;
+            let number = || is_own.then(|| self.count()).filter(|_| !has_lost_count);
+            let number = row.tag.clone().or_else(number);
             if numbers == Numbers::Rows && number.is_some() {
                 // the other numbers of a formula of several rows
                 for _ in 1..row.numbers {
@@ -798,6 +935,9 @@ impl<'a> Scan<'a> {
             last_has_number = number.is_some() || (goes_with_last && last_has_number);
             self.formula(row, number, goes_with_last, first, end);
         }
+        if has_empty_row && numbers == Numbers::Rows {
+            self.count();
+        }
         // what is said behind a display of one number is said of all of it
         let line = self
             .text
@@ -805,7 +945,15 @@ impl<'a> Scan<'a> {
             .and_then(|rest| rest.find('\n'))
             .map_or(self.text.len(), |found| end + found);
         let last = self.formulas.len().wrapping_sub(1);
-        let formula = if numbers == Numbers::Rows { last } else { first };
+        let own = self.text.get(start..end).unwrap_or_default();
+        let is_apart = !own.contains('\n') || own.trim_end_matches([' ', '\t']).ends_with('\n');
+        let is_silent = |formula: &Formula| formula.comments.is_empty();
+        let is_of_display =
+            is_apart && first < last && self.formulas.get(first..).is_some_and(|all| all.iter().all(is_silent));
+        let formula = match numbers {
+            Numbers::Rows if !is_of_display => last,
+            _ => first,
+        };
         let behind = self.text.get(end..line).unwrap_or_default();
         let closing = ["$$", r"\]", "```"]
             .iter()
@@ -818,6 +966,9 @@ impl<'a> Scan<'a> {
         let line = next.map_or(line, |next| end + closing + next);
         if self.formulas.len() > first {
             self.take_comments(line, Some(formula));
+            if let Some(formula) = self.formulas.get_mut(formula) {
+                formula.is_of_display = is_of_display && !formula.comments.is_empty();
+            }
         }
     }
 
@@ -872,6 +1023,7 @@ impl<'a> Scan<'a> {
             goes_with_last,
             first,
             comments: Vec::new(),
+            is_of_display: false,
         });
         self.take_comments(row.line_end.min(end), Some(self.formulas.len() - 1));
     }

@@ -86,7 +86,7 @@ pub(super) enum Outside {
 const RELATIONS: [&str; 11] = [":=", "=", "<", ">", "≤", "≥", "≠", "≈", "≡", "≲", "≳"];
 
 /// The commands that relate.
-const RELATING: [&str; 22] = [
+const RELATING: [&str; 25] = [
     "le",
     "leq",
     "leqslant",
@@ -108,11 +108,14 @@ const RELATING: [&str; 22] = [
     "Rightarrow",
     "implies",
     "Leftrightarrow",
+    "Longrightarrow",
+    "Longleftrightarrow",
+    "iff",
     "in",
 ];
 
 /// The relations that say that two sides are equal, or nearly, or that what is claimed follows.
-const EQUATING: [&str; 13] = [
+const EQUATING: [&str; 16] = [
     "=",
     ":=",
     "≡",
@@ -126,6 +129,9 @@ const EQUATING: [&str; 13] = [
     r"\Rightarrow",
     r"\implies",
     r"\Leftrightarrow",
+    r"\Longrightarrow",
+    r"\Longleftrightarrow",
+    r"\iff",
 ];
 
 /// Whether a relation says that two sides are equal.
