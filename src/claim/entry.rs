@@ -315,7 +315,17 @@ impl Entry {
             .filter_map(|(condition, _)| approached(condition))
             .collect();
         let is_antiderivative = self.equations.iter().any(holds_indefinite);
+        let mut running: HashSet<Name> = HashSet::new();
+        for (tree, _) in self.trees(vocabulary) {
+            functions_that_run(tree, vocabulary, &mut running);
+        }
         for (tree, source) in self.trees(vocabulary) {
+            if let Some((name, at)) = product_or_value(tree, &running, vocabulary) {
+                let problem = format!(
+                    "`{name}(...)` can be read as a value of `{name}` or as a product: write `{name} \\cdot (...)`, or give each `{name}` its argument"
+                );
+                return Err(source.fault(at, problem).of(&self.label));
+            }
             if let Some((name, at)) = called_with_itself(tree) {
                 let problem = format!(
                     "`{name}(...{name}...)` can be read as a value of `{name}` or as a product: write `{name} \\cdot (...)`"
@@ -782,6 +792,55 @@ fn called_with_itself(tree: &Tree) -> Option<(Name, usize)> {
                 argument,
                 &mut |inner| matches!(inner, Tree::Symbol(same, _) if same == name),
             )
+        {
+            found = Some((name.clone(), at.0));
+        }
+        found.is_some()
+    });
+    found
+}
+
+/// Takes the functions that stand in a tree at the running time, or without an argument.
+fn functions_that_run(tree: &Tree, vocabulary: &Vocabulary, found: &mut HashSet<Name>) {
+    let runs = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if Some(name) == vocabulary.names.running.as_ref());
+    any(tree, &mut |node| {
+        match node {
+            Tree::Symbol(name, _) if vocabulary.names.is_function(name) => drop(found.insert(name.clone())),
+            Tree::Call(name, argument, _) if vocabulary.names.is_function(name) && runs(argument) => {
+                found.insert(name.clone());
+            }
+            _ => {}
+        }
+        false
+    });
+}
+
+/// A function of time before a bracket of several terms or factors that is no time, while it stands at the running time too, and
+/// where: as in `\dot{x} (m \ddot{x} + k x)`, a product.
+fn product_or_value(tree: &Tree, running: &HashSet<Name>, vocabulary: &Vocabulary) -> Option<(Name, usize)> {
+    let is_time = |node: &Tree| match node {
+        Tree::Symbol(name, _) => {
+            matches!(name.base.as_str(), "t" | "T" | "s" | r"\tau") || vocabulary.is_index_letter(name)
+        }
+        _ => false,
+    };
+    // a value within is at a time of its own
+    fn speaks_of_time(tree: &Tree, is_time: &dyn Fn(&Tree) -> bool) -> bool {
+        match tree {
+            Tree::Call(..) => false,
+            tree if is_time(tree) => true,
+            tree => tree
+                .find_below(&mut |part| speaks_of_time(part, is_time).then_some(()))
+                .is_some(),
+        }
+    }
+    let mut found = None;
+    any(tree, &mut |node| {
+        if let Tree::Call(name, argument, at) = node
+            && running.contains(name)
+            && matches!(**argument, Tree::Sum(_) | Tree::Product(_))
+            && any(argument, &mut |node| matches!(node, Tree::Symbol(..) | Tree::Call(..)))
+            && !speaks_of_time(argument, &is_time)
         {
             found = Some((name.clone(), at.0));
         }

@@ -917,6 +917,13 @@ fn what_does_not_print_is_not_judged_and_takes_no_number() {
             ),
             "line 4 unread",
         ),
+        (
+            format!(
+                "\\renewcommand{{\\theequation}}{{A.\\arabic{{equation}}}}\n{two}{}",
+                claim(1)
+            ),
+            "line 4 unread",
+        ),
         // a row behind the last sign of a row prints a number
         (
             format!(
@@ -936,6 +943,16 @@ fn what_does_not_print_is_not_judged_and_takes_no_number() {
         let (_, rows) = read(&text);
         assert!(rows.ends_with(wanted), "{text}: {rows}");
     }
+}
+
+#[test]
+fn displays_on_one_line_have_labels_of_their_own() {
+    let text = r"\[ a + a = 2 a \] and \[ a - a = 0 \] and \[ a = b \]";
+    let rows = verdicts(&document(
+        &format!("% audit: symbols a, b\n% audit: default claim\n{text}\n"),
+        &[],
+    ));
+    assert_eq!(rows, ["line 3 proved", "line 3 (2) proved", "line 3 (3) refuted"]);
 }
 
 #[test]
@@ -982,6 +999,15 @@ fn letters_that_a_document_uses_in_another_way_are_not_guessed() {
         &[r"e = \frac{c}{a}", r"\ln e = 1"],
         &["|z|^2 = z z^*", "|z|^2 = z^2"],
         &[r"z = e^{i k x}", "|z|^2 = z^2"],
+        &[r"A = \begin{pmatrix} a & b \\ c & d \end{pmatrix}", "A B = B A"],
+        &[r"\det(A B) = \det A \det B", "A B = B A"],
+        &[r"A^\top A = A A^\top"],
+        &["f(x) = a x + b", r"f^{-1} = \frac{1}{f}"],
+        &[r"[x, p] = i \hbar", "x p = p x"],
+        &["A^{T} A = A A^{T}"],
+        &["A^* A = A A^*"],
+        &["i_1 = i_2 + i_3", "u = R i", "P = u i", "P = -R"],
+        &[r"x(t) = A \cos \omega t", r"\dot{x}(t) = A \omega \cos \omega t"],
     ] {
         let found = last(formulas);
         assert!(

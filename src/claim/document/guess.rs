@@ -27,6 +27,11 @@ pub(super) struct Guess {
     functions: Vec<Name>,
     /// Letters of constants to which the document gives a value of its own.
     given: BTreeSet<Name>,
+    /// Whether matrices or their operations are printed.
+    has_matrices: bool,
+    /// Letters before a bracket that may be functions, and pairs of letters in a commutator.
+    called: BTreeSet<String>,
+    commutators: Vec<[String; 2]>,
     /// Symbols that may be complex: with a star somewhere in the document, or given by the imaginary unit.
     complex: BTreeSet<Name>,
     has_symbols: bool,
@@ -153,6 +158,14 @@ impl Guess {
         for equation in read.iter().flatten() {
             let mut names = BTreeSet::new();
             names_in(&equation.right, &mut names);
+            // i_1 is a current, and i beside it
+            let numbered = |name: &Name| name.base == "i" && !name.subscript.is_empty() && name.accents.is_empty();
+            let mut all = names.clone();
+            names_in(&equation.left, &mut all);
+            given.extend(all.iter().any(numbered).then(|| Name {
+                base: "i".to_owned(),
+                ..Name::default()
+            }));
             if let Tree::Symbol(name, _) = &equation.left {
                 given.extend(is_constant(name).then(|| name.clone()));
                 let is_unit = |name: &Name| is_constant(name) && name.base == "i";
@@ -165,7 +178,19 @@ impl Guess {
                 ..name
             }));
         }
+        let all: Vec<String> = formulas
+            .iter()
+            .map(|formula| plain(formula.tex.as_deref().unwrap_or_default()))
+            .collect();
+        let is_of_time = |letter: &str| functions.iter().any(|name| name.base == letter);
+        let called = all.iter().flat_map(|shown| letters_called(shown, &is_of_time));
+        let prints_matrices =
+            |shown: &String| OF_MATRICES.iter().any(|sign| shown.contains(sign)) || has_adjoint(shown);
+        let has_matrices = all.iter().any(prints_matrices);
         Self {
+            has_matrices,
+            called: called.map(str::to_owned).collect(),
+            commutators: all.iter().flat_map(|shown| commutators(shown)).collect(),
             read,
             given,
             complex,
@@ -257,14 +282,26 @@ impl Guess {
         if self.has_symbols {
             return None;
         }
-        let is_bold = [r"\vec", r"\mathbf", r"\boldsymbol", r"\bm"]
+        let is_bold = [r"\vec", r"\mathbf", r"\boldsymbol", r"\bm", r"\mathsf", r"\mathfrak"]
             .iter()
             .any(|command| tex.contains(command));
-        let shown: String = tex.replace(r"\left", "").split_whitespace().collect();
+        let shown = plain(tex);
+        let inverts = |letter: &String| {
+            [r"^{-1}", r"^-1"]
+                .iter()
+                .any(|power| shown.contains(&format!("{letter}{power}")))
+        };
+        let holds = |letter: &String| shown.contains(letter.as_str());
         let problem = if is_bold {
             "vectors and matrices are not guessed"
         } else if is_called(&shown, &|letter| self.functions.iter().any(|name| name.base == letter)) {
             "a function or a factor before a bracket is not guessed"
+        } else if shown.contains(r"\top") {
+            "transposes are not guessed"
+        } else if self.called.iter().any(inverts) {
+            "an inverse function or a power is not guessed"
+        } else if self.commutators.iter().any(|pair| pair.iter().all(holds)) {
+            "what commutes is not guessed"
         } else if shown.contains(r"\|") || shown.contains(r"\Vert") || shown.contains(r"\lVert") {
             "norms are not guessed"
         } else {
@@ -280,6 +317,8 @@ impl Guess {
                     Some("products of operators are not guessed")
                 } else if is_some(&mut |node| matches!(node, Tree::Symbol(name, _) if self.given.contains(name))) {
                     Some("a letter of a constant that the document gives a value is not guessed")
+                } else if self.has_matrices && is_some(&mut |node| self.may_be_matrix(node)) {
+                    Some("whether a letter is a matrix is not guessed")
                 } else if is_some(&mut |node| self.is_modulus(node)) {
                     Some("whether a symbol is complex is not guessed")
                 } else {
@@ -288,6 +327,12 @@ impl Guess {
             })?
         };
         Some(format!("{problem}: say the symbols by `% audit: symbols ...`"))
+    }
+
+    /// Whether this is a capital letter that nothing gives, in a document with matrices.
+    fn may_be_matrix(&self, node: &Tree) -> bool {
+        let is_capital = |name: &Name| name.base.len() == 1 && name.base.chars().all(|c| c.is_ascii_uppercase());
+        matches!(node, Tree::Symbol(name, _) if is_capital(name) && !self.definitions.contains_key(name))
     }
 
     /// Whether this is the modulus of what may be complex.
@@ -317,7 +362,10 @@ impl Guess {
         let is_time = matches!(argument.as_ref(), Tree::Symbol(time, _) if time.to_string() == TIME);
         let mut right = BTreeSet::new();
         names_in(&equation.right, &mut right);
-        let is_new = self.functions.contains(name) && !self.met.contains(name) && !right.contains(name);
+        // a dot says what it is already
+        let is_derivative = self.functions.iter().any(|function| function.dotted() == *name);
+        let is_new =
+            self.functions.contains(name) && !self.met.contains(name) && !right.contains(name) && !is_derivative;
         equation.relation == Relation::Equal && is_time && is_new
     }
 
@@ -458,20 +506,74 @@ const FUNCTIONS: [&str; 10] = ["f", "g", "h", "F", "G", "H", r"\delta", r"\Gamma
 /// Whether a letter before a bracket may be a function: one that mostly is, or before a single term, which a factor would
 /// need no bracket for; those of time are known. What is shown has no blanks, and no `\left`.
 fn is_called(shown: &str, is_of_time: &dyn Fn(&str) -> bool) -> bool {
-    shown.match_indices(['(', '[']).any(|(at, bracket)| {
+    letters_called(shown, is_of_time).next().is_some()
+}
+
+/// Those letters.
+fn letters_called<'a>(shown: &'a str, is_of_time: &'a dyn Fn(&str) -> bool) -> impl Iterator<Item = &'a str> {
+    shown.match_indices(['(', '[']).filter_map(move |(at, bracket)| {
         let (before, inside) = (&shown[..at], &shown[at + 1..]);
-        let Some(letter) = letter_before(before) else {
-            return false;
-        };
+        let letter = letter_before(before)?;
         if inside.starts_with("t)") {
-            return false;
+            return None;
         }
         let close = if bracket == "(" { ')' } else { ']' };
         let inside = inside.split([close, '(', '[']).next().unwrap_or_default();
         let is_closed = shown[at + 1 + inside.len()..].starts_with(close);
         let is_single = is_closed && !inside.trim_start_matches('-').contains(['+', '-', '=', ',']);
         let may_be_called = is_single || (bracket == "[" && is_closed);
-        FUNCTIONS.contains(&letter) || (may_be_called && !is_of_time(letter))
+        (FUNCTIONS.contains(&letter) || (may_be_called && !is_of_time(letter))).then_some(letter)
+    })
+}
+
+/// What a document with matrices prints.
+const OF_MATRICES: [&str; 8] = [
+    "matrix}",
+    r"\det",
+    r"\top",
+    r"\operatorname{tr}",
+    r"\mathrm{tr}",
+    r"\operatorname{rank}",
+    r"\operatorname{diag}",
+    r"\Tr",
+];
+
+/// Whether a capital letter has the mark of a transpose or an adjoint.
+fn has_adjoint(shown: &str) -> bool {
+    let marks = [
+        "^T",
+        "^{T}",
+        "^H",
+        "^{H}",
+        "^*",
+        "^{*}",
+        "^+",
+        "^{+}",
+        r"^\dagger",
+        r"^{\dagger}",
+    ];
+    marks.iter().any(|mark| {
+        let mut before = shown
+            .match_indices(mark)
+            .filter_map(|(at, _)| shown.get(..at)?.chars().next_back());
+        before.any(|c| c.is_ascii_uppercase())
+    })
+}
+
+/// A formula without blanks and sizes of brackets.
+fn plain(tex: &str) -> String {
+    tex.replace(r"\left", "")
+        .replace(r"\right", "")
+        .split_whitespace()
+        .collect()
+}
+
+/// The pairs of letters in `[x,p]`.
+fn commutators(shown: &str) -> impl Iterator<Item = [String; 2]> {
+    shown.match_indices('[').filter_map(|(at, _)| {
+        let (one, other) = shown[at + 1..].split(']').next()?.split_once(',')?;
+        let is_letter = |text: &str| text.len() == 1 && text.chars().all(|c| c.is_ascii_alphabetic());
+        (is_letter(one) && is_letter(other)).then(|| [one.to_owned(), other.to_owned()])
     })
 }
 

@@ -563,7 +563,16 @@ fn labels(formulas: &[Formula], said: &[Said], line: &dyn Fn(usize) -> usize) ->
                 label = own;
             }
             if !taken.insert(label.clone()) {
-                label = format!("{label} (line {})", line(formula.part.start));
+                // of several on one line the second is `line 3 (2)`
+                let here = format!("line {}", line(formula.part.start));
+                let by_line = if base == &here {
+                    None
+                } else {
+                    Some(format!("{label} ({here})"))
+                };
+                let counted = (2..).map(|count| format!("{label} ({count})"));
+                let mut names = by_line.into_iter().chain(counted);
+                label = names.find(|name| !taken.contains(name)).unwrap_or(label);
                 taken.insert(label.clone());
             }
             let mut called: Vec<&String> = vec![&label];

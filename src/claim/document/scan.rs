@@ -766,6 +766,11 @@ impl<'a> Scan<'a> {
         if let Some(problem) = problem {
             self.faults.push((here, format!(r"the macro `\{defined}` {problem}")));
         }
+        if defined == "theequation" {
+            let problem = r"what `\theequation` prints is not followed: formulas are called by label or line";
+            self.faults.push((here, problem.to_owned()));
+            self.has_lost_count = true;
+        }
         let is_display = |(_, own): (bool, &str)| numbers_of(own).is_some();
         let own = self.text.get(next..close).unwrap_or_default();
         if !self.macros.layout(&defined).is_some_and(is_display) && words(own).any(|(word, _)| LAYOUT.contains(&word)) {
