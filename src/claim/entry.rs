@@ -820,7 +820,8 @@ fn functions_that_run(tree: &Tree, vocabulary: &Vocabulary, found: &mut HashSet<
 fn product_or_value(tree: &Tree, running: &HashSet<Name>, vocabulary: &Vocabulary) -> Option<(Name, usize)> {
     let is_time = |node: &Tree| match node {
         Tree::Symbol(name, _) => {
-            matches!(name.base.as_str(), "t" | "T" | "s" | r"\tau") || vocabulary.is_index_letter(name)
+            let is_named = matches!(name.base.as_str(), "t" | "T" | "s" | r"\tau");
+            is_named || Some(name) == vocabulary.names.running.as_ref() || vocabulary.is_index_letter(name)
         }
         _ => false,
     };
