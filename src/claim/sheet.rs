@@ -117,7 +117,6 @@ impl Sheet {
         for entry in &mut self.entries {
             let given = entry.take_functions(vocabulary).unwrap_or_else(|fault| {
                 entry.unread.get_or_insert(fault);
-                entry.follows_from.clear();
                 Given::default()
             });
             own.push(given);

@@ -61,8 +61,9 @@ pub(super) fn refuse_products_of_vectors(raw: &[RawEntry], entries: &mut [Entry]
         }
     }
 }
-/// Makes the claims `unread` that give a function of a differential equation by parameters of which no premise of the sheet speaks: with
-/// such constants authors mean that some solve it.
+
+/// Makes the claims `unread` that give a function of a differential equation by parameters of which no premise of the sheet
+/// speaks: with such constants authors mean that some solve it.
 pub(super) fn refuse_constants_of_solutions(entries: &mut [Entry], vocabulary: &Vocabulary) {
     let is_derivative = |node: &Tree| match node {
         Tree::Symbol(name, _) | Tree::Call(name, ..) => {

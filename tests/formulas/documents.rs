@@ -291,6 +291,17 @@ fn a_macro_of_a_group_is_a_fault_and_so_is_what_an_unknown_conditional_decides()
             "",
             "1 refuted",
         ),
+        // what a group or another conditional sets is not known behind it
+        (
+            r"\newif\iflong {\longtrue} \iflong\renewcommand{\q}{b}\fi",
+            r"`\iflong` prints",
+            "1 unread",
+        ),
+        (
+            r"\newif\iflong \ifx\a\b\longtrue\fi \iflong\renewcommand{\q}{b}\fi",
+            r"`\iflong` prints",
+            "1 unread",
+        ),
         // what number the claim has is not known
         (
             r"\iflong\begin{equation} a = 1 \end{equation}\else\fi",

@@ -474,7 +474,11 @@ impl<'a> Scan<'a> {
         }
         self.has_lost_count |= self.layouts.contains(&name);
         if let Some((switch, holds)) = self.switched(&name) {
-            self.switches.insert(switch, holds);
+            // behind the end of a group nobody says what it is again
+            match self.groups {
+                0 => drop(self.switches.insert(switch, holds)),
+                _ => drop(self.switches.remove(&switch)),
+            }
         }
         let known = name.strip_prefix("if").and_then(|switch| self.switches.get(switch));
         let name = match known {
@@ -648,7 +652,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// The conditional that `\drafttrue` or `\draftfalse` sets, and whether it holds; only where all read it.
+    /// The conditional that `\drafttrue` or `\draftfalse` sets, if it is known, and whether it holds then.
     fn switched(&self, name: &str) -> Option<(String, bool)> {
         let (switch, holds) = match name.strip_suffix("true") {
             Some(switch) => (switch, true),
@@ -819,6 +823,12 @@ impl<'a> Scan<'a> {
             }
         };
         let own = self.text.get(next..close).unwrap_or_default();
+        // what it sets is not known from here on
+        let set: Vec<String> = words(own)
+            .filter_map(|(word, _)| self.switched(word))
+            .map(|(switch, _)| switch)
+            .collect();
+        self.switches.retain(|switch, _| !set.contains(switch));
         let counts = |(word, next): (&str, usize)| {
             let opens = || {
                 let name = group(own, next, BRACES).and_then(|name| own.get(name));
