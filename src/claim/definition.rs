@@ -56,7 +56,7 @@ pub(super) fn has_sign(tree: &Tree) -> bool {
 }
 
 /// The tree under the upper or the lower signs.
-fn with_sign(tree: &Tree, upper: bool) -> Tree {
+pub(super) fn with_sign(tree: &Tree, upper: bool) -> Tree {
     let again = |tree: &Tree| with_sign(tree, upper);
     match tree {
         Tree::PlusMinus(body) if upper => again(body),

@@ -2,18 +2,20 @@
 
 use super::declared::is_constant;
 use super::declared::is_defined;
-use super::definition::{Local, circular, has_sign, inlined_in, speaks_of, two_of_pair};
+use super::definition::{Local, circular, inlined_in, speaks_of, two_of_pair};
 use super::fault::{Fault, Source, Text};
 use super::function::Given;
+use super::implication::{
+    Stated, Way, assumed, has_one_sided_sign, implication, integers_alone, is_equivalence, listed_values, new_integer,
+    signs_go_together, stated_of, unseen,
+};
 use super::nearest::nearest;
 use super::reduce::{holds_indefinite, is_constant_of_integration};
 use super::substitute::{any, any_side, flies, number_of, rewrite, tree_runs};
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::number::{Field, Rational};
-use crate::tex::{
-    Condition, Display, Equation, Name, Operation, Relation, Tree, read, read_conditions, read_display, with_commands,
-};
+use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree, read, read_conditions, with_commands};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashSet};
 use toml::Spanned;
@@ -62,6 +64,15 @@ pub struct Entry {
     pub expect: Verdict,
     /// What its verdict rests on that nobody said, as a document without comments makes one guess.
     pub guessed: Vec<String>,
+    /// Whether it is a claim `A \Rightarrow B`.
+    pub is_implication: bool,
+    /// Integers in its equations of which no condition says how they stand to other symbols, and parameters that may be
+    /// constants of integration.
+    pub of_some: Vec<Name>,
+    /// The letters of which it says that it holds for all of them.
+    pub for_all: Vec<Name>,
+    /// The equations of which it says or assumes that one holds.
+    pub alternatives: Vec<Equation>,
     /// Why the entry cannot be read: its TeX, or a name in it that nothing declares.
     pub unread: Option<Fault>,
     /// The symbols that the entry defines for itself: those of `where`, and in a claim or definition those alone on the
@@ -102,18 +113,10 @@ pub(super) struct RawEntry {
     pub way: Option<Way>,
 }
 
-/// A way of an equivalence.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
-    /// From its left side to its right one.
-    Right,
-    Left,
-}
-
 impl RawEntry {
     /// The entry, or of a claim `A \Leftrightarrow B` its two ways, called `7 =>` and `7 <=`.
     pub(super) fn ways(&self) -> Vec<Self> {
-        if self.role != Role::Claim || parted(self.tex.get_ref(), &EQUIVALENT).is_none() {
+        if self.role != Role::Claim || !is_equivalence(self.tex.get_ref()) {
             return vec![self.clone()];
         }
         let way = |(way, arrow): (Way, &str)| Self {
@@ -1073,49 +1076,54 @@ fn sides<'a>(equation: &'a Equation, source: &'a Source) -> [(&'a Tree, &'a Sour
     [(&equation.left, source), (&equation.right, source)]
 }
 
-/// Reads an entry; what cannot be read of it is kept in `unread`. Of one that is not `wanted` the TeX is kept alone.
-///
-/// # Errors
-/// The [`Fault`] of a label in `follows_from` that no entry has.
+/// Reads an entry; what cannot be read of it is kept in `unread`, a label in `follows_from` that no entry has too. Of one that
+/// is not `wanted` the TeX is kept alone.
 pub(super) fn read_entry(
     lines: &Text,
     raw: &RawEntry,
     positions: &BTreeMap<&str, usize>,
     vocabulary: &Vocabulary,
     wanted: bool,
-) -> Result<Entry, Fault> {
+) -> Entry {
+    let tex = Source::new(lines, &raw.tex);
+    let mut faults: Vec<Fault> = raw.unread.iter().map(|problem| tex.fault(0, problem)).collect();
     let mut follows_from = Vec::new();
     let mut seen = HashSet::new();
     for label in raw.follows_from.iter().flatten() {
-        let Some(&position) = positions.get(label.get_ref().as_str()) else {
-            return Err(no_label(label.get_ref(), positions).at(&Source::new(lines, label)));
-        };
-        if seen.insert(position) {
-            follows_from.push(position);
+        match positions.get(label.get_ref().as_str()) {
+            Some(&position) if seen.insert(position) => follows_from.push(position),
+            Some(_) => {}
+            None => faults.push(no_label(label.get_ref(), positions).at(&Source::new(lines, label))),
         }
     }
-    let tex = Source::new(lines, &raw.tex);
-    let mut faults: Vec<Fault> = raw.unread.iter().map(|problem| tex.fault(0, problem)).collect();
+    let implication = match raw.role {
+        Role::Claim => implication(&tex, raw.way),
+        _ => None,
+    };
+    if let Some(sides) = implication.as_ref().filter(|sides| signs_go_together(sides)) {
+        let problem = "signs on both sides of an arrow go together: give each sign an entry of its own";
+        faults.push(sides.1.fault(0, problem));
+    }
     let mut keep = |read: Result<Vec<Equation>, Fault>| {
         read.unwrap_or_else(|fault| {
             faults.push(fault);
             Vec::new()
         })
     };
-    let implication = match raw.role {
-        Role::Claim => implication(&tex, raw.way),
-        _ => None,
-    };
-    let mut assume = Vec::new();
+    let (mut assume, mut alternatives, mut for_all) = (Vec::new(), Vec::new(), Vec::new());
     let equations = if wanted {
         let rests_on_nothing = raw.follows_from.as_ref().is_none_or(Vec::is_empty) && raw.local.is_empty();
         let is_identity = rests_on_nothing && raw.assume.is_empty() && implication.is_none();
         let source = implication.as_ref().map_or(&tex, |(_, then)| then);
-        keep(stated(source, vocabulary, raw.role, is_identity).map(|display| {
-            let printed = display.conditions.into_iter();
-            assume.extend(printed.map(|condition| (condition, source.clone())));
-            display.equations
-        }))
+        keep(
+            stated(source, vocabulary, raw.role, [is_identity, implication.is_some()]).map(|stated| {
+                let printed = stated.display.conditions.into_iter();
+                assume.extend(printed.map(|condition| (condition, source.clone())));
+                alternatives = stated.alternatives;
+                for_all = stated.display.for_all;
+                stated.display.equations
+            }),
+        )
     } else {
         Vec::new()
     };
@@ -1128,9 +1136,9 @@ pub(super) fn read_entry(
         read.flatten().collect()
     };
     let (local, with) = (sourced(&raw.local), sourced(&raw.with));
-    let mut conditions = |source: Source| -> Vec<(Condition, Source)> {
-        let read = read_conditions(&source.tex, &vocabulary.names).unwrap_or_else(|error| {
-            faults.push(source.fault(error.at, error.reason.to_string()));
+    let mut conditions = |source: &Source, read: Result<Vec<Condition>, Fault>| -> Vec<(Condition, Source)> {
+        let read = read.unwrap_or_else(|fault| {
+            faults.push(fault);
             Vec::new()
         });
         read.into_iter().map(|condition| (condition, source.clone())).collect()
@@ -1138,19 +1146,46 @@ pub(super) fn read_entry(
     let is_implication = implication.is_some();
     let when = implication.into_iter().map(|(when, _)| when).filter(|_| wanted);
     let given = assume.len();
-    assume.extend(when.flat_map(&mut conditions));
+    let (mut unseen_at, mut among) = (None, Vec::new());
+    for source in when {
+        let read = assumed(&source, &vocabulary.names);
+        let read = read.map(|(read, alternatives)| {
+            unseen_at = unseen(&equations, &alternatives);
+            among.extend(alternatives);
+            read
+        });
+        assume.extend(conditions(&source, read));
+    }
     let printed = assume.len();
-    let assumed = raw.assume.iter().filter(|_| wanted);
-    assume.extend(assumed.flat_map(|value| conditions(Source::new(lines, value))));
+    for value in raw.assume.iter().filter(|_| wanted) {
+        let source = Source::new(lines, value);
+        let read = read_conditions(&source.tex, &vocabulary.names);
+        assume.extend(conditions(
+            &source,
+            read.map_err(|error| source.fault(error.at, error.reason.to_string())),
+        ));
+    }
+    let mut of_some = Vec::new();
     if raw.role == Role::Claim {
         let (beside, given) = assume.split_at(given.min(assume.len()));
-        let of_some = is_implication
-            .then(|| new_integer(&equations, given, beside, vocabulary))
+        of_some = integers_alone(&equations, [beside, given], vocabulary);
+        let stated = if alternatives.is_empty() {
+            &equations
+        } else {
+            &alternatives
+        };
+        let new = is_implication
+            .then(|| new_integer(stated, given, beside, vocabulary))
             .flatten();
-        let problem = of_some.or_else(|| listed_values(&equations));
+        let is_unseen = unseen_at.map(|at| {
+            let problem =
+                "this may have no value where one of the alternatives holds: give each of them an entry of its own";
+            (at, problem.to_owned())
+        });
+        let problem = new.or(is_unseen).or_else(|| listed_values(&equations));
         faults.extend(problem.map(|(at, problem)| tex.fault(at, problem)));
     }
-    Ok(Entry {
+    Entry {
         label: raw.label.get_ref().clone(),
         role: raw.role,
         equations,
@@ -1159,6 +1194,10 @@ pub(super) fn read_entry(
         assume,
         printed,
         follows_from,
+        is_implication,
+        of_some,
+        for_all,
+        alternatives: [alternatives, among].concat(),
         expect: raw.expect,
         guessed: raw.guessed.clone(),
         unread: faults
@@ -1170,115 +1209,7 @@ pub(super) fn read_entry(
         stated: Vec::new(),
         given: Vec::new(),
         borrowed: Vec::new(),
-    })
-}
-
-/// The signs of an implication between what is assumed and what is claimed.
-const IMPLIES: [&str; 5] = ["\\Rightarrow", "\\Longrightarrow", "\\implies", "\u{21d2}", "\u{27f9}"];
-
-/// The signs of an equivalence.
-const EQUIVALENT: [&str; 5] = [
-    "\\Leftrightarrow",
-    "\\Longleftrightarrow",
-    "\\iff",
-    "\u{21d4}",
-    "\u{27fa}",
-];
-
-/// What stands before and behind the one sign of these that stands in a formula; `None` for none or several.
-fn parted<'t>(tex: &'t str, signs: &[&str]) -> Option<(&'t str, &'t str)> {
-    let is_word = |end: usize| {
-        tex.get(end..)
-            .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_alphabetic()))
-    };
-    let found = signs.iter().flat_map(|sign| tex.match_indices(sign));
-    let mut found = found.filter(|(at, sign)| !(sign.starts_with('\\') && is_word(at + sign.len())));
-    let (at, sign) = found.next().filter(|_| found.next().is_none())?;
-    Some((tex.get(..at)?, tex.get(at + sign.len()..)?))
-}
-
-/// What a claim `A \Rightarrow B`, or this way of `A \Leftrightarrow B`, assumes, and what it states, both at their places; `None`
-/// where it is no implication, or more than one.
-fn implication(source: &Source, way: Option<Way>) -> Option<(Source, Source)> {
-    let signs = if way.is_some() { &EQUIVALENT } else { &IMPLIES };
-    let (left, right) = parted(&source.tex, signs)?;
-    let before = " ".repeat(source.tex.len() - right.len());
-    let (left, right) = (source.with_tex(left.to_owned()), source.with_tex(before + right));
-    match way {
-        Some(Way::Left) => Some((right, left)),
-        _ => Some((left, right)),
     }
-}
-
-/// The sides of an equation that gives a letter, that letter first.
-fn gives(equation: &Equation) -> Option<(&Name, &Tree)> {
-    let (Tree::Symbol(name, _), Relation::Equal) = (&equation.left, equation.relation) else {
-        return None;
-    };
-    Some((name, &equation.right))
-}
-
-/// Where the conclusion of an implication gives a letter by an integer that is not `given`, and why that cannot be read:
-/// authors mean that there is such an integer.
-fn new_integer(
-    equations: &[Equation],
-    given: &[(Condition, Source)],
-    beside: &[(Condition, Source)],
-    vocabulary: &Vocabulary,
-) -> Option<(usize, String)> {
-    let names = |tree: &Tree, is_it: &mut dyn FnMut(&Name) -> bool| {
-        any(tree, &mut |node| matches!(node, Tree::Symbol(name, _) if is_it(name)))
-    };
-    let is_given = |name: &Name| {
-        given.iter().any(|(condition, _)| match condition {
-            Condition::Relation(relation) => {
-                let is_it = &mut |other: &Name| other == name;
-                names(&relation.left, is_it) || names(&relation.right, is_it)
-            }
-            Condition::Integer(tree) => names(tree, &mut |other| other == name),
-        })
-    };
-    let is_integer = |name: &Name| {
-        let is_said =
-            |condition: &Condition| matches!(condition, Condition::Integer(Tree::Symbol(own, _)) if own == name);
-        vocabulary.integers.contains(name) || beside.iter().any(|(condition, _)| is_said(condition))
-    };
-    equations.iter().find_map(|equation| {
-        let (letter, value) = gives(equation)?;
-        let mut found = None;
-        names(value, &mut |name| {
-            let is_new = is_integer(name) && !is_given(name);
-            found = found.take().or_else(|| is_new.then(|| name.clone()));
-            is_new
-        });
-        let new = found.filter(|_| is_given(letter))?;
-        let problem = format!("`{new}` stands in what follows alone: whether for some or for every one is not said");
-        Some((equation.at.0, problem))
-    })
-}
-
-/// Where a claim gives a letter two values, and why that cannot be read: authors list solutions so.
-fn listed_values(equations: &[Equation]) -> Option<(usize, String)> {
-    let is_value = |tree: &Tree| {
-        !any(tree, &mut |node| match node {
-            Tree::Symbol(name, _) => !is_constant(name),
-            node => matches!(
-                node,
-                Tree::Call(..) | Tree::Operation(..) | Tree::PlusMinus(_) | Tree::MinusPlus(_)
-            ),
-        })
-    };
-    let values: Vec<(&Name, &Tree, usize)> = equations
-        .iter()
-        .filter_map(|equation| gives(equation).map(|(name, value)| (name, value, equation.at.0)))
-        .filter(|(_, value, _)| is_value(value))
-        .collect();
-    values.iter().enumerate().find_map(|(place, (name, value, at))| {
-        let is_other = |(other, before, _): &&(&Name, &Tree, usize)| other == name && before != value;
-        let (_, before, _) = values.get(..place)?.iter().find(is_other)?;
-        let problem = format!("`{name}` is `{before}` and `{value}`: give each value an entry of its own, or claim the equation that both solve");
-        Some((*at, problem))
-    })
 }
 
 /// What a condition says to tend to something.
@@ -1318,13 +1249,24 @@ fn no_label(found: &str, positions: &BTreeMap<&str, usize>) -> Fault {
 /// What a formula of this role states, and the conditions on it. An inequality behind an equation, `, \\quad x < 0`, is a
 /// condition of an identity where it compares a symbol with a number or another symbol; of other claims it could be
 /// either, and of a premise or definition it is one statement more.
-fn stated(source: &Source, vocabulary: &Vocabulary, role: Role, is_identity: bool) -> Result<Display, Fault> {
-    let display = read_display(&source.tex, &vocabulary.names);
-    let mut display = display.map_err(|error| source.fault(error.at, error.reason.to_string()))?;
+fn stated(
+    source: &Source,
+    vocabulary: &Vocabulary,
+    role: Role,
+    [is_identity, is_implied]: [bool; 2],
+) -> Result<Stated, Fault> {
+    let mut stated = stated_of(source, &vocabulary.names, is_implied)?;
+    let display = &mut stated.display;
     if role != Role::Claim {
         if let Some(at) = display.conditions_at {
             let problem = format!("a {role} under a condition: what holds only there cannot be taken as true");
             return Err(source.fault(at, problem));
+        }
+        let runs = |name: &&Name| vocabulary.times.contains(name) || vocabulary.indices.contains(name);
+        if let Some(name) = display.for_all.iter().find(|name| !runs(name)) {
+            let problem =
+                format!("`{name}` has one value in this sheet: a {role} that holds for all of them is not read");
+            return Err(source.fault(0, problem));
         }
         if let Some(limited) = display
             .beside
@@ -1345,19 +1287,18 @@ fn stated(source: &Source, vocabulary: &Vocabulary, role: Role, is_identity: boo
         }
         display.conditions.push(Condition::Relation(equation));
     }
-    display.equations = display
-        .equations
+    display.equations = std::mem::take(&mut display.equations)
         .into_iter()
         .flat_map(|equation| two_of_pair(equation, vocabulary))
         .collect();
     let mut one_sided = display.equations.iter().filter(|equation| has_one_sided_sign(equation));
     match one_sided.next().filter(|_| role == Role::Claim) {
         Some(equation) => {
-            let problem = "a sign \\pm on one side alone can say that one of two equations holds, or both: write the square, or \
+            let problem = "a sign \\pm on one side alone, or before both, can say that one of two equations holds, or both: write the square, or \
                            a subscript 1,2 for both";
             Err(source.fault(equation.at.0, problem))
         }
-        None => Ok(display),
+        None => Ok(stated),
     }
 }
 
@@ -1370,21 +1311,6 @@ fn limits_law(equations: &[Equation], beside: &Equation) -> bool {
         },
         _ => false,
     })
-}
-
-/// Whether an equation has `\pm` on one side, and no symbol on the other whose subscript says that two are meant.
-fn has_one_sided_sign(equation: &Equation) -> bool {
-    let is_for_both = |side: &Tree| {
-        any(
-            side,
-            &mut |node| matches!(node, Tree::Symbol(name, _) if name.subscript.contains(',')),
-        )
-    };
-    match (has_sign(&equation.left), has_sign(&equation.right)) {
-        (true, false) => !is_for_both(&equation.right),
-        (false, true) => !is_for_both(&equation.left),
-        _ => false,
-    }
 }
 
 /// Whether a side is a symbol, its modulus or a number.

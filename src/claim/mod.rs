@@ -8,6 +8,7 @@ mod document;
 mod entry;
 mod fault;
 mod function;
+mod implication;
 mod nearest;
 mod paper;
 mod premise;

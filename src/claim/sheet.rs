@@ -2,14 +2,18 @@
 
 use super::circle::circle;
 use super::declared::is_defined;
+use super::definition::speaks_of;
 use super::entry::{Entry, RawEntry, Role, read_entry};
 use super::fault::{Fault, Source, Text};
 use super::function::{Given, names_given};
 use super::premise::{refuse_two_meanings, shared};
-use super::spelling::{refuse_constants_of_solutions, refuse_products_of_vectors, refuse_two_spellings};
+use super::spelling::{
+    note_constants_of_motion, refuse_alternative_matrices, refuse_constants_of_solutions, refuse_products_of_vectors,
+    refuse_two_spellings,
+};
 use super::symbols::{MapEntry, Symbols};
 use super::vocabulary::Vocabulary;
-use crate::tex::{Equation, Name};
+use crate::tex::{Equation, Name, Tree};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use toml::Spanned;
@@ -86,13 +90,14 @@ impl Sheet {
                 || positions
                     .get(label.as_str())
                     .is_some_and(|position| needed.contains(position));
-            let read = read_entry(lines, entry, &positions, &vocabulary, wanted);
-            entries.push(read.map_err(|fault| fault.of(label))?);
+            entries.push(read_entry(lines, entry, &positions, &vocabulary, wanted));
         }
         refuse_two_spellings(&equations, &mut entries);
+        refuse_alternative_matrices(&mut entries);
         refuse_products_of_vectors(&equations, &mut entries, &vocabulary);
         if raw.symbols.is_some() {
             refuse_constants_of_solutions(&mut entries, &vocabulary);
+            note_constants_of_motion(&mut entries, &vocabulary);
         }
         if entries.iter().all(|entry: &Entry| entry.role != Role::Claim) {
             let problem = "the sheet has no claim: give an equation that is to be decided `role = \"claim\"`";
@@ -104,6 +109,7 @@ impl Sheet {
             entries,
         };
         sheet.refuse_circles();
+        sheet.refuse_bound_letters();
         sheet.write_functions_out();
         sheet.part_definitions();
         sheet.check_names();
@@ -286,9 +292,57 @@ impl Sheet {
         unread
     }
 
+    /// The integers and constants that stand in the claim at a position alone, where something restricts its other symbols:
+    /// with such a letter authors mean that there is one.
+    pub fn of_some(&self, position: usize) -> Vec<&Name> {
+        let Some(claim) = self.entries.get(position) else {
+            return Vec::new();
+        };
+        let below = claim.follows_from.iter().filter_map(|&n| self.entries.get(n));
+        let below: Vec<&Entry> = below.collect();
+        let is_restricted = below.iter().any(|entry| entry.role != Role::Definition);
+        if !is_restricted && !claim.is_implication {
+            return Vec::new();
+        }
+        let beside = claim.local.iter().chain(&claim.with).map(|(equation, _)| equation);
+        let known: Vec<&Equation> = below.iter().flat_map(|entry| &entry.equations).chain(beside).collect();
+        let is_known = |name: &Name| {
+            known.iter().any(|equation| {
+                [&equation.left, &equation.right]
+                    .into_iter()
+                    .any(|side| speaks_of(side, name))
+            })
+        };
+        claim.of_some.iter().filter(|name| !is_known(name)).collect()
+    }
+
     /// The position of the entry with this label.
     pub fn find(&self, label: &str) -> Option<usize> {
         self.entries.iter().position(|entry| entry.label == label)
+    }
+
+    /// Makes the claims `unread` that hold for all values of a letter of which a premise speaks.
+    fn refuse_bound_letters(&mut self) {
+        let problem = |claim: &Entry| {
+            let below = claim.follows_from.iter().filter_map(|&n| self.entries.get(n));
+            let said = below.flat_map(|entry| &entry.equations);
+            let said: Vec<&Tree> = said.flat_map(|equation| [&equation.left, &equation.right]).collect();
+            let assumed = claim.assume.iter().skip(claim.printed);
+            let assumed: Vec<&Tree> = assumed.flat_map(|(condition, _)| condition.sides()).collect();
+            let is_said = |name: &&Name| {
+                let of_it = |side: &&Tree| speaks_of(side, name);
+                let runs = self.vocabulary.times.contains(name);
+                assumed.iter().any(of_it) || (!runs && said.iter().any(of_it))
+            };
+            claim.for_all.iter().find(is_said).map(|name| {
+                let problem = format!("`{name}` stands for all values here, and for some in what is given");
+                claim.tex.fault(0, problem).of(&claim.label)
+            })
+        };
+        let problems: Vec<Option<Fault>> = self.entries.iter().map(problem).collect();
+        for (claim, problem) in self.entries.iter_mut().zip(problems) {
+            claim.unread = claim.unread.take().or(problem);
+        }
     }
 
     /// Refuses the claims that are their own premises.

@@ -5,7 +5,7 @@ use super::entry::{Entry, RawEntry, Role};
 use super::substitute::any;
 use super::vocabulary::Vocabulary;
 use crate::tex::{Condition, Equation, Name, Operation, Tree, letters};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// Makes the entries `unread` that hold a letter which the formulas print in two ways: `\mathbf{a}` and `a`, `\phi` and
 /// `\varphi` are read as one letter, and are mostly two symbols where both are printed.
@@ -62,17 +62,93 @@ pub(super) fn refuse_products_of_vectors(raw: &[RawEntry], entries: &mut [Entry]
     }
 }
 
-/// Makes the claims `unread` that give a function of a differential equation by parameters of which no premise of the sheet
-/// speaks: with such constants authors mean that some solve it.
-pub(super) fn refuse_constants_of_solutions(entries: &mut [Entry], vocabulary: &Vocabulary) {
-    let is_derivative = |node: &Tree| match node {
+/// Whether a matrix stands in a tree, or a letter of these.
+fn holds_matrix(tree: &Tree, matrices: &HashSet<Name>) -> bool {
+    any(tree, &mut |node| match node {
+        Tree::Operation(operation, _) => matches!(
+            **operation,
+            Operation::Matrix(_) | Operation::Transpose(_) | Operation::Cross(..)
+        ),
+        Tree::Symbol(name, _) | Tree::Call(name, ..) => matrices.contains(name),
+        _ => false,
+    })
+}
+
+/// Makes the claims `unread` that have matrices among their alternatives: that their product is 0 does not say that one of
+/// them is.
+pub(super) fn refuse_alternative_matrices(entries: &mut [Entry]) {
+    let beside = |entry: &Entry| -> Vec<Equation> {
+        let own = entry.local.iter().chain(&entry.with).map(|(equation, _)| equation);
+        entry.equations.iter().chain(own).cloned().collect()
+    };
+    let all: Vec<Equation> = entries.iter().flat_map(beside).collect();
+    let mut matrices: HashSet<Name> = HashSet::new();
+    loop {
+        let known = matrices.len();
+        for Equation { left, right, .. } in &all {
+            for (side, other) in [(left, right), (right, left)] {
+                if let Tree::Symbol(name, _) | Tree::Call(name, ..) = side
+                    && holds_matrix(other, &matrices)
+                {
+                    matrices.insert(name.clone());
+                }
+            }
+        }
+        if matrices.len() == known {
+            break;
+        }
+    }
+    for entry in entries {
+        let mut sides = entry.alternatives.iter().flat_map(|one| [&one.left, &one.right]);
+        if sides.any(|side| holds_matrix(side, &matrices)) {
+            let problem = "alternatives are read of numbers, not of matrices: say it by their entries";
+            let fault = entry.tex.fault(0, problem).of(&entry.label);
+            entry.unread.get_or_insert(fault);
+        }
+    }
+}
+
+/// Whether this is a derivative of a function.
+fn is_derivative(node: &Tree, vocabulary: &Vocabulary) -> bool {
+    match node {
         Tree::Symbol(name, _) | Tree::Call(name, ..) => {
             vocabulary.names.is_function(name)
                 && (name.primes > 0 || name.accents.iter().any(|accent| accent.starts_with(r"\d")))
         }
         Tree::Operation(operation, _) => matches!(**operation, Operation::Derivative { order: 1.., .. }),
         _ => false,
+    }
+}
+
+/// Notes the parameters of which nothing that a claim rests on speaks, where that is a differential equation: authors mean
+/// constants of integration.
+pub(super) fn note_constants_of_motion(entries: &mut [Entry], vocabulary: &Vocabulary) {
+    let found = |entry: &Entry| -> Vec<Name> {
+        let below = entry.follows_from.iter().filter_map(|&number| entries.get(number));
+        let is_moved = below.flat_map(|premise| &premise.equations).any(|equation| {
+            [&equation.left, &equation.right]
+                .into_iter()
+                .any(|side| any(side, &mut |node| is_derivative(node, vocabulary)))
+        });
+        let stands = |name: &&Name| {
+            entry.equations.iter().any(|equation| {
+                [&equation.left, &equation.right]
+                    .into_iter()
+                    .any(|side| any(side, &mut |node| matches!(node, Tree::Symbol(own, _) if own == *name)))
+            })
+        };
+        let parameters = vocabulary.parameters.iter().filter(|_| is_moved);
+        parameters.filter(stands).cloned().collect()
     };
+    let found: Vec<Vec<Name>> = entries.iter().map(found).collect();
+    for (entry, found) in entries.iter_mut().zip(found) {
+        entry.of_some.extend(found);
+    }
+}
+
+/// Makes the claims `unread` that give a function of a differential equation by parameters of which no premise of the sheet
+/// speaks: with such constants authors mean that some solve it.
+pub(super) fn refuse_constants_of_solutions(entries: &mut [Entry], vocabulary: &Vocabulary) {
     let sides = |equation: &Equation| [equation.left.clone(), equation.right.clone()];
     let premises = entries.iter().filter(|entry| entry.role != Role::Claim);
     let known: Vec<Tree> = premises
@@ -85,7 +161,7 @@ pub(super) fn refuse_constants_of_solutions(entries: &mut [Entry], vocabulary: &
         .filter_map(|(position, entry)| {
             let below = entry.follows_from.iter().filter_map(|&number| entries.get(number));
             let mut equations = below.flat_map(|premise| premise.equations.iter().flat_map(sides));
-            if !equations.any(|tree| any(&tree, &mut |node| is_derivative(node))) {
+            if !equations.any(|tree| any(&tree, &mut |node| is_derivative(node, vocabulary))) {
                 return None;
             }
             let mut given: Vec<Tree> = Vec::new();

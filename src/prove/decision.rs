@@ -2,7 +2,7 @@
 
 use super::counterexample::Counterexample;
 use crate::claim::{Fault, Sheet, Statements, Verdict};
-use crate::tex::Equation;
+use crate::tex::{Equation, Name};
 use std::collections::HashSet;
 
 /// What was decided of one claim, and why.
@@ -61,9 +61,15 @@ impl Decision {
         self
     }
 
-    /// Says what the verdict rests on that nobody said. A formula is not refuted on a guess of what it follows from.
+    /// Says what the verdict rests on that nobody said. A formula is not refuted on a guess of what it follows from, nor where
+    /// a letter stands in it alone that may be meant for some value.
     pub(super) fn on_guesses(mut self, sheet: &Sheet, position: usize) -> Self {
         let guessed = sheet.entries.get(position).map_or(&[][..], |entry| &entry.guessed);
+        let mut guessed = guessed.to_vec();
+        if self.verdict == Verdict::Refuted {
+            let of_every = |name: &Name| format!("it is meant for every `{name}`, not for some");
+            guessed.extend(sheet.of_some(position).into_iter().map(of_every));
+        }
         if guessed.is_empty() {
             return self;
         }

@@ -470,7 +470,7 @@ mod tests {
             (r"\frac{\partial f(t)}{\partial t}", r"[\frac{d}{dt} [f(t)]]"),
         ]);
         refuse(&[
-            (r"\frac{\partial^2 a}{\partial b \partial c}", "its order above differs"),
+            (r"\frac{\partial^3 a}{\partial b \partial c}", "its order above differs"),
             (r"\frac{\partial a}{\partial b^2}", "its order above differs"),
             (r"\frac{a}{\partial t}", r"\partial alone"),
             (r"\partial a", r"\partial alone"),

@@ -20,6 +20,12 @@ pub(super) enum Command {
     Skip,
     /// It is dropped together with the braces after it.
     SkipGroup,
+    /// `\therefore`.
+    Therefore,
+    /// `\boxed`.
+    Box,
+    /// `\underbrace`, `\overbrace`, with the sign before what stands at the brace.
+    Brace(char),
     /// It is a blank of this width, in eighteenths of a quad.
     Blank(u32),
     /// It is a wide blank, with its width in the braces after it, or what would fill it.
@@ -236,6 +242,10 @@ fn structure(text: &str) -> Option<Command> {
         "\\ " | "\\\n" | "\\\t" | "\\\r" => Command::Blank(WORD_SPACE),
         "\\hspace" | "\\phantom" | "\\hphantom" => Command::Space,
         "\\label" | "\\tag" | "\\vphantom" => Command::SkipGroup,
+        "\\therefore" => Command::Therefore,
+        "\\boxed" => Command::Box,
+        "\\underbrace" => Command::Brace('_'),
+        "\\overbrace" => Command::Brace('^'),
         "\\left" => Command::Sized(Side::Opening),
         "\\right" => Command::Sized(Side::Closing),
         "\\bigl" | "\\Bigl" | "\\biggl" | "\\Biggl" => Command::Side(Side::Opening),
@@ -426,6 +436,9 @@ fn hint(text: &str) -> &'static str {
         }
         "\\mapsto" | "\\longmapsto" | "\\longrightarrow" => ": write what is claimed as an equation or inequality",
         "\\not" => ": write \\neq",
+        "\\Rightarrow" | "\\implies" | "\\Leftrightarrow" | "\\iff" => {
+            ": one implication is read in a claim; give each an entry of its own"
+        }
         "\\notin" | "\\subset" | "\\subseteq" => ": only \\in is read, and only in a condition",
         _ => "",
     }

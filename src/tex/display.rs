@@ -3,7 +3,7 @@
 use super::conditions::conditions_of;
 use super::error::{Fault, Reason};
 use super::reader::Reader;
-use super::statement::{Stands, Statement, divided, end_at_conditions};
+use super::statement::{Stands, Statement, divided, end_at_conditions, is_relation};
 use super::token::{Bracket, Kind, Token};
 use super::{At, Condition, Equation, Name, Names, ReadError, Relation, Tree};
 
@@ -18,6 +18,8 @@ pub struct Display {
     /// The conditions on its one equation or chain: those behind "for", "if", "when" or `\forall`, inequalities behind "where"
     /// or "with", those in brackets behind a wide blank, and `n \in \mathbb{Z}`.
     pub conditions: Vec<Condition>,
+    /// The letters of which it says that it holds for all of them.
+    pub for_all: Vec<Name>,
     /// Where the first of the conditions stands, in bytes.
     pub conditions_at: Option<usize>,
 }
@@ -37,7 +39,8 @@ pub fn read_display(tex: &str, names: &Names) -> Result<Display, ReadError> {
 pub fn read(tex: &str, names: &Names) -> Result<Vec<Equation>, ReadError> {
     let read = || {
         let display = read_statements(tex, names)?;
-        match display.conditions_at {
+        let is_for_all = !display.for_all.is_empty();
+        match display.conditions_at.or(is_for_all.then_some(0)) {
             Some(at) => Err(Fault::unsupported(
                 at,
                 "a condition within a formula",
@@ -122,23 +125,31 @@ fn read_statements(tex: &str, names: &Names) -> Result<Display, Fault> {
             instead,
         ));
     }
-    // "for all t" alone says nothing
-    while conditions
+    // "for all t" alone is no condition
+    while let Some(name) = conditions
         .last()
-        .is_some_and(|last: &Statement<'_>| is_name(&last.tokens, names))
+        .and_then(|last: &Statement<'_>| name_alone(&last.tokens, names))
     {
+        display.for_all.push(name);
         conditions.pop();
     }
     if conditions.is_empty() {
         display.conditions_at = None;
     }
+    for statement in conditions.iter().filter(|statement| statement.quantifies) {
+        let first = statement.tokens.split(|token| is_relation(token.kind));
+        display
+            .for_all
+            .extend(first.filter_map(|side| name_alone(side, names)).next());
+    }
     display.conditions = conditions_of(conditions, names)?;
     Ok(display)
 }
 
-fn is_name(tokens: &[Token<'_>], names: &Names) -> bool {
+fn name_alone(tokens: &[Token<'_>], names: &Names) -> Option<Name> {
     let mut reader = Reader::new(tokens.to_vec(), names);
-    reader.full_name().is_ok() && reader.finish("the end").is_ok()
+    let name = reader.full_name().ok()?;
+    reader.finish("the end").is_ok().then_some(name)
 }
 
 /// `(23)` or `(20a)`.

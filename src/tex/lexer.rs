@@ -4,6 +4,7 @@ use super::Relation;
 use super::command::{Command, Side, WORD_SPACE, character, character_hint, command, shape, spelled};
 use super::error::{Fault, Reason};
 use super::token::{Bracket, Kind, Rows, Set, Token};
+use std::collections::BTreeMap;
 
 /// The least width of a blank that may part equations, in eighteenths of a quad: two spaces between words.
 const WIDE: u32 = 12;
@@ -65,6 +66,17 @@ pub(crate) fn printed(tex: &str) -> &str {
     tex.get(start..end).unwrap_or_default().trim()
 }
 
+/// What is printed around a part of a formula and says nothing of its value, or where the value is taken.
+#[derive(Clone, Copy)]
+enum Frame {
+    /// `\boxed{...}`: its brace.
+    Box,
+    /// `\underbrace{...}_{...}`: the brace, and the sign before what stands at it.
+    Brace(char),
+    /// `\left. ... \right|_{x = a}`: the bar.
+    Value,
+}
+
 struct Lexer<'a> {
     tex: &'a str,
     at: usize,
@@ -80,6 +92,8 @@ struct Lexer<'a> {
     environments: Vec<(usize, &'a str)>,
     /// Where the letters in bold end.
     bold: usize,
+    /// What ends at these bytes, of what is printed around others.
+    frames: BTreeMap<usize, Frame>,
     /// The letters, each with its shape and the command of its font, if that tells it from others.
     letters: Vec<(&'a str, &'a str, &'static str)>,
 }
@@ -96,6 +110,7 @@ impl<'a> Lexer<'a> {
             blank: 0,
             environments: Vec::new(),
             bold: 0,
+            frames: BTreeMap::new(),
             letters: Vec::new(),
         }
     }
@@ -117,6 +132,9 @@ impl<'a> Lexer<'a> {
     }
 
     fn step_over(&mut self, c: char) -> Result<(), Fault> {
+        if let Some(frame) = self.frames.remove(&self.at) {
+            return self.end_frame(frame);
+        }
         let rest = self.rest();
         match c {
             '%' => self.at += rest.find('\n').unwrap_or(rest.len()),
@@ -132,6 +150,8 @@ impl<'a> Lexer<'a> {
                 return self.push(Kind::Number, number_length(rest));
             }
             c if c.is_ascii_alphabetic() => return self.push(Kind::Letter, 1),
+            // behind a condition in front
+            ':' if !rest.starts_with(":=") && is_condition_in_front(&self.tokens) => return self.push(Kind::Comma, 1),
             ':' if rest.starts_with(":=") => return self.push(Kind::Relation(Relation::Equal), 2),
             c => {
                 if let Some(tokens) = spelled(c) {
@@ -251,7 +271,23 @@ impl<'a> Lexer<'a> {
                 self.at = end;
                 self.side = Some(side);
                 self.sized = Some((at, text));
-                self.empty_delimiter()
+                self.empty_delimiter(side)
+            }
+            // at the start it says nothing of the formula; between two it says that one follows from the other
+            Command::Therefore if self.tokens.is_empty() => {
+                self.at = end;
+                Ok(())
+            }
+            Command::Therefore => {
+                let instead = ": write \\Rightarrow, or give each statement an entry of its own";
+                Err(Fault::unreadable(at, text, instead))
+            }
+            Command::Box => self.boxed(end),
+            Command::Brace(sign) => {
+                let (_, close) = self.group(end)?;
+                self.frames.insert(close - 1, Frame::Brace(sign));
+                self.at = end;
+                Ok(())
             }
             Command::Font => self.font(end),
             Command::Bold => {
@@ -306,9 +342,102 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// `\left.` leaves a bracket open or closed out of nowhere, so its partner cannot be checked.
-    fn empty_delimiter(&self) -> Result<(), Fault> {
-        if self.rest().trim_start().starts_with('.') {
+    /// `\boxed{...}` around one equation or one side of it; within a side it could be a bracket.
+    fn boxed(&mut self, end: usize) -> Result<(), Fault> {
+        let divides = |kind: Kind| {
+            matches!(
+                kind,
+                Kind::Relation(_) | Kind::Approximately | Kind::Column | Kind::Row | Kind::Quad
+            )
+        };
+        let (_, close) = self.group(end)?;
+        let behind = self.span(close, self.tex.len()).trim_start();
+        let ends = behind.is_empty()
+            || [
+                "=", "&", r"\\", ",", ".", ";", r"\quad", r"\qquad", r"\end", r"\label", r"\tag",
+            ]
+            .iter()
+            .any(|end| behind.starts_with(end));
+        if !ends || self.tokens.last().is_some_and(|last| !divides(last.kind)) {
+            let instead = ": a box is read around an equation or a side of it";
+            return Err(Fault::unreadable(self.at, r"\boxed", instead));
+        }
+        self.at = close - self.span(end, close).trim_start().len() + 1;
+        self.frames.insert(close - 1, Frame::Box);
+        Ok(())
+    }
+
+    fn end_frame(&mut self, frame: Frame) -> Result<(), Fault> {
+        match frame {
+            Frame::Box => {
+                self.at += 1;
+                Ok(())
+            }
+            Frame::Brace(sign) => {
+                self.push(Kind::BraceClose, 1)?;
+                let behind = self.rest().trim_start();
+                if let Some(script) = behind.strip_prefix(sign) {
+                    let at = self.tex.len() - script.len();
+                    let end = self.end_of_argument(at);
+                    let label = self.span(at, end).trim_start_matches('{').trim_start();
+                    if ![r"\text", r"\mathrm", r"\mbox"]
+                        .iter()
+                        .any(|command| label.starts_with(command))
+                    {
+                        let instead = ": words at a brace are read, what could be a name or a formula is not";
+                        return Err(Fault::unreadable(at, self.span(at, end), instead));
+                    }
+                    self.at = end;
+                }
+                Ok(())
+            }
+            Frame::Value => {
+                let bar = self.rest().find('_').unwrap_or_default();
+                self.push_as(Kind::Close(Bracket::Square), "]", self.at, self.at + bar)
+            }
+        }
+    }
+
+    /// Where the `\right` stands that belongs to a `\left` before this byte, if `|_` follows it.
+    fn bar_with_value(&self, from: usize) -> Option<usize> {
+        let mut depth = 1_usize;
+        let sides = self
+            .span(from, self.tex.len())
+            .match_indices('\\')
+            .filter_map(|(at, _)| {
+                let rest = self.span(from + at + 1, self.tex.len());
+                let length = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
+                Some((from + at, rest.get(..length)?, rest.get(length..)?))
+            });
+        for (at, name, behind) in sides {
+            match name {
+                "left" => depth += 1,
+                "right" => depth -= 1,
+                _ => continue,
+            }
+            if depth == 0 {
+                let behind = behind.trim_start();
+                let bar = [r"\vert", r"\rvert", "|"]
+                    .iter()
+                    .find_map(|bar| behind.strip_prefix(bar));
+                return bar.filter(|script| script.trim_start().starts_with('_')).map(|_| at);
+            }
+        }
+        None
+    }
+
+    /// `\left. ... \right|_{x = a}` is a bracket. Any other `\left.` leaves one open or closed out of nowhere, so that its partner
+    /// cannot be checked.
+    fn empty_delimiter(&mut self, side: Side) -> Result<(), Fault> {
+        let behind = self.rest().trim_start();
+        if behind.starts_with('.') {
+            let point = self.tex.len() - behind.len();
+            if matches!(side, Side::Opening)
+                && let Some(bar) = self.bar_with_value(point)
+            {
+                self.frames.insert(bar, Frame::Value);
+                return self.push_as(Kind::Open(Bracket::Square), NO_BRACKET, self.at, point + 1);
+            }
             let instead = ": it prints no bracket; write the bracket that is meant";
             let text = self.sized.map_or("", |(_, text)| text);
             return Err(Fault::unreadable(self.at, &format!("{text}."), instead));
@@ -410,9 +539,21 @@ impl<'a> Lexer<'a> {
         let star = usize::from(self.span(end, self.tex.len()).starts_with('*'));
         let (content, after) = self.group(end + star)?;
         let word = content.trim_matches(|c: char| c.is_whitespace() || c == ',');
+        let word = match word {
+            // a sentence may begin so
+            "For" => "for",
+            "For all" => "for all",
+            "For every" => "for every",
+            "If" => "if",
+            "When" => "when",
+            word => word,
+        };
         match word {
             "and" | "where" | "with" => self.push_as(Kind::And, word, at, after),
-            "for all" | "for any" | "for each" | "for every" => self.push_as(Kind::Said, "for", at, after),
+            "for all" | "for any" | "for each" | "for every" => self.push_as(Kind::Said, "\\forall", at, after),
+            "for integer" | "for integers" | "for all integers" | "for all integer" | "for any integer"
+            | "for each integer" | "for every integer" => self.push_as(Kind::Said, INTEGERS, at, after),
+            "then" if is_condition_in_front(&self.tokens) => self.push_as(Kind::Comma, word, at, after),
             "provided" | "provided that" | "whenever" => self.push_as(Kind::Said, "when", at, after),
             "if" | "for" | "when" | "otherwise" | "else" | "even" | "odd" => self.push_as(Kind::Said, word, at, after),
             "" if content.contains(',') => self.push_as(Kind::Comma, ",", at, after),
@@ -477,6 +618,19 @@ impl<'a> Lexer<'a> {
             None => Err(Fault::new(self.at, Reason::Unopened { close })),
         }
     }
+}
+
+/// What opens a bracket that prints nothing, before the bar of a value.
+pub(super) const NO_BRACKET: &str = "\\left.";
+
+/// The word before letters that are integers.
+pub(super) const INTEGERS: &str = "for integers";
+
+/// Whether these tokens are a condition that stands in front, behind "for", "if", "when" or `\forall`.
+fn is_condition_in_front(tokens: &[Token<'_>]) -> bool {
+    let is_said = tokens.first().is_some_and(|first| first.kind == Kind::Said);
+    let ends = |token: &Token<'_>| matches!(token.kind, Kind::Row | Kind::Quad);
+    is_said && !tokens.iter().any(ends)
 }
 
 /// The length of the dimension behind `\hskip`: `1em plus 1fil minus 2pt`.
@@ -550,6 +704,21 @@ mod tests {
         let tex = r"\begin{align} \displaystyle \left( a \, b~\;\! \right) \nonumber \label{x{y}} % c
             \bigl[ \biggr] \tag{3} $ $$ \[ \] \end{align}";
         assert_eq!(texts(tex), ["(", "a", "b", ")", "[", "]"]);
+    }
+
+    #[test]
+    fn boxes_braces_and_bars_of_values_are_read_through() {
+        assert_eq!(texts(r"\boxed{a = b}."), ["a", "=", "b", "."]);
+        assert_eq!(texts(r"a = \boxed {b}"), ["a", "=", "b"]);
+        assert_eq!(
+            texts(r"\underbrace{a + b}_{\text{sum}} + \overbrace{c}^2"),
+            ["{", "a", "+", "b", "}", "+", "{", "c", "}"]
+        );
+        assert_eq!(
+            texts(r"\left. \left( a \right) \right|_{x}"),
+            [r"\left.", "(", "a", ")", "]", "_", "{", "x", "}"]
+        );
+        assert_eq!(texts(r"\text{For } x > 0: a"), ["for", "x", ">", "0", ":", "a"]);
     }
 
     #[test]
@@ -655,6 +824,15 @@ mod tests {
     fn refuses() {
         for tex in [
             r"\left. a",
+            r"\left. a \right|",
+            r"\left. a \right) _b",
+            r"2 \boxed{a + b}",
+            r"x^\boxed{ab}",
+            r"\boxed{a} b",
+            r"\underbrace{a + b}_{=0}",
+            r"\underbrace{a + b}_{c}",
+            r"a = b \therefore c = d",
+            "a : b = c : d",
             r"\left a",
             r"\sim",
             r"\mathbb{N}",

@@ -1,6 +1,7 @@
 //! Matrices, values by cases, derivatives, integrals, sums and products, and `\approx`.
 
 use super::error::Fault;
+use super::lexer::NO_BRACKET;
 use super::part::{Form, Part, starts_factor};
 use super::reader::Reader;
 use super::symbol::base;
@@ -107,7 +108,7 @@ impl<'a> Reader<'a> {
         let said = |token: Option<Token<'a>>, words: &[&str]| {
             token.is_some_and(|token| token.kind == Kind::Said && words.contains(&token.text))
         };
-        if said(self.peek(), &["if", "for", "when"]) {
+        if said(self.peek(), &["if", "for", "when", "\\forall"]) {
             self.next += 1;
         }
         if said(self.peek(), &["otherwise", "else"]) {
@@ -637,9 +638,11 @@ impl<'a> Reader<'a> {
         };
         self.close_brace(above)?;
         self.next += shape.below;
-        let by = self.full_name_before_power()?;
-        let order = self.order_below()?;
-        if order != shape.order {
+        let mut letters = vec![(self.full_name_before_power()?, self.order_below()?)];
+        while shape.is_partial && self.take(Kind::Partial).is_some() {
+            letters.push((self.full_name_before_power()?, self.order_below()?));
+        }
+        if letters.iter().map(|(_, order)| order).sum::<u32>() != shape.order {
             let instead = "its order above differs from that below";
             return Err(Fault::unsupported(at, "this derivative", instead));
         }
@@ -648,18 +651,30 @@ impl<'a> Reader<'a> {
             Some(of) => of,
             None => self.differentiated()?,
         };
-        let value = Tree::Symbol(by.clone(), At(at));
-        let operation = Operation::Derivative {
-            of: *of,
-            by,
-            order,
-            at: value,
+        let derived = |of: Tree, (by, order): (Name, u32)| {
+            let value = Tree::Symbol(by.clone(), At(at));
+            let operation = Operation::Derivative {
+                of,
+                by,
+                order,
+                at: value,
+            };
+            *boxed(operation, at)
         };
-        Ok(Some(*boxed(operation, at)))
+        // the last letter below is the first by which is differentiated
+        Ok(Some(letters.into_iter().rev().fold(*of, derived)))
     }
 
     /// What stands behind `\frac{d}{dx}`: one factor.
     fn differentiated(&mut self) -> Result<Box<Tree>, Fault> {
+        if self.peek().is_some_and(|token| token.text == NO_BRACKET) {
+            let instead = "write the derivative within \\left. and \\right|";
+            return Err(Fault::ambiguous(
+                self.here(),
+                "a derivative before the bar of a value",
+                instead,
+            ));
+        }
         let of = self.factor()?;
         self.skip_empty();
         // behind brackets a sign of multiplication tells where they end

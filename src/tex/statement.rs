@@ -8,8 +8,8 @@
 use super::Relation;
 use super::bars::pair_bars;
 use super::error::{Fault, Reason};
-use super::lexer::lex;
-use super::token::{Bracket, Kind, Token};
+use super::lexer::{INTEGERS, lex};
+use super::token::{Bracket, Kind, Set, Token};
 
 /// The longest formula that is read, in bytes.
 pub(super) const LONGEST: usize = 100_000;
@@ -20,6 +20,8 @@ pub(super) struct Statement<'a> {
     pub stands: Stands,
     /// Follows a condition, and could be one claim more.
     follows: bool,
+    /// Stands behind "for all" or `\forall`.
+    pub quantifies: bool,
 }
 
 /// What a statement is to the others of its display.
@@ -36,6 +38,16 @@ pub(super) enum Stands {
     Condition,
 }
 
+impl<'a> Piece<'a> {
+    /// A piece without tokens that stands as this does.
+    fn like(&self) -> Self {
+        Self {
+            tokens: Vec::new(),
+            ..*self
+        }
+    }
+}
+
 /// What stands between two dividers.
 struct Piece<'a> {
     tokens: Vec<Token<'a>>,
@@ -49,6 +61,10 @@ struct Piece<'a> {
     apart: bool,
     /// Follows a condition behind a comma, a blank or "and".
     follows: bool,
+    /// Follows a condition in front, behind a colon or "then".
+    concludes: bool,
+    /// Stands behind "for all" or `\forall`.
+    quantifies: bool,
     stands: Stands,
 }
 
@@ -70,7 +86,7 @@ fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Statement<'_>>, Fault> {
     let pieces = pieces(tokens);
     refuse_shared_bounds(&pieces)?;
     let mut whole: Vec<Piece<'_>> = Vec::new();
-    for piece in pieces {
+    for piece in pieces.into_iter().flat_map(of_integers) {
         let is_behind_first = whole.len() < 2;
         match whole.last_mut() {
             Some(before) if continues(before, &piece)? => {
@@ -87,11 +103,16 @@ fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Statement<'_>>, Fault> {
         }
     }
     let in_front = in_front(&whole);
+    let is_said = in_front > 0 && whole.first().is_some_and(|first| first.stands == Stands::Condition);
     let mut found: Vec<Statement<'_>> = Vec::new();
     for (place, piece) in whole.into_iter().enumerate() {
         let stands = match place == 0 && in_front == 0 {
             true => piece.stands,
-            false => standing(&piece),
+            false => match standing(&piece) {
+                // behind "for" all of them are conditions
+                Stands::Beside if is_said && place < in_front => Stands::Condition,
+                stands => stands,
+            },
         };
         match conditions_in_brackets(&piece) {
             Some(inside) if stands == Stands::Condition => {
@@ -100,12 +121,41 @@ fn statements(tokens: Vec<Token<'_>>) -> Result<Vec<Statement<'_>>, Fault> {
             }
             _ => found.push(Statement {
                 follows: piece.follows && !compares_letters(&piece.tokens),
+                quantifies: piece.quantifies,
                 tokens: piece.tokens,
                 stands,
             }),
         }
     }
     Ok(found)
+}
+
+/// A piece, and what "for integers" says of the letter that begins it.
+fn of_integers(mut piece: Piece<'_>) -> Vec<Piece<'_>> {
+    let Some(word) = piece
+        .tokens
+        .first()
+        .copied()
+        .filter(|token| token.kind == Kind::Said && token.text == INTEGERS)
+    else {
+        return vec![piece];
+    };
+    piece.tokens.remove(0);
+    let letter = piece.tokens.iter().take_while(|token| !is_relation(token.kind));
+    let mut belongs: Vec<Token<'_>> = letter.copied().collect();
+    let token = |kind, text| Token { kind, text, ..word };
+    belongs.extend([
+        token(Kind::Element, "\\in"),
+        token(Kind::Set(Set::Integer), "\\mathbb{Z}"),
+    ]);
+    let is_related = piece.related;
+    let integers = Piece {
+        tokens: belongs,
+        related: true,
+        ..piece.like()
+    };
+    let bounds = is_related.then_some(piece);
+    std::iter::once(integers).chain(bounds).collect()
 }
 
 /// To which side a relation is smaller: -1 or 1; 0 for one that does not order.
@@ -150,6 +200,9 @@ fn refuse_shared_bounds(pieces: &[Piece<'_>]) -> Result<(), Fault> {
 /// How many inequalities and sets stand before the first statement that is neither, as conditions can; 0 where there is
 /// no such statement, or where "and" makes it one statement more.
 fn in_front(whole: &[Piece<'_>]) -> usize {
+    if let Some(count) = whole.iter().position(|piece| piece.concludes) {
+        return count;
+    }
     let is_condition = |piece: &Piece<'_>| matches!(standing(piece), Stands::Beside | Stands::Condition);
     let count = whole.iter().take_while(|piece| is_condition(piece)).count();
     let goes_with = whole.get(count).is_some_and(|next| next.related && !next.apart);
@@ -188,7 +241,7 @@ fn standing(piece: &Piece<'_>) -> Stands {
     match piece.stands {
         Stands::Explains if orders || belongs => Stands::Condition,
         Stands::Stated if belongs || conditions_in_brackets(piece).is_some() => Stands::Condition,
-        Stands::Stated if orders && !equates && !piece.apart => Stands::Beside,
+        Stands::Stated if orders && !equates && !piece.apart && !piece.concludes => Stands::Beside,
         stands => stands,
     }
 }
@@ -240,9 +293,12 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
         aligned: false,
         apart: false,
         follows: false,
+        concludes: false,
+        quantifies: false,
         stands,
     };
     // which brackets are open: true for those that hold rows
+    let mut in_front = false;
     let (mut done, mut piece, mut open) = (Vec::new(), fresh(true, Stands::Stated), Vec::<bool>::new());
     let mut tokens = tokens.into_iter().peekable();
     while let Some(token) = tokens.next() {
@@ -276,24 +332,39 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
                     (Kind::And, "where" | "with") => Stands::Explains,
                     // what a condition of a row is about ends with it
                     (Kind::Row, _) if piece.stands == Stands::Condition => Stands::Stated,
+                    // a condition in front ends here, or more of them follow
+                    _ if std::mem::take(&mut in_front) => Stands::Stated,
                     _ => piece.stands,
                 };
                 if piece.tokens.is_empty() {
                     piece.hard |= hard;
                     piece.stands = stands;
                 } else {
-                    done.push(std::mem::replace(&mut piece, fresh(hard, stands)));
+                    let quantifies = piece.quantifies && stands == Stands::Condition;
+                    let next = Piece {
+                        quantifies,
+                        ..fresh(hard, stands)
+                    };
+                    done.push(std::mem::replace(&mut piece, next));
                 }
                 piece.aligned |= token.kind == Kind::Quad;
                 piece.apart |= token.kind == Kind::And;
+                piece.concludes |= matches!(token.text, ":" | "then");
                 piece.follows = piece.stands == Stands::Condition;
                 continue;
             }
-            Kind::Said if depth == 0 && is_about(token.text) && !(done.is_empty() && piece.tokens.is_empty()) => {
-                let condition = fresh(true, Stands::Condition);
+            Kind::Said if depth == 0 && is_about(token.text) => {
+                let is_first = done.is_empty() && piece.tokens.is_empty();
+                let condition = Piece {
+                    quantifies: matches!(token.text, "\\forall" | INTEGERS),
+                    ..fresh(true, Stands::Condition)
+                };
                 let before = std::mem::replace(&mut piece, condition);
                 done.extend((!before.tokens.is_empty()).then_some(before));
-                continue;
+                in_front = is_first;
+                if token.text != INTEGERS {
+                    continue;
+                }
             }
             _ => {}
         }
@@ -307,7 +378,7 @@ fn pieces(tokens: Vec<Token<'_>>) -> Vec<Piece<'_>> {
 
 /// Whether a word says that a condition follows.
 fn is_about(word: &str) -> bool {
-    matches!(word, "for" | "if" | "when" | "\\forall")
+    matches!(word, "for" | "if" | "when" | "\\forall" | INTEGERS)
 }
 
 /// Whether `piece` belongs to the equation `before`.
@@ -360,7 +431,7 @@ fn ends_open(tokens: &[Token<'_>]) -> bool {
     }
 }
 
-fn is_relation(kind: Kind) -> bool {
+pub(super) fn is_relation(kind: Kind) -> bool {
     matches!(kind, Kind::Relation(_) | Kind::Element | Kind::Approximately)
 }
 

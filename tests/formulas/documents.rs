@@ -365,7 +365,7 @@ fn columns_labels_and_conditions_of_rows_are_their_own() {
 \begin{{equation}} c = 3 \end{{equation}} % audit: claim; follows from \eqref{{v}}
 \begin{{equation}} \cos\h^2 = \cos(a^2) \end{{equation}} % audit: claim
 \begin{{align*}} x x &= x^2 \\ &= x \cdot x \\ &\quad - y + y, \qquad x > 0 \end{{align*}} % audit: premise
-\begin{{equation}} \boxed{{a = b}} \end{{equation}}
+\begin{{equation}} \fancybox{{a = b}} \end{{equation}}
 "
     );
     let found = document(&text, &[]);
@@ -1018,6 +1018,21 @@ fn letters_that_a_document_uses_in_another_way_are_not_guessed() {
         &["A^{T} A = A A^{T}"],
         &["A^* A = A A^*"],
         &["i_1 = i_2 + i_3", "u = R i", "P = u i", "P = -R"],
+        &["x_i = a + i h", "x_i^4 = (a + i h)^4", "i^2 h = -h"],
+        &["e^{i k x} = x_i", "i^2 = -1"],
+        &[r"r (1 + e) = a (1 - e^2)"],
+        &[r"\mathcal{L} f g = g \mathcal{L} f"],
+        &[r"\sigma_x \sigma_y = \sigma_y \sigma_x"],
+        &["p q - q p = 0"],
+        &["x = 1", r"\forall x: x^2 = x"],
+        &[r"\int_0^t v \, d\tau = v t"],
+        &[r"\operatorname{Im} z = 0"],
+        &[r"f \ast g = f g"],
+        &[r"|u \cdot v| = |u| |v|"],
+        &[r"A = \pi r^2", r"A(r + 1) = \pi r^2 (r + 1)"],
+        &["2 L u + c = c + 2 u L"],
+        &[r"u \times v + w = w + u v"],
+        &[r"\gamma^\mu \gamma^\nu = \gamma^\nu \gamma^\mu"],
         &[r"x(t) = A \cos \omega t", r"\dot{x}(t) = A \omega \cos \omega t"],
     ] {
         let found = last(formulas);
@@ -1027,6 +1042,12 @@ fn letters_that_a_document_uses_in_another_way_are_not_guessed() {
         );
     }
     assert_eq!(last(&["i^2 = -1"]), proved);
+    assert_eq!(last(&[r"e^{i x} = \cos x + i \sin x"]), proved);
+    assert_eq!(last(&[r"2 \times 3 x = 6 x"]), proved);
+    assert_eq!(last(&[r"x^2 = 1 \Rightarrow x = \pm 1"]), proved);
+    assert_eq!(last(&[r"x^2 = y \Rightarrow x^4 = y^2"]), proved);
+    assert_eq!(last(&[r"\int_0^1 x^2 \, dx = \frac{1}{3}"]), proved);
+    assert_eq!(last(&["(x + y)(x - y) + y^2 = x^2"]), proved);
     assert_eq!(last(&["|z|^2 = z^2"]), proved);
     assert_eq!(
         last(&[r"\Delta = b^2 - 4 a c", r"2 a \Delta = 2 a (b^2 - 4 a c)"]),
@@ -1057,7 +1078,7 @@ fn letters_before_brackets_that_may_be_functions_are_not_guessed_to_be_factors()
         r"\omega(t_2 - t_1) = \omega t_2 - \omega t_1",
         "A(1-x)(1+x) = A(1-x^2)",
         r"\left[ \frac{a}{b} \right]^2 = \frac{a^2}{b^2}",
-        "a [ b (c + d) + e ] = a b c + a b d + a e",
+        "a [ b (c + d) + k ] = a b c + a b d + a k",
     ];
     for tex in factors {
         assert_eq!(

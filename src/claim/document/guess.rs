@@ -3,11 +3,14 @@
 use super::super::declared::is_constant;
 use super::super::definition::pair_of;
 use super::super::entry::Role;
+use super::super::implication;
 use super::super::substitute::any;
 use super::super::symbols::{Pairs, Symbols};
 use super::super::vocabulary::Vocabulary;
 use super::scan::Formula;
-use crate::tex::{Equation, Name, Names, Operation, Relation, Tree, read_display, read_name, with_commands};
+use crate::tex::{
+    Display, Equation, Name, Names, Operation, ReadError, Relation, Tree, read_display, read_name, with_commands,
+};
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// What is guessed of one formula.
@@ -25,12 +28,16 @@ pub(super) struct Guess {
     read: Vec<Vec<Equation>>,
     /// The functions of time.
     functions: Vec<Name>,
+    /// The letters of constants, `e` and `i`, that the document uses as the numbers.
+    constants: Constants,
     /// Letters of constants to which the document gives a value of its own.
     given: BTreeSet<Name>,
     /// Whether matrices or their operations are printed.
     has_matrices: bool,
     /// Letters before a bracket that may be functions, and pairs of letters in a commutator.
     called: BTreeSet<String>,
+    /// A letter that a formula in one letter gives, before a bracket with that one: `A(r`.
+    applied: BTreeSet<String>,
     commutators: Vec<[String; 2]>,
     /// Symbols that may be complex: with a star somewhere in the document, or given by the imaginary unit.
     complex: BTreeSet<Name>,
@@ -51,12 +58,12 @@ pub(super) struct Guess {
     doubtful: HashSet<String>,
 }
 
-/// Whether an equation holds a derivative of more than what it is taken by, or a differential.
+/// Whether an equation holds a derivative or integral of more than what it is taken by, or a differential.
 fn has_dependence(equation: &Equation) -> bool {
     let is_d = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name.to_string() == "d");
     let mut depends = |node: &Tree| match node {
         Tree::Operation(operation, _) => match &**operation {
-            Operation::Derivative { of, by, .. } => any(
+            Operation::Derivative { of, by, .. } | Operation::Integral { of, by, .. } => any(
                 of,
                 &mut |node| matches!(node, Tree::Symbol(name, _) if name != by && !is_constant(name)),
             ),
@@ -77,15 +84,75 @@ fn letter_of(factor: &Tree) -> Option<&Name> {
     }
 }
 
-/// Whether a Delta or delta stands before a letter: mostly no factor.
-fn changes_a_letter(node: &Tree) -> bool {
-    let is_delta = |factor: &Tree| matches!(factor, Tree::Symbol(name, _) if matches!(name.to_string().as_str(), r"\Delta" | r"\delta"));
+/// Whether a Delta, a delta or a calligraphic letter stands before a letter: mostly no factor.
+fn acts_on_a_letter(node: &Tree) -> bool {
+    let acts = |name: &Name| {
+        matches!(name.to_string().as_str(), r"\Delta" | r"\delta")
+            || name
+                .accents
+                .iter()
+                .any(|accent| matches!(accent.as_str(), r"\mathcal" | r"\mathscr"))
+    };
     let Tree::Product(factors) = node else {
         return false;
     };
     factors
         .windows(2)
-        .any(|pair| is_delta(&pair[0]) && letter_of(&pair[1]).is_some())
+        .any(|pair| letter_of(&pair[0]).is_some_and(acts) && letter_of(&pair[1]).is_some())
+}
+
+/// Whether a Greek letter stands above another: mostly an index.
+fn has_index_above(node: &Tree) -> bool {
+    let is_greek = |part: &Tree| matches!(part, Tree::Symbol(name, _) if name.base.starts_with('\\'));
+    matches!(node, Tree::RealPower(of, exponent, _) if is_greek(of) && is_greek(exponent))
+}
+
+/// Whether `e` and `i` are the numbers, by what a document prints: a letter that is never used so may be anything.
+#[derive(Default)]
+struct Constants {
+    /// A power of it is taken whose exponent is no number.
+    e: bool,
+    /// It stands in such an exponent, or its square is -1.
+    i: bool,
+    /// It numbers what it stands at.
+    i_is_index: bool,
+}
+
+impl Constants {
+    fn is_letter(tree: &Tree, letter: &str) -> bool {
+        matches!(tree, Tree::Symbol(name, _) if is_constant(name) && name.base == letter)
+    }
+
+    fn read(&mut self, equation: &Equation) {
+        let is_i = |node: &Tree| Self::is_letter(node, "i");
+        let is_minus_one =
+            matches!(&equation.right, Tree::Negate(one) if matches!(one.as_ref(), Tree::Number(one) if one.0.is_one()));
+        self.i |= is_minus_one && matches!(&equation.left, Tree::Power(of, 2, _) if is_i(of));
+        for side in [&equation.left, &equation.right] {
+            any(side, &mut |node| {
+                match node {
+                    Tree::RealPower(of, exponent, _) if Self::is_letter(of, "e") => {
+                        self.e = true;
+                        self.i |= any(exponent, &mut |node| is_i(node));
+                    }
+                    Tree::Call(name, argument, _) if name.base == r"\exp" => {
+                        self.i |= any(argument, &mut |node| is_i(node));
+                    }
+                    Tree::Symbol(name, _) | Tree::Call(name, ..) => {
+                        let mut indices = name.subscript.split(|c: char| !c.is_alphabetic());
+                        self.i_is_index |= indices.any(|index| index.len() < 3 && index.contains('i'));
+                    }
+                    _ => {}
+                }
+                false
+            });
+        }
+    }
+
+    /// Whether this is one of the letters, and maybe not the number.
+    fn is_doubtful(&self, node: &Tree) -> bool {
+        (Self::is_letter(node, "e") && !self.e) || (Self::is_letter(node, "i") && (!self.i || self.i_is_index))
+    }
 }
 
 /// Whether this is `\frac{D u}{D t}`.
@@ -99,6 +166,41 @@ fn is_rate(node: &Tree) -> bool {
         matches!(first, Some(Tree::Symbol(name, _)) if name.to_string() == "D")
     };
     matches!(node, Tree::Quotient(above, below, _) if is_d(above) && is_d(below))
+}
+
+/// Whether an equation says that factors may change places, and nothing else: nobody prints that of numbers.
+fn only_reorders(equation: &Equation) -> bool {
+    fn terms<'t>(side: &'t Tree, is_negated: bool, into: &mut Vec<(&'t Tree, bool)>) {
+        match side {
+            Tree::Sum(parts) => parts.iter().for_each(|part| terms(part, is_negated, into)),
+            Tree::Negate(inner) => terms(inner, !is_negated, into),
+            Tree::Number(number) if number.0.is_zero() => {}
+            _ => into.push((side, is_negated)),
+        }
+    }
+    fn factors(term: &Tree) -> Vec<String> {
+        match term {
+            Tree::Product(parts) => parts.iter().map(ToString::to_string).collect(),
+            _ => vec![term.to_string()],
+        }
+    }
+    let mut all = Vec::new();
+    terms(&equation.left, false, &mut all);
+    terms(&equation.right, true, &mut all);
+    // terms that cancel leave nothing
+    let cancel = |printed: &dyn Fn(&Tree) -> Vec<String>| {
+        let mut left: HashMap<Vec<String>, i32> = HashMap::new();
+        for (term, is_negated) in &all {
+            *left.entry(printed(term)).or_default() += if *is_negated { -1 } else { 1 };
+        }
+        left.values().all(|count| *count == 0)
+    };
+    let sorted = |term: &Tree| {
+        let mut factors = factors(term);
+        factors.sort_unstable();
+        factors
+    };
+    cancel(&sorted) && !cancel(&factors)
 }
 
 /// Whether two letters with hats are multiplied, as operators are that do not commute.
@@ -151,22 +253,30 @@ impl Guess {
         };
         let stated = |formula: &Formula| {
             let tex = formula.tex.as_deref().unwrap_or_default();
-            read_display(tex, &names).unwrap_or_default().equations
+            let read = implication::formulas(tex)
+                .into_iter()
+                .map(|part| read_display(&part, &names));
+            let read: Result<Vec<Display>, ReadError> = read.collect();
+            let displays = read.unwrap_or_default().into_iter();
+            displays.flat_map(|display| display.equations).collect()
         };
         let read: Vec<Vec<Equation>> = formulas.iter().map(stated).collect();
-        let (mut given, mut complex) = (BTreeSet::new(), BTreeSet::new());
+        let (mut given, mut complex, mut applied) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+        let mut constants = Constants::default();
         for equation in read.iter().flatten() {
+            constants.read(equation);
             let mut names = BTreeSet::new();
             names_in(&equation.right, &mut names);
             // i_1 is a current, and i beside it
             let numbered = |name: &Name| name.base == "i" && !name.subscript.is_empty() && name.accents.is_empty();
             let mut all = names.clone();
             names_in(&equation.left, &mut all);
-            given.extend(all.iter().any(numbered).then(|| Name {
-                base: "i".to_owned(),
-                ..Name::default()
-            }));
+            constants.i_is_index |= all.iter().any(numbered);
             if let Tree::Symbol(name, _) = &equation.left {
+                let mut letters = names.iter().filter(|name| !is_constant(name));
+                if let (Some(one), None) = (letters.next(), letters.next()) {
+                    applied.insert(plain(&format!("{name}({one}")));
+                }
                 given.extend(is_constant(name).then(|| name.clone()));
                 let is_unit = |name: &Name| is_constant(name) && name.base == "i";
                 complex.extend(names.iter().any(is_unit).then(|| name.clone()));
@@ -190,8 +300,10 @@ impl Guess {
         Self {
             has_matrices,
             called: called.map(str::to_owned).collect(),
+            applied,
             commutators: all.iter().flat_map(|shown| commutators(shown)).collect(),
             read,
+            constants,
             given,
             complex,
             functions,
@@ -302,6 +414,27 @@ impl Guess {
             "an inverse function or a power is not guessed"
         } else if self.commutators.iter().any(|pair| pair.iter().all(holds)) {
             "what commutes is not guessed"
+        } else if [
+            r"\Re",
+            r"\Im",
+            r"\operatorname{Re}",
+            r"\operatorname{Im}",
+            r"\mathrm{Re}",
+            r"\mathrm{Im}",
+            r"\arg",
+        ]
+        .iter()
+        .any(|part| shown.contains(part))
+        {
+            "whether a symbol is complex is not guessed"
+        } else if shown.contains(r"\ast") {
+            "a convolution or a product is not guessed"
+        } else if (shown.contains('|') || shown.contains("vert")) && shown.contains(r"\cdot") {
+            "a product of vectors or of numbers is not guessed"
+        } else if self.applied.iter().any(|call| shown.contains(call.as_str())) {
+            "a formula before a bracket that may be its argument is not guessed"
+        } else if crosses_letters(&shown) {
+            "a product of vectors or of numbers is not guessed"
         } else if shown.contains(r"\|") || shown.contains(r"\Vert") || shown.contains(r"\lVert") {
             "norms are not guessed"
         } else {
@@ -311,10 +444,16 @@ impl Guess {
                 };
                 if has_dependence(equation) || is_some(&mut is_rate) {
                     Some("what depends on what is not guessed")
-                } else if is_some(&mut |node| changes_a_letter(node)) {
-                    Some("a difference or variation is not guessed")
+                } else if only_reorders(equation) {
+                    Some("whether factors may change places is not guessed")
+                } else if is_some(&mut |node| acts_on_a_letter(node)) {
+                    Some("a difference, a variation or an operator is not guessed")
                 } else if is_some(&mut |node| multiplies_operators(node)) {
                     Some("products of operators are not guessed")
+                } else if is_some(&mut |node| has_index_above(node)) {
+                    Some("an index or an exponent is not guessed")
+                } else if is_some(&mut |node| self.constants.is_doubtful(node)) {
+                    Some("whether `e` or `i` is the number is not guessed")
                 } else if is_some(&mut |node| matches!(node, Tree::Symbol(name, _) if self.given.contains(name))) {
                     Some("a letter of a constant that the document gives a value is not guessed")
                 } else if self.has_matrices && is_some(&mut |node| self.may_be_matrix(node)) {
@@ -566,6 +705,14 @@ fn plain(tex: &str) -> String {
         .replace(r"\right", "")
         .split_whitespace()
         .collect()
+}
+
+/// Whether `\times` stands between letters.
+fn crosses_letters(shown: &str) -> bool {
+    shown.split(r"\times").collect::<Vec<_>>().windows(2).any(|sides| {
+        let ends_in_letter = !sides[0].ends_with(|c: char| c.is_ascii_digit() || c == ')');
+        ends_in_letter && !sides[1].starts_with(|c: char| c.is_ascii_digit() || c == '(')
+    })
 }
 
 /// The pairs of letters in `[x,p]`.

@@ -218,7 +218,8 @@ fn share_conditions(text: &str, rows: &[Row]) -> bool {
 }
 
 /// The arrows between what is given and what follows.
-const ARROWS: [&str; 8] = [
+const ARROWS: [&str; 9] = [
+    r"\therefore",
     r"\Rightarrow",
     r"\implies",
     r"\Longrightarrow",
