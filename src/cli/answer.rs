@@ -1,5 +1,6 @@
 //! What a command hands back, and how it is printed.
 
+use super::shard::Label;
 use super::{Exit, Failure, Options};
 use crate::report::{Cell, Column, Format, Output, Page, Stream, Table, acts_on_a_terminal, junit};
 use crate::stop::Token;
@@ -26,8 +27,22 @@ pub enum Content {
     Rows(Rows),
     /// A page for a reader.
     Page(Page),
+    /// Bytes that have one form only, made while they are printed; how many rows they are.
+    Copied(Copied),
     /// Text that has one form only, such as a proof; `--format` has no say in it.
     Text(String),
+}
+
+/// Writes rows, and counts them.
+type Copying = dyn FnOnce(&mut dyn io::Write) -> io::Result<usize>;
+
+/// What writes rows that are printed already.
+pub struct Copied(pub Box<Copying>);
+
+impl fmt::Debug for Copied {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Copied")
+    }
 }
 
 /// Rows of which only a few are held at a time.
@@ -38,6 +53,8 @@ pub struct Rows {
     rows: Box<dyn Iterator<Item = Result<Vec<Cell>, Failure>>>,
     /// The column whose cells are all to be true, lest [`Exit::NotAsExpected`].
     required: Option<usize>,
+    /// What they are a part of, where they are not all.
+    part: Option<Label>,
 }
 
 impl fmt::Debug for Rows {
@@ -67,6 +84,14 @@ impl Content {
                 Ok((table.rows().len(), true))
             }
             Self::Rows(rows) => rows.write(output, format, figures),
+            Self::Copied(Copied(copy)) => {
+                let mut rows = 0;
+                output.write(|to| {
+                    rows = copy(to)?;
+                    Ok(())
+                })?;
+                Ok((rows, true))
+            }
             Self::Page(page) => {
                 output.write(|to| page.write(to, figures))?;
                 Ok((page.rows(), true))
@@ -110,7 +135,13 @@ impl Rows {
             columns,
             rows: Box::new(rows),
             required: None,
+            part: None,
         }
+    }
+
+    /// The same rows as a part of a run, which says what it is.
+    pub fn part(self, label: Option<Label>) -> Self {
+        Self { part: label, ..self }
     }
 
     /// The same rows, of which all cells of a column are to be true.
@@ -146,10 +177,17 @@ impl Rows {
             columns,
             rows,
             required,
+            part,
         } = self;
+        if part.is_some() && format != Format::Csv {
+            return Err(Failure::Usage("a part of a run is CSV: add --format csv".to_owned()));
+        }
         let (mut count, mut is_met, mut failure) = (0, true, None);
         let token = Token::current();
         let written = output.write(|to| {
+            if let Some(label) = &part {
+                writeln!(to, "{}", label.head())?;
+            }
             let mut stream = Stream::new(columns, format, figures, to);
             // a row that was stopped on its way is none
             for row in rows.take_while(|_| !token.is_stopped()) {
@@ -166,7 +204,12 @@ impl Rows {
                 }
                 count += 1;
             }
-            stream.end()
+            stream.end()?;
+            match &part {
+                // one that was stopped does not say that it is whole
+                Some(label) if !token.is_stopped() => writeln!(to, "{}", label.tail(count)),
+                _ => Ok(()),
+            }
         });
         match failure {
             Some(failure) => Err(failure),

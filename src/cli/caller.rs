@@ -1,5 +1,6 @@
 //! A program that asks in place of a shell: what it gives stands for stdin, and what stderr would say it is told.
 
+use super::answer::Copied;
 use super::{Content, Exit, Failure, Line, described};
 use crate::report::{Column, Frame, Page, Part, Table, Values};
 use crate::stop::Token;
@@ -118,6 +119,11 @@ fn reply(line: &Line) -> Result<Reply, Failure> {
     };
     match answer.content {
         Content::Text(text) => reply.text = Some(text),
+        Content::Copied(Copied(copy)) => {
+            let mut bytes = Vec::new();
+            copy(&mut bytes).map_err(Failure::Page)?;
+            reply.text = Some(String::from_utf8_lossy(&bytes).into_owned());
+        }
         Content::Table(table) => reply.tables.push(framed(name, table)),
         // the numbers that a document prints stand behind its verdicts
         Content::Tables(tables) => {

@@ -2,6 +2,7 @@
 
 use super::answer::Rows;
 use super::progress::Progress;
+use super::shard::{Label, PartArguments, Shard};
 use super::sweep::summarised;
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments};
 use crate::report::{Cell, Column};
@@ -12,6 +13,8 @@ use crate::scene::{MapPoint, MapWant, Scene, Want};
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
+    #[command(flatten)]
+    part: PartArguments,
 }
 
 /// The columns that scripts rely on.
@@ -34,18 +37,31 @@ const COLUMNS: [&str; 13] = [
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let scene = arguments.scene.load_for(&[Want::Map])?;
+    let shard = arguments.part.shard;
+    let label = shard
+        .map(|shard| Label::new(shard, "map", &scene, &[Want::Map]))
+        .transpose()?;
     Ok(Answer {
-        content: rows(&scene, options).map(Content::Rows)?,
+        content: Content::Rows(rows_of(&scene, shard, options)?.part(label)),
         exit: Exit::AsExpected,
     })
 }
 
 /// A row for each point and start.
 pub fn rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
-    let points = scene.map_points()?;
+    rows_of(scene, None, options)
+}
+
+/// Those of a part: whole rows along x.
+fn rows_of(scene: &Scene, shard: Option<Shard>, options: &Options) -> Result<Rows, Failure> {
+    let mut points = scene.map_points()?;
+    if let Some(shard) = shard {
+        let own = shard.range(points.count_rows());
+        points = points.rows(own);
+    }
     let map = points.grid();
     let shown: Vec<bool> = COLUMNS.iter().map(|column| is_wanted(&map.wants, column)).collect();
-    let total = map.x.points as usize * map.y.points as usize * map.starts.len();
+    let total = map.x.points as usize * points.count_rows() as usize;
     let points = Progress::over(points, total, "points", options.out.is_some());
     let rows = points.map(move |point| {
         let point = point?;

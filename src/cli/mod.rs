@@ -16,6 +16,7 @@ mod golden;
 mod man;
 mod map;
 mod mended;
+mod merge;
 #[cfg(test)]
 mod modelled;
 mod options;
@@ -27,6 +28,7 @@ mod run;
 mod scene;
 mod scenes;
 mod score;
+mod shard;
 mod signals;
 mod simulate;
 mod source;
@@ -99,6 +101,7 @@ enum Command {
     Simulate(simulate::Arguments),
     Sweep(sweep::Arguments),
     Map(map::Arguments),
+    Merge(merge::Arguments),
     Trajectory(trajectory::Arguments),
     Plot(plot::Arguments),
     Scenes(scenes::Arguments),
@@ -121,6 +124,7 @@ impl Command {
             Self::Simulate(arguments) => simulate::run(arguments, options),
             Self::Sweep(arguments) => sweep::run(arguments, options),
             Self::Map(arguments) => map::run(arguments, options),
+            Self::Merge(arguments) => merge::run(arguments, options),
             Self::Trajectory(arguments) => trajectory::run(arguments, options),
             Self::Plot(arguments) => plot::run(arguments, options),
             Self::Scenes(arguments) => scenes::run(arguments),
@@ -161,7 +165,8 @@ impl Command {
             Self::Stress(arguments) if arguments.curve => "stress --curve",
             Self::Stress(_) => "stress",
             Self::Man(_) => "man",
-            Self::Completions(_) => return None,
+            // the columns are those of the parts
+            Self::Completions(_) | Self::Merge(_) => return None,
         })
     }
 

@@ -2,6 +2,7 @@
 
 use super::answer::Rows;
 use super::progress::Progress;
+use super::shard::{Label, PartArguments, Shard};
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
 use crate::number::FIGURES_OF_F64;
 use crate::orbit::Estimate;
@@ -16,6 +17,8 @@ pub struct Arguments {
     /// One row per value: what the motion has come to, and its mean voltage
     #[arg(long)]
     pub(super) summary: bool,
+    #[command(flatten)]
+    part: PartArguments,
 }
 
 /// The columns that scripts rely on; where something other than d is swept, its name stands before d.
@@ -49,9 +52,15 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
             "a sweep runs in f64: {FIGURES_OF_F64} digits at most; `--summary` says how many hold"
         ));
     }
-    let rows = if arguments.summary { summary_rows } else { impact_rows };
+    let shard = arguments.part.shard;
+    let command = if arguments.summary { "sweep --summary" } else { "sweep" };
+    let label = shard
+        .map(|shard| Label::new(shard, command, &scene, &wants))
+        .transpose()?;
+    let points = part(scene.points()?, shard)?;
+    let rows = if arguments.summary { summary_of } else { impacts_of };
     Ok(Answer {
-        content: rows(&scene, options).map(Content::Rows)?,
+        content: Content::Rows(rows(points, options)?.part(label)),
         exit: Exit::AsExpected,
     })
 }
@@ -66,15 +75,39 @@ pub fn summary(scene: &Scene, options: &Options) -> Result<Table, Failure> {
     summary_rows(scene, options)?.table()
 }
 
+/// The values of a part.
+fn part(points: Points, shard: Option<Shard>) -> Result<Points, Failure> {
+    match shard {
+        None => Ok(points),
+        Some(_) if points.follow() => {
+            let problem = "each value follows the one before it (sweep.start = \"follow\"): such a sweep has no parts";
+            Err(Failure::Usage(problem.to_owned()))
+        }
+        Some(shard) => {
+            let values = shard.range(u64::from(points.sweep().points));
+            // no more than there are points
+            Ok(points.values(values.start as u32..values.end as u32))
+        }
+    }
+}
+
 /// The last impacts at each value.
 pub fn impact_rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
+    impacts_of(scene.points()?, options)
+}
+
+fn impacts_of(points: Points, options: &Options) -> Result<Rows, Failure> {
     let kept = |point: &Point| point.settled.kept.len();
-    rows(scene.points()?.listed(), options, &COLUMNS, kept, of_impact)
+    rows(points.listed(), options, &COLUMNS, kept, of_impact)
 }
 
 /// What the motion at each value has come to.
 pub fn summary_rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
-    rows(scene.points()?.with_reliance(), options, &SUMMARY, |_| 1, of_point)
+    summary_of(scene.points()?, options)
+}
+
+fn summary_of(points: Points, options: &Options) -> Result<Rows, Failure> {
+    rows(points.with_reliance(), options, &SUMMARY, |_| 1, of_point)
 }
 
 fn rows(

@@ -103,8 +103,8 @@ impl Scene {
         self.check(&wants)?;
         let setting = self.swept_setting()?;
         let membrane = wants.contains(&Want::Voltage).then(|| self.membrane()).transpose()?;
+        let sweep = self.sweep()?;
         Ok(Points {
-            sweep: self.sweep()?,
             diagram: self.diagram()?,
             setting: setting.over_number(),
             typed: setting,
@@ -113,7 +113,8 @@ impl Scene {
             depth: Depth::SteadyState,
             scene: self.clone(),
             beside: None,
-            next: 0,
+            left: 0..sweep.points,
+            sweep,
             block: Vec::new().into_iter(),
             before: None,
         })
@@ -167,7 +168,8 @@ pub struct Points {
     depth: Depth,
     /// What else stands in the place of a key.
     beside: Option<(Over, Quantity)>,
-    next: u32,
+    /// The numbers of the values that are still to come.
+    left: Range<u32>,
     block: IntoIter<Result<Point, SceneError>>,
     /// Where the motion at the value before came to, where the next one follows it.
     before: Option<Event<f64>>,
@@ -194,6 +196,17 @@ impl Points {
     /// The sweep.
     pub fn sweep(&self) -> &Sweep {
         &self.sweep
+    }
+
+    /// Those of these numbers, from 0; each starts anew.
+    pub fn values(mut self, values: Range<u32>) -> Self {
+        self.left = values.start.min(self.left.end)..values.end.min(self.left.end);
+        self
+    }
+
+    /// Whether each value follows the one before.
+    pub fn follow(&self) -> bool {
+        self.diagram.start == Begin::Follow
     }
 
     /// Point number `index`, from 0, from where the one before came to or from `[start]`.
@@ -312,20 +325,20 @@ impl Points {
     }
 
     fn fill(&mut self) {
-        let left = self.sweep.points - self.next;
+        let left = self.left.end - self.left.start;
         let block = match self.diagram.start {
             Begin::Each => {
                 let held = HELD / self.diagram.keep as usize;
                 let size = held.clamp(rayon::current_num_threads().min(BLOCK), BLOCK) as u32;
-                let end = self.next + size.min(left);
+                let end = self.left.start + size.min(left);
                 let token = Token::current();
-                (self.next..end)
+                (self.left.start..end)
                     .into_par_iter()
                     .map(|index| token.during(|| self.point(index, None)))
                     .collect()
             }
             Begin::Follow if left > 0 => {
-                let point = self.point(self.next, self.before.as_ref());
+                let point = self.point(self.left.start, self.before.as_ref());
                 if let Some(end) = point.as_ref().ok().and_then(|point| known_end(&point.settled)) {
                     self.before = Some(end.clone());
                 }
@@ -333,7 +346,7 @@ impl Points {
             }
             Begin::Follow => Vec::new(),
         };
-        self.next += block.len() as u32;
+        self.left.start += block.len() as u32;
         self.block = block.into_iter();
     }
 }
@@ -367,6 +380,18 @@ impl MapPoints {
         &self.map
     }
 
+    /// How many rows along x are still to come.
+    pub fn count_rows(&self) -> u64 {
+        self.rows.end - self.rows.start
+    }
+
+    /// Of these rows along x those of these numbers, from 0.
+    pub fn rows(mut self, rows: Range<u64>) -> Self {
+        let (start, end) = (self.rows.start, self.rows.end);
+        self.rows = (start + rows.start).min(end)..(start + rows.end).min(end);
+        self
+    }
+
     /// The row of this number.
     fn row(&self, row: u64) -> impl Iterator<Item = Result<MapPoint, SceneError>> + use<> {
         let starts = self.map.starts.len() as u64;
@@ -382,7 +407,7 @@ impl MapPoints {
             membrane: self.membrane.clone(),
             depth: self.depth,
             beside: Some((self.map.y.over, y.clone())),
-            next: 0,
+            left: 0..self.map.x.points,
             block: Vec::new().into_iter(),
             before: None,
         };

@@ -7,6 +7,7 @@ mod columns;
 mod costs;
 mod features;
 mod fuzz;
+mod merge;
 mod page;
 mod peers;
 mod plot;
