@@ -453,7 +453,7 @@ const CHAOTIC: [[f64; 4]; 10] = [
     [0.105, 0.365, 0.889, 0.426],
     [0.053, 0.473, 0.469, 0.821],
     [0.117, 0.086, 0.762, 0.734],
-    [0.157, 0.151, 0.640, 0.421],
+    [0.179, 0.189, 0.939, 0.648],
     [0.014, 0.132, 0.915, 0.825],
     [0.048, 0.214, 0.386, 0.925],
 ];
@@ -495,8 +495,19 @@ fn coverage(devices: &[[f64; 4]], replications: u64) -> Vec<[f64; 3]> {
         let motion = Motion::new(*g, *d, *r_b, *r_t).unwrap();
         let start = |index: u64| 1000 * device as u64 + index;
         // long enough for its own error to be a thirtieth of those that are judged
-        let value = (0..).find_map(|index| measured(&motion, start(index), 500_000));
-        let value = each(&value.unwrap());
+        let long = |from: u64| {
+            (from..)
+                .find_map(|index| measured(&motion, start(index), 500_000))
+                .unwrap()
+        };
+        let long = [0, 100, 200].map(|from| each(&long(from)));
+        let value = long[0];
+        // where several chaotic attractors live side by side, no one value is to be held
+        for (one, other) in long.iter().flatten().zip(value.iter().cycle()) {
+            let error = one.error.expect("an error") + other.error.expect("an error");
+            let apart = (one.value - other.value).abs();
+            assert!(apart <= 4.0 * error, "{motion:?} comes to several: {long:?}");
+        }
         let (mut covered, mut count) = ([0.0; 3], 0.0);
         for found in (0..replications).filter_map(|index| measured(&motion, start(index), 500)) {
             count += 1.0;
@@ -512,18 +523,6 @@ fn coverage(devices: &[[f64; 4]], replications: u64) -> Vec<[f64; 3]> {
 }
 
 #[test]
-fn intervals_of_95_percent_hold_the_mean_as_often_as_they_say() {
-    for (device, covered) in CHAOTIC.iter().zip(coverage(&CHAOTIC[..4], 100)) {
-        // of 100 with 95 in each some are at 88 by chance
-        assert!(
-            covered.iter().all(|covered| *covered >= 88.0),
-            "{device:?}: {covered:?}"
-        );
-    }
-}
-
-#[test]
-#[ignore = "a minute: part of .ci/long"]
 fn intervals_of_95_percent_hold_the_mean_in_500_replications() {
     let covered = coverage(&CHAOTIC, 500);
     for (device, covered) in CHAOTIC.iter().zip(&covered) {

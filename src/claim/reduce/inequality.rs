@@ -152,6 +152,26 @@ impl Range {
         }
     }
 
+    /// The same where this has a value: the logarithm of the letter, a root of it.
+    fn within_domain_of(mut self, function: &Tree) -> Self {
+        let is_letter = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if *name == self.letter);
+        let mut bound = None;
+        any(function, &mut |node| {
+            match node {
+                Tree::Call(name, argument, _) if name.base == "\\ln" && is_letter(argument) => {
+                    bound = Some(Relation::Greater);
+                }
+                Tree::Root(of, index, _) if index % 2 == 0 && is_letter(of) => {
+                    bound = bound.or(Some(Relation::GreaterOrEqual));
+                }
+                _ => {}
+            }
+            false
+        });
+        self.bounds.extend(bound.map(|relation| (relation, integer(0))));
+        self
+    }
+
     fn side(&self, is_above: bool) -> impl Iterator<Item = &(Relation, Tree)> {
         let is_own = move |relation: &Relation| match is_above {
             true => matches!(relation, Relation::Less | Relation::LessOrEqual),
@@ -218,7 +238,7 @@ fn in_letter(
     if !mentions(&positive.function, letter) || any(&positive.function, &mut |node| is_unknown(node)) {
         return Vec::new();
     }
-    let range = Range::of(statements, vocabulary, letter);
+    let range = Range::of(statements, vocabulary, letter).within_domain_of(&positive.function);
     let between = fresh_like(statements, vocabulary, letter.clone());
     let mut extended = vocabulary.clone();
     extended.let_be_parameter(&between, false);
