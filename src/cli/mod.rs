@@ -18,6 +18,7 @@ mod map;
 mod mended;
 #[cfg(test)]
 mod modelled;
+mod optimise;
 mod options;
 mod orbits;
 mod plot;
@@ -99,6 +100,7 @@ enum Command {
     Simulate(simulate::Arguments),
     Sweep(sweep::Arguments),
     Map(map::Arguments),
+    Optimise(optimise::Arguments),
     Trajectory(trajectory::Arguments),
     Plot(plot::Arguments),
     Scenes(scenes::Arguments),
@@ -121,6 +123,7 @@ impl Command {
             Self::Simulate(arguments) => simulate::run(arguments, options),
             Self::Sweep(arguments) => sweep::run(arguments, options),
             Self::Map(arguments) => map::run(arguments, options),
+            Self::Optimise(arguments) => optimise::run(arguments, options),
             Self::Trajectory(arguments) => trajectory::run(arguments, options),
             Self::Plot(arguments) => plot::run(arguments, options),
             Self::Scenes(arguments) => scenes::run(arguments),
@@ -145,6 +148,7 @@ impl Command {
             Self::Sweep(arguments) if arguments.summary => "sweep --summary",
             Self::Sweep(_) => "sweep",
             Self::Map(_) => "map",
+            Self::Optimise(_) => "optimise",
             Self::Trajectory(_) => "trajectory",
             Self::Plot(_) => "plot all",
             Self::Scenes(_) => "scenes",

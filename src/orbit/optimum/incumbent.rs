@@ -280,7 +280,7 @@ fn clearance(motion: &Motion<f64>, periods: u32, at: [f64; 2]) -> Option<Option<
 /// Newton's method leads to.
 fn symmetric(motion: &Motion<f64>, balance: &OneOneEquations<f64>, periods: u32) -> Vec<[f64; 2]> {
     let mirrored = motion.mirrored();
-    if mirrored != *motion || periods % 2 == 0 {
+    if mirrored != *motion || periods.is_multiple_of(2) {
         return Vec::new();
     }
     let turn = 2.0 * std::f64::consts::PI;

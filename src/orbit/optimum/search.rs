@@ -92,12 +92,13 @@ struct Left {
 }
 
 impl Left {
-    fn halves(&self) -> [(Cell, u32); 2] {
+    /// Both halves, with the bound of the whole.
+    fn halves(&self) -> [(Cell, u32, f64); 2] {
         let (low, high) = self.cell[self.direction].halves();
         [low, high].map(|half| {
             let mut cell = self.cell;
             cell[self.direction] = half;
-            (cell, self.periods)
+            (cell, self.periods, self.most)
         })
     }
 }
@@ -157,7 +158,7 @@ pub fn optimum(choice: &Choice, limits: OptimumLimits, mut progress: impl FnMut(
     let everything = formulas.iter().zip(1..);
     search.examine(
         everything
-            .map(|(formulas, periods)| (formulas.everything(), periods))
+            .map(|(formulas, periods)| (formulas.everything(), periods, f64::INFINITY))
             .collect(),
     );
     let mut rounds = 0;
@@ -272,13 +273,13 @@ impl Search<'_> {
     }
 
     /// Examines boxes, and keeps what is left of them.
-    fn examine(&mut self, cells: Vec<(Cell, u32)>) {
+    fn examine(&mut self, cells: Vec<(Cell, u32, f64)>) {
         self.boxes += cells.len() as u64;
         let best = self.best();
-        let outcomes = each(&cells, |(cell, periods)| {
+        let outcomes = each(&cells, |(cell, periods, most)| {
             let at_least = best.map_or(f64::NEG_INFINITY, |best| (best * f64::from(*periods)).next_down());
             let outcome = self.formulas[*periods as usize - 1].examine(*cell, at_least);
-            left(outcome, *periods)
+            left(outcome, *periods, *most)
         });
         for left in outcomes.into_iter().flatten() {
             let side = &left.cell[left.direction];
@@ -334,8 +335,8 @@ impl Search<'_> {
 }
 
 /// What is left of a box, with its bound per forcing period and the side to halve.
-fn left(outcome: Outcome, periods: u32) -> Option<Left> {
-    let (cell, most, direction) = match outcome {
+fn left(outcome: Outcome, periods: u32, of_whole: f64) -> Option<Left> {
+    let (cell, sum, direction) = match outcome {
         Outcome::Dropped => return None,
         Outcome::Unbounded(cell) => (cell, f64::INFINITY, widest(&cell)),
         Outcome::Examined(examined) => {
@@ -343,9 +344,9 @@ fn left(outcome: Outcome, periods: u32) -> Option<Left> {
             (examined.cell, examined.most, direction)
         }
     };
-    let most = (Interval::point(most.min(f64::MAX)) / Interval::point(f64::from(periods))).high();
+    let most = (Interval::point(sum.min(f64::MAX)) / Interval::point(f64::from(periods))).high();
     Some(Left {
-        most,
+        most: most.min(of_whole),
         periods,
         cell,
         direction,

@@ -1,7 +1,7 @@
 //! How the voltage changes with each parameter of a device, the motion followed.
 
-use crate::model::{Motion, Side};
-use crate::number::{Dual, Interval, seeded};
+use crate::model::Motion;
+use crate::number::{Dual, seeded};
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::optimum::design::Choice;
 use crate::orbit::optimum::incumbent::ProvedDevice;
@@ -37,10 +37,11 @@ pub fn sensitivities(choice: &Choice, device: &ProvedDevice) -> Option<[f64; 4]>
     found.iter().all(|value| value.is_finite()).then_some(found)
 }
 
-/// That of the voltages is a derivative: the same by differences.
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Side;
+    use crate::number::Interval;
     use crate::orbit::optimum::incumbent::LocalSearch;
     use crate::orbit::optimum::paper_choice;
 

@@ -1,6 +1,5 @@
 //! Whether the supremum is the value of a motion, or only approached where the motion stops attracting or grazes.
 
-use crate::model::Side;
 use crate::number::Interval;
 use crate::orbit::clearance::OrbitFlight;
 use crate::orbit::interval_box::width;
