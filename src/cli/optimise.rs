@@ -33,7 +33,7 @@ const BOXES: u64 = 500_000;
 const MOST_EFFORT: u64 = 1000;
 
 /// The columns that scripts rely on.
-const COLUMNS: [&str; 10] = [
+const COLUMNS: [&str; 11] = [
     "quantity",
     "low",
     "high",
@@ -44,6 +44,7 @@ const COLUMNS: [&str; 10] = [
     "gap",
     "boxes",
     "complete",
+    "error_bound",
 ];
 
 fn gap(text: &str) -> Result<f64, String> {
@@ -134,6 +135,7 @@ fn objective(asked: &BoxChoice, found: &Optimum) -> Vec<Cell> {
         Cell::from(found.gap()),
         Cell::from(i64::try_from(found.boxes).unwrap_or(i64::MAX)),
         Cell::from(found.is_complete),
+        Cell::from(rate.map(|rate| farthest(rate.midpoint(), [rate.low(), found.most]))),
     ]
 }
 
@@ -160,7 +162,18 @@ fn parameter(asked: &BoxChoice, found: &Optimum, index: usize) -> Vec<Cell> {
         Cell::Empty,
         Cell::Empty,
         Cell::Empty,
+        Cell::from(
+            value
+                .zip(place)
+                .map(|(value, place)| farthest(value, [place.low(), place.high()])),
+        ),
     ]
+}
+
+/// How far a number between two ends may be from `value`, at most.
+fn farthest(value: f64, ends: [f64; 2]) -> f64 {
+    let away = ends.map(|end| (end - value).abs().next_up());
+    away[0].max(away[1])
 }
 
 fn parameter_of(active: Active) -> Option<usize> {

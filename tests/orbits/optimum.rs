@@ -238,7 +238,7 @@ fn the_columns_are_those_that_scripts_rely_on_whatever_the_threads() {
     let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(
         rows[0].join(","),
-        "quantity,low,high,value,attained,active,sensitivity,gap,boxes,complete"
+        "quantity,low,high,value,attained,active,sensitivity,gap,boxes,complete,error_bound"
     );
     let names: Vec<&str> = rows[1..].iter().map(|row| row[0]).collect();
     assert_eq!(names, ["voltage_rate", "d", "incline", "r_b", "r_t"]);
@@ -267,10 +267,7 @@ fn a_box_without_a_stable_motion_is_said_and_is_no_error() {
     assert_eq!(text.lines().count(), 1, "{text}");
     assert!(message.contains("no device of the box"), "{message}");
     // a gap out of reach is said, and fails where completeness is required
-    let output = optimised(
-        &["box={d = [0.1, 0.5], incline = [0, \"pi/2\"]}"],
-        &["--gap", "1e-15", "--require-complete"],
-    );
+    let output = optimised(&[WHOLE], &["--gap", "1e-15", "--require-complete"]);
     assert_eq!(output.status.code(), Some(1));
     assert!(String::from_utf8(output.stderr).unwrap().contains("was not reached"));
 }
@@ -284,7 +281,7 @@ fn what_cannot_be_a_box_is_refused() {
             "box={d = [0.5, 0.1]}",
             &["box.d is [0.5, 0.1]", "from the lower number"],
         ),
-        ("box={d = [NaN, 0.5]}", &["box.d", "a finite number"]),
+        ("box={d = [nan, 0.5]}", &["box.d", "a finite number"]),
         ("box={d = [0.1, inf]}", &["box.d", "a finite number"]),
         ("box={d = [0, 0.5]}", &["box.d is 0", "above 0, as d is"]),
         ("box={r_b = [0.3, 1.2]}", &["box.r_b is 1.2", "above 0 and at most 1"]),
@@ -298,7 +295,7 @@ fn what_cannot_be_a_box_is_refused() {
         ("box={g = [0, 1], incline = [0, 1]}", &["box.g", "box.incline"]),
         (
             "box={d = [0.1, 0.2], forcing_amplitude = [4, 6]}",
-            &["box.d", "keeps its length"],
+            &["requires device.capsule_length"],
         ),
         ("box={forcing_amplitude = [4, 6]}", &["requires device.capsule_length"]),
         ("box={}", &["`optimum` requires box.d"]),
@@ -312,6 +309,13 @@ fn what_cannot_be_a_box_is_refused() {
             assert!(message.contains(word), "{set}: `{word}` is not in {message}");
         }
     }
+    let both = [
+        "device.capsule_length=0.6",
+        "box={d = [0.1, 0.2], forcing_amplitude = [4, 6]}",
+    ];
+    let output = optimised(&both, &[]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8(output.stderr).unwrap().contains("keeps its length"));
     for gap in ["0", "1", "-1e-3", "NaN"] {
         let output = optimised(&[WHOLE], &["--gap", gap]);
         assert_eq!(output.status.code(), Some(2), "{gap}");
