@@ -19,6 +19,7 @@ mod mended;
 mod merge;
 #[cfg(test)]
 mod modelled;
+mod optimise;
 mod options;
 mod orbits;
 mod plot;
@@ -102,6 +103,7 @@ enum Command {
     Sweep(sweep::Arguments),
     Map(map::Arguments),
     Merge(merge::Arguments),
+    Optimise(optimise::Arguments),
     Trajectory(trajectory::Arguments),
     Plot(plot::Arguments),
     Scenes(scenes::Arguments),
@@ -125,6 +127,7 @@ impl Command {
             Self::Sweep(arguments) => sweep::run(arguments, options),
             Self::Map(arguments) => map::run(arguments, options),
             Self::Merge(arguments) => merge::run(arguments, options),
+            Self::Optimise(arguments) => optimise::run(arguments, options),
             Self::Trajectory(arguments) => trajectory::run(arguments, options),
             Self::Plot(arguments) => plot::run(arguments, options),
             Self::Scenes(arguments) => scenes::run(arguments),
@@ -149,6 +152,7 @@ impl Command {
             Self::Sweep(arguments) if arguments.summary => "sweep --summary",
             Self::Sweep(_) => "sweep",
             Self::Map(_) => "map",
+            Self::Optimise(_) => "optimise",
             Self::Trajectory(_) => "trajectory",
             Self::Plot(_) => "plot all",
             Self::Scenes(_) => "scenes",

@@ -78,6 +78,42 @@ impl<I> Drop for Progress<I> {
     }
 }
 
+/// One line on stderr about a computation without a number of steps, where that is a terminal.
+pub struct Status {
+    told: Option<Instant>,
+    /// The characters that are drawn.
+    drawn: usize,
+}
+
+impl Status {
+    /// Nothing is drawn yet.
+    pub fn new() -> Self {
+        Self {
+            told: io::stderr().is_terminal().then(Instant::now),
+            drawn: 0,
+        }
+    }
+
+    /// Draws a line in the place of the last one, where that is long enough ago.
+    pub fn show(&mut self, line: impl FnOnce() -> String) {
+        let Some(told) = self.told.as_mut().filter(|told| told.elapsed() >= PAUSE) else {
+            return;
+        };
+        *told = Instant::now();
+        let line = line();
+        let _ = write!(io::stderr(), "\r{line:<width$}", width = self.drawn);
+        self.drawn = self.drawn.max(line.chars().count());
+    }
+}
+
+impl Drop for Status {
+    fn drop(&mut self) {
+        if self.drawn > 0 {
+            let _ = write!(io::stderr(), "\r{}\r", " ".repeat(self.drawn));
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

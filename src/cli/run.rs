@@ -1,7 +1,8 @@
 //! `vibro-audit run SCENE [--explain] --out DIR`.
 
 use super::{
-    Answer, Content, Exit, Failure, Options, SceneArguments, branch, map, orbits, plot, simulate, sweep, trajectory,
+    Answer, Content, Exit, Failure, Options, SceneArguments, branch, map, optimise, orbits, plot, simulate, sweep,
+    trajectory,
 };
 use crate::report::plot::Figure;
 use crate::report::{Cell, Format, Output, OutputError, OutputProblem, Page, Part, Table};
@@ -62,6 +63,11 @@ const SERVED: &[Served] = &[
         command: "map",
         file: "map",
         serve: |scene, options| map::rows(scene, options).map(Content::Rows),
+    },
+    Served {
+        command: "optimise",
+        file: "optimise",
+        serve: |scene, _| optimise::table(scene).map(Content::Table),
     },
     Served {
         command: "trajectory",

@@ -103,6 +103,17 @@ impl<T: Analytic> Membrane<T> {
         })
     }
 
+    /// The same over another number.
+    pub fn convert<U: Analytic>(&self, convert: impl Fn(&T) -> U) -> Membrane<U> {
+        Membrane {
+            ball_radius: convert(&self.ball_radius),
+            membrane_radius: convert(&self.membrane_radius),
+            input_voltage: convert(&self.input_voltage),
+            softness: convert(&self.softness),
+            power: convert(&self.power),
+        }
+    }
+
     /// How far an impact of `speed`, m/s, presses the membrane in, m. The sign of the speed does not matter; what is
     /// not a number gives none.
     ///

@@ -19,6 +19,7 @@ mod inconclusive;
 mod interval_box;
 mod long_run;
 mod one_one_branches;
+mod optimum;
 // the folder holds periodic motions, the file one of them
 #[allow(clippy::module_inception)]
 mod orbit;
@@ -54,6 +55,10 @@ pub use long_run::resting::RestingCycle;
 pub use long_run::statistics::{Averaging, AveragingLength, Estimate, FREQUENCIES, LongRun, OfImpact, Statistics};
 pub use long_run::steady_state::SteadyState;
 pub use one_one_branches::{OneOneBranches, OpenBifurcation};
+pub use optimum::design::{Choice, Devices, Gap, Pull, Range, Unit};
+pub use optimum::incumbent::ProvedDevice;
+pub use optimum::search::{Optimum, OptimumLimits, OptimumProgress, optimum};
+pub use optimum::supremum::Active;
 pub use orbit::{Orbit, flight_jacobians};
 pub use output::{Output, OutputPrecision, most_figures};
 pub use proved_orbit::ProvedOrbit;

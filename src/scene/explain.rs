@@ -1,7 +1,7 @@
 //! What a scene will have modelled, and why, in words.
 
 use super::document::Entry;
-use super::key::{self, Key, RangeKeys};
+use super::key::{self, Allowed, Key, RangeKeys};
 use super::{Map, Over, Scene, SceneError, Want};
 use crate::orbit::Word;
 use std::fmt::Write;
@@ -94,6 +94,8 @@ impl Scene {
             key if *key == key::WORDS => self.words()?.iter().map(Word::to_string).collect::<Vec<_>>().join(", "),
             key if *key == key::MAX_PERIODS => self.max_periods()?.to_string(),
             key if key.section == "map" => self.default_of_map(key)?,
+            key if key.section == "box" && key.allowed == Allowed::Range => "one value".to_owned(),
+            key if key.section == "box" => "0".to_owned(),
             _ => self.digits()?.to_string(),
         })
     }
@@ -118,7 +120,7 @@ impl Scene {
         }
         let (swept, at_rest): (Vec<Want>, Vec<Want>) = wants
             .iter()
-            .filter(|&&want| want != Want::Voltage && want != Want::Map)
+            .filter(|want| !matches!(want, Want::Voltage | Want::Map | Want::Optimum))
             .partition(|&&want| matches!(want, Want::Branch | Want::Sweep));
         let over = if swept.is_empty() {
             None
@@ -149,6 +151,10 @@ impl Scene {
                 "at each point of the map, for each start: {}",
                 wanted.join(", ")
             ));
+        }
+        if wants.contains(&Want::Optimum) {
+            let names: Vec<&str> = self.chosen().into_iter().map(Over::name).collect();
+            lines.push(format!("devices to choose from: every {} of the box", names.join(", ")));
         }
         let units = self.units(over, wants);
         if wants.contains(&Want::Voltage) {
@@ -234,7 +240,7 @@ mod tests {
             assert!(left_alone.contains(key), "{key}\n{orbits}");
         }
         let map = r#"map={impacts = 80, x = {over = "d", from = 0.1, to = 0.5, points = 9}, y = {over = "r_b", from = 0.3, to = 0.9, points = 2}}"#;
-        let all = explained("fig03", &[map], &Want::ALL);
+        let all = explained("fig03", &[map, "box={d = [0.1, 0.5]}"], &Want::ALL);
         assert!(all.contains("map along y: r_b from 0.3 to 0.9, 2 values"), "{all}");
         assert!(
             all.contains("8.032128514 m/s") && all.contains("every 0.001") && !all.contains("left alone"),

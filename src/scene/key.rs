@@ -29,6 +29,8 @@ pub(super) enum Allowed {
     Count(u32),
     /// A list of starts.
     Starts,
+    /// Two numbers that the parameter of the same name may have, the lower one first.
+    Range,
 }
 
 /// The most digits that can be asked for: beyond, a slip of the keyboard is likelier than a need.
@@ -55,7 +57,7 @@ macro_rules! keys {
 
 keys! {
     TITLE = "" "title" Allowed::Text, "what stands above tables and plots";
-    WANT = "" "want" Allowed::Names, "what is wanted: some of orbits, branch, impacts, sweep, trajectory, voltage, map";
+    WANT = "" "want" Allowed::Names, "what is wanted: some of orbits, branch, impacts, sweep, trajectory, voltage, map, optimum";
     WORDS = "" "words" Allowed::Names, "the impacts of one motion by wall";
     MAX_PERIODS = "" "max_periods" Allowed::Count(MOST_PERIODS), "the most forcing periods of a motion";
     DIGITS = "" "digits" Allowed::Count(MOST_DIGITS), "the significant digits to reach";
@@ -64,6 +66,7 @@ keys! {
     ANGULAR_FREQUENCY = "device" "angular_frequency" Allowed::Positive, "the angular frequency of the force, rad/s";
     INCLINE = "device" "incline" Allowed::Finite, "the angle against the horizontal, rad";
     GRAVITY = "device" "gravity" Allowed::NotNegative, "the acceleration of gravity, m/s²";
+    CAPSULE_LENGTH = "device" "capsule_length" Allowed::Positive, "the distance that the ball has between the walls, m, which box.forcing_amplitude leaves as it is";
     G = "motion" "g" Allowed::Finite, "gravity along the capsule in units of the forcing; [device] gives it too";
     D = "motion" "d" Allowed::Positive, "the gap between the walls, without unit";
     R_B = "motion" "r_b" Allowed::Restitution, "the restitution of the bottom";
@@ -100,6 +103,14 @@ keys! {
     Y_FROM = "map.y" "from" Allowed::Finite, "the first value along y";
     Y_TO = "map.y" "to" Allowed::Finite, "the last value along y";
     Y_POINTS = "map.y" "points" Allowed::Count(MOST_POINTS), "the number of values along y, both ends counted";
+    BOX_D = "box" "d" Allowed::Range, "the range of the gap";
+    BOX_R_B = "box" "r_b" Allowed::Range, "the range of the restitution of the bottom";
+    BOX_R_T = "box" "r_t" Allowed::Range, "the range of the restitution of the top";
+    BOX_INCLINE = "box" "incline" Allowed::Range, "the range of the angle against the horizontal, rad";
+    BOX_G = "box" "g" Allowed::Range, "the range of gravity along the capsule in units of the forcing";
+    BOX_FORCING_AMPLITUDE = "box" "forcing_amplitude" Allowed::Range, "the range of the amplitude of the force, N";
+    BOX_MARGIN = "box" "margin" Allowed::NotNegative, "what 1 + Det - |Tr| is at least";
+    BOX_CLEARANCE = "box" "clearance" Allowed::NotNegative, "the least clearance";
 }
 
 /// The keys of a range of values of one parameter.
@@ -164,8 +175,8 @@ impl DiagramKeys {
 }
 
 /// The sections, in the order of DESIGN.
-pub(super) const SECTIONS: [&str; 8] = [
-    "device", "motion", "membrane", "start", "sweep", "map", "map.x", "map.y",
+pub(super) const SECTIONS: [&str; 9] = [
+    "device", "motion", "membrane", "start", "sweep", "map", "map.x", "map.y", "box",
 ];
 
 impl Key {

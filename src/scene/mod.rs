@@ -18,6 +18,7 @@
 //! ```
 
 mod builtin;
+mod choice;
 mod document;
 mod error;
 mod explain;
@@ -33,6 +34,7 @@ mod value;
 mod want;
 
 pub use builtin::{BUILT_IN, built_in, find};
+pub use choice::BoxChoice;
 pub use error::{Origin, SceneError, SceneProblem};
 pub use key::MOST_DIGITS;
 pub use need::Note;

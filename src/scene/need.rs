@@ -74,6 +74,18 @@ impl Over {
             Self::ForcingAmplitude => &key::FORCING_AMPLITUDE,
         }
     }
+
+    /// The key of its range in a box.
+    pub(super) fn box_key(self) -> &'static Key {
+        match self {
+            Self::D => &key::BOX_D,
+            Self::RB => &key::BOX_R_B,
+            Self::RT => &key::BOX_R_T,
+            Self::Incline => &key::BOX_INCLINE,
+            Self::G => &key::BOX_G,
+            Self::ForcingAmplitude => &key::BOX_FORCING_AMPLITUDE,
+        }
+    }
 }
 
 impl Scene {
@@ -88,6 +100,7 @@ impl Scene {
                 let over = |keys| self.over(keys, Some(want));
                 vec![over(RangeKeys::X)?, over(RangeKeys::Y)?]
             }
+            Want::Optimum => self.chosen(),
             _ => Vec::new(),
         };
         let (mut required, mut optional) = (Vec::new(), vec![&key::DIGITS]);
@@ -139,6 +152,23 @@ impl Scene {
                     required.extend(SCALES.into_iter().filter(|key| !replaced(key)));
                 }
             }
+            Want::Optimum => {
+                if swept.is_empty() {
+                    required.push(&key::BOX_D);
+                }
+                optional.extend(Over::ALL.map(Over::box_key));
+                optional.extend([&key::MAX_PERIODS, &key::BOX_MARGIN, &key::BOX_CLEARANCE]);
+                required.extend(MEMBRANE);
+                let is_free = |over: Over| swept.contains(&over);
+                required.extend(
+                    SCALES
+                        .into_iter()
+                        .filter(|key| !(is_free(Over::ForcingAmplitude) && **key == key::FORCING_AMPLITUDE)),
+                );
+                if is_free(Over::ForcingAmplitude) {
+                    required.push(&key::CAPSULE_LENGTH);
+                }
+            }
             Want::Voltage => {
                 optional.clear();
                 required.extend(MEMBRANE);
@@ -149,7 +179,9 @@ impl Scene {
             }
         }
         if want != Want::Voltage {
-            required.extend(self.motion_keys(&swept));
+            let holds_length = want == Want::Optimum && swept.contains(&Over::ForcingAmplitude);
+            let keys = self.motion_keys(&swept).into_iter();
+            required.extend(keys.filter(|key| !(holds_length && **key == key::D)));
         }
         Ok(Need { required, optional })
     }
@@ -195,6 +227,9 @@ impl Scene {
                     self.membrane::<f64>()?;
                 }
                 Want::Map => drop(self.map()?),
+                Want::Optimum => {
+                    self.choice()?;
+                }
                 _ => {}
             }
             if need

@@ -134,6 +134,13 @@ impl Quantity {
         }
     }
 
+    /// How the number compares with another. Exact for every number that is typed.
+    pub fn compared_with(&self, other: &Self) -> Ordering {
+        let plain = self.plain.clone() - other.plain.clone();
+        let turns = self.turns.clone() - other.turns.clone();
+        Self { plain, turns }.sign()
+    }
+
     /// How the number compares with 1.
     pub fn compared_with_one(&self) -> Ordering {
         let plain = self.plain.clone() - Rational::one();

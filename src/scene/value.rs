@@ -38,6 +38,7 @@ impl Scene {
             Allowed::Names if *key == key::MAP_WANT => drop(self.wants_of_map()?),
             Allowed::Names => drop(self.want()?),
             Allowed::Starts => drop(self.starts()?),
+            Allowed::Range => drop(self.range_of(key)?),
             Allowed::Count(_) => drop(self.count(key)?),
             _ => drop(self.number(key)?),
         }

@@ -19,11 +19,13 @@ pub enum Want {
     Voltage,
     /// What each point of two parameters comes to.
     Map,
+    /// The best device of a box.
+    Optimum,
 }
 
 impl Want {
     /// Every want, in the order in which DESIGN lists them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Orbits,
         Self::Branch,
         Self::Impacts,
@@ -31,6 +33,7 @@ impl Want {
         Self::Trajectory,
         Self::Voltage,
         Self::Map,
+        Self::Optimum,
     ];
 
     /// The word in `want = [...]`.
@@ -43,6 +46,7 @@ impl Want {
             Self::Trajectory => "trajectory",
             Self::Voltage => "voltage",
             Self::Map => "map",
+            Self::Optimum => "optimum",
         }
     }
 
@@ -56,6 +60,7 @@ impl Want {
         match self {
             Self::Impacts => "simulate",
             Self::Voltage => "sweep",
+            Self::Optimum => "optimise",
             other => other.name(),
         }
     }
@@ -70,6 +75,7 @@ impl Want {
             Self::Trajectory => "the motion between the impacts, from the start on",
             Self::Voltage => "the voltage that the membrane gives at each impact, and its mean",
             Self::Map => "what each point of two parameters comes to",
+            Self::Optimum => "the device of a box whose 1-1 motion gives the largest voltage",
         }
     }
 }

@@ -711,7 +711,7 @@ mod tests {
         assert_eq!(texts(r"\boxed{a = b}."), ["a", "=", "b", "."]);
         assert_eq!(texts(r"a = \boxed {b}"), ["a", "=", "b"]);
         assert_eq!(
-            texts(r"\underbrace{a + b}_{\text{sum}} + \overbrace{c}^2"),
+            texts(r"\underbrace{a + b}_{\text{sum}} + \overbrace{c}^{\mbox{c}}"),
             ["{", "a", "+", "b", "}", "+", "{", "c", "}"]
         );
         assert_eq!(

@@ -127,6 +127,10 @@ fn the_columns_of_every_command_are_as_described() {
                 r#"map={impacts = 80, x = {over = "d", from = 0.1, to = 0.5, points = 9}, y = {over = "r_b", from = 0.3, to = 0.9, points = 2}}"#,
             ],
         ),
+        (
+            "optimise",
+            vec!["optimise", "fig03", "--set", "box={d = [0.3, 0.5], r_b = [0.5, 0.7]}"],
+        ),
         ("stress", vec!["stress", "Delta"]),
         ("stress --curve", vec!["stress", "Delta", "--curve"]),
         ("problems", vec!["problems", "--level", "easy"]),

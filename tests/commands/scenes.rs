@@ -47,6 +47,10 @@ start = "follow"
 x = { over = "d", from = 0.1, to = 0.5, points = 21 }
 y = { over = "r_t", from = 0.2, to = 0.8, points = 11 }
 impacts = 400
+[box]
+r_t = [0.2, 0.8]
+margin = 0.1
+clearance = 0.01
 "#;
 
 /// Without unit.
@@ -216,9 +220,10 @@ fn each_want_requires_its_own_sections() {
                 Want::Sweep,
                 Want::Trajectory,
                 Want::Map,
+                Want::Optimum,
             ],
         ),
-        ("d", &[Want::Orbits, Want::Impacts, Want::Trajectory]),
+        ("d", &[Want::Orbits, Want::Impacts, Want::Trajectory, Want::Optimum]),
         (
             "incline",
             &[
@@ -228,13 +233,14 @@ fn each_want_requires_its_own_sections() {
                 Want::Sweep,
                 Want::Trajectory,
                 Want::Map,
+                Want::Optimum,
             ],
         ),
         ("phase", &[Want::Impacts, Want::Sweep, Want::Trajectory, Want::Map]),
         ("points", &[Want::Branch, Want::Sweep]),
         ("keep", &[Want::Sweep]),
-        ("exponent", &[Want::Voltage, Want::Map]),
-        ("angular_frequency", &[Want::Voltage, Want::Map]),
+        ("exponent", &[Want::Voltage, Want::Map, Want::Optimum]),
+        ("angular_frequency", &[Want::Voltage, Want::Map, Want::Optimum]),
         ("words", &[]),
     ];
     for (key, by) in required {

@@ -5,6 +5,7 @@ mod common;
 
 mod bifurcations;
 mod follow;
+mod optimum;
 mod orbits;
 mod printed_orbits;
 mod references;

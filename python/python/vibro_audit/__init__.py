@@ -39,6 +39,7 @@ __all__ = [
     "explain",
     "map",
     "next_impact",
+    "optimise",
     "orbits",
     "plot",
     "problems",
@@ -147,6 +148,23 @@ def map(scene: Given, *, set: _Mapping[str, Any] | None = None, strict: bool = F
     voltage per forcing period (V) and Lyapunov exponent (per unit of time), each with a standard error.
     """
     return _table("map", {"set": set, "strict": strict}, _input(scene, "scene"))
+
+
+def optimise(
+    scene: Given,
+    *,
+    gap: float | None = None,
+    effort: int | None = None,
+    set: _Mapping[str, Any] | None = None,
+    strict: bool = False,
+) -> Table:
+    """The device of the scene's `[box]` whose stable and admissible 1-1 motion gives the largest voltage, proved.
+
+    A row for the voltage per forcing period (V), then one per parameter: `quantity`, `low`, `high` (the optimum is
+    between them), `value` (of the device found), `attained`, `active`, `sensitivity` (V per unit of the parameter). No rows
+    where no device of the box has such a motion. `gap` is the part of `high` by which `low` may be below it.
+    """
+    return _table("optimise", {"gap": gap, "effort": effort, "set": set, "strict": strict}, _input(scene, "scene"))
 
 
 def plot(scene: Given, *, set: _Mapping[str, Any] | None = None, strict: bool = False) -> Figure:

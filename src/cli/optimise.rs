@@ -1,0 +1,206 @@
+//! `vibro-audit optimise SCENE [--gap G] [--effort N]`.
+
+use super::complete::Complete;
+use super::progress::Status;
+use super::{Answer, Failure, Options, SceneArguments, note};
+use crate::number::Interval;
+use crate::orbit::{Active, Optimum, OptimumLimits, OptimumProgress, optimum};
+use crate::report::{Cell, Table};
+use crate::scene::{BoxChoice, Over, Scene, Want};
+
+/// The device of a box whose stable and admissible 1-1 motion gives the largest voltage, proved
+#[derive(Debug, clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// By which part of it the largest voltage may be above the one found
+    #[arg(long, value_name = "PART", default_value_t = GAP, value_parser = gap)]
+    gap: f64,
+    /// How far to search, as a multiple of the usual limit in boxes
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=MOST_EFFORT))]
+    effort: u64,
+    #[command(flatten)]
+    complete: Complete,
+}
+
+/// The usual gap.
+const GAP: f64 = 1e-4;
+
+/// The usual limit in boxes: seconds.
+const BOXES: u64 = 500_000;
+
+/// The largest `--effort`: a box takes some hundred bytes.
+const MOST_EFFORT: u64 = 1000;
+
+/// The columns that scripts rely on.
+const COLUMNS: [&str; 11] = [
+    "quantity",
+    "low",
+    "high",
+    "value",
+    "attained",
+    "active",
+    "sensitivity",
+    "gap",
+    "boxes",
+    "complete",
+    "error_bound",
+];
+
+fn gap(text: &str) -> Result<f64, String> {
+    let gap = text.parse::<f64>().ok().filter(|gap| *gap > 0.0 && *gap < 1.0);
+    gap.ok_or_else(|| "a number above 0 and below 1, as in 1e-3".to_owned())
+}
+
+/// Runs the command.
+pub fn run(arguments: &Arguments, _options: &Options) -> Result<Answer, Failure> {
+    let scene = arguments.scene.load_for(&[Want::Optimum])?;
+    let limits = OptimumLimits {
+        gap: arguments.gap,
+        most_boxes: BOXES * arguments.effort,
+    };
+    Ok(arguments.complete.answer(table_within(&scene, limits)?))
+}
+
+/// The table of a scene, to the usual gap.
+///
+/// # Errors
+/// As [`Scene::choice`].
+pub fn table(scene: &Scene) -> Result<Table, Failure> {
+    let limits = OptimumLimits {
+        gap: GAP,
+        most_boxes: BOXES,
+    };
+    table_within(scene, limits)
+}
+
+fn table_within(scene: &Scene, limits: OptimumLimits) -> Result<Table, Failure> {
+    let asked = scene.choice()?;
+    let mut status = Status::new();
+    let found = optimum(&asked.choice, limits, |progress| status.show(|| line(progress)));
+    drop(status);
+    say(&asked, &found, limits);
+    let mut table = Table::new(COLUMNS);
+    if found.is_complete && found.device.is_none() {
+        return Ok(table);
+    }
+    table.push(objective(&asked, &found))?;
+    for index in 0..asked.parameters.len() {
+        table.push(parameter(&asked, &found, index))?;
+    }
+    Ok(table)
+}
+
+/// `9000 boxes: 124320.6 V, at most 124560.2 V`
+fn line(progress: &OptimumProgress) -> String {
+    let best = progress
+        .best
+        .map_or("nothing yet".to_owned(), |best| format!("{best:.1} V"));
+    format!("{} boxes: {best}, at most {:.1} V", progress.boxes, progress.most)
+}
+
+fn say(asked: &BoxChoice, found: &Optimum, limits: OptimumLimits) {
+    let periods = asked.choice.max_periods;
+    let over = if periods == 1 {
+        "one forcing period".to_owned()
+    } else {
+        format!("1 to {periods} forcing periods")
+    };
+    if found.is_complete && found.device.is_none() {
+        note(&format!(
+            "no device of the box has a 1-1 motion over {over} that is stable and keeps off the walls as asked"
+        ));
+    } else if found.device.is_none() {
+        note("no such motion was found, and none excluded; --effort goes farther");
+    } else if !found.is_complete {
+        note(&format!(
+            "the gap of {} was not reached in {} boxes; --effort goes farther",
+            limits.gap, found.boxes
+        ));
+    }
+}
+
+/// The row of the voltage.
+fn objective(asked: &BoxChoice, found: &Optimum) -> Vec<Cell> {
+    let rate = found.device.as_ref().map(|device| device.rate);
+    let active: Vec<&str> = found.active.iter().map(|active| name(asked, *active)).collect();
+    vec![
+        Cell::from("voltage_rate"),
+        Cell::from(rate.map(|rate| rate.low())),
+        Cell::from(Some(found.most).filter(|most| most.is_finite())),
+        Cell::from(rate.map(|rate| rate.midpoint())),
+        found.attained.map_or(Cell::Empty, Cell::from),
+        Cell::from(active.join(";")),
+        Cell::Empty,
+        Cell::from(found.gap()),
+        Cell::from(i64::try_from(found.boxes).unwrap_or(i64::MAX)),
+        Cell::from(found.is_complete),
+        Cell::from(rate.map(|rate| farthest(rate.midpoint(), [rate.low(), found.most]))),
+    ]
+}
+
+/// The row of a parameter.
+fn parameter(asked: &BoxChoice, found: &Optimum, index: usize) -> Vec<Cell> {
+    let place = found.place.as_ref().map(|place| place[index]);
+    let end = |end: fn(&Interval) -> f64| Cell::from(place.as_ref().map(end));
+    let value = found.device.as_ref().map(|device| device.parameters[index].midpoint());
+    let active = match found.active.iter().find(|active| parameter_of(**active) == Some(index)) {
+        _ if asked.choice.ranges[index].is_held() => "held",
+        Some(Active::Low(_)) => "low",
+        Some(_) => "high",
+        None => "",
+    };
+    let sensitivity = found.sensitivities.map(|all| all[index]);
+    vec![
+        Cell::from(asked.parameters[index].name()),
+        end(Interval::low),
+        end(Interval::high),
+        Cell::from(value),
+        Cell::Empty,
+        Cell::from(active),
+        Cell::from(sensitivity),
+        Cell::Empty,
+        Cell::Empty,
+        Cell::Empty,
+        Cell::from(
+            value
+                .zip(place)
+                .map(|(value, place)| farthest(value, [place.low(), place.high()])),
+        ),
+    ]
+}
+
+/// How far a number between two ends may be from `value`, at most.
+fn farthest(value: f64, ends: [f64; 2]) -> f64 {
+    let away = ends.map(|end| (end - value).abs().next_up());
+    away[0].max(away[1])
+}
+
+fn parameter_of(active: Active) -> Option<usize> {
+    match active {
+        Active::Low(index) | Active::High(index) => Some(index),
+        _ => None,
+    }
+}
+
+fn name(asked: &BoxChoice, active: Active) -> &'static str {
+    match active {
+        Active::Low(index) | Active::High(index) => asked.parameters.get(index).map_or("", |over: &Over| over.name()),
+        Active::Fold => "fold",
+        Active::PeriodDoubling => "period-doubling",
+        Active::Grazing => "grazing",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_gap_is_a_part() {
+        assert_eq!(gap("1e-3"), Ok(1e-3));
+        for text in ["0", "1", "-1", "NaN", "inf", "small", ""] {
+            assert!(gap(text).is_err(), "{text}");
+        }
+    }
+}
