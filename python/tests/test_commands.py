@@ -132,3 +132,12 @@ def test_answers_of_a_solver_are_scored():
 def test_notes_are_heard_and_not_printed(capfd):
     assert va.orbits({**SCENE, "words": ["B"]}).notes
     assert capfd.readouterr() == ("", "")
+
+
+def test_the_best_device_of_a_box_is_a_row_and_its_parameters():
+    box = {"d": [0.1, 0.5], "r_b": [0.3, 0.7], "r_t": [0.3, 0.7]}
+    found = va.optimise("fig03", set={"box": box}, gap=1e-3)
+    assert list(found["quantity"]) == ["voltage_rate", "d", "incline", "r_b", "r_t"]
+    assert found["low"][0] <= found["value"][0] <= found["high"][0] <= found["low"][0] * 1.001
+    assert found["complete"][0] and found["attained"][0]
+    assert len(va.optimise("fig03", set={"box.d": [0.21, 0.23]})["quantity"]) == 0

@@ -66,6 +66,8 @@ pub struct Entry {
     pub guessed: Vec<String>,
     /// Whether it is a claim `A \Rightarrow B`.
     pub is_implication: bool,
+    /// Whether it is a way of `A \Leftrightarrow B`.
+    pub is_way: bool,
     /// Integers in its equations of which no condition says how they stand to other symbols, and parameters that may be
     /// constants of integration.
     pub of_some: Vec<Name>,
@@ -1195,6 +1197,7 @@ pub(super) fn read_entry(
         printed,
         follows_from,
         is_implication,
+        is_way: raw.way.is_some(),
         of_some,
         for_all,
         alternatives: [alternatives, among].concat(),

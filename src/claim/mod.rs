@@ -27,7 +27,7 @@ pub use fault::{Fault, Source};
 pub use nearest::nearest;
 pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Premise, Statements};
-pub use reduce::{Goal, Reduced, along_a_sequence, other_ways, reduced, reduced_by_cases};
+pub use reduce::{Goal, Reduced, along_a_sequence, other_ways, reduced, reduced_by_cases, thin_domains, values};
 pub use sheet::{Sheet, read_symbols};
 pub use substitute::{any, any_side, flies, number_of, rewrite, rewrite_equation, tree_runs};
 pub use verdict::Verdict;

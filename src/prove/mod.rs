@@ -24,7 +24,7 @@ pub use decision::{Decision, mention_refuted};
 pub use explanation::explain;
 pub use script::{CHECKER, Decided, Found, scripts};
 
-use crate::claim::{Goal, Reduced, Sheet, Verdict, any, other_ways, reduced, reduced_by_cases};
+use crate::claim::{Goal, Reduced, Sheet, Verdict, any, other_ways, reduced, reduced_by_cases, thin_domains, values};
 use crate::kernel;
 use crate::tex::{Equation, Tree};
 
@@ -111,10 +111,55 @@ impl<'a> Search<'a> {
             further.lemmas.extend(goals.lemmas.iter().cloned());
             self.together(&further)
         });
-        match further {
+        let decision = match further {
             Some(further) if further.verdict != Verdict::Undecided || !further.reason.ends_with(": ") => further,
             _ => decision,
-        }
+        };
+        let thin = match (decision.verdict, goals.sufficient.as_slice()) {
+            (Verdict::Proved, [goal]) if sheet.entries.get(position).is_some_and(|entry| entry.is_way) => {
+                self.without_value(goal).or_else(|| self.thin(goal))
+            }
+            (Verdict::Proved, [goal]) => self.thin(goal),
+            _ => None,
+        };
+        thin.unwrap_or(decision)
+    }
+
+    /// Of a way of an equivalence that is proved but may have no value where what is assumed holds: that the solutions of the
+    /// two sides are not shown to be the same.
+    fn without_value(&mut self, goal: &Goal) -> Option<Decision> {
+        let known = self.known();
+        let values = values(goal).into_iter();
+        let mut open = values.filter(|(_, goal)| self.settled(goal).verdict != Verdict::Proved);
+        let found = open.next();
+        drop(open);
+        self.forget(known);
+        let (condition, _) = found?;
+        Some(Decision {
+            reason: format!(
+                "holds where it has a value, but {condition} is not shown where the other side of the arrow holds"
+            ),
+            ..self.start.clone()
+        })
+    }
+
+    /// Of a claim that is proved but has a value on a thin set alone: that it says next to nothing. Mostly a sign under a
+    /// root is wrong.
+    fn thin(&mut self, goal: &Goal) -> Option<Decision> {
+        let known = self.known();
+        let found = thin_domains(goal).into_iter().find(|(_, goal)| {
+            let found = self.settled(goal);
+            found.verdict == Verdict::Proved && !found.is_vacuous
+        });
+        self.forget(known);
+        let (radicand, _) = found?;
+        Some(Decision {
+            reason: format!(
+                "has a value only where {radicand} = 0: what stands under a root is nowhere above 0 there, by what is given and the \
+                 other roots"
+            ),
+            ..self.start.clone()
+        })
     }
 
     /// What the goals of a claim come to together.

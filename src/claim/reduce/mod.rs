@@ -26,6 +26,7 @@ mod recurrence;
 mod roots;
 mod series;
 mod telescope;
+mod thin;
 
 use super::definition::{Local, inlined};
 use super::premise::Statements;
@@ -33,6 +34,7 @@ use super::substitute::{any, put_in};
 use super::vocabulary::{Map, Vocabulary};
 pub use inequality::ways as other_ways;
 pub(super) use integral::{holds_indefinite, is_constant_of_integration};
+pub use thin::{thin_domains, values};
 
 use crate::tex::{Condition, Equation, Name, Operation, Tree};
 
