@@ -1,7 +1,6 @@
 //! One `[[equation]]` of a sheet: what it states, what it defines, and whether it can be read.
 
-use super::declared::is_constant;
-use super::declared::is_defined;
+use super::declared::{is_constant, is_defined};
 use super::definition::{Local, circular, inlined_in, speaks_of, two_of_pair};
 use super::fault::{Fault, Source, Text};
 use super::function::Given;

@@ -305,14 +305,9 @@ impl Sheet {
             return Vec::new();
         }
         let beside = claim.local.iter().chain(&claim.with).map(|(equation, _)| equation);
-        let known: Vec<&Equation> = below.iter().flat_map(|entry| &entry.equations).chain(beside).collect();
-        let is_known = |name: &Name| {
-            known.iter().any(|equation| {
-                [&equation.left, &equation.right]
-                    .into_iter()
-                    .any(|side| speaks_of(side, name))
-            })
-        };
+        let known = below.iter().flat_map(|entry| &entry.equations).chain(beside);
+        let known: Vec<&Tree> = known.flat_map(|equation| [&equation.left, &equation.right]).collect();
+        let is_known = |name: &Name| known.iter().any(|side| speaks_of(side, name));
         claim.of_some.iter().filter(|name| !is_known(name)).collect()
     }
 

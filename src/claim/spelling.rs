@@ -2,7 +2,7 @@
 //! constants of solutions.
 
 use super::entry::{Entry, RawEntry, Role};
-use super::substitute::any;
+use super::substitute::{any, any_side};
 use super::vocabulary::Vocabulary;
 use crate::tex::{Condition, Equation, Name, Operation, Tree, letters};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
@@ -125,17 +125,14 @@ fn is_derivative(node: &Tree, vocabulary: &Vocabulary) -> bool {
 pub(super) fn note_constants_of_motion(entries: &mut [Entry], vocabulary: &Vocabulary) {
     let found = |entry: &Entry| -> Vec<Name> {
         let below = entry.follows_from.iter().filter_map(|&number| entries.get(number));
-        let is_moved = below.flat_map(|premise| &premise.equations).any(|equation| {
-            [&equation.left, &equation.right]
-                .into_iter()
-                .any(|side| any(side, &mut |node| is_derivative(node, vocabulary)))
-        });
+        let mut said = below.flat_map(|premise| &premise.equations);
+        let is_moved = said.any(|equation| any_side(equation, &mut |node| is_derivative(node, vocabulary)));
         let stands = |name: &&Name| {
-            entry.equations.iter().any(|equation| {
-                [&equation.left, &equation.right]
-                    .into_iter()
-                    .any(|side| any(side, &mut |node| matches!(node, Tree::Symbol(own, _) if own == *name)))
-            })
+            let is_it = |node: &Tree| matches!(node, Tree::Symbol(own, _) if own == *name);
+            entry
+                .equations
+                .iter()
+                .any(|equation| any_side(equation, &mut |node| is_it(node)))
         };
         let parameters = vocabulary.parameters.iter().filter(|_| is_moved);
         parameters.filter(stands).cloned().collect()

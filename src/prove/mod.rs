@@ -24,7 +24,9 @@ pub use decision::{Decision, mention_refuted};
 pub use explanation::explain;
 pub use script::{CHECKER, Decided, Found, scripts};
 
-use crate::claim::{Goal, Reduced, Sheet, Verdict, any, other_ways, reduced, reduced_by_cases, thin_domains, values};
+use crate::claim::{
+    Goal, Reduced, Sheet, Verdict, any_side, other_ways, reduced, reduced_by_cases, thin_domains, values,
+};
 use crate::kernel;
 use crate::tex::{Equation, Tree};
 
@@ -39,7 +41,7 @@ fn negative_power(equation: &Equation) -> Option<Tree> {
         }
         found.is_some()
     };
-    let _ = any(&equation.left, &mut is_one) || any(&equation.right, &mut is_one);
+    any_side(equation, &mut is_one);
     found
 }
 

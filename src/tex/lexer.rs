@@ -629,7 +629,8 @@ pub(super) const INTEGERS: &str = "for integers";
 /// Whether these tokens are a condition that stands in front, behind "for", "if", "when" or `\forall`.
 fn is_condition_in_front(tokens: &[Token<'_>]) -> bool {
     let is_said = tokens.first().is_some_and(|first| first.kind == Kind::Said);
-    let ends = |token: &Token<'_>| matches!(token.kind, Kind::Row | Kind::Quad);
+    // what follows a colon or "then" is in front of nothing, and looked at once
+    let ends = |token: &Token<'_>| matches!(token.kind, Kind::Row | Kind::Quad) || matches!(token.text, ":" | "then");
     is_said && !tokens.iter().any(ends)
 }
 

@@ -4,7 +4,7 @@ use super::super::declared::is_constant;
 use super::super::definition::pair_of;
 use super::super::entry::Role;
 use super::super::implication;
-use super::super::substitute::any;
+use super::super::substitute::{any, any_side};
 use super::super::symbols::{Pairs, Symbols};
 use super::super::vocabulary::Vocabulary;
 use super::scan::Formula;
@@ -72,7 +72,7 @@ fn has_dependence(equation: &Equation) -> bool {
         Tree::Product(factors) => factors.iter().rev().skip(1).any(is_d),
         _ => false,
     };
-    any(&equation.left, &mut depends) || any(&equation.right, &mut depends)
+    any_side(equation, &mut depends)
 }
 
 /// The symbol that a factor is, or a power of it.
@@ -439,9 +439,7 @@ impl Guess {
             "norms are not guessed"
         } else {
             self.read.get(at).into_iter().flatten().find_map(|equation| {
-                let is_some = |test: &mut dyn FnMut(&Tree) -> bool| {
-                    any(&equation.left, &mut |node| test(node)) || any(&equation.right, &mut |node| test(node))
-                };
+                let is_some = |test: &mut dyn FnMut(&Tree) -> bool| any_side(equation, test);
                 if has_dependence(equation) || is_some(&mut is_rate) {
                     Some("what depends on what is not guessed")
                 } else if only_reorders(equation) {

@@ -73,11 +73,5 @@ pub fn values(goal: &Goal) -> Vec<(Equation, Goal)> {
         let part = format!("{condition} where what is given holds");
         (condition, Goal::of(&alone, vocabulary, part))
     };
-    conditions
-        .unwrap_or_default()
-        .into_iter()
-        .flatten()
-        .take(MOST)
-        .map(of)
-        .collect()
+    conditions.unwrap_or_default().into_iter().flatten().map(of).collect()
 }
