@@ -112,6 +112,17 @@ def test_a_map_has_the_rows_of_sweeps():
         assert list(found[name])[3:] == list(swept[name])
 
 
+def test_basins_number_the_attractors_of_a_table():
+    grid = {"from": 0, "to": 6, "points": 4}
+    few = {"basins": {"impacts": 400, "phase": grid, "velocity": {"from": 0, "to": 1, "points": 3}}, "motion.d": 0.26}
+    starts = va.basins("fig03", set=few)
+    attractors = va.basins("fig03", set=few, attractors=True)
+    assert list(starts["phase"])[:5] == [0, 2, 4, 6, 0]
+    assert set(starts["attractor"]) == set(attractors["attractor"])
+    assert attractors["word"][0] == "BT" and len(attractors["phases"][0]) == 2
+    assert sum(attractors["fraction"]) == 1 and attractors["error_bound"][0] < 1e-12
+
+
 def test_a_figure_is_an_svg(tmp_path):
     figure = va.plot("fig03", set={"want": ["sweep"], "sweep.points": 5})
     assert figure._repr_svg_().startswith("<svg") or "<svg" in figure.svg[:200]

@@ -55,7 +55,12 @@ pub struct Rows {
     required: Option<usize>,
     /// What they are a part of, where they are not all.
     part: Option<Label>,
+    /// A table of other columns, which all rows together make.
+    following: Option<Box<MakeTable>>,
 }
+
+/// Makes a table after the last row.
+type MakeTable = dyn FnOnce() -> Result<Table, Failure>;
 
 impl fmt::Debug for Rows {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -136,7 +141,14 @@ impl Rows {
             rows: Box::new(rows),
             required: None,
             part: None,
+            following: None,
         }
+    }
+
+    /// The same rows, and behind them, after an empty line, a table that is made when the last of them is.
+    pub fn then(self, table: impl FnOnce() -> Result<Table, Failure> + 'static) -> Self {
+        let following: Option<Box<MakeTable>> = Some(Box::new(table));
+        Self { following, ..self }
     }
 
     /// The same rows as a part of a run, which says what it is.
@@ -150,7 +162,7 @@ impl Rows {
         Self { required, ..self }
     }
 
-    /// All rows at once.
+    /// All rows at once, without what follows them.
     pub(super) fn table(self) -> Result<Table, Failure> {
         let mut table = Table::new(self.columns);
         for row in self.rows {
@@ -159,17 +171,27 @@ impl Rows {
         Ok(table)
     }
 
-    /// Passes every row on while `each` says so; whether all are as is required.
-    pub(super) fn each(self, mut each: impl FnMut(Vec<Cell>) -> Result<bool, Failure>) -> Result<bool, Failure> {
+    /// The table that follows the rows, which are made and left out; none where there is none.
+    pub(super) fn following(self) -> Result<Option<Table>, Failure> {
+        let token = Token::current();
+        self.each(|_| Ok(!token.is_stopped())).map(|(_, table)| table)
+    }
+
+    /// Passes every row on while `each` says so; whether all are as is required, and the table that follows all of them.
+    pub(super) fn each(
+        self,
+        mut each: impl FnMut(Vec<Cell>) -> Result<bool, Failure>,
+    ) -> Result<(bool, Option<Table>), Failure> {
         let mut is_met = true;
         for row in self.rows {
             let row = row?;
             is_met &= is_as_required(self.required, &row);
             if !each(row)? {
-                break;
+                return Ok((is_met, None));
             }
         }
-        Ok(is_met)
+        let following = self.following.map(|table| table()).transpose()?;
+        Ok((is_met, following))
     }
 
     fn write(self, output: &Output, format: Format, figures: usize) -> Result<(usize, bool), Failure> {
@@ -178,6 +200,7 @@ impl Rows {
             rows,
             required,
             part,
+            following,
         } = self;
         if part.is_some() && format != Format::Csv {
             return Err(Failure::Usage("a part of a run is CSV: add --format csv".to_owned()));
@@ -205,6 +228,18 @@ impl Rows {
                 count += 1;
             }
             stream.end()?;
+            if let Some(table) = following.filter(|_| !token.is_stopped()) {
+                match table() {
+                    Ok(table) => {
+                        writeln!(to)?;
+                        table.write(to, format, figures)?;
+                    }
+                    Err(failed) => {
+                        failure = Some(failed);
+                        return Err(io::Error::other("stopped"));
+                    }
+                }
+            }
             match &part {
                 // one that was stopped does not say that it is whole
                 Some(label) if !token.is_stopped() => writeln!(to, "{}", label.tail(count)),

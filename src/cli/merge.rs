@@ -2,8 +2,10 @@
 
 use super::answer::Copied;
 use super::shard::Label;
-use super::{Answer, Content, Exit, Failure, Options};
+use super::{Answer, Content, Exit, Failure, Options, basins};
+use crate::orbit::Estimate;
 use crate::report::{Format, note_input};
+use crate::scene::{ReachedAttractor, ReachedAttractors};
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
 use std::path::PathBuf;
@@ -22,6 +24,9 @@ struct Part {
     label: Label,
     /// The names of the columns.
     columns: String,
+    rows: u64,
+    /// Where the parts are of basins, what its starts come to.
+    attractors: ReachedAttractors,
 }
 
 /// Runs the command: nothing is written before every part has been read to its end.
@@ -35,7 +40,7 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     parts.sort_by_key(|part| part.label.number);
     check(&parts)?;
     Ok(Answer {
-        content: Content::Copied(Copied(Box::new(move |to| copy(&parts, to)))),
+        content: Content::Copied(Copied(Box::new(move |to| join(&parts, to)))),
         exit: Exit::AsExpected,
     })
 }
@@ -52,19 +57,38 @@ impl Part {
         let label = next()?.as_deref().and_then(Label::read);
         let label = label.ok_or_else(|| wrong("it is no part of a run: --shard writes them".to_owned()))?;
         let columns = next()?.unwrap_or_default();
-        let (mut rows, mut last) = (0, None);
+        let (mut rows, mut following, mut last) = (0, None, None::<String>);
+        // how often each attractor is named
+        let mut named: Vec<u64> = Vec::new();
         while let Some(line) = next()? {
-            rows += usize::from(last.is_some());
-            last = Some(line);
+            match (last.replace(line), &mut following) {
+                (None, _) => {}
+                (Some(line), None) if line.is_empty() => following = Some(String::new()),
+                (Some(line), None) => {
+                    rows += 1;
+                    if label.is_of("basins") {
+                        count(&line, &mut named);
+                    }
+                }
+                (Some(line), Some(table)) => {
+                    table.push_str(&line);
+                    table.push('\n');
+                }
+            }
         }
         if last != Some(label.tail(rows)) {
             let problem = "it is cut short: its last line does not say that it is whole, with as many rows as it has";
             return Err(wrong(problem.to_owned()));
         }
+        let attractors = read_attractors(&following.unwrap_or_default());
+        let is_of_rows = |found: &ReachedAttractors| found.list.iter().map(|found| found.starts).eq(named);
+        let attractors = attractors.filter(is_of_rows);
         Ok(Self {
             path: path.clone(),
             label,
             columns,
+            rows: rows as u64,
+            attractors: attractors.ok_or_else(|| wrong("its attractors are not those of its rows".to_owned()))?,
         })
     }
 }
@@ -113,29 +137,116 @@ fn check(parts: &[Part]) -> Result<(), Failure> {
     }
 }
 
-/// Writes the rows of all parts under one line of columns; how many they are.
-fn copy(parts: &[Part], to: &mut dyn Write) -> io::Result<usize> {
+/// Writes the rows of all parts under one line of columns, and the attractors of all; how many rows they are.
+fn join(parts: &[Part], to: &mut dyn Write) -> io::Result<usize> {
+    let mut all = ReachedAttractors::default();
+    // of each part, under which number its attractors are known to all
+    let numbers: Vec<Vec<i64>> = parts
+        .iter()
+        .map(|part| {
+            let own = part.attractors.list.iter();
+            own.map(|attractor| basins::shown(all.add(attractor.clone()))).collect()
+        })
+        .collect();
     let mut rows = 0;
-    for part in parts {
-        let mut lines = BufReader::new(File::open(&part.path)?).lines();
-        let changed = || io::Error::other(format!("{} was changed meanwhile", part.path.display()));
-        let (head, columns) = (lines.next().transpose()?, lines.next().transpose()?);
-        if head != Some(part.label.head()) || columns.as_ref() != Some(&part.columns) {
-            return Err(changed());
-        }
-        if rows == 0 && part.label.number == 1 {
-            writeln!(to, "{}", part.columns)?;
-        }
-        let (mut own, mut held) = (0, lines.next().transpose()?);
-        for line in lines {
-            let line = line?;
-            writeln!(to, "{}", held.replace(line).unwrap_or_default())?;
-            own += 1;
-        }
-        if held != Some(part.label.tail(own)) {
-            return Err(changed());
-        }
-        rows += own;
+    for (part, numbers) in parts.iter().zip(&numbers) {
+        rows += copy(part, numbers, to)?;
+    }
+    if parts.iter().any(|part| part.label.is_of("basins")) {
+        writeln!(to)?;
+        let starts = parts.iter().map(|part| part.rows).sum();
+        let table = basins::table(&all, starts).map_err(io::Error::other)?;
+        table.write(to, Format::Csv, 0)?;
     }
     Ok(rows)
+}
+
+/// Writes the rows of a part, the first under the line of columns.
+fn copy(part: &Part, numbers: &[i64], to: &mut dyn Write) -> io::Result<usize> {
+    let mut lines = BufReader::new(File::open(&part.path)?).lines();
+    let changed = || io::Error::other(format!("{} was changed meanwhile", part.path.display()));
+    let (head, columns) = (lines.next().transpose()?, lines.next().transpose()?);
+    if head != Some(part.label.head()) || columns.as_ref() != Some(&part.columns) {
+        return Err(changed());
+    }
+    if part.label.number == 1 {
+        writeln!(to, "{}", part.columns)?;
+    }
+    let (mut rows, mut last) = (0, None);
+    for line in lines {
+        let line = line?;
+        if rows as u64 == part.rows {
+            last = Some(line);
+            continue;
+        }
+        if part.label.is_of("basins") {
+            let renumbered = renumbered(&line, numbers).ok_or_else(changed)?;
+            writeln!(to, "{renumbered}")?;
+        } else {
+            writeln!(to, "{line}")?;
+        }
+        rows += 1;
+    }
+    match last == Some(part.label.tail(rows)) {
+        true => Ok(rows),
+        false => Err(changed()),
+    }
+}
+
+/// Counts the attractor of a row.
+fn count(line: &str, named: &mut Vec<u64>) {
+    let number = line
+        .rsplit_once(',')
+        .and_then(|(_, number)| number.parse::<usize>().ok());
+    // a new one has the next number
+    match number.and_then(|number| number.checked_sub(1)) {
+        Some(place) if place < named.len() => named[place] += 1,
+        Some(place) if place == named.len() => named.push(1),
+        // no table has so many starts
+        Some(_) => named.push(u64::MAX),
+        None => {}
+    }
+}
+
+/// A row with the number, in the last column, under which all parts know its attractor.
+fn renumbered(line: &str, numbers: &[i64]) -> Option<String> {
+    let (row, number) = line.rsplit_once(',')?;
+    if number.is_empty() {
+        return Some(line.to_owned());
+    }
+    let own: usize = number.parse().ok()?;
+    Some(format!("{row},{}", numbers.get(own.checked_sub(1)?)?))
+}
+
+/// Reads a table of attractors; of no text there are none.
+fn read_attractors(text: &str) -> Option<ReachedAttractors> {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    if !text.is_empty() && *reader.headers().ok()? != csv::StringRecord::from(basins::ATTRACTORS.to_vec()) {
+        return None;
+    }
+    let rows = reader.records().map(|row| read_attractor(&row.ok()?));
+    let list = rows.collect::<Option<Vec<_>>>()?;
+    Some(ReachedAttractors { list })
+}
+
+fn read_attractor(row: &csv::StringRecord) -> Option<ReachedAttractor> {
+    let field = |name: &str| {
+        let place = basins::ATTRACTORS.iter().position(|column| *column == name)?;
+        row.get(place).filter(|text| !text.is_empty())
+    };
+    let number = |name: &str| field(name).map(str::parse::<f64>).transpose().ok();
+    let numbers = |name: &str| {
+        let parts = field(name).into_iter().flat_map(|text| text.split(';'));
+        parts.map(str::parse::<f64>).collect::<Result<Vec<_>, _>>().ok()
+    };
+    let error = number("voltage_rate_error")?;
+    Some(ReachedAttractor {
+        word: field("word").map(str::to_owned),
+        periods: field("periods").map(str::parse).transpose().ok()?,
+        phases: numbers("phases")?,
+        velocities: numbers("velocities")?,
+        error_bound: number("error_bound")?,
+        voltage_rate: number("voltage_rate")?.map(|value| Estimate { value, error }),
+        starts: field("starts")?.parse().ok()?,
+    })
 }

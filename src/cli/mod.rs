@@ -3,6 +3,7 @@
 mod added;
 mod answer;
 mod audit;
+mod basins;
 mod branch;
 mod caller;
 mod check;
@@ -102,6 +103,7 @@ enum Command {
     Simulate(simulate::Arguments),
     Sweep(sweep::Arguments),
     Map(map::Arguments),
+    Basins(basins::Arguments),
     Merge(merge::Arguments),
     Optimise(optimise::Arguments),
     Trajectory(trajectory::Arguments),
@@ -126,6 +128,7 @@ impl Command {
             Self::Simulate(arguments) => simulate::run(arguments, options),
             Self::Sweep(arguments) => sweep::run(arguments, options),
             Self::Map(arguments) => map::run(arguments, options),
+            Self::Basins(arguments) => basins::run(arguments, options),
             Self::Merge(arguments) => merge::run(arguments, options),
             Self::Optimise(arguments) => optimise::run(arguments, options),
             Self::Trajectory(arguments) => trajectory::run(arguments, options),
@@ -152,6 +155,8 @@ impl Command {
             Self::Sweep(arguments) if arguments.summary => "sweep --summary",
             Self::Sweep(_) => "sweep",
             Self::Map(_) => "map",
+            Self::Basins(arguments) if arguments.attractors => "basins --attractors",
+            Self::Basins(_) => "basins",
             Self::Optimise(_) => "optimise",
             Self::Trajectory(_) => "trajectory",
             Self::Plot(_) => "plot all",

@@ -33,12 +33,13 @@ const WITHOUT: &str = r#"want=["orbits", "branch", "impacts", "sweep", "trajecto
 const WITH: &str = r#"want=["sweep", "voltage"]"#;
 
 /// Fig. 3, which has a [membrane], over few values.
-const FEW: [&str; 5] = [
+const FEW: [&str; 6] = [
     "sweep.points=5",
     "sweep.impacts=100",
     "sweep.keep=20",
     r#"map={impacts = 100, x = {over = "d", from = 0.1, to = 0.5, points = 3}, y = {over = "r_b", from = 0.3, to = 0.9, points = 2}}"#,
     "box={d = [0.45, 0.5]}",
+    "basins={impacts = 100, phase = {from = 0, to = 6, points = 3}, velocity = {from = 0, to = 1, points = 2}}",
 ];
 
 /// What a command models over [`FEW`], all of its rows made; files go to a directory that is removed.
@@ -84,6 +85,8 @@ fn needed(want: Want) -> &'static [Call] {
             Call::Membrane,
             Call::Deflection,
         ],
+        // with a proof of each cycle, and no voltage unless it is wanted
+        Want::Basins => &[Call::Step, Call::Jacobian, Call::Certificate],
         // no motion is simulated: the one of the best device is proved
         Want::Optimum => &[Call::Jacobian, Call::Certificate, Call::Membrane, Call::Deflection],
     }

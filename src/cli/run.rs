@@ -1,8 +1,8 @@
 //! `vibro-audit run SCENE [--explain] --out DIR`.
 
 use super::{
-    Answer, Content, Exit, Failure, Options, SceneArguments, branch, map, optimise, orbits, plot, simulate, sweep,
-    trajectory,
+    Answer, Content, Exit, Failure, Options, SceneArguments, basins, branch, map, optimise, orbits, plot, simulate,
+    sweep, trajectory,
 };
 use crate::report::plot::Figure;
 use crate::report::{Cell, Format, Output, OutputError, OutputProblem, Page, Part, Table};
@@ -63,6 +63,11 @@ const SERVED: &[Served] = &[
         command: "map",
         file: "map",
         serve: |scene, options| map::rows(scene, options).map(Content::Rows),
+    },
+    Served {
+        command: "basins",
+        file: "basins",
+        serve: |scene, options| basins::rows(scene, options).map(Content::Rows),
     },
     Served {
         command: "optimise",

@@ -79,6 +79,11 @@ impl Label {
         })
     }
 
+    /// Whether it is a part of this command.
+    pub fn is_of(&self, command: &str) -> bool {
+        self.run.split(' ').next() == Some(command)
+    }
+
     /// The first line of the part.
     pub fn head(&self) -> String {
         format!("{HEAD}{} of {}: {}", self.number, self.of, self.run)

@@ -94,6 +94,7 @@ impl Scene {
             key if *key == key::WORDS => self.words()?.iter().map(Word::to_string).collect::<Vec<_>>().join(", "),
             key if *key == key::MAX_PERIODS => self.max_periods()?.to_string(),
             key if key.section == "map" => self.default_of_map(key)?,
+            key if *key == key::BASINS_KEEP => self.start_grid()?.diagram.keep.to_string(),
             key if key.section == "box" && key.allowed == Allowed::Range => "one value".to_owned(),
             key if key.section == "box" => "0".to_owned(),
             _ => self.digits()?.to_string(),
@@ -151,6 +152,13 @@ impl Scene {
                 "at each point of the map, for each start: {}",
                 wanted.join(", ")
             ));
+        }
+        if wants.contains(&Want::Basins) {
+            let grid = self.start_grid()?;
+            for (name, values) in [("phases", &grid.phase), ("velocities", &grid.velocity)] {
+                let super::Spaced { from, to, points } = values;
+                lines.push(format!("{name} of the starts: {points} from {from} to {to}"));
+            }
         }
         if wants.contains(&Want::Optimum) {
             let names: Vec<&str> = self.chosen().into_iter().map(Over::name).collect();
@@ -240,7 +248,9 @@ mod tests {
             assert!(left_alone.contains(key), "{key}\n{orbits}");
         }
         let map = r#"map={impacts = 80, x = {over = "d", from = 0.1, to = 0.5, points = 9}, y = {over = "r_b", from = 0.3, to = 0.9, points = 2}}"#;
-        let all = explained("fig03", &[map, "box={d = [0.1, 0.5]}"], &Want::ALL);
+        let basins = "basins={impacts = 80, phase = {from = 0, to = '2 pi', points = 9}, velocity = {from = 0, to = 1, points = 2}}";
+        let all = explained("fig03", &[map, basins, "box={d = [0.1, 0.5]}"], &Want::ALL);
+        assert!(all.contains("phases of the starts: 9 from 0 to 2 pi"), "{all}");
         assert!(all.contains("map along y: r_b from 0.3 to 0.9, 2 values"), "{all}");
         assert!(
             all.contains("8.032128514 m/s") && all.contains("every 0.001") && !all.contains("left alone"),

@@ -57,7 +57,7 @@ macro_rules! keys {
 
 keys! {
     TITLE = "" "title" Allowed::Text, "what stands above tables and plots";
-    WANT = "" "want" Allowed::Names, "what is wanted: some of orbits, branch, impacts, sweep, trajectory, voltage, map, optimum";
+    WANT = "" "want" Allowed::Names, "what is wanted: some of orbits, branch, impacts, sweep, trajectory, voltage, map, basins, optimum";
     WORDS = "" "words" Allowed::Names, "the impacts of one motion by wall";
     MAX_PERIODS = "" "max_periods" Allowed::Count(MOST_PERIODS), "the most forcing periods of a motion";
     DIGITS = "" "digits" Allowed::Count(MOST_DIGITS), "the significant digits to reach";
@@ -103,6 +103,14 @@ keys! {
     Y_FROM = "map.y" "from" Allowed::Finite, "the first value along y";
     Y_TO = "map.y" "to" Allowed::Finite, "the last value along y";
     Y_POINTS = "map.y" "points" Allowed::Count(MOST_POINTS), "the number of values along y, both ends counted";
+    BASINS_IMPACTS = "basins" "impacts" Allowed::Count(IMPACTS_AT_MOST), "the impacts from each start";
+    BASINS_KEEP = "basins" "keep" Allowed::Count(KEPT_AT_MOST), "the last impacts from each start, among which a cycle is looked for";
+    PHASES_FROM = "basins.phase" "from" Allowed::Finite, "the first phase of the forcing at the first impact, rad";
+    PHASES_TO = "basins.phase" "to" Allowed::Finite, "the last phase of the forcing at the first impact, rad";
+    PHASES_POINTS = "basins.phase" "points" Allowed::Count(MOST_POINTS), "the number of phases, both ends counted";
+    VELOCITIES_FROM = "basins.velocity" "from" Allowed::NotNegative, "the first velocity just before the first impact, without unit";
+    VELOCITIES_TO = "basins.velocity" "to" Allowed::NotNegative, "the last velocity just before the first impact, without unit";
+    VELOCITIES_POINTS = "basins.velocity" "points" Allowed::Count(MOST_POINTS), "the number of velocities, both ends counted";
     BOX_D = "box" "d" Allowed::Range, "the range of the gap";
     BOX_R_B = "box" "r_b" Allowed::Range, "the range of the restitution of the bottom";
     BOX_R_T = "box" "r_t" Allowed::Range, "the range of the restitution of the top";
@@ -113,37 +121,66 @@ keys! {
     BOX_CLEARANCE = "box" "clearance" Allowed::NotNegative, "the least clearance";
 }
 
-/// The keys of a range of values of one parameter.
+/// The keys of evenly spaced numbers.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RangeKeys {
-    pub over: &'static Key,
+pub(super) struct SpacedKeys {
     pub from: &'static Key,
     pub to: &'static Key,
     pub points: &'static Key,
 }
 
+impl SpacedKeys {
+    pub const PHASE: Self = Self {
+        from: &PHASES_FROM,
+        to: &PHASES_TO,
+        points: &PHASES_POINTS,
+    };
+    pub const VELOCITY: Self = Self {
+        from: &VELOCITIES_FROM,
+        to: &VELOCITIES_TO,
+        points: &VELOCITIES_POINTS,
+    };
+
+    pub const fn all(self) -> [&'static Key; 3] {
+        [self.from, self.to, self.points]
+    }
+}
+
+/// The keys of a range of values of one parameter.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RangeKeys {
+    pub over: &'static Key,
+    pub values: SpacedKeys,
+}
+
 impl RangeKeys {
     pub const SWEEP: Self = Self {
         over: &OVER,
-        from: &FROM,
-        to: &TO,
-        points: &POINTS,
+        values: SpacedKeys {
+            from: &FROM,
+            to: &TO,
+            points: &POINTS,
+        },
     };
     pub const X: Self = Self {
         over: &X_OVER,
-        from: &X_FROM,
-        to: &X_TO,
-        points: &X_POINTS,
+        values: SpacedKeys {
+            from: &X_FROM,
+            to: &X_TO,
+            points: &X_POINTS,
+        },
     };
     pub const Y: Self = Self {
         over: &Y_OVER,
-        from: &Y_FROM,
-        to: &Y_TO,
-        points: &Y_POINTS,
+        values: SpacedKeys {
+            from: &Y_FROM,
+            to: &Y_TO,
+            points: &Y_POINTS,
+        },
     };
 
-    pub const fn all(self) -> [&'static Key; 4] {
-        [self.over, self.from, self.to, self.points]
+    pub fn all(self) -> impl Iterator<Item = &'static Key> {
+        std::iter::once(self.over).chain(self.values.all())
     }
 }
 
@@ -175,8 +212,19 @@ impl DiagramKeys {
 }
 
 /// The sections, in the order of DESIGN.
-pub(super) const SECTIONS: [&str; 9] = [
-    "device", "motion", "membrane", "start", "sweep", "map", "map.x", "map.y", "box",
+pub(super) const SECTIONS: [&str; 12] = [
+    "device",
+    "motion",
+    "membrane",
+    "start",
+    "sweep",
+    "map",
+    "map.x",
+    "map.y",
+    "basins",
+    "basins.phase",
+    "basins.velocity",
+    "box",
 ];
 
 impl Key {

@@ -17,11 +17,13 @@
 //! # Ok::<(), vibro_audit::scene::SceneError>(())
 //! ```
 
+mod basins;
 mod builtin;
 mod choice;
 mod document;
 mod error;
 mod explain;
+mod following;
 mod key;
 mod need;
 mod points;
@@ -33,12 +35,14 @@ mod sweep;
 mod value;
 mod want;
 
+pub use basins::{BasinPoint, BasinPoints, ReachedAttractor, ReachedAttractors, Spaced, StartGrid};
 pub use builtin::{BUILT_IN, built_in, find};
 pub use choice::BoxChoice;
 pub use error::{Origin, SceneError, SceneProblem};
+pub use following::{MeanOver, Means};
 pub use key::MOST_DIGITS;
 pub use need::Note;
-pub use points::{MapPoint, MapPoints, MeanOver, Means, Point, Points};
+pub use points::{MapPoint, MapPoints, Point, Points};
 pub use quantity::{Quantity, QuantityError};
 pub use scene::{Scene, Start};
 pub use setting::Setting;

@@ -2,7 +2,7 @@
 
 use super::document::Entry;
 use super::error::{Origin, SceneError, SceneProblem};
-use super::key::{self, DiagramKeys, Key, RangeKeys};
+use super::key::{self, DiagramKeys, Key, RangeKeys, SpacedKeys};
 use super::{Over, Scene, Want};
 use std::fmt;
 
@@ -152,6 +152,16 @@ impl Scene {
                     required.extend(SCALES.into_iter().filter(|key| !replaced(key)));
                 }
             }
+            Want::Basins => {
+                required.extend(SpacedKeys::PHASE.all());
+                required.extend(SpacedKeys::VELOCITY.all());
+                required.push(&key::BASINS_IMPACTS);
+                optional.push(&key::BASINS_KEEP);
+                if self.serves_voltage()? {
+                    required.extend(MEMBRANE);
+                    required.extend(SCALES);
+                }
+            }
             Want::Optimum => {
                 if swept.is_empty() {
                     required.push(&key::BOX_D);
@@ -227,6 +237,7 @@ impl Scene {
                     self.membrane::<f64>()?;
                 }
                 Want::Map => drop(self.map()?),
+                Want::Basins => drop(self.start_grid()?),
                 Want::Optimum => {
                     self.choice()?;
                 }

@@ -1,14 +1,12 @@
 //! The points of a sweep: at each value the motion, its last impacts, what it has come to, and their voltage.
 
+use super::following::{Depth, Following, Means};
 use super::setting::At;
 use super::sweep::{Begin, Diagram, Map, MapWant, Over, Sweep};
 use super::{Quantity, Scene, SceneError, Setting, Want};
 use crate::impact::{Event, Kind, Origin, Start, Widening};
-use crate::model::{Membrane, Motion, MotionError, Parameters};
-use crate::number::FIGURES_OF_F64;
-use crate::orbit::{
-    Attractor, Averaging, AveragingLength, CycleMeans, Estimate, LongRun, OfImpact, RestingCycle, SteadyState, lyapunov,
-};
+use crate::model::{Membrane, Motion};
+use crate::orbit::SteadyState;
 use crate::stop::Token;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -39,43 +37,6 @@ pub struct Point {
     pub digits: Option<u32>,
 }
 
-/// The means of a motion.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Means {
-    /// What they are taken over.
-    pub over: MeanOver,
-    /// The impacts among that, as they are listed.
-    pub impacts: u64,
-    /// The mean (7) of U_k over these impacts, V; none where no voltage is modelled, or there is no impact.
-    pub voltage: Option<Estimate>,
-    /// The sum of U_k per forcing period, V: of a chatter that comes to rest, over all of its impacts. None where no
-    /// voltage is modelled.
-    pub rate: Option<Estimate>,
-    /// The largest Lyapunov exponent, per unit of time (the forcing period is 2); none where [`Point::digits`] are none.
-    pub lyapunov: Option<Estimate>,
-    /// Whether `sweep.error` is met; none where that was not asked for.
-    pub is_met: Option<bool>,
-}
-
-/// What a mean is taken over.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MeanOver {
-    /// The impacts of one cycle, a whole number of forcing periods.
-    Periods,
-    /// Impacts after those of the diagram, at least as many as these.
-    Impacts,
-}
-
-impl MeanOver {
-    /// The word in the column `mean_over`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Periods => "periods",
-            Self::Impacts => "impacts",
-        }
-    }
-}
-
 impl Scene {
     /// The wants that a sweep of this scene serves: the diagram, and the voltage where the scene wants it or, where it
     /// does not say what it wants, where it has a membrane.
@@ -83,13 +44,15 @@ impl Scene {
     /// # Errors
     /// As [`Scene::want`].
     pub fn wants_of_sweep(&self) -> Result<Vec<Want>, SceneError> {
+        let voltage = self.serves_voltage()?.then_some(Want::Voltage);
+        Ok([Want::Sweep].into_iter().chain(voltage).collect())
+    }
+
+    /// Whether the voltage is told beside what is asked: where the scene wants it, or has a membrane and does not say what
+    /// it wants.
+    pub(super) fn serves_voltage(&self) -> Result<bool, SceneError> {
         let wants = self.want()?;
-        let is_silent = wants.is_empty() && self.has_membrane();
-        let mut served = vec![Want::Sweep];
-        if is_silent || wants.contains(&Want::Voltage) {
-            served.push(Want::Voltage);
-        }
-        Ok(served)
+        Ok(wants.contains(&Want::Voltage) || (wants.is_empty() && self.has_membrane()))
     }
 
     /// The points of the sweep in order, computed as they are asked for, a block of them at a time on every core; where
@@ -142,17 +105,6 @@ impl Scene {
             block: Box::new(std::iter::empty()),
         })
     }
-}
-
-/// How much is made of the motion at a value: each costs more than the one before.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Depth {
-    /// Its impacts.
-    Listed,
-    /// What it has come to.
-    SteadyState,
-    /// How far that can be relied on.
-    Reliable,
 }
 
 /// The points of a sweep, one after the other.
@@ -227,101 +179,26 @@ impl Points {
             }
             None => 1.0,
         };
-        let membrane = self.membrane.as_ref();
-        let voltage = membrane.map(|membrane| move |event: &Event<f64>| membrane.voltage(&(event.velocity * unit)));
-        let voltage = voltage.as_ref().map(|voltage| voltage as OfImpact);
-        let (settled, digits) = self.settled(events);
-        let mut point = Point {
-            voltages: voltage.map(|voltage| settled.kept.iter().map(voltage).collect()),
-            means: None,
-            settled,
+        let following = Following {
+            diagram: self.diagram,
+            depth: self.depth,
+            motion: &motion,
+            parameters: At {
+                setting: &self.typed,
+                value: &value,
+            },
+            membrane: self.membrane.as_ref().map(|membrane| (membrane, unit)),
+        };
+        let reached = following.follow(events);
+        let reached = reached.map_err(|error| self.scene.error(None, error))?;
+        Ok(Point {
+            settled: reached.settled,
+            voltages: reached.voltages,
+            means: reached.means,
+            digits: reached.digits,
             motion,
-            digits,
             value,
-        };
-        if self.depth != Depth::Listed {
-            self.add_means(&mut point, voltage)
-                .map_err(|error| self.scene.error(None, error))?;
-        }
-        Ok(point)
-    }
-
-    /// The impacts and, where that is asked for, what they come to without a rest, and the digits that hold.
-    fn settled(&self, events: Widening) -> (SteadyState, Option<u32>) {
-        let Diagram { impacts, keep, .. } = self.diagram;
-        let mut events = match self.depth {
-            Depth::Listed => return (SteadyState::listed(events.without_growth(), impacts, keep), None),
-            Depth::SteadyState => events.without_growth(),
-            Depth::Reliable => events,
-        };
-        let mut settled = SteadyState::after(events.by_ref(), impacts, keep);
-        let end = settled.end.as_ref();
-        let digits = end.map_or(0, |end| events.growth().digits_since_release(end.velocity));
-        // on to rounding nobody asks what still holds
-        let further = events.without_growth();
-        settled.attractor = settled.attractor.map(|found| found.settled_further(further));
-        (
-            settled,
-            (self.depth == Depth::Reliable).then_some(digits.min(FIGURES_OF_F64)),
-        )
-    }
-
-    /// The means, and what the motion comes to through a rest.
-    fn add_means(&self, point: &mut Point, voltage: Option<OfImpact>) -> Result<(), MotionError> {
-        let Diagram {
-            impacts,
-            error,
-            most_impacts: most,
-            ..
-        } = self.diagram;
-        let parameters = At {
-            setting: &self.typed,
-            value: &point.value,
-        };
-        let through = |side, after: u64| -> Result<Option<Attractor>, MotionError> {
-            // errors may lead round a longer way than f64 has seen
-            let cycle = RestingCycle::find(&parameters, side, 4 * after.max(1000))?;
-            cycle.map(|cycle| Attractor::through(&parameters, cycle)).transpose()
-        };
-        let mut measure = Averaging {
-            motion: &point.motion,
-            length: AveragingLength { impacts, error, most },
-            voltage,
-            with_growth: self.depth == Depth::Reliable,
-            at_releases: true,
-        };
-        if let Some(release) = &point.settled.release {
-            point.settled.attractor = through(release.side, u64::from(impacts))?;
-            measure.at_releases = false;
-        }
-        if let Some(found) = &point.settled.attractor {
-            point.means = Some(of_cycle(&measure, &parameters, found)?);
-            return Ok(());
-        }
-        let Some(end) = point.settled.end.as_ref().filter(|end| end.kind != Kind::Undecided) else {
-            return Ok(());
-        };
-        let mut further = measure.after(end);
-        if let LongRun::Released(side, after) = further {
-            point.settled.attractor = through(side, after)?;
-            if let Some(found) = &point.settled.attractor {
-                point.means = Some(of_cycle(&measure, &parameters, found)?);
-                return Ok(());
-            }
-            measure.at_releases = false;
-            further = measure.after(end);
-        }
-        if let LongRun::Measured(found) = further {
-            point.means = Some(Means {
-                over: MeanOver::Impacts,
-                impacts: found.impacts,
-                voltage: found.voltage,
-                rate: found.rate,
-                lyapunov: found.lyapunov,
-                is_met: found.is_met,
-            });
-        }
-        Ok(())
+        })
     }
 
     fn fill(&mut self) {
@@ -450,26 +327,6 @@ impl Iterator for MapPoints {
             self.fill();
         }
     }
-}
-
-/// The means over a cycle, or of a ball that rests for ever.
-fn of_cycle(measure: &Averaging, parameters: &impl Parameters, cycle: &Attractor) -> Result<Means, MotionError> {
-    let means = CycleMeans::of(measure, parameters, cycle)?;
-    let has_voltage = measure.voltage.is_some();
-    let lyapunov = if measure.with_growth {
-        lyapunov(measure.motion, cycle)
-    } else {
-        None
-    };
-    let [voltage, rate, lyapunov] = [means.voltage, means.rate, lyapunov].map(|value| value.map(Estimate::exact));
-    Ok(Means {
-        over: MeanOver::Periods,
-        impacts: means.impacts,
-        voltage,
-        rate,
-        lyapunov,
-        is_met: measure.length.error.filter(|_| has_voltage).map(|_| true),
-    })
 }
 
 /// The last event after which the motion is known.

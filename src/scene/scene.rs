@@ -1,8 +1,9 @@
 //! A scene, read key by key as it is asked.
 
+use super::basins::{Spaced, StartGrid};
 use super::document::{Document, Entry, Value};
 use super::error::{Origin, SceneError, SceneProblem};
-use super::key::{self, DiagramKeys, Key, RangeKeys};
+use super::key::{self, DiagramKeys, Key, RangeKeys, SpacedKeys};
 use super::sweep::{Begin, Diagram, Map, MapWant, Over, Sweep};
 use super::value::{allowed_number, one_of};
 use super::{Quantity, Want};
@@ -280,18 +281,24 @@ impl Scene {
 
     fn range(&self, keys: RangeKeys) -> Result<Sweep, SceneError> {
         let over = self.over(keys, None)?;
+        let SpacedKeys { from, to, points } = keys.values;
         let range = Sweep {
             over,
-            from: self.end(keys.from, over)?,
-            to: self.end(keys.to, over)?,
-            points: self.count(keys.points)?,
+            from: self.end(from, over)?,
+            to: self.end(to, over)?,
+            points: self.count(points)?,
         };
-        if range.points > 1 && range.from == range.to {
-            let (from, points) = (keys.from.path(), range.points);
-            let allowed = format!("other than {from}, where there are {points} points");
+        self.refuse_one_end(keys.values, [&range.from, &range.to], range.points)?;
+        Ok(range)
+    }
+
+    /// That several points are not asked for between two ends that are one.
+    fn refuse_one_end(&self, keys: SpacedKeys, [from, to]: [&Quantity; 2], points: u32) -> Result<(), SceneError> {
+        if points > 1 && from == to {
+            let allowed = format!("other than {}, where there are {points} points", keys.from.path());
             return Err(self.wrong(keys.to, self.require(keys.to, None)?, allowed));
         }
-        Ok(range)
+        Ok(())
     }
 
     /// What is computed and kept at each value of the sweep.
@@ -364,6 +371,40 @@ impl Scene {
             x,
             y,
         })
+    }
+
+    /// The starts of `[basins]`, and how their motions are followed.
+    ///
+    /// # Errors
+    /// A key of `[basins]` that is lacking or out of its range.
+    pub fn start_grid(&self) -> Result<StartGrid, SceneError> {
+        let impacts = self.count(&key::BASINS_IMPACTS)?;
+        let keep = self.count_or(&key::BASINS_KEEP, 1)?;
+        if keep > impacts {
+            let allowed = format!("at most basins.impacts, {impacts}");
+            return Err(self.wrong(&key::BASINS_KEEP, self.require(&key::BASINS_KEEP, None)?, allowed));
+        }
+        Ok(StartGrid {
+            phase: self.spaced(SpacedKeys::PHASE)?,
+            velocity: self.spaced(SpacedKeys::VELOCITY)?,
+            diagram: Diagram {
+                impacts,
+                keep,
+                start: Begin::Each,
+                error: None,
+                most_impacts: impacts,
+            },
+        })
+    }
+
+    fn spaced(&self, keys: SpacedKeys) -> Result<Spaced, SceneError> {
+        let spaced = Spaced {
+            from: self.number(keys.from)?,
+            to: self.number(keys.to)?,
+            points: self.count(keys.points)?,
+        };
+        self.refuse_one_end(keys, [&spaced.from, &spaced.to], spaced.points)?;
+        Ok(spaced)
     }
 
     pub(super) fn has_starts(&self) -> bool {

@@ -19,13 +19,15 @@ pub enum Want {
     Voltage,
     /// What each point of two parameters comes to.
     Map,
+    /// Which attractor each of a grid of starts comes to.
+    Basins,
     /// The best device of a box.
     Optimum,
 }
 
 impl Want {
     /// Every want, in the order in which DESIGN lists them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Orbits,
         Self::Branch,
         Self::Impacts,
@@ -33,6 +35,7 @@ impl Want {
         Self::Trajectory,
         Self::Voltage,
         Self::Map,
+        Self::Basins,
         Self::Optimum,
     ];
 
@@ -46,6 +49,7 @@ impl Want {
             Self::Trajectory => "trajectory",
             Self::Voltage => "voltage",
             Self::Map => "map",
+            Self::Basins => "basins",
             Self::Optimum => "optimum",
         }
     }
@@ -75,6 +79,7 @@ impl Want {
             Self::Trajectory => "the motion between the impacts, from the start on",
             Self::Voltage => "the voltage that the membrane gives at each impact, and its mean",
             Self::Map => "what each point of two parameters comes to",
+            Self::Basins => "which attractor each of a grid of starts comes to",
             Self::Optimum => "the device of a box whose 1-1 motion gives the largest voltage",
         }
     }

@@ -48,6 +48,10 @@ fn assert_row(command: &str, row: &Map<String, Value>) {
     }
 }
 
+/// A few starts at the bottom.
+const BASINS: &str =
+    "basins={impacts = 80, phase = {from = 0, to = 6, points = 3}, velocity = {from = 0, to = 1, points = 2}}";
+
 #[test]
 fn the_columns_of_every_command_are_as_described() {
     let directory = std::env::temp_dir().join(format!("vibro-audit-columns-{}", std::process::id()));
@@ -127,6 +131,11 @@ fn the_columns_of_every_command_are_as_described() {
                 r#"map={impacts = 80, x = {over = "d", from = 0.1, to = 0.5, points = 9}, y = {over = "r_b", from = 0.3, to = 0.9, points = 2}}"#,
             ],
         ),
+        ("basins", vec!["basins", "fig03", "--set", BASINS]),
+        (
+            "basins --attractors",
+            vec!["basins", "fig03", "--set", BASINS, "--attractors"],
+        ),
         (
             "optimise",
             vec!["optimise", "fig03", "--set", "box={d = [0.3, 0.5], r_b = [0.5, 0.7]}"],
@@ -167,8 +176,10 @@ fn the_columns_of_every_command_are_as_described() {
     let mut shown = BTreeSet::new();
     for (command, arguments) in runs {
         let text = run(&[&arguments[..], &["--format", "json"]].concat());
-        let rows: Vec<Map<String, Value>> =
-            serde_json::from_str(&text).unwrap_or_else(|error| panic!("{arguments:?}: {error} in {text:.400}"));
+        // what follows the rows is a text of its own
+        let mut texts = serde_json::Deserializer::from_str(&text).into_iter();
+        let rows: Result<Vec<Map<String, Value>>, _> = texts.next().expect("a text");
+        let rows = rows.unwrap_or_else(|error| panic!("{arguments:?}: {error} in {text:.400}"));
         assert!(!rows.is_empty(), "{arguments:?}");
         let first = text.lines().nth(1).unwrap_or_default();
         let places = described(command).filter_map(|known| first.find(&format!("\"{}\":", known.column)));

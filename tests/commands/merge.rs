@@ -6,6 +6,18 @@ use std::process::{Command, Output};
 
 const MAP: &str = r#"map={impacts = 60, starts = [{phase = 6.18, velocity = 0.53}, {phase = 1, velocity = 2}], x = {over = "d", from = 0.1, to = 0.5, points = 5}, y = {over = "r_b", from = 0.3, to = 0.9, points = 4}}"#;
 
+/// A device with several attractors.
+const BASINS: &str =
+    "basins={impacts = 400, phase = {from = 0, to = 6, points = 11}, velocity = {from = 0, to = 1.5, points = 3}}";
+const SEVERAL: [&str; 6] = [
+    "basins",
+    "fig03",
+    "--set",
+    BASINS,
+    "--set",
+    "motion={d = 0.22, r_b = 0.8, r_t = 0.8}",
+];
+
 struct Parts(PathBuf);
 
 impl Parts {
@@ -70,6 +82,7 @@ fn parts_in_any_order_are_the_one_run_byte_for_byte() {
         (&["map", "fig03", "--set", MAP][..], &[1, 3, 8, 11][..]),
         (&sweep, &[4]),
         (&summary, &[1, 5, 20]),
+        (&SEVERAL, &[1, 2, 7, 40]),
     ] {
         let whole = here.printed(&[command, &["--format", "csv"]].concat());
         assert!(whole.iter().filter(|byte| **byte == b'\n').count() > 12);
@@ -112,6 +125,16 @@ fn what_is_not_all_of_one_run_is_refused_and_nothing_is_written() {
     let output = here.run(&["merge", "1.csv", "2.csv", "3.csv", "--out", "2.csv"]);
     assert_eq!(output.status.code(), Some(2));
     assert_eq!(fs::read_to_string(here.0.join("2.csv")).unwrap(), whole);
+    // an attractor that the table does not have, and a table of other rows
+    let files = here.parts(&SEVERAL, 2);
+    let whole = fs::read_to_string(here.0.join("2.csv")).unwrap();
+    let lines: Vec<&str> = whole.lines().collect();
+    let (last, rest) = lines.split_last().unwrap();
+    let without_one = [rest.split_last().unwrap().1, &[*last]].concat().join("\n") + "\n";
+    for text in [whole.replacen(",1\n", ",9\n", 1), without_one] {
+        fs::write(here.0.join("2.csv"), text).unwrap();
+        here.refused(&files, "its attractors are not those of its rows");
+    }
 }
 
 #[test]

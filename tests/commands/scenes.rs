@@ -15,6 +15,7 @@ want = ["orbits"]
 words = ["BT", "BTT"]
 max_periods = 3
 digits = 20
+basins = { impacts = 400, phase = { from = 0, to = 6, points = 3 }, velocity = { from = 0, to = 1, points = 2 } }
 [device]
 capsule_mass = 0.1245
 forcing_amplitude = 5.0
@@ -220,10 +221,20 @@ fn each_want_requires_its_own_sections() {
                 Want::Sweep,
                 Want::Trajectory,
                 Want::Map,
+                Want::Basins,
                 Want::Optimum,
             ],
         ),
-        ("d", &[Want::Orbits, Want::Impacts, Want::Trajectory, Want::Optimum]),
+        (
+            "d",
+            &[
+                Want::Orbits,
+                Want::Impacts,
+                Want::Trajectory,
+                Want::Basins,
+                Want::Optimum,
+            ],
+        ),
         (
             "incline",
             &[
@@ -233,6 +244,7 @@ fn each_want_requires_its_own_sections() {
                 Want::Sweep,
                 Want::Trajectory,
                 Want::Map,
+                Want::Basins,
                 Want::Optimum,
             ],
         ),

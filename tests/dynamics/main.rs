@@ -1,5 +1,6 @@
 //! Impacts, simulation, sweeps and trajectories, and their bounds.
 
+mod basins;
 mod bounds;
 mod map;
 mod simulate;

@@ -34,6 +34,7 @@ __all__ = [
     "Report",
     "Table",
     "audit",
+    "basins",
     "branch",
     "check",
     "explain",
@@ -150,6 +151,21 @@ def map(scene: Given, *, set: _Mapping[str, Any] | None = None, strict: bool = F
     return _table("map", {"set": set, "strict": strict}, _input(scene, "scene"))
 
 
+def basins(
+    scene: Given, *, attractors: bool = False, set: _Mapping[str, Any] | None = None, strict: bool = False
+) -> Table:
+    """Which attractor each start of the scene's `[basins]` comes to: a row per start, phases first, with `phase` (rad),
+    `velocity` and `attractor` (its number, from 1; None where an undecided contact ends the motion).
+
+    With `attractors` a row per attractor: its number, `word`, `periods`, the `fraction` of the starts with a standard
+    error, the voltage per forcing period (V), and the phases and velocities of its impacts with `error_bound` where the
+    orbit is proved.
+    """
+    return _table(
+        "basins", {"attractors": attractors, "set": set, "strict": strict}, _input(scene, "scene")
+    )
+
+
 def optimise(
     scene: Given,
     *,
@@ -168,7 +184,7 @@ def optimise(
 
 
 def plot(scene: Given, *, set: _Mapping[str, Any] | None = None, strict: bool = False) -> Figure:
-    """What the scene wants as a drawing (SVG): `branch`, `sweep`, `voltage`, `trajectory`, `map`."""
+    """What the scene wants as a drawing (SVG): `branch`, `sweep`, `voltage`, `trajectory`, `map`, `basins`."""
     svg, notes = _text("plot", {"set": set, "strict": strict}, _input(scene, "scene"))
     return Figure(svg, notes)
 

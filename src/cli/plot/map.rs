@@ -1,9 +1,9 @@
-//! The map of a scene as a figure.
+//! The map and the basins of a scene as figures.
 
 use super::super::{Failure, note};
 use crate::report::figure::{HeatMap, Layer, Parameter};
 use crate::report::plot::Panel;
-use crate::scene::{MapWant, Means, Scene};
+use crate::scene::{MapWant, Means, ReachedAttractors, Scene, Spaced};
 
 /// Points that are drawn, at most: more are not told apart.
 const MOST_POINTS: u64 = 500_000;
@@ -55,6 +55,38 @@ pub(super) fn panels(scene: &Scene) -> Result<Vec<Panel>, Failure> {
         y: parameter(&map.y),
         points: [map.x.points as usize, map.y.points as usize],
         layers: map.wants.iter().map(layer).collect(),
+    };
+    Ok(heat_map.panels())
+}
+
+/// The starts in the colours of their attractors.
+pub(super) fn basins(scene: &Scene) -> Result<Vec<Panel>, Failure> {
+    let points = scene.basins()?;
+    let grid = points.grid().clone();
+    super::swept::allowed(grid.starts(), "starts", MOST_POINTS, "basins.phase.points")?;
+    let mut all = ReachedAttractors::default();
+    let mut words = Vec::new();
+    for point in points {
+        words.push(match point?.attractor {
+            None => "not decided".to_owned(),
+            Some(found) => match (&found.word, all.add(found.clone()) + 1) {
+                (Some(word), number) => format!("{number}: {word}"),
+                (None, _) => String::new(),
+            },
+        });
+    }
+    let parameter = |name: &str, values: &Spaced| {
+        let [from, to] = [&values.from, &values.to].map(|end| end.value::<f64>());
+        Parameter::new(name, (from, to))
+    };
+    let heat_map = HeatMap {
+        x: parameter("phase of the first impact, rad", &grid.phase),
+        y: parameter("velocity before the first impact", &grid.velocity),
+        points: [grid.phase.points as usize, grid.velocity.points as usize],
+        layers: vec![Layer::Words {
+            name: "attractor".to_owned(),
+            words,
+        }],
     };
     Ok(heat_map.panels())
 }

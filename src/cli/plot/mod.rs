@@ -17,8 +17,9 @@ use std::path::Path;
 /// Draw what the scene wants as an SVG; `plot all --out DIR` draws every figure of the paper
 ///
 /// `branch` and `sweep` give a bifurcation diagram, `voltage` an energy diagram beside it (without it the phase of the
-/// impacts), `trajectory` a phase portrait and the displacements, `map` a map in colours of each thing that it wants. What the paper prints is marked on its own figures:
-/// a ring is reproduced, a cross is wrong.
+/// impacts), `trajectory` a phase portrait and the displacements, `map` a map in colours of each thing that it wants,
+/// `basins` the starts in the colours of their attractors. What the paper prints is marked on its own figures: a ring is
+/// reproduced, a cross is wrong.
 #[derive(Debug, clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -130,6 +131,9 @@ fn one(scene: &Scene, swept: Option<&swept::Swept>, claims: &Claims) -> Result<F
     }
     if scene.want()?.contains(&Want::Map) {
         panels.extend(map::panels(scene)?);
+    }
+    if scene.want()?.contains(&Want::Basins) {
+        panels.extend(map::basins(scene)?);
     }
     if panels.is_empty() {
         return Err(Failure::NothingDrawn(scene.name().to_owned()));

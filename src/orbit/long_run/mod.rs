@@ -3,6 +3,7 @@
 pub(crate) mod attractor;
 pub(crate) mod cycle_means;
 pub(crate) mod lyapunov;
+pub(crate) mod proved_cycle;
 pub(crate) mod repetition;
 pub(crate) mod resting;
 pub(crate) mod statistics;
