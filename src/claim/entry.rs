@@ -61,6 +61,8 @@ pub struct Entry {
     /// The entries it follows from, by position in the sheet.
     pub follows_from: Vec<usize>,
     pub expect: Verdict,
+    /// What else it is called: the names of the `\label` of a formula of a document.
+    pub names: Vec<String>,
     /// What its verdict rests on that nobody said, as a document without comments makes one guess.
     pub guessed: Vec<String>,
     /// Whether it is a claim `A \Rightarrow B`.
@@ -103,6 +105,9 @@ pub(super) struct RawEntry {
     pub follows_from: Option<Vec<Spanned<String>>>,
     #[serde(default)]
     pub expect: Verdict,
+    /// What else a formula of a document is called: the names of its `\label`.
+    #[serde(skip)]
+    pub names: Vec<String>,
     /// What is guessed of an entry of a document.
     #[serde(skip)]
     pub guessed: Vec<String>,
@@ -1201,6 +1206,7 @@ pub(super) fn read_entry(
         for_all,
         alternatives: [alternatives, among].concat(),
         expect: raw.expect,
+        names: raw.names.clone(),
         guessed: raw.guessed.clone(),
         unread: faults
             .into_iter()

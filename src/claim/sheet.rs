@@ -311,9 +311,15 @@ impl Sheet {
         claim.of_some.iter().filter(|name| !is_known(name)).collect()
     }
 
-    /// The position of the entry with this label.
+    /// The position of the entry with this label; else of the only one that a document calls so.
     pub fn find(&self, label: &str) -> Option<usize> {
-        self.entries.iter().position(|entry| entry.label == label)
+        let by_label = self.entries.iter().position(|entry| entry.label == label);
+        by_label.or_else(|| {
+            let is_called = |(_, entry): &(usize, &Entry)| entry.names.iter().any(|name| name == label);
+            let mut called = self.entries.iter().enumerate().filter(is_called);
+            let (position, _) = called.next()?;
+            called.next().is_none().then_some(position)
+        })
     }
 
     /// Makes the claims `unread` that hold for all values of a letter of which a premise speaks.

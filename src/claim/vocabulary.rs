@@ -206,6 +206,21 @@ impl Vocabulary {
             .collect();
         self.parameters.extend(new);
         self.let_indices_run();
+        self.refuse_indexed_parameters()
+    }
+
+    /// A parameter has one value: what carries an integer as its index runs with it.
+    fn refuse_indexed_parameters(&self) -> Result<(), Fault> {
+        for name in &self.parameters {
+            let index = |letter: &&Name| index_of(&name.subscript, &letter.base).is_some();
+            if let Some(letter) = self.integers.iter().find(index) {
+                let bare = name.bare();
+                return Err(Fault::new(format!(
+                    "`{name}` carries the integer `{letter}` as its index: for a sequence declare `{bare}` in `states` and \
+                     `{letter}` in `indices` (in a document: `symbols states {bare}; indices {letter}`)"
+                )));
+            }
+        }
         Ok(())
     }
 

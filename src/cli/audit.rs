@@ -69,6 +69,9 @@ Exit status: 0 all as expected; 1 a verdict is not, or evidence speaks against o
 /// A sheet to start from.
 const TEMPLATE: &str = include_str!("../../golden/template.toml");
 
+/// Formulas that cannot be read of which a message tells.
+const MOST_NOTES: usize = 10;
+
 /// Random points at which each claim is tried; fewer where one costs much.
 const POINTS: usize = 24;
 
@@ -220,8 +223,14 @@ fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair: boo
     })?;
     mention_refuted(sheet, rows.iter_mut().map(|row| &mut row.decision));
     let unread = sheet.entries.iter().filter(|entry| entry.expect != Verdict::Unread);
-    for fault in unread.filter_map(|entry| entry.unread.as_ref()) {
+    let faults: Vec<&Fault> = unread.filter_map(|entry| entry.unread.as_ref()).collect();
+    for fault in faults.iter().take(MOST_NOTES) {
         super::note(&format!("{name}: {fault}"));
+    }
+    if let Some(more) = faults.len().checked_sub(MOST_NOTES).filter(|more| *more > 0) {
+        super::note(&format!(
+            "{name}: {more} more formulas cannot be read; their rows say why"
+        ));
     }
     Ok(rows)
 }
@@ -283,7 +292,7 @@ fn explain(sheet: &Sheet, label: &str, options: &prove::Options) -> Result<Answe
     let mut row = decide(sheet, position, options, false)?;
     // Whether what it rests on is refuted takes the verdicts of all.
     let others = prove::audit(sheet, options);
-    if let Some(decision) = others.into_iter().find(|other| other.label == label) {
+    if let Some(decision) = others.into_iter().find(|other| other.label == row.decision.label) {
         row.decision = decision;
     }
     let text = explained(sheet, &row, options);

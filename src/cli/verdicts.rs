@@ -54,11 +54,15 @@ impl Row {
     }
 
     fn fingerprint(&self, sheet: &Sheet) -> String {
-        let formula = sheet
-            .entries
-            .get(self.position)
-            .map_or("", |entry| entry.tex.tex.as_str());
-        fingerprint(&self.decision.label, &self.decision.verdict.to_string(), formula)
+        let entry = sheet.entries.get(self.position);
+        let formula = entry.map_or("", |entry| entry.tex.tex.as_str());
+        // a number changes with what stands before it, a name does not
+        let name = entry.and_then(|entry| entry.names.first());
+        fingerprint(
+            name.unwrap_or(&self.decision.label),
+            &self.decision.verdict.to_string(),
+            formula,
+        )
     }
 
     fn reason(&self) -> String {
@@ -104,7 +108,7 @@ pub fn exit(rows: &[Row]) -> Exit {
 /// Marks what an earlier run knows, and tells the labels of what it knows and is no more.
 ///
 /// # Errors
-/// A baseline of another document.
+/// A baseline of another document, where something is not as expected.
 pub fn compare(rows: &mut [Row], sheet: &Sheet, baseline: &Baseline) -> Result<Vec<String>, BaselineError> {
     let mut found = Vec::new();
     for row in rows.iter_mut() {
@@ -112,7 +116,11 @@ pub fn compare(rows: &mut [Row], sheet: &Sheet, baseline: &Baseline) -> Result<V
         row.is_known = Some(baseline.knows(&print));
         found.push((row.decision.label.clone(), print));
     }
-    baseline.gone(&found)
+    // where all is as expected nothing had to be known
+    if !rows.iter().all(Row::is_expected) {
+        baseline.refuse_other(&found)?;
+    }
+    Ok(baseline.gone(&found))
 }
 
 /// The rows as a table.
@@ -305,8 +313,11 @@ impl Audited<'_> {
                 Place::Definition(n) => entry.local.get(*n).map(|(equation, source)| (equation, source))?,
             };
             let (start, end) = (equation.at.0, equation.end.0);
-            // a link of a chain shares a side with another
-            let shares = |other: &Equation| !std::ptr::eq(other, equation) && other.at.0 < end && start < other.end.0;
+            // a link of a chain shares a side with another; a definition has a text of its own
+            let shares = |other: &Equation| {
+                let is_beside = matches!(place, Place::Stated(_)) && !std::ptr::eq(other, equation);
+                is_beside && other.at.0 < end && start < other.end.0
+            };
             if source.file != entry.tex.file || entry.equations.iter().any(shares) || end <= start {
                 return None;
             }

@@ -644,7 +644,8 @@ impl Witness<'_> {
                 .iter()
                 .any(|course| course.flight.is_none() && course.law.is_none())
         };
-        if !is_forced(&self.system) {
+        // without times nothing is forced
+        if self.vocabulary.times.is_empty() || !is_forced(&self.system) {
             return false;
         }
         let Ok(system) = System::new(self.statements, self.vocabulary, Forcing::Cosine) else {

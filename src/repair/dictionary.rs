@@ -109,28 +109,34 @@ impl Dictionary {
         Self { entries }
     }
 
-    /// The formulas that have these values, and whether with the opposite sign.
-    pub fn find(&self, values: &[f64]) -> Vec<(&Tree, bool)> {
-        let Some(first) = values.first().map(|value| value.abs()) else {
-            return Vec::new();
-        };
+    /// The formulas that at each point have one of these values, and whether with the opposite sign.
+    pub fn find(&self, values: &[Vec<f64>]) -> Vec<(&Tree, bool)> {
         let of = |entry: &Entry| entry.values.first().map_or(0.0, |value| value.abs());
-        let from = self.entries.partition_point(|entry| of(entry) < first * (1.0 - CLOSE));
-        let near = self.entries.get(from..).unwrap_or_default();
-        let near = near.iter().take_while(|entry| of(entry) <= first * (1.0 + CLOSE));
-        let mut found = Vec::new();
-        for entry in near {
-            let fits = |sign: f64| {
-                let mut pairs = entry.values.iter().zip(values);
-                pairs.all(|(own, value)| (own * sign - value).abs() <= CLOSE * value.abs())
-            };
-            if fits(1.0) {
-                found.push((&entry.tree, false));
-            } else if fits(-1.0) {
-                found.push((&entry.tree, true));
+        let mut found: Vec<(&Tree, bool)> = Vec::new();
+        for first in values
+            .iter()
+            .filter_map(|values| values.first().map(|value| value.abs()))
+        {
+            let from = self.entries.partition_point(|entry| of(entry) < first * (1.0 - CLOSE));
+            let near = self.entries.get(from..).unwrap_or_default();
+            for entry in near.iter().take_while(|entry| of(entry) <= first * (1.0 + CLOSE)) {
+                let is_it = |own: f64, wanted: f64| (own - wanted).abs() <= CLOSE * wanted.abs();
+                let fits = |sign: f64| {
+                    let mut points = entry.values.iter().enumerate();
+                    points.all(|(point, own)| {
+                        let mut wanted = values.iter().filter_map(|values| values.get(point));
+                        wanted.any(|wanted| is_it(own * sign, *wanted))
+                    })
+                };
+                if fits(1.0) {
+                    found.push((&entry.tree, false));
+                } else if fits(-1.0) {
+                    found.push((&entry.tree, true));
+                }
             }
         }
         found.sort_by_key(|(tree, _)| size(tree));
+        found.dedup();
         found
     }
 }

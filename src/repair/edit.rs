@@ -12,6 +12,8 @@ pub struct Edit {
     /// The size of the edit: 10 for one sign, name or digit, more for what is rarer or longer.
     pub cost: u32,
     pub words: String,
+    /// Whether a factor or a term is put in, of which the printed formula says nothing.
+    pub adds: bool,
 }
 
 const PLAIN: u32 = 10;
@@ -128,7 +130,12 @@ struct Edits<'a> {
 impl Edits<'_> {
     fn add(&mut self, tree: Tree, cost: u32, words: String) {
         if tree != *self.node && !self.found.iter().any(|edit| edit.tree == tree) {
-            self.found.push(Edit { tree, cost, words });
+            self.found.push(Edit {
+                tree,
+                cost,
+                words,
+                adds: false,
+            });
         }
     }
 
@@ -259,6 +266,59 @@ fn numbers(value: &Rational, edits: &mut Edits) {
             edits.instead(Tree::Number(other), PLAIN + 1);
         }
     }
+}
+
+/// A node between bars, where a root or bars stand in the formula.
+pub fn within_bars(node: &Tree) -> Option<Edit> {
+    let is_plain = matches!(node, Tree::Symbol(..) | Tree::Sum(_) | Tree::Product(_));
+    let name = Name {
+        base: r"\abs".to_owned(),
+        ..Name::default()
+    };
+    is_plain.then(|| Edit {
+        tree: Tree::Call(name, Box::new(node.clone()), At::default()),
+        cost: RARE + 1,
+        words: format!("the bars of `|{node}|` are missing"),
+        adds: false,
+    })
+}
+
+/// The longest number whose digits are taken for misprints.
+const MOST_DIGITS: usize = 4;
+
+/// The whole numbers that one may be a slip for: two of its digits in the wrong order, or one digit in the place of another.
+pub fn other_digits(node: &Tree) -> Vec<Edit> {
+    let mut edits = Edits {
+        found: Vec::new(),
+        node,
+    };
+    let digits = match node {
+        Tree::Number(value) => value.to_string().into_bytes(),
+        _ => Vec::new(),
+    };
+    if digits.len() > MOST_DIGITS || !digits.iter().all(u8::is_ascii_digit) {
+        return Vec::new();
+    }
+    let mut add = |digits: &[u8], cost: u32| {
+        let text = String::from_utf8_lossy(digits);
+        let is_number = digits.len() == 1 || !text.starts_with('0');
+        if let Some(other) = text.parse().ok().filter(|_| is_number) {
+            edits.instead(number(other), cost);
+        }
+    };
+    for place in 1..digits.len() {
+        let mut swapped = digits.clone();
+        swapped.swap(place - 1, place);
+        add(&swapped, PLAIN + 1);
+    }
+    for place in 0..digits.len() {
+        for digit in b'0'..=b'9' {
+            let mut other = digits.clone();
+            other[place] = digit;
+            add(&other, RARE);
+        }
+    }
+    edits.found
 }
 
 fn invariants(kind: Invariant, of: &Name, at: At, context: &Context, edits: &mut Edits) {
@@ -454,6 +514,11 @@ fn beside(node: &Tree, above: Option<&Tree>, edits: &mut Edits) {
 }
 
 fn of_product(factors: &[Tree], above: Option<&Tree>, edits: &mut Edits) {
+    if let [Tree::Call(one, ..), Tree::Call(other, ..)] = factors
+        && one == other
+    {
+        edits.instead(sum(factors.to_vec()), RARE + 1);
+    }
     beside(edits.node, above, edits);
     for (n, factor) in factors.iter().enumerate() {
         let cost = RARE - 1 + OF_NODE * size(factor).min(10);
@@ -489,6 +554,12 @@ fn of_quotient(above: &Tree, below: &Tree, parent: Option<&Tree>, edits: &mut Ed
     );
     let words = format!("the numerator `{above}` is too much");
     edits.add(quotient(number(1), below.clone()), cost(above), words);
+    // as of two logarithms
+    if let (Tree::Call(one, ..), Tree::Call(other, ..)) = (above, below)
+        && one == other
+    {
+        edits.instead(sum(vec![above.clone(), negated(below)]), RARE + 1);
+    }
     let factors_of = |tree: &Tree| match tree {
         Tree::Product(factors) => factors.clone(),
         other => vec![other.clone()],

@@ -9,6 +9,7 @@ mod combine;
 mod context;
 mod dictionary;
 mod edit;
+mod monomial;
 mod path;
 mod search;
 mod values;
@@ -18,6 +19,7 @@ pub use path::{Path, node, parts, replaced};
 use crate::claim::{Sheet, Verdict, any_side};
 use crate::prove::{self, Options};
 use crate::tex::{Equation, Tree};
+use monomial::is_same_product;
 use search::{Formula, Found, Search};
 use std::fmt;
 
@@ -59,6 +61,18 @@ pub struct Repair {
 }
 
 impl Repair {
+    /// Whether these formulas are the mended ones, factors in another order or grouping aside.
+    fn is_spelling_of(&self, formulas: &[Formula], mended: &[(usize, Equation)]) -> bool {
+        let is_same = |((part, one), (number, other)): (&(Part, Equation), &(usize, Equation))| {
+            formulas.get(*number).is_some_and(|formula| formula.part == *part)
+                && is_same_product(&one.left, &other.left)
+                && is_same_product(&one.right, &other.right)
+                // of what is so by making, nothing is told by that
+                && !is_same_product(&one.left, &one.right)
+        };
+        self.mended.len() == mended.len() && self.mended.iter().zip(mended).all(is_same)
+    }
+
     /// What is wrong in the claim.
     pub fn words(&self) -> String {
         let words: Vec<&str> = self.edits.iter().map(|edit| edit.words.as_str()).collect();
@@ -97,15 +111,19 @@ pub fn repairs(sheet: &Sheet, position: usize, options: &Options) -> Vec<Repair>
 /// Those of the edited claims that are proved.
 fn proved(sheet: &Sheet, position: usize, search: &Search, found: Vec<Found>, options: &Options) -> Vec<Repair> {
     let mut edited = sheet.clone();
-    let (mut repairs, mut proofs) = (Vec::new(), 0);
+    let (mut repairs, mut proofs): (Vec<Repair>, _) = (Vec::new(), 0);
     for found in found {
         if repairs.len() >= MOST_REPAIRS || proofs >= MOST_PROOFS * options.effort {
             break;
         }
         let mended = found.mended(&search.formulas);
+        let is_known = |known: &Repair| known.is_spelling_of(&search.formulas, &mended);
+        if repairs.iter().any(is_known) {
+            continue;
+        }
         if mended
             .iter()
-            .any(|(number, equation)| says_nothing(equation, search.formulas.get(*number)))
+            .any(|(number, equation)| says_nothing(equation, search.formulas.get(*number), found.adds()))
         {
             continue;
         }
@@ -113,21 +131,21 @@ fn proved(sheet: &Sheet, position: usize, search: &Search, found: Vec<Found>, op
         proofs += 1;
         let decision = prove::decide(&edited, position, options);
         if decision.verdict == Verdict::Proved && !decision.is_vacuous {
-            let repair = found.repair(&search.formulas, mended);
-            let shown = repair.to_string();
-            if repairs.iter().all(|known: &Repair| known.to_string() != shown) {
-                repairs.push(repair);
-            }
+            repairs.push(found.repair(&search.formulas, mended));
         }
     }
     repairs
 }
 
-/// Whether both sides are the same as written, or speak of no symbol where the printed formula does.
-fn says_nothing(equation: &Equation, printed: Option<&Formula>) -> bool {
+/// Whether both sides are the same as written, or, where something was added, the same product; or speak of no symbol where
+/// the printed formula does.
+fn says_nothing(equation: &Equation, printed: Option<&Formula>, adds: bool) -> bool {
     let is_symbol = |node: &Tree| matches!(node, Tree::Symbol(name, _) if name.base != r"\pi");
     let speaks = |equation: &Equation| any_side(equation, &mut |node| is_symbol(node));
-    let is_same = equation.left.to_string() == equation.right.to_string();
+    let is_same = match adds {
+        true => is_same_product(&equation.left, &equation.right),
+        false => equation.left.to_string() == equation.right.to_string(),
+    };
     is_same || (!speaks(equation) && printed.is_some_and(|printed| speaks(&printed.equation)))
 }
 

@@ -25,6 +25,11 @@ const MOST_OF_DICTIONARY: usize = 3;
 /// By how much an edit counts as smaller where its term stands elsewhere in the sheet.
 const AGREEMENT: u32 = 3;
 
+/// By how much an edit counts as larger that puts a fraction in the place of a whole number, or another quantity in the place
+/// of the one that the formula is about.
+const OF_FRACTION: u32 = 4;
+const OF_SUBJECT: u32 = 4;
+
 /// By how much an edit counts as larger or smaller where the formula grows or shrinks by it.
 const MOST_GROWTH: i32 = 2;
 
@@ -35,6 +40,13 @@ pub struct Formula {
     pub equation: Equation,
     /// The name that it defines.
     pub name: Option<Name>,
+}
+
+impl Formula {
+    /// Whether a sum, an integral, a derivative or the like stands in it.
+    fn has_operation(&self) -> bool {
+        any_side(&self.equation, &mut |node| matches!(node, Tree::Operation(..)))
+    }
 }
 
 /// An edit of a place.
@@ -64,6 +76,12 @@ impl Found {
     pub fn new(edits: Vec<Candidate>) -> Self {
         let cost = edits.iter().map(|candidate| candidate.edit.cost).sum();
         Self { edits, cost }
+    }
+
+    /// Whether something is put in of which the printed formula says nothing, or more than one thing is changed: after
+    /// that sides may be one by making.
+    pub fn adds(&self) -> bool {
+        self.edits.len() > 1 || self.edits.iter().any(|candidate| candidate.edit.adds)
     }
 
     /// The formulas that change, as they should be, with their numbers.
@@ -189,11 +207,14 @@ impl<'a> Search<'a> {
             let mended = found.mended(&self.formulas);
             for candidate in &found.edits {
                 let equation = mended.iter().find(|(number, _)| *number == candidate.formula);
-                let stands = equation.is_some_and(|(_, equation)| {
-                    term_around(equation, &candidate.path).is_some_and(|term| self.context.said.contains(&term))
-                });
-                if stands {
-                    found.cost = found.cost.saturating_sub(AGREEMENT);
+                let term = equation.and_then(|(_, equation)| term_around(equation, &candidate.path));
+                match term {
+                    // each name stands elsewhere
+                    Some(Tree::Symbol(..)) if candidate.path.as_slice() == [0] => found.cost += OF_SUBJECT,
+                    Some(term) if self.context.said.contains(&term) => {
+                        found.cost = found.cost.saturating_sub(AGREEMENT);
+                    }
+                    _ => {}
                 }
             }
         }
@@ -249,6 +270,15 @@ impl<'a> Search<'a> {
             };
             let holds = |gaps: &[Vec<[Sized; 2]>]| gaps.iter().flatten().all(|[left, right]| agree(*left, *right));
             if !holds(&gaps(&bench.leaves)) {
+                continue;
+            }
+            let is_literal =
+                |equation: &Equation| [&equation.left, &equation.right].map(|side| *side == edit::number(0));
+            let is_nothing = |(gaps, equation): (&Vec<[Sized; 2]>, &Equation)| {
+                gaps.iter().flatten().all(|side| side.value == 0.0) && !is_literal(equation).contains(&true)
+            };
+            // a factor that is 0 makes everything true
+            if found.adds() && gaps(&bench.leaves).iter().zip(&equations).any(is_nothing) {
                 continue;
             }
             let Some(free) = &bench.free else {
@@ -365,6 +395,20 @@ fn term_around(equation: &Equation, path: &[usize]) -> Option<Tree> {
 /// Every edit of every node.
 fn candidates(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
     let mut found = Vec::new();
+    let numbers = [2, 3, 4].map(edit::number);
+    // elsewhere what lacks is looked up by its value
+    let has_operation = formulas.iter().any(Formula::has_operation);
+    let is_bar =
+        |node: &Tree| matches!(node, Tree::Root(..)) || matches!(node, Tree::Call(name, ..) if name.base == r"\abs");
+    let has_bars = formulas
+        .iter()
+        .any(|formula| any_side(&formula.equation, &mut |node| is_bar(node)));
+    let mut factors: Vec<Tree> = context.atoms.iter().chain(&numbers).cloned().collect();
+    if has_operation {
+        // a chain rule forgotten leaves both out
+        let multiples = |atom| numbers.iter().map(move |number| times(atom, number));
+        factors.extend(context.atoms.iter().flat_map(multiples));
+    }
     for (number, formula) in formulas.iter().enumerate() {
         for (side, tree) in [&formula.equation.left, &formula.equation.right]
             .into_iter()
@@ -375,7 +419,13 @@ fn candidates(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
             }
             walk(tree, None, &mut Vec::new(), &mut |node, above, path| {
                 let path: Path = std::iter::once(side).chain(path.iter().copied()).collect();
-                for edit in edits(node, above, context) {
+                let digits = if has_operation {
+                    edit::other_digits(node)
+                } else {
+                    Vec::new()
+                };
+                let bars = if has_bars { edit::within_bars(node) } else { None };
+                for edit in edits(node, above, context).into_iter().chain(digits).chain(bars) {
                     found.push(Candidate {
                         formula: number,
                         path: path.clone(),
@@ -385,15 +435,19 @@ fn candidates(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
                 if !takes_factors(node, above) {
                     return;
                 }
-                let numbers = [2, 3, 4].map(edit::number);
-                for atom in context.atoms.iter().chain(&numbers) {
-                    for (tree, is_above) in [(times(node, atom), true), (over(node, atom), false)] {
-                        let cost = 11 + size(atom) + u32::from(!is_above);
-                        let words = missing_factor(atom, node, is_above);
+                for factor in &factors {
+                    for (tree, is_above) in [(times(node, factor), true), (over(node, factor), false)] {
+                        let cost = 11 + size(factor) + u32::from(!is_above);
+                        let (words, adds) = (missing_factor(factor, node, is_above), true);
                         found.push(Candidate {
                             formula: number,
                             path: path.clone(),
-                            edit: edit::Edit { tree, cost, words },
+                            edit: edit::Edit {
+                                tree,
+                                cost,
+                                words,
+                                adds,
+                            },
                         });
                     }
                 }
@@ -428,10 +482,12 @@ impl Bench {
         candidates: &[Candidate],
     ) -> Option<Self> {
         let is_plain = |formula: &Formula| {
-            let has_signs = |node: &Tree| matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_) | Tree::Operation(..));
+            let has_signs = |node: &Tree| matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_));
             formula.equation.relation == Relation::Equal && !any_side(&formula.equation, &mut |node| has_signs(node))
         };
-        if !formulas.iter().all(is_plain) || !matches!(reduced(statements, vocabulary), Ok(None)) {
+        // a sum, an integral, a derivative has a value as a whole
+        let is_reduced = || matches!(reduced(statements, vocabulary), Ok(None));
+        if !formulas.iter().all(is_plain) || !(formulas.iter().any(Formula::has_operation) || is_reduced()) {
             return None;
         }
         let defined: HashSet<Name> = formulas.iter().filter_map(|formula| formula.name.clone()).collect();
@@ -567,22 +623,45 @@ impl Bench {
                 .map(|point| self.graph.required(number, *sides, point, overlay))
                 .collect();
             let Some(required) = required else { continue };
-            let mut add = |tree: Tree, cost: u32, words: String| {
+            // beneath an even power the opposite will do too
+            let opposite: Vec<f64> = required.iter().map(|value| -value).collect();
+            let mut wanted = vec![required];
+            if self.graph.all_hold(&[(number, &opposite)], self.leaves.points, overlay) {
+                wanted.push(opposite);
+            }
+            let mut add = |tree: Tree, cost: u32, words: String, adds: bool| {
                 found.push(Found::new(vec![Candidate {
                     formula: node.place.0,
                     path: node.place.1.clone(),
-                    edit: edit::Edit { tree, cost, words },
+                    edit: edit::Edit {
+                        tree,
+                        cost,
+                        words,
+                        adds,
+                    },
                 }]));
             };
-            if let Some(tree) = number_of(&required).filter(|_| is_number) {
+            if let Some(tree) = wanted.iter().find_map(|values| number_of(values)).filter(|_| is_number) {
+                let is_whole = |tree: &Tree| matches!(tree, Tree::Number(value) if value.0.denominator().is_one());
+                let cost = if is_whole(&tree) || !is_whole(&node.tree) {
+                    11
+                } else {
+                    11 + OF_FRACTION
+                };
                 let words = format!("`{}` in the place of `{tree}`", node.tree);
-                add(tree, 11, words);
+                add(tree, cost, words, false);
             }
-            let pairs = || required.iter().zip(&node.values);
-            let ratios: Vec<f64> = pairs().map(|(wanted, value)| wanted / value).collect();
+            let each = |of: fn(f64, f64) -> f64| -> Vec<Vec<f64>> {
+                let mut all = Vec::new();
+                for values in &wanted {
+                    let pairs = values.iter().zip(&node.values);
+                    all.push(pairs.map(|(wanted, own)| of(*wanted, *own)).collect());
+                }
+                all
+            };
             for (list, is_above) in [
-                (ratios.clone(), true),
-                (ratios.iter().map(|ratio| 1.0 / ratio).collect(), false),
+                (each(|wanted, own| wanted / own), true),
+                (each(|wanted, own| own / wanted), false),
             ] {
                 let found = if takes { factors.find(&list) } else { Vec::new() };
                 for (factor, _) in found
@@ -596,20 +675,24 @@ impl Bench {
                         over(&node.tree, factor)
                     };
                     let cost = 11 + size(factor) + u32::from(!is_above);
-                    add(tree, cost, missing_factor(factor, &node.tree, is_above));
+                    add(tree, cost, missing_factor(factor, &node.tree, is_above), true);
                 }
             }
             if !takes_terms {
                 continue;
             }
-            let differences: Vec<f64> = pairs().map(|(wanted, value)| wanted - value).collect();
-            for (term, negative) in terms.find(&differences).into_iter().take(MOST_OF_DICTIONARY) {
+            for (term, negative) in terms
+                .find(&each(|wanted, own| wanted - own))
+                .into_iter()
+                .take(MOST_OF_DICTIONARY)
+            {
                 let signed = if negative { negated(term) } else { term.clone() };
                 let words = format!("the term `{term}` is missing in `{}`", node.tree);
                 add(
                     plus(&node.tree, &signed),
                     12 + 2 * size(term) + u32::from(negative),
                     words,
+                    true,
                 );
             }
         }
@@ -619,7 +702,12 @@ impl Bench {
 
 /// A node that is evaluated as a whole, with a part of it edited.
 fn leaf_around(equation: &Equation, path: &[usize], new: &Tree) -> Option<Tree> {
-    let is_leaf = |tree: &Tree| matches!(tree, Tree::Call(..) | Tree::Partial { .. } | Tree::Invariant { .. });
+    let is_leaf = |tree: &Tree| {
+        matches!(
+            tree,
+            Tree::Call(..) | Tree::Partial { .. } | Tree::Invariant { .. } | Tree::Operation(..)
+        )
+    };
     let length = (1..path.len()).find(|length| {
         let inner = path.get(..*length).and_then(|path| node(equation, path));
         inner.is_some_and(|tree| is_leaf(&tree))

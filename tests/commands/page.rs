@@ -238,6 +238,12 @@ fn what_a_baseline_knows_does_not_fail_wherever_it_stands_now() {
         let (log, status) = sarif(&[&moved, "--baseline", &baseline]);
         assert_eq!(status, Some(0));
         assert_eq!(log["runs"][0]["results"][0]["baselineState"], "unchanged");
+        // nor does a formula before it, which changes its number
+        let more = PAPER.replace("and\n", "and\n\\begin{equation}\na + b = b + a\n\\end{equation}\n");
+        let shifted = scratch.file("shifted.tex", &more);
+        let output = run(&["audit", &shifted, "--baseline", &baseline]);
+        assert_eq!(output.status.code(), Some(0), "{}", stdout(&output));
+        assert!(stdout(&output).contains("\n3 "), "{}", stdout(&output));
         // a new misprint in the same formula is not known
         let worse = scratch.file("worse.tex", &PAPER.replace("(a - b)^2", "(a - 2 b)^2"));
         let output = run(&["audit", &worse, "--baseline", &baseline]);
@@ -256,14 +262,33 @@ fn what_a_baseline_knows_does_not_fail_wherever_it_stands_now() {
 }
 
 #[test]
+fn a_formula_is_explained_by_the_name_of_its_label() {
+    let scratch = Scratch::new("named");
+    let path = scratch.file("paper.tex", PAPER);
+    let [by_name, by_number] = ["eq:slip", "2"].map(|label| stdout(&run(&["audit", &path, "--explain", label])));
+    assert!(by_name.contains("refuted") && by_name == by_number, "{by_name}");
+    let output = run(&["audit", &path, "--explain", "eq:none"]);
+    assert!(stderr(&output).contains("no claim `eq:none`"), "{}", stderr(&output));
+}
+
+#[test]
 fn a_baseline_of_another_document_or_of_none_is_an_error() {
     let scratch = Scratch::new("another");
     let path = scratch.file("paper.tex", PAPER);
     let baseline = scratch.path("baseline.sarif");
     run(&["audit", &path, "--format", "sarif", "--out", &baseline]);
-    let output = run(&["audit", "--baseline", &baseline]);
+    let other = scratch.file("other.tex", &PAPER.replace(r"\label{eq:slip}", r"\tag{B}"));
+    let output = run(&["audit", &other, "--baseline", &baseline]);
     assert_eq!(output.status.code(), Some(2));
     assert!(stderr(&output).contains("of another document"), "{}", stderr(&output));
+    // where nothing is wrong nothing had to be known: what was is gone
+    let output = run(&["audit", "--baseline", &baseline]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(
+        stderr(&output).contains("not found any more: (2)"),
+        "{}",
+        stderr(&output)
+    );
     for (text, why) in [("", "column `label`"), ("{\"runs\": 3}", "no label"), ("[", "EOF")] {
         let wrong = scratch.file("wrong", text);
         let output = run(&["audit", "--baseline", &wrong]);

@@ -269,4 +269,20 @@ mod tests {
         assert!(macros.expanded(r"x = \a").unwrap_err().contains("for ever"));
         assert!(macros.expanded(r"{\c}").unwrap_err().contains("lacks an argument"));
     }
+
+    #[test]
+    fn a_macro_that_begins_or_ends_an_environment_is_told_from_one_that_has_a_group() {
+        let macros = macros(&[
+            r"\newcommand{\be}{\begin{equation}}",
+            r"\newcommand{\ee}{\end{equation}}",
+            r"\newcommand{\vx}{\mathbf{x}}",
+            r"\newcommand{\sq}[1]{\begin{#1}}",
+        ]);
+        assert_eq!(macros.layout(r"be"), Some((true, "equation")));
+        assert_eq!(macros.layout(r"ee"), Some((false, "equation")));
+        assert_eq!(
+            [macros.layout(r"vx"), macros.layout(r"sq"), macros.layout(r"none")],
+            [None; 3]
+        );
+    }
 }

@@ -460,6 +460,7 @@ fn entries(
             assume: own.assume,
             follows_from: Some(follows_from.into_iter().map(here).collect()),
             expect: own.expect.unwrap_or_default(),
+            names: formula.labels.clone(),
             guessed: guessed.guessed,
             unread,
             way: None,

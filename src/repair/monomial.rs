@@ -1,0 +1,159 @@
+//! How a formula is written as one product, whatever the order and the grouping of its factors.
+
+use crate::number::{Field, Rational};
+use crate::tex::Tree;
+use num_traits::{One, Zero};
+use std::collections::BTreeMap;
+
+/// A number times powers of what is no product: `\frac{a}{2}\,a` and `a^2/2` are the same.
+#[derive(Clone, Debug, PartialEq)]
+struct Monomial {
+    number: Rational,
+    /// Exponents by what is raised, which are not 0.
+    powers: BTreeMap<String, Rational>,
+}
+
+/// Whether two formulas are the same product: nothing is multiplied out, no function is known but that ln e is 1.
+pub fn is_same_product(one: &Tree, other: &Tree) -> bool {
+    Monomial::of(one) == Monomial::of(other)
+}
+
+impl Monomial {
+    fn number(number: Rational) -> Self {
+        let powers = BTreeMap::new();
+        Self { number, powers }
+    }
+
+    fn atom(text: String) -> Self {
+        let powers = BTreeMap::from([(text, Rational::one())]);
+        Self {
+            number: Rational::one(),
+            powers,
+        }
+    }
+
+    fn of(tree: &Tree) -> Self {
+        let own = || Self::atom(tree.to_string());
+        match tree {
+            Tree::Number(number) => Self::number(number.clone()),
+            Tree::Negate(body) => Self::number(-Rational::one()).times(&Self::of(body)),
+            Tree::Product(factors) => factors.iter().fold(Self::number(Rational::one()), |all, factor| {
+                all.times(&Self::of(factor))
+            }),
+            Tree::Quotient(above, below, _) => {
+                let below = Self::of(below).to_the(&-Rational::one());
+                below.map_or_else(own, |below| Self::of(above).times(&below))
+            }
+            Tree::Power(base, exponent, _) => {
+                let raised = Self::of(base).to_the(&Rational::from_integer(i64::from(*exponent)));
+                raised.unwrap_or_else(own)
+            }
+            Tree::RealPower(base, exponent, ..) => match &**exponent {
+                Tree::Number(exponent) => Self::of(base).to_the(exponent).unwrap_or_else(own),
+                _ => own(),
+            },
+            Tree::Root(base, index, _) => {
+                let part = Rational::from_ratio(1, i64::from(*index));
+                Self::of(base).to_the(&part).unwrap_or_else(own)
+            }
+            Tree::Sum(terms) => Self::of_sum(terms),
+            Tree::Call(name, argument, _) if name.base == r"\ln" && argument.to_string() == "e" => {
+                Self::number(Rational::one())
+            }
+            _ => own(),
+        }
+    }
+
+    /// Terms that are multiples of each other are one.
+    fn of_sum(terms: &[Tree]) -> Self {
+        let mut all: Vec<Self> = Vec::new();
+        for term in terms.iter().map(Self::of) {
+            match all.iter_mut().find(|known| known.powers == term.powers) {
+                Some(known) => known.number = known.number.clone() + term.number,
+                None => all.push(term),
+            }
+        }
+        all.retain(|term| !term.number.is_zero());
+        match all.as_slice() {
+            [] => Self::number(Rational::zero()),
+            [term] => term.clone(),
+            _ => {
+                let mut texts: Vec<String> = all.iter().map(|term| format!("{term:?}")).collect();
+                texts.sort_unstable();
+                Self::atom(texts.join("+"))
+            }
+        }
+    }
+
+    fn times(mut self, other: &Self) -> Self {
+        self.number = self.number * other.number.clone();
+        for (base, exponent) in &other.powers {
+            let own = self.powers.entry(base.clone()).or_insert_with(Rational::zero);
+            *own = own.clone() + exponent.clone();
+        }
+        self.powers.retain(|_, exponent| !exponent.is_zero());
+        self
+    }
+
+    /// Nothing where the number to this power is none, or irrational.
+    fn to_the(&self, exponent: &Rational) -> Option<Self> {
+        let number = match i32::try_from(exponent.0.numerator()).ok() {
+            _ if self.number.is_one() => Rational::one(),
+            Some(whole) if exponent.0.denominator().is_one() && whole.unsigned_abs() < 100 => {
+                let base = match whole < 0 {
+                    true if self.number.is_zero() => return None,
+                    true => Rational::one() / self.number.clone(),
+                    false => self.number.clone(),
+                };
+                (0..whole.unsigned_abs()).fold(Rational::one(), |all, _| all * base.clone())
+            }
+            _ => return None,
+        };
+        let powers = self.powers.iter();
+        let powers = powers.map(|(base, own)| (base.clone(), own.clone() * exponent.clone()));
+        Some(Self {
+            number,
+            powers: powers.filter(|(_, exponent)| !exponent.is_zero()).collect(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tex::{Names, read};
+
+    fn is_same(equation: &str) -> bool {
+        let equations = read(equation, &Names::default()).expect("an equation");
+        is_same_product(&equations[0].left, &equations[0].right)
+    }
+
+    #[test]
+    fn factors_may_stand_in_any_order_and_grouping() {
+        for equation in [
+            r"a^2 = a a",
+            r"\frac{a}{2} a = \frac{a^2}{2}",
+            r"\sqrt{x^2}^2 = x^2",
+            r"\ln a = \frac{\ln a}{\ln e}",
+            r"R^4 = R^3 R",
+            r"4 a c = (2 + 2) a c",
+            r"\frac{x + y}{y + x} = 1",
+            r"x - 2 x = -x",
+        ] {
+            assert!(is_same(equation), "{equation}");
+        }
+    }
+
+    #[test]
+    fn what_must_be_multiplied_out_or_known_is_not_the_same() {
+        for equation in [
+            r"(a + b)^2 = a^2 + 2 a b + b^2",
+            r"\sin(2 x) = 2 \sin x \cos x",
+            r"a^2 = a",
+            r"\sqrt{2} = 2",
+            r"a (b + c) = a b + a c",
+        ] {
+            assert!(!is_same(equation), "{equation}");
+        }
+    }
+}
