@@ -1,5 +1,6 @@
 //! What a command hands back, and how it is printed.
 
+use super::resume::Unfinished;
 use super::shard::Label;
 use super::{Exit, Failure, Options};
 use crate::report::{Cell, Column, Format, Output, Page, Stream, Table, acts_on_a_terminal, junit};
@@ -25,6 +26,8 @@ pub enum Content {
     Tables(Vec<Table>),
     /// Rows that are made while they are printed.
     Rows(Rows),
+    /// Rows of which some may stand in a file already, and those that do not.
+    Unfinished(Unfinished, Rows),
     /// A page for a reader.
     Page(Page),
     /// Bytes that have one form only, made while they are printed; how many rows they are.
@@ -89,6 +92,7 @@ impl Content {
                 Ok((table.rows().len(), true))
             }
             Self::Rows(rows) => rows.write(output, format, figures),
+            Self::Unfinished(unfinished, rows) => unfinished.write(rows, output),
             Self::Copied(Copied(copy)) => {
                 let mut rows = 0;
                 output.write(|to| {

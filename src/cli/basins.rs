@@ -2,10 +2,11 @@
 
 use super::answer::Rows;
 use super::progress::Progress;
-use super::shard::{Label, PartArguments, Shard};
+use super::resume::Unfinished;
+use super::shard::{Label, PartArguments};
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments};
 use crate::report::{Cell, Column, Table};
-use crate::scene::{ReachedAttractor, ReachedAttractors, Scene, Want};
+use crate::scene::{BasinPoints, ReachedAttractor, ReachedAttractors, Scene, Want};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -15,7 +16,7 @@ pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
     /// The attractors alone, without a row for each start
-    #[arg(long, conflicts_with = "shard")]
+    #[arg(long, conflicts_with_all = ["shard", "resume"])]
     pub(super) attractors: bool,
     #[command(flatten)]
     part: PartArguments,
@@ -42,15 +43,24 @@ pub(super) const ATTRACTORS: [&str; 11] = [
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let scene = arguments.scene.load_for(&[Want::Basins])?;
-    let shard = arguments.part.shard;
-    let label = shard
-        .map(|shard| Label::new(shard, "basins", &scene, &[Want::Basins]))
-        .transpose()?;
-    let rows = rows_of(&scene, shard, options)?;
+    let part = &arguments.part;
+    let label = |shard| Label::new(shard, "basins", &scene, &[Want::Basins]);
+    let unfinished = part.unfinished(options, false, label, &COLUMNS)?;
+    let mut points = scene.basins()?;
+    let all = points.grid().starts();
+    let mut own = part.shard.map_or(0..all, |shard| shard.range(all));
+    let starts = own.end - own.start;
+    let known = match &unfinished {
+        Some(unfinished) => known(unfinished, &mut points, own.start)?,
+        None => ReachedAttractors::default(),
+    };
+    own.start += unfinished.as_ref().map_or(0, Unfinished::rows);
+    let rows = rows_of(points.starts(own), known, starts, options);
+    let label = part.shard.map(label).transpose()?;
     Ok(Answer {
         content: match arguments.attractors {
             true => rows.following()?.map_or(Content::Tables(Vec::new()), Content::Table),
-            false => Content::Rows(rows.part(label)),
+            false => PartArguments::content(rows, label, unfinished),
         },
         exit: Exit::AsExpected,
     })
@@ -58,22 +68,47 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
 
 /// A row for each start, and after them a table of the attractors.
 pub fn rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
-    rows_of(scene, None, options)
+    let points = scene.basins()?;
+    let starts = points.grid().starts();
+    Ok(rows_of(points, ReachedAttractors::default(), starts, options))
 }
 
-fn rows_of(scene: &Scene, shard: Option<Shard>, options: &Options) -> Result<Rows, Failure> {
-    let mut points = scene.basins()?;
-    let all = points.grid().starts();
-    let own = shard.map_or(0..all, |shard| shard.range(all));
-    points = points.starts(own.clone());
-    let count = own.end - own.start;
-    let total = usize::try_from(count).unwrap_or(usize::MAX);
+/// The attractors of the rows that are there, whose first start has this number: each found anew from the first start that
+/// led to it.
+fn known(unfinished: &Unfinished, points: &mut BasinPoints, first: u64) -> Result<ReachedAttractors, Failure> {
+    // the first row of each, and how many there are
+    let mut seen: Vec<(u64, u64)> = Vec::new();
+    let mut row = first;
+    unfinished.each(|line| {
+        let number = line
+            .rsplit_once(',')
+            .and_then(|(_, number)| number.parse::<usize>().ok());
+        match number.and_then(|number| seen.get_mut(number.checked_sub(1)?)) {
+            Some((_, starts)) => *starts += 1,
+            None if number.is_some() => seen.push((row, 1)),
+            None => {}
+        }
+        row += 1;
+    })?;
+    let mut found = ReachedAttractors::default();
+    for (row, starts) in seen {
+        let attractor = points.at(row)?.attractor;
+        found
+            .list
+            .extend(attractor.map(|attractor| ReachedAttractor { starts, ..attractor }));
+    }
+    Ok(found)
+}
+
+/// The rows of these points, and the attractors of them and of those that are known, of so many starts in all.
+fn rows_of(points: BasinPoints, known: ReachedAttractors, starts: u64, options: &Options) -> Rows {
+    let total = usize::try_from(starts).unwrap_or(usize::MAX);
     let points = Progress::over(points, total, "starts", options.out.is_some());
-    let found = Rc::new(RefCell::new(ReachedAttractors::default()));
-    let known = Rc::clone(&found);
+    let found = Rc::new(RefCell::new(known));
+    let all = Rc::clone(&found);
     let rows = points.map(move |point| {
         let point = point?;
-        let number = point.attractor.map(|attractor| known.borrow_mut().add(attractor));
+        let number = point.attractor.map(|attractor| found.borrow_mut().add(attractor));
         Ok(vec![
             Cell::from(point.phase.value::<f64>()),
             Cell::from(point.velocity.value::<f64>()),
@@ -81,7 +116,7 @@ fn rows_of(scene: &Scene, shard: Option<Shard>, options: &Options) -> Result<Row
         ])
     });
     let rows = Rows::new(COLUMNS.map(Column::from).to_vec(), rows);
-    Ok(rows.then(move || table(&found.borrow(), count)))
+    rows.then(move || table(&all.borrow(), starts))
 }
 
 /// Attractors are numbered from 1.

@@ -143,6 +143,11 @@ fn reply(line: &Line) -> Result<Reply, Failure> {
                 }
             }
         }
+        Content::Unfinished(..) => {
+            return Err(Failure::Usage(
+                "--resume writes to a file, on a command line".to_owned(),
+            ));
+        }
         Content::Rows(rows) => {
             let token = Token::current();
             let mut frame = empty(name, &rows.columns);

@@ -2,11 +2,12 @@
 
 use super::answer::Rows;
 use super::progress::Progress;
-use super::shard::{Label, PartArguments, Shard};
+use super::resume::Unfinished;
+use super::shard::{Label, PartArguments};
 use super::sweep::summarised;
-use super::{Answer, Content, Exit, Failure, Options, SceneArguments};
+use super::{Answer, Exit, Failure, Options, SceneArguments};
 use crate::report::{Cell, Column};
-use crate::scene::{MapPoint, MapWant, Scene, Want};
+use crate::scene::{MapPoint, MapPoints, MapWant, Scene, Want};
 
 /// What each point of two parameters comes to, from each start
 #[derive(Debug, clap::Args)]
@@ -37,28 +38,28 @@ const COLUMNS: [&str; 13] = [
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let scene = arguments.scene.load_for(&[Want::Map])?;
-    let shard = arguments.part.shard;
-    let label = shard
-        .map(|shard| Label::new(shard, "map", &scene, &[Want::Map]))
-        .transpose()?;
+    let part = &arguments.part;
+    let label = |shard| Label::new(shard, "map", &scene, &[Want::Map]);
+    let mut points = scene.map_points()?;
+    let unfinished = part.unfinished(options, points.follow(), label, &COLUMNS)?;
+    if let Some(shard) = part.shard {
+        let own = shard.range(points.count_rows());
+        points = points.rows(own);
+    }
+    points = points.without(unfinished.as_ref().map_or(0, Unfinished::rows));
+    let label = part.shard.map(label).transpose()?;
     Ok(Answer {
-        content: Content::Rows(rows_of(&scene, shard, options)?.part(label)),
+        content: PartArguments::content(rows_of(points, options), label, unfinished),
         exit: Exit::AsExpected,
     })
 }
 
 /// A row for each point and start.
 pub fn rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
-    rows_of(scene, None, options)
+    Ok(rows_of(scene.map_points()?, options))
 }
 
-/// Those of a part: whole rows along x.
-fn rows_of(scene: &Scene, shard: Option<Shard>, options: &Options) -> Result<Rows, Failure> {
-    let mut points = scene.map_points()?;
-    if let Some(shard) = shard {
-        let own = shard.range(points.count_rows());
-        points = points.rows(own);
-    }
+fn rows_of(points: MapPoints, options: &Options) -> Rows {
     let map = points.grid();
     let shown: Vec<bool> = COLUMNS.iter().map(|column| is_wanted(&map.wants, column)).collect();
     let total = map.x.points as usize * points.count_rows() as usize;
@@ -68,7 +69,7 @@ fn rows_of(scene: &Scene, shard: Option<Shard>, options: &Options) -> Result<Row
         let cell = |(column, is_shown): (&&str, &bool)| if *is_shown { cell(&point, column) } else { Cell::Empty };
         Ok(COLUMNS.iter().zip(&shown).map(cell).collect())
     });
-    Ok(Rows::new(COLUMNS.map(Column::from).to_vec(), rows))
+    Rows::new(COLUMNS.map(Column::from).to_vec(), rows)
 }
 
 fn is_wanted(wants: &[MapWant], column: &str) -> bool {

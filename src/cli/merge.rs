@@ -58,8 +58,8 @@ impl Part {
         let label = label.ok_or_else(|| wrong("it is no part of a run: --shard writes them".to_owned()))?;
         let columns = next()?.unwrap_or_default();
         let (mut rows, mut following, mut last) = (0, None, None::<String>);
-        // how often each attractor is named
-        let mut named: Vec<u64> = Vec::new();
+        // how often each attractor is named; nothing where one is that cannot be
+        let mut named: Option<Vec<u64>> = Some(Vec::new());
         while let Some(line) = next()? {
             match (last.replace(line), &mut following) {
                 (None, _) => {}
@@ -67,7 +67,7 @@ impl Part {
                 (Some(line), None) => {
                     rows += 1;
                     if label.is_of("basins") {
-                        count(&line, &mut named);
+                        named = named.and_then(|named| counted(&line, named));
                     }
                 }
                 (Some(line), Some(table)) => {
@@ -81,8 +81,8 @@ impl Part {
             return Err(wrong(problem.to_owned()));
         }
         let attractors = read_attractors(&following.unwrap_or_default());
-        let is_of_rows = |found: &ReachedAttractors| found.list.iter().map(|found| found.starts).eq(named);
-        let attractors = attractors.filter(is_of_rows);
+        let starts = |found: &ReachedAttractors| found.list.iter().map(|found| found.starts).collect();
+        let attractors = attractors.filter(|found| named == Some(starts(found)));
         Ok(Self {
             path: path.clone(),
             label,
@@ -193,19 +193,18 @@ fn copy(part: &Part, numbers: &[i64], to: &mut dyn Write) -> io::Result<usize> {
     }
 }
 
-/// Counts the attractor of a row.
-fn count(line: &str, named: &mut Vec<u64>) {
-    let number = line
-        .rsplit_once(',')
-        .and_then(|(_, number)| number.parse::<usize>().ok());
-    // a new one has the next number
-    match number.and_then(|number| number.checked_sub(1)) {
-        Some(place) if place < named.len() => named[place] += 1,
-        Some(place) if place == named.len() => named.push(1),
-        // no table has so many starts
-        Some(_) => named.push(u64::MAX),
-        None => {}
+/// The counts with the attractor of one more row; a new one has the next number.
+fn counted(line: &str, mut named: Vec<u64>) -> Option<Vec<u64>> {
+    let (_, number) = line.rsplit_once(',')?;
+    if number.is_empty() {
+        return Some(named);
     }
+    let place = number.parse::<usize>().ok()?.checked_sub(1)?;
+    if place == named.len() {
+        named.push(0);
+    }
+    *named.get_mut(place)? += 1;
+    Some(named)
 }
 
 /// A row with the number, in the last column, under which all parts know its attractor.

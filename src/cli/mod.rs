@@ -26,6 +26,7 @@ mod orbits;
 mod plot;
 mod problems;
 mod progress;
+mod resume;
 mod run;
 mod scene;
 mod scenes;

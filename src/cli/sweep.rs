@@ -2,12 +2,14 @@
 
 use super::answer::Rows;
 use super::progress::Progress;
+use super::resume::Unfinished;
 use super::shard::{Label, PartArguments, Shard};
-use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
+use super::{Answer, Exit, Failure, Options, SceneArguments, note};
 use crate::number::FIGURES_OF_F64;
 use crate::orbit::Estimate;
 use crate::report::{Cell, Column, Table};
 use crate::scene::{Means, Over, Point, Points, Scene, Want};
+use std::ops::Range;
 
 /// The bifurcation diagram of a scene: at each value of its sweep the last impacts and their voltage
 #[derive(Debug, clap::Args)]
@@ -52,17 +54,47 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
             "a sweep runs in f64: {FIGURES_OF_F64} digits at most; `--summary` says how many hold"
         ));
     }
-    let shard = arguments.part.shard;
+    let part = &arguments.part;
     let command = if arguments.summary { "sweep --summary" } else { "sweep" };
-    let label = shard
-        .map(|shard| Label::new(shard, command, &scene, &wants))
-        .transpose()?;
-    let points = part(scene.points()?, shard)?;
+    let label = |shard| Label::new(shard, command, &scene, &wants);
+    let points = scene.points()?;
+    let columns: &[&str] = if arguments.summary { &SUMMARY } else { &COLUMNS };
+    let columns = columns_over(points.sweep().over, columns);
+    let mut unfinished = part.unfinished(options, points.follow(), label, &columns)?;
+    let mut values = values_of(&points, part.shard)?;
+    if let Some(unfinished) = &mut unfinished {
+        values.start = match arguments.summary {
+            // a row for each value; no more than there are
+            true => (values.start + unfinished.rows() as u32).min(values.end),
+            false => first_left(unfinished, &points, values.clone())?,
+        };
+    }
+    let points = points.values(values);
     let rows = if arguments.summary { summary_of } else { impacts_of };
+    let rows = rows(points, options)?;
+    let label = part.shard.map(label).transpose()?;
     Ok(Answer {
-        content: Content::Rows(rows(points, options)?.part(label)),
+        content: PartArguments::content(rows, label, unfinished),
         exit: Exit::AsExpected,
     })
+}
+
+/// The first value whose rows are not all there: the last one that has some, as more may follow.
+fn first_left(unfinished: &mut Unfinished, points: &Points, values: Range<u32>) -> Result<u32, Failure> {
+    let Some(last) = unfinished.without_last() else {
+        return Ok(values.start);
+    };
+    let is_it = |index: &u32| last.parse() == Ok(points.sweep().value(*index).value::<f64>());
+    values.clone().find(is_it).ok_or_else(|| {
+        let problem = format!("the part of the run that is there ends at {last}, which is no value of the sweep");
+        Failure::Usage(problem)
+    })
+}
+
+/// The columns, with the name of what is swept before d.
+fn columns_over<'a>(over: Over, columns: &[&'a str]) -> Vec<&'a str> {
+    let swept = (over != Over::D).then_some(over.name());
+    swept.into_iter().chain(columns.iter().copied()).collect()
 }
 
 /// The last impacts at each value, all at once: for sweeps of few values.
@@ -75,18 +107,19 @@ pub fn summary(scene: &Scene, options: &Options) -> Result<Table, Failure> {
     summary_rows(scene, options)?.table()
 }
 
-/// The values of a part.
-fn part(points: Points, shard: Option<Shard>) -> Result<Points, Failure> {
+/// The numbers of the values of a part, or of all.
+fn values_of(points: &Points, shard: Option<Shard>) -> Result<Range<u32>, Failure> {
+    let all = points.sweep().points;
     match shard {
-        None => Ok(points),
+        None => Ok(0..all),
         Some(_) if points.follow() => {
             let problem = "each value follows the one before it (sweep.start = \"follow\"): such a sweep has no parts";
             Err(Failure::Usage(problem.to_owned()))
         }
         Some(shard) => {
-            let values = shard.range(u64::from(points.sweep().points));
+            let values = shard.range(u64::from(all));
             // no more than there are points
-            Ok(points.values(values.start as u32..values.end as u32))
+            Ok(values.start as u32..values.end as u32)
         }
     }
 }
@@ -119,7 +152,6 @@ fn rows(
 ) -> Result<Rows, Failure> {
     let over = points.sweep().over;
     let total = points.sweep().points as usize;
-    let swept = (over != Over::D).then_some(over.name());
     let row_of = move |point: &Point, index: usize| {
         let mut row = row(point, index);
         if over != Over::D {
@@ -134,8 +166,8 @@ fn rows(
             Err(error) => Box::new(std::iter::once(Err(error.into()))),
         }
     });
-    let columns = swept.into_iter().chain(columns.iter().copied());
-    Ok(Rows::new(columns.map(Column::from).collect(), rows))
+    let columns = columns_over(over, columns);
+    Ok(Rows::new(columns.into_iter().map(Column::from).collect(), rows))
 }
 
 fn of_impact(point: &Point, index: usize) -> Vec<Cell> {

@@ -26,12 +26,33 @@ pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Op
     if !decision.provided.is_empty() {
         lines.push(format!("provided: {}", decision.provided.join("; ")));
     }
+    let mut given = Vec::new();
     if let Ok(statements) = Decision::without_search(sheet, position) {
-        lines.push("\ngiven".into());
         let premises = statements.premises.iter();
-        lines.extend(premises.map(|premise| format!("  ({})  {}", premise.label, premise.equation)));
+        given.extend(premises.map(|premise| format!("  ({})  {}", premise.label, premise.equation)));
     }
-    for one in decided(sheet, position, options) {
+    let entry = sheet.entries.get(position);
+    let local = entry.map_or(&[][..], |entry| &entry.local);
+    given.extend(local.iter().map(|(definition, _)| format!("  where  {definition}")));
+    if !given.is_empty() {
+        lines.push("\ngiven".into());
+        lines.append(&mut given);
+    }
+    let decided = decided(sheet, position, options);
+    let printed: Vec<String> = entry
+        .map_or(&[][..], |entry| &entry.equations)
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    // what is decided of an integral, a series or a limit is not what is printed
+    if decided
+        .iter()
+        .any(|one| !printed.contains(&one.question.equation.to_string()))
+    {
+        lines.push("\nprinted".into());
+        lines.extend(printed.iter().map(|equation| format!("  {equation}")));
+    }
+    for one in decided {
         let instance = match one.question.instance.as_str() {
             "" => String::new(),
             instance => format!("  ({instance})"),
@@ -442,14 +463,20 @@ fn refutation(witness: &With<Witness>, relation: Relation, lines: &mut Vec<Strin
     let Some(found) = super::counterexample::at(witness, relation) else {
         return;
     };
-    lines.push("\nevery premise holds, exactly, and the claim does not, where".into());
+    match found.point.is_empty() {
+        true => lines.push("\nthe claim does not hold".into()),
+        false => lines.push("\nevery premise holds, exactly, and the claim does not, where".into()),
+    }
     lines.extend(found.point.iter().map(|(name, value)| format!("  {name} = {value}")));
     let mut statement = witness.statement.clone();
     let Some(mut values) = Values::new(&mut statement, &witness.evidence) else {
         return;
     };
-    lines.push("there the premises are".into());
-    for (label, [left, right]) in values.premises() {
+    let premises = values.premises();
+    if !premises.is_empty() {
+        lines.push("there the premises are".into());
+    }
+    for (label, [left, right]) in premises {
         lines.push(format!("  ({label})  {} = {}", left.value, right.value));
         for side in [left, right] {
             lines.extend(side.worked_out().map(|line| format!("        {line}")));

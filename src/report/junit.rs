@@ -28,6 +28,7 @@ fn suite(table: &Table, to: &mut dyn Write) -> io::Result<()> {
     };
     let reason = table.position("reason");
     let place = table.position("place");
+    let repair = table.position("repair");
     let text = |row: &[Cell], index: usize| row.get(index).map_or(String::new(), |cell| escaped_line(&cell.plain()));
     let failed = |row: &[Cell]| row.get(verdict) != row.get(expected);
     let failures = table.rows().iter().filter(|row| failed(row)).count();
@@ -43,7 +44,9 @@ fn suite(table: &Table, to: &mut dyn Write) -> io::Result<()> {
             writeln!(to, "/>")?;
             continue;
         }
-        let message = reason.map_or(String::new(), |index| text(row, index));
+        let mut message = reason.map_or(String::new(), |index| text(row, index));
+        let mended = repair.map(|index| text(row, index)).filter(|mended| !mended.is_empty());
+        message.extend(mended.map(|mended| format!("; repair: {mended}")));
         let (found, wanted) = (text(row, verdict), text(row, expected));
         writeln!(to, ">")?;
         writeln!(
@@ -67,18 +70,18 @@ mod tests {
 
     #[test]
     fn a_row_with_another_verdict_than_expected_is_a_failure() {
-        let mut table = Table::new(["id", "place", "verdict", "expected", "reason"]);
+        let mut table = Table::new(["id", "place", "verdict", "expected", "reason", "repair"]);
         table
-            .push(["a", "Fig. 2", "wrong", "wrong", ""].map(Cell::from))
+            .push(["a", "Fig. 2", "wrong", "wrong", "", ""].map(Cell::from))
             .unwrap();
         table
-            .push(["b", "\"3\" & <4>", "wrong", "reproduced", "x < 1\u{1b}\ny"].map(Cell::from))
+            .push(["b", "\"3\" & <4>", "wrong", "reproduced", "x < 1\u{1b}\ny", "$a<b$"].map(Cell::from))
             .unwrap();
         let expected = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
             <testsuite name=\"vibro-audit\" tests=\"2\" failures=\"1\" errors=\"0\" skipped=\"0\">\n\
             \x20 <testcase name=\"a\" classname=\"Fig. 2\"/>\n\
             \x20 <testcase name=\"b\" classname=\"&quot;3&quot; &amp; &lt;4&gt;\">\n\
-            \x20   <failure type=\"wrong\" message=\"x &lt; 1\u{fffd} y\">expected reproduced, is wrong</failure>\n\
+            \x20   <failure type=\"wrong\" message=\"x &lt; 1\u{fffd} y; repair: $a&lt;b$\">expected reproduced, is wrong</failure>\n\
             \x20 </testcase>\n\
             </testsuite>\n";
         assert_eq!(print(&table).unwrap(), expected);

@@ -58,6 +58,15 @@ impl<'a> Stream<'a> {
         }
     }
 
+    /// A stream of more rows of a CSV whose line of columns stands already.
+    pub fn continued(columns: Vec<Column>, to: &'a mut dyn Write) -> Self {
+        let printer: Box<dyn Printer> = Box::new(csv::Records);
+        Self {
+            printer: Some(printer),
+            ..Self::new(columns, Format::Csv, 0, to)
+        }
+    }
+
     /// Adds a row, which must have as many cells as there are columns.
     ///
     /// # Errors
@@ -68,6 +77,15 @@ impl<'a> Stream<'a> {
             self.print()?;
         }
         Ok(())
+    }
+
+    /// Writes the rows that are held.
+    ///
+    /// # Errors
+    /// What the writer says.
+    pub fn flush(&mut self) -> io::Result<()> {
+        self.print()?;
+        self.to.flush()
     }
 
     /// Writes what is left, and what follows the last row.

@@ -1,6 +1,7 @@
 //! Which attractor each of a grid of starts comes to, at one device.
 
 use super::following::{Depth, Followed, Following};
+use super::pace::Pace;
 use super::sweep::Diagram;
 use super::{Quantity, Scene, SceneError, Setting, Want};
 use crate::impact::{Origin, Widening};
@@ -161,6 +162,7 @@ impl Scene {
             membrane,
             left: 0..grid.starts(),
             grid,
+            pace: Pace::new(),
             block: Vec::new().into_iter(),
             known: Vec::new(),
         })
@@ -177,6 +179,7 @@ pub struct BasinPoints {
     /// With the unit of velocity, m/s.
     membrane: Option<(Membrane<f64>, f64)>,
     left: Range<u64>,
+    pace: Pace,
     block: IntoIter<Result<Simulated, SceneError>>,
     /// The cycles without a rest that starts have led to.
     known: Vec<ReachedAttractor>,
@@ -266,12 +269,25 @@ impl BasinPoints {
         Ok(found)
     }
 
+    /// Where the start of this number leads.
+    ///
+    /// # Errors
+    /// None but a fault of ours.
+    pub fn at(&mut self, number: u64) -> Result<BasinPoint, SceneError> {
+        let simulated = self.simulated(number)?;
+        self.point(simulated)
+    }
+
     fn fill(&mut self) {
-        let end = (self.left.start + BLOCK).min(self.left.end);
         let token = Token::current();
-        let numbers = (self.left.start..end).into_par_iter();
-        let block: Vec<_> = numbers.map(|number| token.during(|| self.simulated(number))).collect();
-        self.left.start = end;
+        let mut pace = self.pace;
+        let block: Vec<_> = pace.block(BLOCK.min(self.left.end - self.left.start), |size| {
+            let numbers = (self.left.start..(self.left.start + size).min(self.left.end)).into_par_iter();
+            let simulated = numbers.map(|number| token.during(|| self.simulated(number)));
+            simulated.collect()
+        });
+        self.pace = pace;
+        self.left.start += block.len() as u64;
         self.block = block.into_iter();
     }
 }

@@ -26,6 +26,7 @@ mod explain;
 mod following;
 mod key;
 mod need;
+mod pace;
 mod points;
 mod quantity;
 #[allow(clippy::module_inception)]

@@ -1,6 +1,7 @@
 //! The points of a sweep: at each value the motion, its last impacts, what it has come to, and their voltage.
 
 use super::following::{Depth, Following, Means};
+use super::pace::Pace;
 use super::setting::At;
 use super::sweep::{Begin, Diagram, Map, MapWant, Over, Sweep};
 use super::{Quantity, Scene, SceneError, Setting, Want};
@@ -78,6 +79,7 @@ impl Scene {
             beside: None,
             left: 0..sweep.points,
             sweep,
+            pace: Pace::new(),
             block: Vec::new().into_iter(),
             before: None,
         })
@@ -101,6 +103,8 @@ impl Scene {
             },
             scene: self.clone(),
             rows: 0..u64::from(map.y.points) * map.starts.len() as u64,
+            first: 0,
+            pace: Pace::new(),
             map,
             block: Box::new(std::iter::empty()),
         })
@@ -122,6 +126,7 @@ pub struct Points {
     beside: Option<(Over, Quantity)>,
     /// The numbers of the values that are still to come.
     left: Range<u32>,
+    pace: Pace,
     block: IntoIter<Result<Point, SceneError>>,
     /// Where the motion at the value before came to, where the next one follows it.
     before: Option<Event<f64>>,
@@ -206,13 +211,16 @@ impl Points {
         let block = match self.diagram.start {
             Begin::Each => {
                 let held = HELD / self.diagram.keep as usize;
-                let size = held.clamp(rayon::current_num_threads().min(BLOCK), BLOCK) as u32;
-                let end = self.left.start + size.min(left);
+                let most = held.clamp(rayon::current_num_threads().min(BLOCK), BLOCK) as u64;
                 let token = Token::current();
-                (self.left.start..end)
-                    .into_par_iter()
-                    .map(|index| token.during(|| self.point(index, None)))
-                    .collect()
+                let mut pace = self.pace;
+                let block = pace.block(most.min(u64::from(left)), |size| {
+                    let numbers = self.left.start..(self.left.start + size as u32).min(self.left.end);
+                    let points = numbers.into_par_iter();
+                    points.map(|index| token.during(|| self.point(index, None))).collect()
+                });
+                self.pace = pace;
+                block
             }
             Begin::Follow if left > 0 => {
                 let point = self.point(self.left.start, self.before.as_ref());
@@ -248,6 +256,9 @@ pub struct MapPoints {
     depth: Depth,
     /// The rows along x that are still to come, one for each start at each value of y.
     rows: Range<u64>,
+    /// The number of the first point of the next row.
+    first: u32,
+    pace: Pace,
     block: Box<dyn Iterator<Item = Result<MapPoint, SceneError>> + Send + Sync>,
 }
 
@@ -265,12 +276,30 @@ impl MapPoints {
     /// Of these rows along x those of these numbers, from 0.
     pub fn rows(mut self, rows: Range<u64>) -> Self {
         let (start, end) = (self.rows.start, self.rows.end);
-        self.rows = (start + rows.start).min(end)..(start + rows.end).min(end);
+        self.rows = (start + rows.start).min(end)..start.saturating_add(rows.end).min(end);
         self
     }
 
-    /// The row of this number.
-    fn row(&self, row: u64) -> impl Iterator<Item = Result<MapPoint, SceneError>> + use<> {
+    /// Without so many points from the first on; where each value follows the one before, rows along x are whole.
+    pub fn without(mut self, points: u64) -> Self {
+        let along = u64::from(self.map.x.points);
+        let rows = (points / along).min(self.count_rows());
+        self = self.rows(rows..u64::MAX);
+        // less than the points along x
+        self.first = match self.follow() {
+            true => 0,
+            false => (points % along) as u32,
+        };
+        self
+    }
+
+    /// Whether each value along x follows the one before.
+    pub fn follow(&self) -> bool {
+        self.map.diagram.start == Begin::Follow
+    }
+
+    /// The row of this number, from this point on.
+    fn row(&self, row: u64, first: u32) -> impl Iterator<Item = Result<MapPoint, SceneError>> + use<> {
         let starts = self.map.starts.len() as u64;
         let (y, start) = (self.map.y.value((row / starts) as u32), (row % starts) as usize);
         let typed = self.setting.clone().with(self.map.y.over, &y);
@@ -284,7 +313,8 @@ impl MapPoints {
             membrane: self.membrane.clone(),
             depth: self.depth,
             beside: Some((self.map.y.over, y.clone())),
-            left: 0..self.map.x.points,
+            left: first..self.map.x.points,
+            pace: Pace::new(),
             block: Vec::new().into_iter(),
             before: None,
         };
@@ -296,16 +326,22 @@ impl MapPoints {
 
     /// The next rows, as many as make a block, or one that is longer, point by point.
     fn fill(&mut self) {
-        let most = (BLOCK as u64 / u64::from(self.map.x.points)).max(1);
-        let rows = self.rows.start..(self.rows.start + most).min(self.rows.end);
-        self.rows.start = rows.end;
-        if rows.end - rows.start == 1 {
-            self.block = Box::new(self.row(rows.start));
+        let (next, first) = (self.rows.start, std::mem::take(&mut self.first));
+        let most = (BLOCK as u64 / u64::from(self.map.x.points)).min(self.count_rows());
+        if most <= 1 {
+            self.rows.start += 1;
+            self.block = Box::new(self.row(next, first));
             return;
         }
         let token = Token::current();
-        let made = rows.into_par_iter().map(|row| token.during(|| self.row(row).collect()));
-        let made: Vec<Vec<Result<MapPoint, SceneError>>> = made.collect();
+        let mut pace = self.pace;
+        let made: Vec<Vec<Result<MapPoint, SceneError>>> = pace.block(most, |size| {
+            let of = |row: u64| self.row(row, if row == next { first } else { 0 }).collect();
+            let rows = (next..next + size).into_par_iter();
+            rows.map(|row| token.during(|| of(row))).collect()
+        });
+        self.pace = pace;
+        self.rows.start += made.len() as u64;
         self.block = Box::new(made.into_iter().flatten());
     }
 }

@@ -1,4 +1,5 @@
-//! Parts of a run: joined they are the run byte for byte, and nothing else is joined.
+//! Parts of a run: joined they are the run byte for byte, and nothing else is joined; a run that was stopped goes on to the
+//! same bytes.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -165,4 +166,165 @@ fn what_has_no_parts_is_refused() {
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
         assert!(error.contains(word), "{arguments:?}: {error}");
     }
+}
+
+/// Every command that goes on, with enough rows to be cut anywhere.
+fn resumed() -> Vec<Vec<&'static str>> {
+    let swept = [
+        "sweep",
+        "fig03",
+        "--set",
+        "sweep.points=13",
+        "--set",
+        "sweep.impacts=90",
+    ];
+    let each = ["--set", "sweep.start=each"];
+    let over = [
+        "--set",
+        "sweep.over=r_b",
+        "--set",
+        "sweep.from=0.4",
+        "--set",
+        "sweep.to=0.8",
+    ];
+    vec![
+        vec!["map", "fig03", "--set", MAP],
+        [&swept[..], &each, &["--summary"]].concat(),
+        [&swept[..], &each].concat(),
+        [&swept[..], &each, &over].concat(),
+        SEVERAL.to_vec(),
+    ]
+}
+
+#[test]
+fn a_run_that_was_stopped_goes_on_to_the_same_bytes_wherever_it_was_cut() {
+    let here = Parts::new("resume");
+    let csv = ["--format", "csv"];
+    let to = ["--format", "csv", "--resume", "--out", "rows.csv"];
+    let [file, part] = ["rows.csv", "rows.csv.part"].map(|name| here.0.join(name));
+    for command in resumed() {
+        let whole = here.printed(&[&command[..], &csv].concat());
+        let labelled = here.printed(&[&command[..], &csv, &["--shard", "1/1"]].concat());
+        let text = String::from_utf8(labelled).unwrap();
+        // what a run has written before its end: rows, and a line that is cut
+        let rows = text
+            .split("\n\n")
+            .next()
+            .unwrap()
+            .split("\n# end")
+            .next()
+            .unwrap()
+            .to_owned()
+            + "\n";
+        let ends: Vec<usize> = rows.match_indices('\n').map(|(at, _)| at + 1).collect();
+        let cuts = [
+            0,
+            5,
+            ends[0],
+            ends[1],
+            ends[1] + 3,
+            ends[2],
+            ends[ends.len() / 2],
+            rows.len() - 4,
+            rows.len(),
+        ];
+        for cut in cuts {
+            let _ = fs::remove_file(&file);
+            fs::write(&part, &rows[..cut]).unwrap();
+            here.printed(&[&command[..], &to].concat());
+            let found = fs::read(&file).unwrap();
+            assert!(found == whole, "{command:?} cut at {cut} of {}", rows.len());
+            assert!(!part.exists());
+        }
+    }
+}
+
+#[test]
+fn parts_go_on_too_and_are_merged() {
+    let here = Parts::new("resume-parts");
+    let command = ["map", "fig03", "--set", MAP, "--format", "csv"];
+    let whole = here.printed(&command);
+    let files: Vec<String> = (1..=3)
+        .map(|number| {
+            let (file, shard) = (format!("{number}.csv"), format!("{number}/3"));
+            let shard = ["--shard", &shard];
+            let written = String::from_utf8(here.printed(&[&command[..], &shard].concat())).unwrap();
+            let some: String = written.lines().take(4).map(|line| format!("{line}\n")).collect();
+            fs::write(here.0.join(format!("{file}.part")), some).unwrap();
+            here.printed(&[&command[..], &shard, &["--resume", "--out", &file]].concat());
+            assert_eq!(fs::read_to_string(here.0.join(&file)).unwrap(), written);
+            file
+        })
+        .collect();
+    assert_eq!(here.merged(&files).stdout, whole);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_kill_leaves_the_rows_and_nothing_else() {
+    let here = Parts::new("kill");
+    let many = r#"map={impacts = 4000, x = {over = "d", from = 0.1, to = 0.5, points = 40}, y = {over = "r_b", from = 0.3, to = 0.9, points = 25}}"#;
+    let command = ["map", "fig03", "--set", many, "--format", "csv"];
+    let to = ["--resume", "--out", "rows.csv"];
+    let rows = || fs::read_to_string(here.0.join("rows.csv.part")).map_or(0, |text| text.lines().count());
+    let mut stopped = 0;
+    for signal in ["INT", "KILL"] {
+        let mut program = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
+        let program = program.current_dir(&here.0).args(command).args(to);
+        let mut running = program.stderr(std::process::Stdio::null()).spawn().unwrap();
+        let before = rows();
+        let start = std::time::Instant::now();
+        while rows() <= before + 2 && running.try_wait().unwrap().is_none() && start.elapsed().as_secs() < 60 {
+            std::thread::sleep(std::time::Duration::from_millis(20));
+        }
+        let id = running.id().to_string();
+        Command::new("kill")
+            .args([&format!("-{signal}"), &id])
+            .status()
+            .unwrap();
+        let status = running.wait().unwrap();
+        if !status.success() {
+            stopped += 1;
+            let names: Vec<_> = fs::read_dir(&here.0)
+                .unwrap()
+                .map(|entry| entry.unwrap().file_name())
+                .collect();
+            assert_eq!(names, ["rows.csv.part"], "{signal}");
+        }
+    }
+    assert!(stopped > 0, "the runs were over before they could be stopped");
+    here.printed(&[&command[..], &to].concat());
+    let whole = here.printed(&command);
+    assert!(fs::read(here.0.join("rows.csv")).unwrap() == whole);
+    assert!(!here.0.join("rows.csv.part").exists());
+}
+
+#[test]
+fn what_cannot_go_on_is_refused_and_the_rows_stay() {
+    let here = Parts::new("resume-refused");
+    let command = ["map", "fig03", "--set", MAP];
+    let refused = |arguments: &[&str], word: &str| {
+        let output = here.run(&[&command[..], arguments].concat());
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
+        assert!(error.contains(word), "{arguments:?}: {error}");
+    };
+    refused(&["--resume", "--format", "csv"], "add --out FILE");
+    refused(&["--resume", "--out", "rows.csv"], "add --format csv");
+    let to = ["--resume", "--format", "csv", "--out", "rows.csv"];
+    refused(
+        &[&to[..], &["--set", "map.start=follow"]].concat(),
+        "follows the one before",
+    );
+    fs::write(
+        here.0.join("rows.csv.part"),
+        "# vibro-audit part 1 of 1: map 0.1.0 0123\nx,y\n1,2\n",
+    )
+    .unwrap();
+    refused(&to, "of another run");
+    assert!(
+        fs::read_to_string(here.0.join("rows.csv.part"))
+            .unwrap()
+            .ends_with("1,2\n")
+    );
 }

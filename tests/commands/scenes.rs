@@ -15,7 +15,6 @@ want = ["orbits"]
 words = ["BT", "BTT"]
 max_periods = 3
 digits = 20
-basins = { impacts = 400, phase = { from = 0, to = 6, points = 3 }, velocity = { from = 0, to = 1, points = 2 } }
 [device]
 capsule_mass = 0.1245
 forcing_amplitude = 5.0
@@ -52,6 +51,16 @@ impacts = 400
 r_t = [0.2, 0.8]
 margin = 0.1
 clearance = 0.01
+[basins]
+impacts = 400
+[basins.phase]
+from = 0
+to = 6
+points = 3
+[basins.velocity]
+from = 0
+to = 1
+points = 2
 "#;
 
 /// Without unit.
@@ -249,7 +258,7 @@ fn each_want_requires_its_own_sections() {
             ],
         ),
         ("phase", &[Want::Impacts, Want::Sweep, Want::Trajectory, Want::Map]),
-        ("points", &[Want::Branch, Want::Sweep]),
+        ("points", &[Want::Branch, Want::Sweep, Want::Basins]),
         ("keep", &[Want::Sweep]),
         ("exponent", &[Want::Voltage, Want::Map, Want::Optimum]),
         ("angular_frequency", &[Want::Voltage, Want::Map, Want::Optimum]),

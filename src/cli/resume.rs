@@ -1,0 +1,210 @@
+//! Runs that can be stopped and gone on with: `--resume` writes rows beside the file that they become.
+
+use super::answer::Rows;
+use super::shard::{Label, Shard};
+use super::{Failure, Options};
+use crate::report::{Cell, Column, Format, Output, OutputError, OutputProblem, Stream, Table};
+use crate::stop::Token;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufRead, BufReader, BufWriter, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// Rows are written at least so often: what a kill may lose.
+const PAUSE: Duration = Duration::from_millis(300);
+
+/// A run whose rows stand in a file of their own until all of them are there.
+#[derive(Debug)]
+pub struct Unfinished {
+    /// The file of the rows.
+    path: PathBuf,
+    label: Label,
+    /// Whether it is a part of a run, and stays one.
+    is_part: bool,
+    columns: Vec<Column>,
+    /// The rows that are whole, and the bytes up to their end.
+    kept: Place,
+    /// What stands in the first column of the last of them, and the rows before the first one with that.
+    last: Option<(String, Place)>,
+}
+
+/// So many rows, which end at this byte.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Place {
+    rows: u64,
+    bytes: u64,
+}
+
+fn system(path: &Path, doing: &'static str) -> impl Fn(io::Error) -> Failure {
+    let place = path.display().to_string();
+    move |source| {
+        let (place, problem) = (place.clone(), OutputProblem::System { doing, source });
+        OutputError { place, problem }.into()
+    }
+}
+
+impl Unfinished {
+    /// What there is of the run that `label` describes, in the file beside `--out`; where there is no such file, nothing.
+    ///
+    /// # Errors
+    /// No `--out`, another format than CSV, a file of another run, and what the system says.
+    pub fn open(options: &Options, shard: Option<Shard>, label: Label, columns: &[&str]) -> Result<Self, Failure> {
+        let usage = |problem: &str| Failure::Usage(problem.to_owned());
+        let out = options
+            .out
+            .as_ref()
+            .ok_or_else(|| usage("--resume writes to a file: add --out FILE"))?;
+        if options.format != Format::Csv {
+            return Err(usage("--resume writes CSV: add --format csv"));
+        }
+        Output::File(out.clone()).check()?;
+        let mut name = out.file_name().unwrap_or_default().to_owned();
+        name.push(".part");
+        let path = out.with_file_name(name);
+        let mut unfinished = Self {
+            label,
+            is_part: shard.is_some(),
+            columns: columns.iter().map(|name| Column::from(*name)).collect(),
+            kept: Place::default(),
+            last: None,
+            path,
+        };
+        let [head, columns] = unfinished.head();
+        let mut place = Place {
+            rows: 0,
+            bytes: (head.len() + columns.len() + 2) as u64,
+        };
+        let mut last: Option<(String, Place)> = None;
+        unfinished.each(|line| {
+            let first = line.split(',').next().unwrap_or_default();
+            if last.as_ref().is_none_or(|(known, _)| known != first) {
+                last = Some((first.to_owned(), place));
+            }
+            place.rows += 1;
+            place.bytes += line.len() as u64 + 1;
+        })?;
+        (unfinished.kept, unfinished.last) = (place, last);
+        Ok(unfinished)
+    }
+
+    fn head(&self) -> [String; 2] {
+        let columns: Vec<&str> = self.columns.iter().map(|column| column.name.as_str()).collect();
+        [self.label.head(), columns.join(",")]
+    }
+
+    /// Looks at each row that is whole.
+    ///
+    /// # Errors
+    /// A file of another run, and what the system says.
+    pub fn each(&self, mut look: impl FnMut(&str)) -> Result<(), Failure> {
+        let failed = system(&self.path, "reading what there is of the run");
+        let file = match File::open(&self.path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+            file => file.map_err(&failed)?,
+        };
+        let mut reader = BufReader::new(file);
+        let mut next = || -> Result<Option<String>, Failure> {
+            let mut line = String::new();
+            reader.read_line(&mut line).map_err(&failed)?;
+            // a line without its end was cut
+            Ok(line.strip_suffix('\n').map(str::to_owned))
+        };
+        for wanted in self.head() {
+            match next()? {
+                Some(line) if line == wanted => {}
+                // nothing was written yet
+                None => return Ok(()),
+                Some(line) => {
+                    return Err(Failure::Usage(format!(
+                        "{}: it is of another run, `{line}`: remove it, or give another --out",
+                        self.path.display()
+                    )));
+                }
+            }
+        }
+        while let Some(line) = next()? {
+            look(&line);
+        }
+        Ok(())
+    }
+
+    /// How many rows are there.
+    pub fn rows(&self) -> u64 {
+        self.kept.rows
+    }
+
+    /// Leaves out the last rows that are alike in the first column, of which more may follow; what stands there.
+    pub fn without_last(&mut self) -> Option<String> {
+        let (first, before) = self.last.take()?;
+        self.kept = before;
+        Some(first)
+    }
+
+    /// Writes the rows that are not there yet as they come and, when all are, the file; how many rows there are, and whether
+    /// they are as is required.
+    pub fn write(self, rows: Rows, output: &Output) -> Result<(usize, bool), Failure> {
+        let failed = system(&self.path, "writing");
+        let file = OpenOptions::new()
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(&self.path);
+        let mut file = file.map_err(&failed)?;
+        if self.kept.rows == 0 {
+            file.write_all((self.head().join("\n") + "\n").as_bytes())
+                .map_err(&failed)?;
+        }
+        file.set_len(self.kept.bytes).map_err(&failed)?;
+        file.seek(SeekFrom::End(0)).map_err(&failed)?;
+        let mut writer = BufWriter::new(file);
+        let token = Token::current();
+        let mut count = self.kept.rows as usize;
+        let mut stream = Stream::continued(self.columns.clone(), &mut writer);
+        let mut written = Instant::now();
+        let (is_met, following) = rows.each(|row: Vec<Cell>| {
+            // a row that was stopped on its way is none
+            if token.is_stopped() {
+                return Ok(false);
+            }
+            count += 1;
+            stream.push(row).map_err(&failed)?;
+            if written.elapsed() > PAUSE {
+                stream.flush().map_err(&failed)?;
+                written = Instant::now();
+            }
+            Ok(true)
+        })?;
+        stream.end().map_err(&failed)?;
+        writer.flush().map_err(&failed)?;
+        if token.is_stopped() {
+            let path = self.path.display();
+            super::say(
+                "note",
+                &format!("{count} rows are in {path}: the same command goes on behind them"),
+            );
+            return Ok((count, is_met));
+        }
+        output.write(|to| self.finish(to, count, following.as_ref()))?;
+        fs::remove_file(&self.path).map_err(&failed)?;
+        Ok((count, is_met))
+    }
+
+    /// Copies the rows to where they belong.
+    fn finish(&self, to: &mut dyn Write, rows: usize, following: Option<&Table>) -> io::Result<()> {
+        let mut lines = BufReader::new(File::open(&self.path)?);
+        let mut head = String::new();
+        lines.read_line(&mut head)?;
+        if self.is_part {
+            to.write_all(head.as_bytes())?;
+        }
+        io::copy(&mut lines, to)?;
+        if let Some(table) = following {
+            writeln!(to)?;
+            table.write(to, Format::Csv, 0)?;
+        }
+        match self.is_part {
+            true => writeln!(to, "{}", self.label.tail(rows)),
+            false => Ok(()),
+        }
+    }
+}
