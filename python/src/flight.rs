@@ -18,6 +18,9 @@ struct Arrival {
 /// Sides, times, phases, velocities, the Jacobian, and of each state without a next impact the reason.
 type Found = (Vec<Option<&'static str>>, [Py<PyAny>; 4], Vec<(usize, String)>);
 
+/// Below, the squares of velocities are 0 in f64, and with them what tells a short hop from none.
+const SLOWEST: f64 = 1e-140;
+
 fn arrival(
     motion: &Motion<f64>,
     side: Side,
@@ -25,6 +28,11 @@ fn arrival(
     velocity: f64,
     with_jacobian: bool,
 ) -> Result<Arrival, String> {
+    if velocity != 0.0 && velocity.abs() < SLOWEST {
+        return Err(format!(
+            "its velocity {velocity:e} is too small to be followed in f64: at least {SLOWEST:e} is needed, or 0"
+        ));
+    }
     let told = |error: FlightError| error.to_string();
     let forcing = Forcing::harmonic(&phase);
     let impact = Impact {

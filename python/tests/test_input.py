@@ -121,3 +121,15 @@ def test_sources_are_left_as_they_are(tmp_path):
     before = os.stat(path).st_mtime_ns
     va.orbits(path)
     assert os.listdir(tmp_path) == ["scene.toml"] and os.stat(path).st_mtime_ns == before
+
+
+@pytest.mark.parametrize("option", ["digits", "impacts", "last"])
+@pytest.mark.parametrize("value", [5.0, True, "5", [5]])
+def test_counts_that_are_none_are_named(option, value):
+    with pytest.raises(va.InputError, match=f"{option} is .*; a whole number is needed"):
+        va.simulate("fig03", **{option: value})
+
+
+def test_a_label_that_is_no_text_is_named():
+    with pytest.raises(va.InputError, match="label is None"):
+        va.explain(None, None)

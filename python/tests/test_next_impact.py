@@ -79,3 +79,18 @@ def test_a_state_that_is_none_is_named(arguments, words):
 def test_a_parameter_that_is_none_is_named(change):
     with pytest.raises(va.InputError, match=next(iter(change))):
         va.next_impact("bottom", 1, 1, **{**PARAMETERS, **change})
+
+
+@pytest.mark.parametrize(
+    "phase", [np.array([1j]), {1: 2.0}, {1.0, 2.0}, np.ma.masked_array([1.0, 2.0], [0, 1]), np.array(["a"])]
+)
+def test_what_is_no_array_of_real_numbers_is_refused(phase):
+    with pytest.raises(va.InputError, match="phase "):
+        va.next_impact("bottom", phase, 0.5, g=0.1, d=0.3, r_b=0.5, r_t=0.5)
+
+
+@pytest.mark.parametrize("velocity", [5e-324, 1e-300, 1e-141])
+def test_velocities_too_small_for_f64_are_faults(velocity):
+    found = va.next_impact("bottom", [1.0, 0.0, 6.0], velocity, g=0.05, d=0.35, r_b=0.6, r_t=0.45)
+    assert found.sides == [None] * 3 and all("too small" in fault for fault in found.faults.values())
+    assert not np.isfinite(np.asarray(found.times)).any()

@@ -58,7 +58,8 @@ impl Vocabulary {
         ];
         for (list, names) in lists {
             if let Some(name) = names.iter().find(|name| !self.declares(name)) {
-                return Err(Fault::new(format!("`{name}` in `{list}` is not declared")));
+                let declare = "add it to `parameters`, or to what it is";
+                return Err(Fault::new(format!("`{name}` in `{list}` is not declared: {declare}")));
             }
             if let Some(name) = names
                 .iter()

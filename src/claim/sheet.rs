@@ -8,8 +8,8 @@ use super::fault::{Fault, Source, Text};
 use super::function::{Given, names_given};
 use super::premise::{refuse_two_meanings, shared};
 use super::spelling::{
-    note_constants_of_motion, refuse_alternative_matrices, refuse_constants_of_solutions, refuse_products_of_vectors,
-    refuse_two_spellings,
+    note_constants_of_motion, refuse_alternative_matrices, refuse_constants_of_solutions, refuse_indexed_parameters,
+    refuse_products_of_vectors, refuse_two_spellings,
 };
 use super::symbols::{MapEntry, Symbols};
 use super::vocabulary::Vocabulary;
@@ -96,6 +96,7 @@ impl Sheet {
         refuse_alternative_matrices(&mut entries);
         refuse_products_of_vectors(&equations, &mut entries, &vocabulary);
         if raw.symbols.is_some() {
+            refuse_indexed_parameters(&mut entries, &vocabulary);
             refuse_constants_of_solutions(&mut entries, &vocabulary);
             note_constants_of_motion(&mut entries, &vocabulary);
         }

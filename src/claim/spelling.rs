@@ -143,6 +143,32 @@ pub(super) fn note_constants_of_motion(entries: &mut [Entry], vocabulary: &Vocab
     }
 }
 
+/// Makes what speaks of a parameter `unread` that carries an integer as its index: it is meant for a sequence.
+pub(super) fn refuse_indexed_parameters(entries: &mut [Entry], vocabulary: &Vocabulary) {
+    for entry in entries {
+        let own = entry.local.iter().chain(&entry.with).map(|(equation, _)| equation);
+        let mut met: Option<(Name, Name)> = None;
+        for equation in entry.equations.iter().chain(own) {
+            any_side(equation, &mut |node| {
+                if let Tree::Symbol(name, _) = node
+                    && let Some(letter) = vocabulary.index_in(name)
+                {
+                    met.get_or_insert_with(|| (name.clone(), letter.clone()));
+                }
+                false
+            });
+        }
+        let Some((name, letter)) = met else { continue };
+        let bare = name.bare();
+        let problem = format!(
+            "`{name}` is declared as a parameter and carries the integer `{letter}` as its index: for a sequence declare \
+             `{bare}` in `states` and `{letter}` in `indices` (in a document: `symbols states {bare}; indices {letter}`)"
+        );
+        let fault = entry.tex.fault(0, problem).of(&entry.label);
+        entry.unread.get_or_insert(fault);
+    }
+}
+
 /// Makes the claims `unread` that give a function of a differential equation by parameters of which no premise of the sheet
 /// speaks: with such constants authors mean that some solve it.
 pub(super) fn refuse_constants_of_solutions(entries: &mut [Entry], vocabulary: &Vocabulary) {

@@ -206,22 +206,14 @@ impl Vocabulary {
             .collect();
         self.parameters.extend(new);
         self.let_indices_run();
-        self.refuse_indexed_parameters()
+        Ok(())
     }
 
-    /// A parameter has one value: what carries an integer as its index runs with it.
-    fn refuse_indexed_parameters(&self) -> Result<(), Fault> {
-        for name in &self.parameters {
-            let index = |letter: &&Name| index_of(&name.subscript, &letter.base).is_some();
-            if let Some(letter) = self.integers.iter().find(index) {
-                let bare = name.bare();
-                return Err(Fault::new(format!(
-                    "`{name}` carries the integer `{letter}` as its index: for a sequence declare `{bare}` in `states` and \
-                     `{letter}` in `indices` (in a document: `symbols states {bare}; indices {letter}`)"
-                )));
-            }
-        }
-        Ok(())
+    /// The integer that a parameter carries as its index, where it does: it has one value, and would not move with it.
+    pub(super) fn index_in(&self, name: &Name) -> Option<&Name> {
+        let is_index = |letter: &&Name| index_of(&name.subscript, &letter.base).is_some();
+        let is_parameter = self.parameters.contains(name);
+        self.integers.iter().find(is_index).filter(|_| is_parameter)
     }
 
     fn read_times(&mut self, symbols: &Symbols) -> Result<(), Fault> {

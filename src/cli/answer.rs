@@ -149,7 +149,7 @@ impl Rows {
         }
     }
 
-    /// The same rows, and behind them, after an empty line, a table that is made when the last of them is.
+    /// The same rows, and behind them, after an empty line, a table that is made when the last of them is; not in JSON.
     pub fn then(self, table: impl FnOnce() -> Result<Table, Failure> + 'static) -> Self {
         let following: Option<Box<MakeTable>> = Some(Box::new(table));
         Self { following, ..self }
@@ -232,7 +232,9 @@ impl Rows {
                 count += 1;
             }
             stream.end()?;
-            if let Some(table) = following.filter(|_| !token.is_stopped()) {
+            // a program that reads JSON asks for one table
+            let is_text = !matches!(format, Format::Json | Format::Jsonl);
+            if let Some(table) = following.filter(|_| is_text && !token.is_stopped()) {
                 match table() {
                     Ok(table) => {
                         writeln!(to)?;

@@ -32,7 +32,7 @@ pub struct Input {
 /// What a command found, as data.
 #[derive(Debug)]
 pub struct Reply {
-    /// Its tables: of a document with printed numbers and of basins two, of what is no table none.
+    /// Its tables: of a document with printed numbers two, of what is no table none.
     pub tables: Vec<Frame>,
     /// The page, where `--format html` asks for one.
     pub page: Option<String>,
@@ -152,7 +152,8 @@ fn reply(line: &Line) -> Result<Reply, Failure> {
             let token = Token::current();
             let mut frame = empty(name, &rows.columns);
             let most = MOST_CELLS / rows.columns.len().max(1);
-            let (is_met, following) = rows.each(|row| {
+            // what follows has a command of its own
+            let (is_met, _) = rows.each(|row| {
                 frame.push(row);
                 match frame.rows > most {
                     true => Err(Failure::TooManyCells { most: MOST_CELLS }),
@@ -163,9 +164,6 @@ fn reply(line: &Line) -> Result<Reply, Failure> {
                 reply.exit = Exit::NotAsExpected;
             }
             reply.tables.push(frame);
-            reply
-                .tables
-                .extend(following.map(|table| framed(Some("basins --attractors"), table)));
         }
     }
     Ok(reply)

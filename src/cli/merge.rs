@@ -220,7 +220,7 @@ fn renumbered(line: &str, numbers: &[i64]) -> Option<String> {
 /// Reads a table of attractors; of no text there are none.
 fn read_attractors(text: &str) -> Option<ReachedAttractors> {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
-    if !text.is_empty() && *reader.headers().ok()? != csv::StringRecord::from(basins::ATTRACTORS.to_vec()) {
+    if !text.is_empty() && !reader.headers().ok()?.iter().eq(basins::ATTRACTORS) {
         return None;
     }
     let rows = reader.records().map(|row| read_attractor(&row.ok()?));

@@ -645,7 +645,8 @@ impl Witness<'_> {
                 .any(|course| course.flight.is_none() && course.law.is_none())
         };
         // without times nothing is forced
-        if self.vocabulary.times.is_empty() || !is_forced(&self.system) {
+        let has_times = !self.vocabulary.times.is_empty() || self.vocabulary.running.is_some();
+        if !has_times || !is_forced(&self.system) {
             return false;
         }
         let Ok(system) = System::new(self.statements, self.vocabulary, Forcing::Cosine) else {

@@ -47,7 +47,7 @@ pub enum FlightError {
     #[error("no wall is reached within {LONGEST_FLIGHT} forcing periods")]
     Unending,
     /// The wall is reached with a velocity that is 0 to the precision of the number: no derivative there.
-    #[error("the flight grazes the {side}: it arrives with velocity {velocity}")]
+    #[error("the flight grazes the {side}: it arrives with velocity {velocity:e}")]
     Grazing {
         /// The wall.
         side: Side,

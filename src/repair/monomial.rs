@@ -69,7 +69,7 @@ impl Monomial {
         let mut all: Vec<Self> = Vec::new();
         for term in terms.iter().map(Self::of) {
             match all.iter_mut().find(|known| known.powers == term.powers) {
-                Some(known) => known.number = known.number.clone() + term.number,
+                Some(known) => known.number += term.number,
                 None => all.push(term),
             }
         }
@@ -86,10 +86,10 @@ impl Monomial {
     }
 
     fn times(mut self, other: &Self) -> Self {
-        self.number = self.number * other.number.clone();
+        self.number *= other.number.clone();
         for (base, exponent) in &other.powers {
             let own = self.powers.entry(base.clone()).or_insert_with(Rational::zero);
-            *own = own.clone() + exponent.clone();
+            *own += exponent.clone();
         }
         self.powers.retain(|_, exponent| !exponent.is_zero());
         self

@@ -176,10 +176,8 @@ fn the_columns_of_every_command_are_as_described() {
     let mut shown = BTreeSet::new();
     for (command, arguments) in runs {
         let text = run(&[&arguments[..], &["--format", "json"]].concat());
-        // what follows the rows is a text of its own
-        let mut texts = serde_json::Deserializer::from_str(&text).into_iter();
-        let rows: Result<Vec<Map<String, Value>>, _> = texts.next().expect("a text");
-        let rows = rows.unwrap_or_else(|error| panic!("{arguments:?}: {error} in {text:.400}"));
+        let rows: Vec<Map<String, Value>> =
+            serde_json::from_str(&text).unwrap_or_else(|error| panic!("{arguments:?}: {error} in {text:.400}"));
         assert!(!rows.is_empty(), "{arguments:?}");
         let first = text.lines().nth(1).unwrap_or_default();
         let places = described(command).filter_map(|known| first.find(&format!("\"{}\":", known.column)));

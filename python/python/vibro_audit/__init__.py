@@ -13,6 +13,7 @@ import array as _array
 import csv as _csv
 import io as _io
 import math as _math
+import operator as _operator
 import os as _os
 from builtins import map as _each
 from collections.abc import Iterable as _Iterable
@@ -70,6 +71,8 @@ def audit(sheet: Given | None = None, *, effort: int = 1, repair: bool = False, 
 
 def explain(sheet: Given | None, label: str, *, effort: int = 1) -> str:
     """The proof or the counterexample of one formula in words; `sheet` None is the paper's appendix."""
+    if not isinstance(label, str):
+        raise InputError(f"label is {label!r:.40}; a text is needed")
     given = _input(sheet, "sheet") if sheet is not None else None
     return _text("audit", {"explain": label, "effort": effort}, given)[0]
 
@@ -310,6 +313,12 @@ def _listed(values: Any, name: str) -> list[Any]:
 
 def _numbers(values: Any, name: str) -> _array.array[float]:
     """One dimension of f64."""
+    kind = getattr(getattr(values, "dtype", None), "kind", "f")
+    if kind not in "fiubO":
+        raise InputError(f"{name} has numbers of the type {values.dtype}; real numbers are needed")
+    if isinstance(values, (_Mapping, set, frozenset)) or hasattr(values, "mask"):
+        what = "masked values" if hasattr(values, "mask") else f"a {type(values).__name__}"
+        raise InputError(f"{name} is {what}; a number or an array of shape (n,) is needed")
     if _is_number(values):
         return _array.array("d", [float(values)])
     shape = getattr(values, "shape", None)
@@ -379,13 +388,27 @@ def _answers(answers: Path | _Mapping[str, _Iterable[Any]]) -> _Named:
     return ["-"], ("answers", text.getvalue())
 
 
+_COUNTS = ("digits", "impacts", "last", "effort")
+
+
+def _count(value: Any, name: str) -> int:
+    try:
+        if isinstance(value, bool):
+            raise TypeError
+        return _operator.index(value)
+    except TypeError:
+        raise InputError(f"{name} is {value!r:.40}; a whole number is needed") from None
+
+
 def _ask(command: str, options: _Mapping[str, Any], given: _Named | None, format: str) -> Any:
     named, text = given if given is not None else ([], None)
     arguments = [command, f"--format={format}"]
     for name, value in options.items():
         if value is None or value is False:
             continue
-        if value is True:
+        if name in _COUNTS:
+            arguments.append(f"--{name}={_count(value, name)}")
+        elif value is True:
             arguments.append(f"--{name}")
         elif isinstance(value, _Mapping):
             arguments += [f"--{name}={key}={_to_value(item, f'set[{key!r}]')}" for key, item in value.items()]

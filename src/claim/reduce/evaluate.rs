@@ -301,7 +301,7 @@ impl<'a> Over<'a> {
                 }
                 let (Some(from), Some(to)) = (whole(from), whole(to)) else {
                     return Err(format!(
-                        "the length of the {} over {index} is not a number",
+                        "the length of the {} over {index} is not a number: declare in `integers` the letters that its ends have",
                         name_of(*kind)
                     ));
                 };
