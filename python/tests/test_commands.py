@@ -114,7 +114,7 @@ def test_a_map_has_the_rows_of_sweeps():
 
 def test_basins_number_the_attractors_of_a_table():
     grid = {"from": 0, "to": 6, "points": 4}
-    few = {"basins": {"impacts": 400, "phase": grid, "velocity": {"from": 0, "to": 1, "points": 3}}, "motion.d": 0.26}
+    few = {"basins": {"impacts": 400, "phase": grid, "velocity": {"from": 0, "to": 1, "points": 3}}, "motion.d": 0.45}
     starts = va.basins("fig03", set=few)
     attractors = va.basins("fig03", set=few, attractors=True)
     assert list(starts["phase"])[:5] == [0, 2, 4, 6, 0]
