@@ -18,7 +18,8 @@ struct Arrival {
 /// Sides, times, phases, velocities, the Jacobian, and of each state without a next impact the reason.
 type Found = (Vec<Option<&'static str>>, [Py<PyAny>; 4], Vec<(usize, String)>);
 
-/// Below, the squares of velocities are 0 in f64, and with them what tells a short hop from none.
+/// The squares of velocities lose digits in f64 below 1e-154 and are 0 below 1e-162, and with them what tells a short hop
+/// from none; some orders are left for what they are multiplied by.
 const SLOWEST: f64 = 1e-140;
 
 fn arrival(

@@ -89,6 +89,13 @@ def test_what_is_no_array_of_real_numbers_is_refused(phase):
         va.next_impact("bottom", phase, 0.5, g=0.1, d=0.3, r_b=0.5, r_t=0.5)
 
 
+def test_a_series_of_pandas_is_an_array():
+    pd = pytest.importorskip("pandas")
+    plain = va.next_impact("bottom", [1.0, 2.0], 0.5, **PARAMETERS)
+    series = va.next_impact("bottom", pd.Series([1.0, 2.0]), 0.5, **PARAMETERS)
+    assert list(series.times) == list(plain.times)
+
+
 @pytest.mark.parametrize("velocity", [5e-324, 1e-300, 1e-141])
 def test_velocities_too_small_for_f64_are_faults(velocity):
     found = va.next_impact("bottom", [1.0, 0.0, 6.0], velocity, g=0.05, d=0.35, r_b=0.6, r_t=0.45)

@@ -80,13 +80,11 @@ fn known(unfinished: &Unfinished, points: &mut BasinPoints, first: u64) -> Resul
     let mut seen: Vec<(u64, u64)> = Vec::new();
     let mut row = first;
     unfinished.each(|line| {
-        let number = line
-            .rsplit_once(',')
-            .and_then(|(_, number)| number.parse::<usize>().ok());
-        match number.and_then(|number| seen.get_mut(number.checked_sub(1)?)) {
-            Some((_, starts)) => *starts += 1,
-            None if number.is_some() => seen.push((row, 1)),
-            None => {}
+        if let Some((_, Some(number))) = told(line) {
+            match seen.get_mut(number) {
+                Some((_, starts)) => *starts += 1,
+                None => seen.push((row, 1)),
+            }
         }
         row += 1;
     })?;
@@ -122,6 +120,16 @@ fn rows_of(points: BasinPoints, known: ReachedAttractors, starts: u64, options: 
 /// Attractors are numbered from 1.
 pub(super) fn shown(number: usize) -> i64 {
     i64::try_from(number).map_or(i64::MAX, |number| number.saturating_add(1))
+}
+
+/// What stands before the attractor in a line of CSV, and its number, from 0, where it has one; nothing where that is none.
+pub(super) fn told(line: &str) -> Option<(&str, Option<usize>)> {
+    let (start, number) = line.rsplit_once(',')?;
+    let number = match number {
+        "" => None,
+        number => Some(number.parse::<usize>().ok()?.checked_sub(1)?),
+    };
+    Some((start, number))
 }
 
 /// A row for each attractor, of so many starts.

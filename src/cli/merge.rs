@@ -195,26 +195,21 @@ fn copy(part: &Part, numbers: &[i64], to: &mut dyn Write) -> io::Result<usize> {
 
 /// The counts with the attractor of one more row; a new one has the next number.
 fn counted(line: &str, mut named: Vec<u64>) -> Option<Vec<u64>> {
-    let (_, number) = line.rsplit_once(',')?;
-    if number.is_empty() {
-        return Some(named);
+    if let (_, Some(place)) = basins::told(line)? {
+        if place == named.len() {
+            named.push(0);
+        }
+        *named.get_mut(place)? += 1;
     }
-    let place = number.parse::<usize>().ok()?.checked_sub(1)?;
-    if place == named.len() {
-        named.push(0);
-    }
-    *named.get_mut(place)? += 1;
     Some(named)
 }
 
 /// A row with the number, in the last column, under which all parts know its attractor.
 fn renumbered(line: &str, numbers: &[i64]) -> Option<String> {
-    let (row, number) = line.rsplit_once(',')?;
-    if number.is_empty() {
-        return Some(line.to_owned());
+    match basins::told(line)? {
+        (start, Some(own)) => Some(format!("{start},{}", numbers.get(own)?)),
+        (_, None) => Some(line.to_owned()),
     }
-    let own: usize = number.parse().ok()?;
-    Some(format!("{row},{}", numbers.get(own.checked_sub(1)?)?))
 }
 
 /// Reads a table of attractors; of no text there are none.

@@ -5,7 +5,7 @@ use super::shard::{Label, Shard};
 use super::{Failure, Options};
 use crate::report::{Cell, Column, Format, Output, OutputError, OutputProblem, Stream, Table};
 use crate::stop::Token;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -16,8 +16,9 @@ const PAUSE: Duration = Duration::from_millis(300);
 /// A run whose rows stand in a file of their own until all of them are there.
 #[derive(Debug)]
 pub struct Unfinished {
-    /// The file of the rows.
+    /// The file of the rows, which nobody else writes meanwhile.
     path: PathBuf,
+    file: File,
     label: Label,
     /// Whether it is a part of a run, and stays one.
     is_part: bool,
@@ -61,7 +62,23 @@ impl Unfinished {
         let mut name = out.file_name().unwrap_or_default().to_owned();
         name.push(".part");
         let path = out.with_file_name(name);
+        let file = OpenOptions::new()
+            .read(true)
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(&path)
+            .map_err(system(&path, "opening"))?;
+        match file.try_lock() {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => {
+                let problem = format!("{}: another run is writing it", path.display());
+                return Err(Failure::Usage(problem));
+            }
+            Err(TryLockError::Error(error)) => return Err(system(&path, "locking")(error)),
+        }
         let mut unfinished = Self {
+            file,
             label,
             is_part: shard.is_some(),
             columns: columns.iter().map(|name| Column::from(*name)).collect(),
@@ -98,11 +115,8 @@ impl Unfinished {
     /// A file of another run, and what the system says.
     pub fn each(&self, mut look: impl FnMut(&str)) -> Result<(), Failure> {
         let failed = system(&self.path, "reading what there is of the run");
-        let file = match File::open(&self.path) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
-            file => file.map_err(&failed)?,
-        };
-        let mut reader = BufReader::new(file);
+        (&self.file).rewind().map_err(&failed)?;
+        let mut reader = BufReader::new(&self.file);
         let mut next = || -> Result<Option<String>, Failure> {
             let mut line = String::new();
             reader.read_line(&mut line).map_err(&failed)?;
@@ -144,12 +158,8 @@ impl Unfinished {
     /// they are as is required.
     pub fn write(self, rows: Rows, output: &Output) -> Result<(usize, bool), Failure> {
         let failed = system(&self.path, "writing");
-        let file = OpenOptions::new()
-            .write(true)
-            .create(true)
-            .truncate(false)
-            .open(&self.path);
-        let mut file = file.map_err(&failed)?;
+        let mut file = &self.file;
+        file.rewind().map_err(&failed)?;
         if self.kept.rows == 0 {
             file.write_all((self.head().join("\n") + "\n").as_bytes())
                 .map_err(&failed)?;
@@ -191,7 +201,8 @@ impl Unfinished {
 
     /// Copies the rows to where they belong.
     fn finish(&self, to: &mut dyn Write, rows: usize, following: Option<&Table>) -> io::Result<()> {
-        let mut lines = BufReader::new(File::open(&self.path)?);
+        (&self.file).rewind()?;
+        let mut lines = BufReader::new(&self.file);
         let mut head = String::new();
         lines.read_line(&mut head)?;
         if self.is_part {

@@ -150,11 +150,15 @@ fn beginning(path: &Path) -> Result<Table, Failure> {
         },
     };
     let file = fs::File::open(path).map_err(unread)?;
-    let mut reader = csv::Reader::from_reader(file);
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(file);
     let head = reader.headers().map_err(|error| unread(error.into()))?;
-    let mut table = Table::new(head.iter());
+    let (mut table, columns) = (Table::new(head.iter()), head.len());
     for row in reader.into_records().take(MOST_SHOWN) {
         let row = row.map_err(|error| unread(error.into()))?;
+        // a table of other columns follows
+        if row.len() != columns {
+            break;
+        }
         let cell = |text: &str| match text.parse::<f64>() {
             _ if text.is_empty() => Cell::Empty,
             Ok(number) if Cell::from(number).plain() == text => Cell::from(number),

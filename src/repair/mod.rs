@@ -123,7 +123,7 @@ fn proved(sheet: &Sheet, position: usize, search: &Search, found: Vec<Found>, op
         }
         if mended
             .iter()
-            .any(|(number, equation)| says_nothing(equation, search.formulas.get(*number), found.adds()))
+            .any(|(number, equation)| says_nothing(equation, search.formulas.get(*number), found.may_balance()))
         {
             continue;
         }
@@ -137,12 +137,12 @@ fn proved(sheet: &Sheet, position: usize, search: &Search, found: Vec<Found>, op
     repairs
 }
 
-/// Whether both sides are the same as written, or, where something was added, the same product; or speak of no symbol where
+/// Whether both sides are the same as written, or, where an edit may only balance them, the same product; or speak of no symbol where
 /// the printed formula does.
-fn says_nothing(equation: &Equation, printed: Option<&Formula>, adds: bool) -> bool {
+fn says_nothing(equation: &Equation, printed: Option<&Formula>, may_balance: bool) -> bool {
     let is_symbol = |node: &Tree| matches!(node, Tree::Symbol(name, _) if name.base != r"\pi");
     let speaks = |equation: &Equation| any_side(equation, &mut |node| is_symbol(node));
-    let is_same = match adds {
+    let is_same = match may_balance {
         true => is_same_product(&equation.left, &equation.right),
         false => equation.left.to_string() == equation.right.to_string(),
     };

@@ -80,7 +80,7 @@ impl Found {
 
     /// Whether something is put in of which the printed formula says nothing, or more than one thing is changed: after
     /// that sides may be one by making.
-    pub fn adds(&self) -> bool {
+    pub fn may_balance(&self) -> bool {
         self.edits.len() > 1 || self.edits.iter().any(|candidate| candidate.edit.adds)
     }
 
@@ -278,7 +278,7 @@ impl<'a> Search<'a> {
                 gaps.iter().flatten().all(|side| side.value == 0.0) && !is_literal(equation).contains(&true)
             };
             // a factor that is 0 makes everything true
-            if found.adds() && gaps(&bench.leaves).iter().zip(&equations).any(is_nothing) {
+            if found.may_balance() && gaps(&bench.leaves).iter().zip(&equations).any(is_nothing) {
                 continue;
             }
             let Some(free) = &bench.free else {

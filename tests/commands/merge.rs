@@ -277,6 +277,12 @@ fn a_kill_leaves_the_rows_and_nothing_else() {
         while rows() <= before + 2 && running.try_wait().unwrap().is_none() && start.elapsed().as_secs() < 60 {
             std::thread::sleep(std::time::Duration::from_millis(20));
         }
+        // nobody else writes the rows meanwhile
+        let beside = here.run(&[&command[..], &to].concat());
+        if running.try_wait().unwrap().is_none() {
+            assert_eq!(beside.status.code(), Some(2));
+            assert!(String::from_utf8_lossy(&beside.stderr).contains("another run is writing it"));
+        }
         let id = running.id().to_string();
         Command::new("kill")
             .args([&format!("-{signal}"), &id])
@@ -326,5 +332,19 @@ fn what_cannot_go_on_is_refused_and_the_rows_stay() {
         fs::read_to_string(here.0.join("rows.csv.part"))
             .unwrap()
             .ends_with("1,2\n")
+    );
+}
+
+#[test]
+fn a_page_of_basins_has_the_starts_and_leaves_the_attractors_in_their_file() {
+    let here = Parts::new("page");
+    let page = ["--set", "want=[\"basins\"]", "--format", "html", "--out", "all"];
+    here.printed(&[&["run"][..], &SEVERAL[1..], &page].concat());
+    let text = fs::read_to_string(here.0.join("all/report.html")).unwrap();
+    assert!(text.contains("attractor") && !text.contains("fraction_error"));
+    assert!(
+        fs::read_to_string(here.0.join("all/basins.csv"))
+            .unwrap()
+            .contains("fraction_error")
     );
 }

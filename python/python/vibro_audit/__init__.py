@@ -316,8 +316,10 @@ def _numbers(values: Any, name: str) -> _array.array[float]:
     kind = getattr(getattr(values, "dtype", None), "kind", "f")
     if kind not in "fiubO":
         raise InputError(f"{name} has numbers of the type {values.dtype}; real numbers are needed")
-    if isinstance(values, (_Mapping, set, frozenset)) or hasattr(values, "mask"):
-        what = "masked values" if hasattr(values, "mask") else f"a {type(values).__name__}"
+    # of a series of pandas `mask` is a method
+    is_masked = not callable(getattr(values, "mask", _each))
+    if is_masked or isinstance(values, (_Mapping, set, frozenset)):
+        what = "masked values" if is_masked else f"a {type(values).__name__}"
         raise InputError(f"{name} is {what}; a number or an array of shape (n,) is needed")
     if _is_number(values):
         return _array.array("d", [float(values)])

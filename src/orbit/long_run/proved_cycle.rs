@@ -1,5 +1,6 @@
 //! The proved periodic motion beside a simulated one.
 
+use crate::impact::Event;
 use crate::model::{MotionError, Parameters};
 use crate::number::Interval;
 use crate::orbit::equations::words::WordEquations;
@@ -17,7 +18,8 @@ use std::f64::consts::TAU;
 const NEAR: f64 = 1e-3;
 
 impl Attractor {
-    /// The orbit that the cycle has come to, proved to exist by Krawczyk's test from the impacts of the cycle.
+    /// The orbit that the cycle has come to, proved to exist, to attract and to keep off the walls, by Krawczyk's test from
+    /// the impacts of the cycle.
     ///
     /// `None` for a cycle through a rest, one of more than [`Word::LONGEST`] impacts, and where there is no proof: near a
     /// bifurcation, or where the cycle is only slow in going elsewhere. `parameters` are those of the motion.
@@ -43,11 +45,10 @@ impl Attractor {
             word: spelled,
             periods,
         };
-        let phases: Vec<f64> = self
-            .impacts
-            .iter()
-            .map(|impact| impact.turns as f64 * TAU + impact.phase)
-            .collect();
+        // counted from the first, however late that is
+        let turns = self.impacts.first().map_or(0, |impact| impact.turns);
+        let phase = |impact: &Event<f64>| (impact.turns - turns) as f64 * TAU + impact.phase;
+        let phases: Vec<f64> = self.impacts.iter().map(phase).collect();
         let start = listed_from(&phases, first.unwrap_or(0), periods);
         let start: Vec<f64> = start
             .iter()
@@ -60,8 +61,14 @@ impl Attractor {
         if start.iter().zip(&found).any(|(one, other)| (one - other).abs() > NEAR) {
             return Ok(None);
         }
-        let orbit = settled(&OutputPrecision::DOUBLES, parameters, &WordOrbit::near(&system, found));
-        Ok(orbit.ok().filter(|orbit| orbit.error_bound.is_some()))
+        let proposed = WordOrbit::near(&system, found);
+        if proposed.is_of_shorter_word() {
+            return Ok(None);
+        }
+        let orbit = settled(&OutputPrecision::DOUBLES, parameters, &proposed);
+        // beside a fold Newton's method may have gone to the motion that repels
+        let attracts = |orbit: &RoundedOrbit| orbit.error_bound.is_some() && orbit.stable && orbit.admissible;
+        Ok(orbit.ok().filter(attracts))
     }
 }
 
