@@ -6,7 +6,9 @@ mod work;
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use vibro_audit::number::Interval;
-use vibro_audit::orbit::{BifurcationCondition, ConditionedOneOne, OneOneBranches, newton_one_one_bifurcation, prove};
+use vibro_audit::orbit::{
+    BifurcationCondition, ConditionedOneOne, OneOneBranches, OrbitOptions, newton_one_one_bifurcation, prove,
+};
 use vibro_audit::scene::{self, Scene};
 
 fn orbits(criterion: &mut Criterion) {
@@ -23,7 +25,7 @@ fn sweeps(criterion: &mut Criterion) {
     let text = scene::find("fig02").expect("a built-in scene");
     let scene = Scene::read(text, "fig02").expect("a scene");
     let setting = scene.swept_setting().expect("a sweep");
-    let prepared = OneOneBranches::new(&setting, 1, Interval::new(0.1, 0.5)).expect("a cover");
+    let prepared = OneOneBranches::new(&setting, 1, Interval::new(0.1, 0.5), &OrbitOptions::DEFAULT).expect("a cover");
     let mut d = 0.1;
     criterion.bench_function("all orbits of a d, prepared", |b| {
         b.iter(|| {

@@ -3,6 +3,18 @@
     not(feature = "cli"),
     doc = "Verification of printed formulas for vibro-impact dynamics; the README's examples need the feature `cli`."
 )]
+// Library code never panics by its own word: errors are returned.
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::todo,
+        clippy::unimplemented,
+        clippy::unreachable
+    )
+)]
 
 /// The examples of the guide are run as those of the README are.
 #[cfg(all(doctest, feature = "cli"))]

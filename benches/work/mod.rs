@@ -9,7 +9,7 @@ use vibro_audit::impact::{Event, Kind, Simulation, Start};
 use vibro_audit::model::{Motion, MotionError, Side};
 use vibro_audit::number::{Analytic, Interval, Wide};
 use vibro_audit::orbit::{
-    BifurcationCondition, ConditionedOneOne, OneOneEquations, Orbit, Parameters, ProvedOrbit, ProvedRoot,
+    BifurcationCondition, ConditionedOneOne, OneOneEquations, Orbit, OrbitOptions, Parameters, ProvedOrbit, ProvedRoot,
     isolate_one_one, newton_one_one, newton_one_one_bifurcation,
 };
 use vibro_audit::prove::{self, Decision, Options};
@@ -110,13 +110,17 @@ pub fn doubling() -> impl FnMut() -> Option<[f64; 3]> {
 /// How many 1-1 motions of one period there are at d = 0.4: all, guaranteed, without a guess and nothing prepared.
 pub fn all_orbits() -> impl FnMut() -> usize {
     let enclosed: Motion<Interval<f64>> = Exactly.motion().expect("a motion");
-    move || isolate_one_one(black_box(&enclosed), 1).motions.len()
+    move || {
+        isolate_one_one(black_box(&enclosed), 1, &OrbitOptions::DEFAULT)
+            .motions
+            .len()
+    }
 }
 
 /// The stable 1-1 motion at d = 0.4 to 50 digits, with its bound, stability and clearance, from its proved f64 enclosure.
 pub fn many_digits() -> impl FnMut() -> Orbit<Wide<50>> {
     let enclosed: Motion<Interval<f64>> = Exactly.motion().expect("a motion");
-    let motions = isolate_one_one(&enclosed, 1).motions;
+    let motions = isolate_one_one(&enclosed, 1, &OrbitOptions::DEFAULT).motions;
     let stable = |root: &ProvedRoot<f64, 2>| {
         let orbit = ProvedOrbit::Pair { root, periods: 1 }.orbit::<f64>(&Exactly);
         orbit.is_ok_and(|orbit| orbit.stable)

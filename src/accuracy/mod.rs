@@ -1,7 +1,5 @@
 //! Speed against accuracy, measured: what each means costs and how many digits it leaves.
 
-mod choice;
-mod costs;
 mod paper_equations;
 pub mod problems;
 pub mod score;
@@ -9,8 +7,6 @@ pub mod stress;
 mod trade;
 mod weights;
 
-pub use choice::{COSTS, ChoiceError, Cost, Purpose, cheapest, costs};
-pub use costs::measured_costs;
 pub use trade::{
     Advice, AdviceError, Attempt, Basis, Latency, Need, Rank, Task, Timing, TradeError, TradeOptions, TradeRow,
     Unsolved, advise, machine, trade,

@@ -16,9 +16,7 @@ mod voltage;
 
 pub use advice::{Advice, AdviceError, Basis, Need, Rank, advise};
 pub use clock::{Latency, Timing};
-pub(super) use impact::starts;
 pub use machine::machine;
-pub(super) use orbit::motions;
 
 use crate::number::Rung;
 use std::collections::BTreeMap;

@@ -90,7 +90,7 @@ fn known(unfinished: &Unfinished, points: &mut BasinPoints, first: u64) -> Resul
     })?;
     let mut found = ReachedAttractors::default();
     for (row, starts) in seen {
-        let attractor = points.at(row)?.attractor;
+        let attractor = points.at(row)?.and_then(|point| point.attractor);
         found
             .list
             .extend(attractor.map(|attractor| ReachedAttractor { starts, ..attractor }));

@@ -115,12 +115,12 @@ where
     fn new(wanted: &W, setting: &Setting, sweep: &Sweep, word: Word, periods: u32) -> Result<Self, Failure> {
         let [from, to] = [&sweep.from, &sweep.to].map(|end| end.value::<Interval<f64>>());
         let (motions, mut events) = if word == Word::pair() {
-            let prepared = OneOneBranches::new(setting.clone(), periods, from.hull(&to))?;
+            let prepared = OneOneBranches::new(setting.clone(), periods, from.hull(&to), wanted.options())?;
             let events = events_of_pairs(&prepared, wanted, sweep.over, periods);
             (Motions::Pairs(prepared), events)
         } else {
             // the ends as f64: rounded outward they reach beyond a restitution of 1
-            let followed = WordBranches::new(setting.clone(), &word, periods, nearest(sweep))?;
+            let followed = WordBranches::new(setting.clone(), &word, periods, nearest(sweep), wanted.options())?;
             let events = events_of_others(&followed, wanted, sweep.over, &word, periods);
             (Motions::Others(followed), events)
         };
@@ -277,7 +277,7 @@ pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
     let columns = columns(&sweep);
     let mut tables = [Table::new(columns.clone()), Table::new(columns)];
     for periods in 1..=scene.max_periods()? {
-        let (events, open) = OneOneBranches::new(&setting, periods, from.hull(&to))?
+        let (events, open) = OneOneBranches::new(&setting, periods, from.hull(&to), &scene.options()?)?
             .bifurcations_as(&OutputPrecision::decimals(decimals, Rung::Wide(50)));
         let is_complete = OpenBifurcation::are_all_there(&open);
         for event in events {

@@ -81,9 +81,6 @@ pub enum Failure {
     /// Two outputs for one file.
     #[error("{0} cannot hold both the table and what stands beside it: name two files")]
     SameFile(String),
-    /// The model by which numbers are chosen cannot be read.
-    #[error("{0}: this is a fault of vibro-audit, please report it")]
-    Choice(#[from] crate::accuracy::ChoiceError),
     /// A problem has no certified answer.
     #[error("{0}: this is a fault of vibro-audit, please report it")]
     Problem(#[from] crate::accuracy::problems::ProblemError),

@@ -1,8 +1,7 @@
 //! The options that every command knows.
 
 use super::Failure;
-use crate::accuracy::{Purpose, cheapest};
-use crate::number::{Decimals, Doubles, FIGURES_OF_F64};
+use crate::number::{Decimals, Doubles, FIGURES_OF_F64, Rung};
 use crate::orbit::{OutputPrecision, most_figures};
 use crate::report::{DEFAULT_DIGITS, Format, Output, is_same_file};
 use crate::scene::{MOST_DIGITS, Scene};
@@ -76,15 +75,16 @@ impl Options {
     /// # Errors
     /// As [`Options::asked_of`].
     pub fn goal_for(&self, scene: &Scene) -> Result<Asked, Failure> {
+        let options = scene.options()?;
         Ok(match self.asked_of(scene)? {
-            None => Asked::Doubles(OutputPrecision::DOUBLES),
+            None => Asked::Doubles(OutputPrecision::DOUBLES.searched(&options)),
             Some(digits) => {
-                let first = cheapest(Purpose::Orbit, digits)?;
+                let first = Rung::reaching(digits);
                 if digits <= FIGURES_OF_F64 {
-                    Asked::Doubles(OutputPrecision::doubles(digits, first))
+                    Asked::Doubles(OutputPrecision::doubles(digits, first).searched(&options))
                 } else {
                     // of as many figures the last one may be off by more than so many digits allow
-                    Asked::Decimals(OutputPrecision::decimals(Decimals(digits as usize + 1), first))
+                    Asked::Decimals(OutputPrecision::decimals(Decimals(digits as usize + 1), first).searched(&options))
                 }
             }
         })

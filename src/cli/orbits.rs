@@ -198,7 +198,7 @@ fn explain(scene: &Scene) -> Result<String, Failure> {
             continue;
         }
         for periods in 1..=scene.max_periods()? {
-            lines.extend(told(&isolate_one_one(&motion, periods)));
+            lines.extend(told(&isolate_one_one(&motion, periods, &scene.options()?)));
         }
     }
     Ok(lines.join("\n"))

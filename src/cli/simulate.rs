@@ -2,10 +2,9 @@
 
 use super::answer::Rows;
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
-use crate::accuracy::{Purpose, cheapest};
 use crate::impact::{self, Extent, Kind, Known, Row, rows, rows_in_decimals};
 use crate::model::{MotionError, Parameters};
-use crate::number::{FIGURES_OF_F64, Told};
+use crate::number::{FIGURES_OF_F64, Rung, Told};
 use crate::report::{Cell, Column, Table};
 use crate::scene::{Scene, Want};
 
@@ -73,7 +72,7 @@ pub fn table(scene: &Scene, options: &Options) -> Result<Table, Failure> {
 
 fn told(scene: &Scene, asked: &Extent, last: Option<u32>) -> Result<Rows, Failure> {
     let (setting, start) = (scene.setting()?, scene.start()?);
-    let first = cheapest(Purpose::Impact, asked.digits)?;
+    let first = Rung::reaching(asked.digits);
     if asked.digits <= FIGURES_OF_F64 {
         listed(rows(setting, start, asked, first)?, asked, last)
     } else {

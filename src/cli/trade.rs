@@ -2,8 +2,8 @@
 
 use super::{Answer, Content, Exit, Failure, Options, note};
 use crate::accuracy::{
-    Advice, AdviceError, Latency, Need, Purpose, Rank, Task, TradeError, TradeOptions, TradeRow, Unsolved, advise,
-    cheapest, machine, trade,
+    Advice, AdviceError, Latency, Need, Rank, Task, TradeError, TradeOptions, TradeRow, Unsolved, advise, machine,
+    trade,
 };
 use crate::number::Rung;
 use crate::report::figure::trades;
@@ -239,24 +239,17 @@ fn chosen(need: &Need, advice: &[Advice]) -> Result<Vec<String>, Failure> {
     let takers = [
         (
             Task::Orbit,
-            Purpose::Orbit,
             "orbits",
             "certified",
             "a command proves the orbits that it prints",
         ),
-        (
-            Task::Impact,
-            Purpose::Impact,
-            "simulate",
-            "own",
-            "a command says how many digits hold",
-        ),
+        (Task::Impact, "simulate", "own", "a command says how many digits hold"),
     ];
-    for (task, purpose, command, method, why) in takers {
+    for (task, command, method, why) in takers {
         if !speaks_of(task.name()) {
             continue;
         }
-        let number = cheapest(purpose, digits)?.to_string();
+        let number = Rung::reaching(digits).to_string();
         let as_advised = if advised(task.name(), method, &number) {
             "as advised".to_owned()
         } else {

@@ -3,10 +3,9 @@
 use super::answer::Rows;
 use super::simulate::DIGITS;
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
-use crate::accuracy::{Purpose, cheapest};
 use crate::impact::{self, Event, Extent, Row, Snapshot, Trajectory, rows};
 use crate::model::{MotionError, Scales};
-use crate::number::FIGURES_OF_F64;
+use crate::number::{FIGURES_OF_F64, Rung};
 use crate::report::{Cell, Column, Table};
 use crate::scene::{Scene, Setting, Start, Want};
 use std::cell::RefCell;
@@ -201,7 +200,7 @@ fn events(
 ) -> Result<impact::Rows<Setting, Start, f64>, Failure> {
     let asked = options.asked_of(scene)?;
     let digits = asked.map_or(DIGITS, |digits| digits.min(FIGURES_OF_F64));
-    let first = cheapest(Purpose::Impact, digits)?;
+    let first = Rung::reaching(digits);
     let extent = Extent {
         impacts,
         until,

@@ -1,18 +1,14 @@
 //! The voltages of the certified orbits along a sweep, for golden values.
 
 use super::{Asked, Failure};
-use crate::model::{Membrane, Side};
-use crate::number::{Analytic, Decimal, Decimals, Field, Interval, Rung, Telling, Told, Wide};
+use crate::model::Membrane;
+use crate::number::{Decimals, Field, Interval, Rung, Telling, Told, Wide};
 use crate::orbit::{
-    Family, Fixed, OneOneBranches, Output, OutputPrecision, RoundedOrbit, Word, confirm_orbit, find_as,
+    EnclosedVoltage, Family, Fixed, OneOneBranches, OrbitVoltages, Output, OutputPrecision, RoundedOrbit,
+    VoltageEndpoint, Word, confirm_orbit, find_as,
 };
 use crate::report::{Cell, Table};
 use crate::scene::{Quantity, Scene, Setting};
-
-/// More digits than are told.
-const DIGITS: usize = 60;
-
-type Number = Interval<Wide<DIGITS>>;
 
 /// The columns of an orbit at a value of the sweep, its velocities and voltages in word order, their mean (7), the means of the bottom
 /// and of the top impacts and how far they lie apart, V.
@@ -39,18 +35,10 @@ const COLUMNS: [&str; 12] = [
 pub fn table(scene: &Scene, asked: &Asked) -> Result<Table, Failure> {
     let mut table = Table::new(COLUMNS);
     match asked {
-        Asked::Doubles(goal) => each(scene, goal, |_, voltages, orbit| {
-            Ok(table.push(voltages.row(&orbit, |velocity| Wide::from_f64(*velocity)))?)
-        })?,
-        Asked::Decimals(goal) => each(scene, goal, |_, voltages, orbit| {
-            Ok(table.push(voltages.row(&orbit, read))?)
-        })?,
+        Asked::Doubles(goal) => each(scene, goal, |_, voltages, orbit| Ok(table.push(voltages.row(&orbit))?))?,
+        Asked::Decimals(goal) => each(scene, goal, |_, voltages, orbit| Ok(table.push(voltages.row(&orbit))?))?,
     }
     Ok(table)
-}
-
-fn read(text: &Decimal) -> Wide<DIGITS> {
-    Wide::parse(text.as_str()).unwrap_or(Wide::INVALID)
 }
 
 /// The same by two means, from the proved enclosures and from the return map; an orbit that the second means does not
@@ -63,9 +51,9 @@ pub fn twice(scene: &Scene, decimals: Decimals) -> Result<[Table; 2], Failure> {
     let goal = OutputPrecision::decimals(decimals, Rung::Wide(50));
     each(scene, &goal, |fixed, voltages, orbit| {
         if let Ok(again) = confirm_orbit(fixed, &orbit, decimals) {
-            tables[1].push(voltages.row(&again, read))?;
+            tables[1].push(voltages.row(&again))?;
         }
-        Ok(tables[0].push(voltages.row(&orbit, read))?)
+        Ok(tables[0].push(voltages.row(&orbit))?)
     })?;
     Ok(tables)
 }
@@ -76,7 +64,7 @@ fn each<W: Output>(
     wanted: &W,
     mut take: impl FnMut(&Fixed<'_, Setting, Quantity>, &Voltages<'_, W>, RoundedOrbit<W::Number>) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    let membrane = scene.membrane::<Number>()?;
+    let membrane = scene.membrane::<EnclosedVoltage>()?;
     let sweep = scene.sweep()?;
     let setting = scene.swept_setting()?;
     let values: Vec<Quantity> = sweep.values().collect();
@@ -86,8 +74,8 @@ fn each<W: Output>(
             let voltages = Voltages {
                 wanted,
                 membrane: &membrane,
-                unit: scene.swept_scales::<Number>(sweep.over, value)?.velocity,
-                d: scene.swept::<Number>(sweep.over, value)?.d().clone(),
+                unit: scene.swept_scales::<EnclosedVoltage>(sweep.over, value)?.velocity,
+                d: scene.swept::<EnclosedVoltage>(sweep.over, value)?.d().clone(),
             };
             for orbit in orbits {
                 take(&setting.fixed(value), &voltages, orbit)?;
@@ -114,7 +102,7 @@ fn found<W: Output>(
     let [from, to] = [from, to].map(|end| end.value::<Interval<f64>>());
     let mut orbits = vec![Vec::new(); values.len()];
     for periods in 1..=max_periods {
-        let prepared = OneOneBranches::new(setting, periods, from.hull(&to))?;
+        let prepared = OneOneBranches::new(setting, periods, from.hull(&to), wanted.options())?;
         for (orbits, found) in orbits.iter_mut().zip(prepared.points_as(wanted, values)?) {
             orbits.extend(found.orbits);
         }
@@ -125,43 +113,27 @@ fn found<W: Output>(
 /// What makes voltages of the velocities at one value of a sweep.
 struct Voltages<'a, W> {
     wanted: &'a W,
-    membrane: &'a Membrane<Number>,
+    membrane: &'a Membrane<EnclosedVoltage>,
     /// The velocity unit, m/s.
-    unit: Number,
-    d: Number,
+    unit: EnclosedVoltage,
+    d: EnclosedVoltage,
 }
 
-impl<N: Told, W: Output<Number = N> + Telling<Wide<DIGITS>, Number = N>> Voltages<'_, W>
+impl<N: Told, W: Output<Number = N> + Telling<VoltageEndpoint, Number = N>> Voltages<'_, W>
 where
     Cell: From<N> + From<Vec<N>>,
 {
-    fn row(&self, orbit: &RoundedOrbit<N>, read: impl Fn(&N) -> Wide<DIGITS>) -> Vec<Cell> {
-        let bound = orbit.error_bound.as_ref().map(&read);
-        let room = bound.clone().unwrap_or_else(|| Wide::from_integer(0));
-        let voltage = |velocity: &N| {
-            let velocity = read(velocity);
-            let around = Number::new(velocity.clone() - room.clone(), velocity + room.clone());
-            self.membrane.voltage(&(around * self.unit.clone()))
-        };
-        let voltages: Vec<(Side, Number)> = orbit.word.sides().zip(orbit.velocities.iter().map(voltage)).collect();
-        let mean = |side: Option<Side>| {
-            let of_side = voltages
-                .iter()
-                .filter(|(wall, _)| side.is_none_or(|side| side == *wall));
-            let (sum, count) = of_side.fold((Number::from_integer(0), 0), |(sum, count), (_, voltage)| {
-                (sum + voltage.clone(), count + 1)
-            });
-            (count > 0).then(|| sum / Number::from_integer(count))
-        };
-        let [all, bottom, top] = [None, Some(Side::Bottom), Some(Side::Top)].map(mean);
-        let apart = bottom.clone().zip(top.clone()).map(|(bottom, top)| {
-            let apart = bottom - top;
-            if apart.to_f64() < 0.0 { -apart } else { apart }
-        });
-        let numbers = voltages.iter().map(|(_, voltage)| Some(voltage));
-        let numbers: Vec<Option<&Number>> = numbers
-            .chain([&all, &bottom, &top, &apart].map(Option::as_ref))
-            .collect();
+    fn row(&self, orbit: &RoundedOrbit<N>) -> Vec<Cell> {
+        let bound = orbit.error_bound.as_ref();
+        let voltages = OrbitVoltages::of(orbit, self.membrane, &self.unit);
+        let numbers = voltages.each.iter().map(Some);
+        let means = [
+            Some(&voltages.mean),
+            voltages.bottom.as_ref(),
+            voltages.top.as_ref(),
+            voltages.apart.as_ref(),
+        ];
+        let numbers: Vec<Option<&EnclosedVoltage>> = numbers.chain(means).collect();
         let told: Vec<Option<N>> = numbers
             .iter()
             .map(|number| number.map(|number| self.wanted.tell(number)))
@@ -175,7 +147,7 @@ where
             |worst, error| if error <= worst { worst } else { error },
         );
         let worst = bound.map(|_| self.wanted.bound(worst));
-        let (list, means) = told.split_at(voltages.len());
+        let (list, means) = told.split_at(voltages.each.len());
         let mut cells = vec![
             Cell::from(self.wanted.tell(&self.d)),
             Cell::from(orbit.word.to_string()),
@@ -194,6 +166,7 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Analytic;
     use crate::scene::find;
 
     fn scene(name: &str, sets: &[&str]) -> Scene {
@@ -205,7 +178,7 @@ mod tests {
     }
 
     /// The numbers of the first row of a column.
-    fn numbers(table: &Table, column: &str) -> Vec<Wide<DIGITS>> {
+    fn numbers(table: &Table, column: &str) -> Vec<VoltageEndpoint> {
         let index = table.position(column).unwrap();
         let text = table.rows()[0][index].plain().into_owned();
         text.split(';').map(|number| Wide::parse(number).unwrap()).collect()

@@ -10,14 +10,14 @@ use crate::number::Analytic;
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 /// A step whose error changes the velocity of arrival by more than this part of it is no longer straight.
-const STRAIGHT: f64 = 0.1;
+pub(super) const STRAIGHT: f64 = 0.1;
 
 /// The rounding of a step, in epsilons of the sum of its terms: a third of the bound, which is 4, since roundings cancel.
 /// With it the estimate is ten times too high in the median over 120,000 motions.
-const ROUNDED: f64 = 1.4;
+pub(super) const ROUNDED: f64 = 1.4;
 
 /// What is said to hold, holds for errors so many times those estimated.
-const SAFELY: f64 = 8.0;
+pub(super) const SAFELY: f64 = 8.0;
 
 /// What rounding errors have become.
 ///
@@ -30,14 +30,14 @@ const SAFELY: f64 = 8.0;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Growth {
     /// The turned axes, by columns.
-    axes: [[f64; 2]; 2],
+    pub(super) axes: [[f64; 2]; 2],
     /// Half the sides of the rectangle.
-    sides: [f64; 2],
+    pub(super) sides: [f64; 2],
     /// Errors of phase and pi velocity at the latest event.
-    error: [f64; 2],
+    pub(super) error: [f64; 2],
     /// The logarithm of the stretch so far, and since the last release.
-    stretch: f64,
-    since_release: f64,
+    pub(super) stretch: f64,
+    pub(super) since_release: f64,
     epsilon: f64,
     /// How much g, rounded, moves the phase of a release, where cos = -g: the more the nearer g is to 1.
     steep: f64,

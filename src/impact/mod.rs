@@ -19,7 +19,7 @@ mod swing;
 mod trajectory;
 mod widening;
 
-pub use batch::{Batch, Instructions};
+pub use batch::{Batch, Grown, Instructions, in_lanes};
 pub use enclosure::Enclosure;
 pub use event::{Event, Kind};
 pub use growth::Growth;

@@ -32,7 +32,7 @@ const MOST_HIDDEN: usize = 100_000_000;
 #[derive(Clone, Debug)]
 pub struct Simulation<T> {
     pub(super) course: Course<T>,
-    growth: Growth,
+    pub(super) growth: Growth,
     is_tracked: bool,
     has_started: bool,
     /// The events since the last impact that was listed.

@@ -15,7 +15,7 @@ use crate::number::{Analytic, Digits, DoubleDouble, at_digits};
 #[derive(Clone, Debug)]
 pub struct Widening {
     motion: Motion<f64>,
-    simulation: Simulation<f64>,
+    pub(super) simulation: Simulation<f64>,
 }
 
 impl Widening {

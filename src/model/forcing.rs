@@ -16,6 +16,10 @@ struct Harmonic<T> {
 }
 
 /// f(t), a sum of harmonics of one period. The paper's cos(pi t + phi) is [`Forcing::harmonic`].
+///
+/// Flights, the map from impact to impact and its Jacobian ([`Flight`](super::Flight), [`next_impact`](super::next_impact()),
+/// [`Passage`](super::Passage)) are those of any such forcing. What simulates, chatters and rests, and all that is proved of
+/// periodic motions, is of the paper's forcing alone, and takes no `Forcing`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forcing<T> {
     period: T,

@@ -42,6 +42,22 @@ impl Rung {
         }
     }
 
+    /// The number to begin with where so many digits are asked of an answer: the narrowest one that is likely to bound it
+    /// so closely, else the widest. A narrower number costs a fraction of the next wider one and what it falls short by is
+    /// seen on the answer itself, so a wrong choice costs time and no digit.
+    ///
+    /// The error bounds of an answer take two digits or so off a number of the machine, or of two; the wider numbers carry
+    /// some digits more than they are named by.
+    pub fn reaching(digits: u32) -> Self {
+        let lost = |rung: Self| match rung {
+            Self::Single | Self::Double | Self::DoubleDouble => 2,
+            Self::Wide(_) => 0,
+        };
+        let mut rungs = Self::Double.and_wider();
+        let found = rungs.find(|rung| rung.digits() >= digits.saturating_add(lost(*rung)));
+        found.unwrap_or(Self::ALL[Self::ALL.len() - 1])
+    }
+
     /// This one and those wider, in order.
     pub fn and_wider(self) -> impl Iterator<Item = Self> {
         Self::ALL.into_iter().filter(move |rung| *rung >= self)

@@ -35,6 +35,8 @@ pub trait Told: Clone + fmt::Debug + PartialEq + Send {
     fn infinite() -> Self;
     /// To f64, for the order of rows.
     fn to_f64(&self) -> f64;
+    /// The same number in many digits; no number where it is none.
+    fn wide<const DIGITS: usize>(&self) -> Wide<DIGITS>;
 }
 
 impl Told for f64 {
@@ -45,6 +47,10 @@ impl Told for f64 {
     fn to_f64(&self) -> f64 {
         *self
     }
+
+    fn wide<const DIGITS: usize>(&self) -> Wide<DIGITS> {
+        Wide::from_f64(*self)
+    }
 }
 
 impl Told for Decimal {
@@ -54,6 +60,10 @@ impl Told for Decimal {
 
     fn to_f64(&self) -> f64 {
         self.0.parse().unwrap_or(f64::NAN)
+    }
+
+    fn wide<const DIGITS: usize>(&self) -> Wide<DIGITS> {
+        Wide::parse(&self.0).unwrap_or(Wide::INVALID)
     }
 }
 

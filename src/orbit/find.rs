@@ -8,7 +8,7 @@ use crate::orbit::output::{Output, OutputPrecision};
 use crate::orbit::proved_orbit::ProvedOrbit;
 use crate::orbit::rounding::RoundedOrbit;
 use crate::orbit::solve::krawczyk::ProvedRoot;
-use crate::orbit::solve::one_one::{FINEST, again, isolate_one_one};
+use crate::orbit::solve::one_one::{again, isolate_one_one};
 use crate::orbit::solve::words;
 use crate::orbit::solve::words::WordOrbit;
 use crate::orbit::word::Word;
@@ -105,11 +105,11 @@ pub fn find_as<W: Output>(
     let mut found = FoundOrbits::new();
     for periods in 1..=max_periods {
         let settled: Vec<Outcome<W::Number>> = if *word == Word::pair() {
-            let search = isolate_one_one(&motion, periods);
+            let search = isolate_one_one(&motion, periods, wanted.options());
             let undecided = &search.isolation.undecided;
             pairs(wanted, parameters, periods, &search.motions, undecided, &mut found.open)?
         } else {
-            let cycles = words::search_word(word, periods, &motion)?;
+            let cycles = words::search_word(word, periods, &motion, wanted.options())?;
             cycles.iter().map(|cycle| settled(wanted, parameters, cycle)).collect()
         };
         found.take(word, periods, settled);
@@ -142,7 +142,7 @@ pub(crate) fn pairs<W: Output>(
     };
     let mut pairs: Vec<_> = roots.iter().map(settle).collect();
     if !undecided.is_empty() {
-        let search = again(&parameters.motion()?, periods, undecided);
+        let search = again(&parameters.motion()?, periods, undecided, wanted.options());
         let narrow = |side: &Interval<DoubleDouble>| Interval::new(side.low().to_f64(), side.high().to_f64());
         let settle = |root: &ProvedRoot<DoubleDouble, 2>| {
             let settled = wanted.orbit(parameters, &ProvedOrbit::Close { root, periods });
@@ -158,7 +158,7 @@ pub(crate) fn pairs<W: Output>(
         pairs.extend(search.motions.iter().filter(is_new).map(settle));
         let cells = search.isolation.undecided.iter();
         let cells: Vec<IntervalBox<f64, 2>> = cells.map(|cell| cell.each_ref().map(narrow)).collect();
-        let told = joined(&cells, FINEST).into_iter();
+        let told = joined(&cells, wanted.options().finest_cell).into_iter();
         open.extend(told.map(|cell| OpenOrbit::Box { periods, cell }));
     }
     Ok(pairs)
@@ -204,6 +204,7 @@ impl<N: Told> FoundOrbits<N> {
 mod tests {
     use super::*;
     use crate::model::Motion;
+    use crate::orbit::options::OrbitOptions;
     use crate::orbit::solve::one_one::isolate_one_one;
 
     #[test]
@@ -226,7 +227,7 @@ mod tests {
         ];
         let motion = Motion::new(g, d, r, 1.0).expect("a motion");
         let line = motion.convert(|&x| Interval::from_f64(x)).expect("a motion");
-        let search = isolate_one_one(&line, 3);
+        let search = isolate_one_one(&line, 3, &OrbitOptions::DEFAULT);
         assert!(search.motions.len() == 5 && search.isolation.is_complete());
         assert!(search.motions.iter().all(|root| root.enclosure[0].is_positive()));
     }

@@ -20,6 +20,7 @@ mod interval_box;
 mod long_run;
 mod one_one_branches;
 mod optimum;
+mod options;
 // the folder holds periodic motions, the file one of them
 #[allow(clippy::module_inception)]
 mod orbit;
@@ -30,6 +31,7 @@ mod rounding;
 mod shooting;
 mod solve;
 mod stability;
+mod voltages;
 mod word;
 mod word_branches;
 
@@ -50,15 +52,17 @@ pub use interval_box::IntervalBox;
 pub use long_run::attractor::{Attractor, LONGEST_WRITTEN};
 pub use long_run::cycle_means::CycleMeans;
 pub use long_run::lyapunov::{largest_multiplier, lyapunov};
-pub use long_run::repetition::{LONGEST_WORD, SETTLED};
 pub use long_run::resting::RestingCycle;
-pub use long_run::statistics::{Averaging, AveragingLength, Estimate, FREQUENCIES, LongRun, OfImpact, Statistics};
-pub use long_run::steady_state::SteadyState;
+pub use long_run::statistics::{
+    Averaging, AveragingLength, Estimate, FREQUENCIES, LongRun, OfImpact, RunningMeans, Statistics,
+};
+pub use long_run::steady_state::{Settling, SteadyState};
 pub use one_one_branches::{OneOneBranches, OpenBifurcation};
 pub use optimum::design::{Choice, Devices, Gap, Pull, Range, Unit};
 pub use optimum::incumbent::ProvedDevice;
 pub use optimum::search::{Optimum, OptimumLimits, OptimumProgress, optimum};
 pub use optimum::supremum::Active;
+pub use options::OrbitOptions;
 pub use orbit::{Orbit, flight_jacobians};
 pub use output::{Output, OutputPrecision, most_figures};
 pub use proved_orbit::ProvedOrbit;
@@ -72,5 +76,6 @@ pub use solve::one_one::{OneOneSearch, isolate_one_one, newton_one_one, newton_o
 pub use solve::refine::refine_one_one;
 pub use solve::words::{WordOrbit, search_word, search_word_from};
 pub use stability::{FlightJacobian, Multiplier, OrbitKind, determinant, loss_factor, multipliers, trace};
+pub use voltages::{EnclosedVoltage, OrbitVoltages, VoltageEndpoint};
 pub use word::{Word, WordError};
 pub use word_branches::WordBranches;

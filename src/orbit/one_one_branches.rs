@@ -11,24 +11,21 @@ use crate::orbit::family::Family;
 use crate::orbit::find::{FoundOrbits, pairs};
 use crate::orbit::inconclusive::Inconclusive;
 use crate::orbit::interval_box::{IntervalBox, joined};
+use crate::orbit::options::OrbitOptions;
 use crate::orbit::output::{Output, OutputPrecision};
 use crate::orbit::parallel::each;
 use crate::orbit::solve::cover::{Cover, CoverError};
 use crate::orbit::solve::isolate::{SearchLimits, isolate};
-use crate::orbit::solve::one_one::{FINEST, OneOneSearch};
+use crate::orbit::solve::one_one::OneOneSearch;
 use crate::orbit::word::Word;
-
-/// The cells spent at one value before it is left undecided.
-const MOST_CELLS: usize = 100_000;
 
 /// The ends of a piece of the range that is covered by itself are in this ratio at most: at a small d motions change with
 /// d itself, not with the range.
 const RATIO: f64 = 6.0;
 
-/// How often the boxes in which something stays undecided are covered again: at first those that touch as one, which is
-/// soon done, then each by itself, as long as these are few.
-const MOST_COVERS: usize = 10;
-const TOGETHER: usize = 7;
+/// Boxes in which something stays undecided are covered again so often with those that touch as one, which is soon done;
+/// then each by itself, as long as these are few.
+const TOGETHER: u32 = 7;
 const MOST_BOXES: usize = 1500;
 
 /// The 1-1 motions of so many periods, prepared over a range of a parameter: their curve is covered once, and motions
@@ -38,6 +35,7 @@ pub struct OneOneBranches<F> {
     periods: u32,
     /// Piece by piece.
     covers: Vec<Cover>,
+    options: OrbitOptions,
 }
 
 /// An event that could not be told from none, or to the last digit.
@@ -103,13 +101,14 @@ impl<F: Family + Sync> OneOneBranches<F> {
     ///
     /// # Errors
     /// A range in which a parameter of the motion cannot be.
-    pub fn new(family: F, periods: u32, range: Interval<f64>) -> Result<Self, CoverError> {
-        let covers = each(&pieces(range), |piece| Cover::new(&family, periods, *piece));
+    pub fn new(family: F, periods: u32, range: Interval<f64>, options: &OrbitOptions) -> Result<Self, CoverError> {
+        let covers = each(&pieces(range), |piece| Cover::new(&family, periods, *piece, options));
         let covers = covers.into_iter().collect::<Result<_, _>>()?;
         Ok(Self {
             family,
             periods,
             covers,
+            options: *options,
         })
     }
 
@@ -121,8 +120,8 @@ impl<F: Family + Sync> OneOneBranches<F> {
         let parameter: Interval<f64> = value.value();
         let balance = OneOneEquations::new(&self.family.motion_at(&parameter)?, self.periods);
         let limits = SearchLimits {
-            finest: FINEST,
-            most_cells: MOST_CELLS,
+            finest: self.options.finest_cell,
+            most_cells: self.options.most_cells as usize * self.periods as usize,
         };
         let cells = self.covers.iter().flat_map(|cover| cover.at(parameter)).collect();
         let isolation = isolate(&balance, cells, Vec::new(), limits);
@@ -211,7 +210,7 @@ impl<F: Family + Sync> OneOneBranches<F> {
     fn settled(&self, cover: &Cover) -> Bifurcations {
         let mut found = bifurcations(&self.family, cover);
         let mut cover = cover.clone();
-        for round in 0..MOST_COVERS {
+        for round in 0..self.options.most_covers {
             let mut boxes: Vec<IntervalBox<f64, 3>> = found.undecided.iter().map(|(_, cell)| *cell).collect();
             if round < TOGETHER || boxes.len() > MOST_BOXES {
                 boxes = joined(&boxes, 0.0);
@@ -219,7 +218,7 @@ impl<F: Family + Sync> OneOneBranches<F> {
             if boxes.is_empty() {
                 break;
             }
-            let Ok(finer) = cover.within(&self.family, &boxes) else {
+            let Ok(finer) = cover.within(&self.family, &boxes, &self.options) else {
                 break;
             };
             found.undecided.clear();

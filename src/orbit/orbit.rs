@@ -233,6 +233,7 @@ fn is_damped<E: Endpoint>(links: &[FlightJacobian<Interval<E>>]) -> Result<bool,
 mod tests {
     use super::*;
     use crate::orbit::equations::words::WordEquations;
+    use crate::orbit::options::OrbitOptions;
     use crate::orbit::solve::words::search_word;
     use std::f64::consts::TAU;
 
@@ -245,7 +246,7 @@ mod tests {
 
     fn pair(d: i64, r_b: i64, r_t: i64) -> Orbit<f64> {
         let motion = motion(12_201, d, r_b, r_t);
-        let found = search_word(&Word::pair(), 1, &motion).expect("a search");
+        let found = search_word(&Word::pair(), 1, &motion, &OrbitOptions::DEFAULT).expect("a search");
         found[0].orbit(&motion).expect("decided")
     }
 
@@ -272,7 +273,7 @@ mod tests {
     fn listed_from_anywhere_and_turns_later_it_is_the_same_orbit() {
         let motion = motion(12_201, 26, 60, 30);
         let word: Word = "BTT".parse().expect("a word");
-        let found = search_word(&word, 1, &motion).expect("a search");
+        let found = search_word(&word, 1, &motion, &OrbitOptions::DEFAULT).expect("a search");
         let orbit = found[0].orbit(&motion).expect("decided");
         let mut later = fixes(&orbit);
         for fix in &mut later {
@@ -292,7 +293,7 @@ mod tests {
     fn of_several_starts_the_fastest_is_first() {
         let motion = motion(12_201, 25, 60, 30);
         let word: Word = "BTBT".parse().expect("a word");
-        let found = search_word(&word, 2, &motion).expect("a search");
+        let found = search_word(&word, 2, &motion, &OrbitOptions::DEFAULT).expect("a search");
         let orbit = found[0].orbit(&motion).expect("decided");
         assert!((orbit.velocities[0] - orbit.velocities[2]).is_positive());
         let mut turned = fixes(&orbit);
@@ -333,7 +334,7 @@ mod tests {
     fn without_a_loss_nothing_attracts() {
         let [g, d, r] = [0.12201, 0.3, 1.0].map(Line::point);
         let motion = Motion::new(g, d, r, r).expect("a motion");
-        let found = search_word(&Word::pair(), 1, &motion).expect("a search");
+        let found = search_word(&Word::pair(), 1, &motion, &OrbitOptions::DEFAULT).expect("a search");
         let orbits: Vec<_> = found
             .iter()
             .map(|cycle| cycle.orbit(&motion).expect("decided"))

@@ -10,6 +10,7 @@ use crate::orbit::bifurcation::one_one::LocatedBifurcation;
 use crate::orbit::bifurcation::point::BifurcationPoint;
 use crate::orbit::family::Family;
 use crate::orbit::inconclusive::{Inconclusive, Property};
+use crate::orbit::options::OrbitOptions;
 use crate::orbit::proved_orbit::ProvedOrbit;
 use crate::orbit::rounding::RoundedOrbit;
 
@@ -22,6 +23,9 @@ pub trait Output: Sync {
     fn is_double(&self) -> bool {
         false
     }
+
+    /// How far searches for what is told go.
+    fn options(&self) -> &OrbitOptions;
 
     /// A motion.
     ///
@@ -71,6 +75,7 @@ pub struct OutputPrecision<T> {
     telling: T,
     digits: u32,
     first: Rung,
+    options: OrbitOptions,
 }
 
 impl OutputPrecision<Doubles> {
@@ -79,6 +84,7 @@ impl OutputPrecision<Doubles> {
         telling: Doubles,
         digits: FIGURES_OF_F64,
         first: Rung::DoubleDouble,
+        options: OrbitOptions::DEFAULT,
     };
 
     /// f64 of which `digits` hold, at most [`FIGURES_OF_F64`]. `first` is the narrowest number that may do: a wrong
@@ -88,6 +94,7 @@ impl OutputPrecision<Doubles> {
             telling: Doubles,
             digits: digits.min(FIGURES_OF_F64),
             first: first.max(Rung::Double),
+            options: OrbitOptions::DEFAULT,
         }
     }
 }
@@ -99,6 +106,7 @@ impl OutputPrecision<Decimals> {
             telling: figures,
             digits: u32::try_from(figures.0).unwrap_or(u32::MAX),
             first: first.max(Rung::DoubleDouble),
+            options: OrbitOptions::DEFAULT,
         }
     }
 }
@@ -113,6 +121,14 @@ pub fn most_figures() -> usize {
 }
 
 impl<T> OutputPrecision<T> {
+    /// The same, searched for with other tolerances and limits.
+    pub fn searched(self, options: &OrbitOptions) -> Self {
+        Self {
+            options: *options,
+            ..self
+        }
+    }
+
     /// The first answer that holds over wider and wider numbers; else the last one, as it is.
     fn climb<R>(&self, attempt: impl Fn(Rung) -> Result<(R, bool), Inconclusive>) -> Result<R, Inconclusive> {
         let mut last = Err(Inconclusive::Undecided {
@@ -187,6 +203,10 @@ impl Output for OutputPrecision<Doubles> {
         true
     }
 
+    fn options(&self) -> &OrbitOptions {
+        &self.options
+    }
+
     fn orbit(&self, parameters: &impl Parameters, proved: &ProvedOrbit) -> Result<RoundedOrbit, Inconclusive> {
         let (what, digits, telling) = ((parameters, proved), self.digits, (&Doubles, &Supported));
         self.climb(|rung| match rung {
@@ -223,6 +243,10 @@ impl Output for OutputPrecision<Doubles> {
 /// Decimals of at most [`most_figures`] figures; a motion without a proof has fewer.
 impl Output for OutputPrecision<Decimals> {
     type Number = Decimal;
+
+    fn options(&self) -> &OrbitOptions {
+        &self.options
+    }
 
     fn orbit(&self, parameters: &impl Parameters, proved: &ProvedOrbit) -> Result<RoundedOrbit<Decimal>, Inconclusive> {
         let (what, telling) = ((parameters, proved), (&self.telling, &self.telling));

@@ -129,6 +129,7 @@ mod tests {
     use super::*;
     use crate::model::Motion;
     use crate::number::Field;
+    use crate::orbit::options::OrbitOptions;
     use crate::orbit::solve::words::search_word;
 
     type Line = Interval<f64>;
@@ -137,7 +138,7 @@ mod tests {
     fn what_is_printed_is_within_its_bound_and_what_is_not_proved_has_none() {
         let [g, d, r] = [12_201, 26_000, 50_000].map(|n| Line::from_ratio(n, 100_000));
         let motion = Motion::new(g, d, r, r).expect("a motion");
-        let cycles = search_word(&Word::pair(), 1, &motion).expect("a search");
+        let cycles = search_word(&Word::pair(), 1, &motion, &OrbitOptions::DEFAULT).expect("a search");
         let orbit = cycles[0].orbit(&motion).expect("decided");
         let row = orbit.rounded();
         let bound = row.error_bound.expect("certified");

@@ -9,17 +9,12 @@ use crate::orbit::continuation::branch::{Branch, BranchEnd};
 use crate::orbit::continuation::extended_system::ExtendedSystem;
 use crate::orbit::family::Family;
 use crate::orbit::find::{FoundOrbits, settled};
+use crate::orbit::options::OrbitOptions;
 use crate::orbit::output::{Output, OutputPrecision};
 use crate::orbit::parallel::each;
 use crate::orbit::solve::starts::{brought_near, solve_word};
 use crate::orbit::solve::words::{WordOrbit, moves, search_word_from};
 use crate::orbit::word::Word;
-
-/// Values at which motions are searched for, both ends of the range among them.
-const SEARCHES: u32 = 17;
-
-/// Starts for each impact and forcing period, at each of them.
-const STARTS: usize = 128;
 
 /// The branches of motions of a word that a search at some values of the parameter leads to.
 ///
@@ -43,15 +38,23 @@ impl<F: Family + Sync> WordBranches<F> {
     ///
     /// # Errors
     /// A parameter out of its range.
-    pub fn new(family: F, word: &Word, periods: u32, range: Interval<f64>) -> Result<Self, MotionError> {
+    pub fn new(
+        family: F,
+        word: &Word,
+        periods: u32,
+        range: Interval<f64>,
+        options: &OrbitOptions,
+    ) -> Result<Self, MotionError> {
         let extended = ExtendedSystem {
             family,
             word: word.spelled(),
             periods,
             range,
+            options: *options,
         };
-        let count = STARTS * word.impacts() * periods as usize;
-        let places = (0..SEARCHES).map(|index| f64::from(index) / f64::from(SEARCHES - 1));
+        let count = options.branch_starts as usize * word.impacts() * periods as usize;
+        let places =
+            (0..options.branch_values).map(|index| f64::from(index) / f64::from(options.branch_values.max(2) - 1));
         let places: Vec<f64> = places.collect();
         let found = each(&places, |place| {
             let motion = extended.family.motion_at(&Interval::point(extended.parameter(place)))?;

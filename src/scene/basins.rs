@@ -1,6 +1,6 @@
 //! Which attractor each of a grid of starts comes to, at one device.
 
-use super::following::{Depth, Followed, Following};
+use super::following::{Depth, Flown, Followed, Following, follow};
 use super::pace::Pace;
 use super::sweep::Diagram;
 use super::{Quantity, Scene, SceneError, Setting, Want};
@@ -12,9 +12,6 @@ use rayon::prelude::*;
 use std::f64::consts::TAU;
 use std::ops::Range;
 use std::vec::IntoIter;
-
-/// The starts that are followed together, at most.
-const BLOCK: u64 = 1024;
 
 /// Cycles of one word and as many periods of which an impact is no farther than this from one of the other, in phase and
 /// in velocity, are one: a cycle that still settles is farther from where it ends than by rounding.
@@ -155,6 +152,7 @@ impl Scene {
             true => Some((self.membrane()?, self.scales::<f64>()?.velocity)),
             false => None,
         };
+        let flown = Flown::of(grid.starts(), &grid.diagram);
         Ok(BasinPoints {
             scene: self.clone(),
             motion: self.motion()?,
@@ -162,7 +160,7 @@ impl Scene {
             membrane,
             left: 0..grid.starts(),
             grid,
-            pace: Pace::new(),
+            pace: Pace::new(flown.together()),
             block: Vec::new().into_iter(),
             known: Vec::new(),
         })
@@ -201,22 +199,33 @@ impl BasinPoints {
         self
     }
 
-    fn simulated(&self, number: u64) -> Result<Simulated, SceneError> {
+    /// What the motions from the starts of these numbers come to.
+    fn simulated(&self, numbers: Range<u64>) -> Vec<Result<Simulated, SceneError>> {
         let along = u64::from(self.grid.phase.points);
-        let start = super::Start {
+        let start = |number: u64| super::Start {
             phase: self.grid.phase.value((number % along) as u32),
             velocity: self.grid.velocity.value((number / along) as u32),
         };
-        let following = Following {
+        let starts: Vec<_> = numbers.map(start).collect();
+        let following = || Following {
             diagram: self.grid.diagram,
             depth: Depth::SteadyState,
             motion: &self.motion,
             parameters: &self.setting,
             membrane: self.membrane.as_ref().map(|(membrane, unit)| (membrane, *unit)),
         };
-        let reached = following.follow(Widening::new(&self.motion, &start.start()));
-        let reached = reached.map_err(|error| self.scene.error(None, error))?;
-        Ok((start, reached))
+        let motions = starts.iter();
+        let motions = motions.map(|start| (following(), Widening::new(&self.motion, &start.start())));
+        let followed = follow(motions.collect(), self.flown());
+        let reached = |(start, reached): (_, Result<_, _>)| match reached {
+            Ok(reached) => Ok((start, reached)),
+            Err(error) => Err(self.scene.error(None, error)),
+        };
+        starts.into_iter().zip(followed).map(reached).collect()
+    }
+
+    fn flown(&self) -> Flown {
+        Flown::of(self.grid.starts(), &self.grid.diagram)
     }
 
     /// Where a motion leads: to a cycle that is known, or to one that is proved now if it can be.
@@ -269,21 +278,25 @@ impl BasinPoints {
         Ok(found)
     }
 
-    /// Where the start of this number leads.
+    /// Where the start of this number leads; `None` where there is none of that number.
     ///
     /// # Errors
     /// None but a fault of ours.
-    pub fn at(&mut self, number: u64) -> Result<BasinPoint, SceneError> {
-        let simulated = self.simulated(number)?;
-        self.point(simulated)
+    pub fn at(&mut self, number: u64) -> Result<Option<BasinPoint>, SceneError> {
+        let number = number.min(self.grid.starts());
+        let simulated = self.simulated(number..(number + 1).min(self.grid.starts())).pop();
+        simulated.map(|simulated| self.point(simulated?)).transpose()
     }
 
     fn fill(&mut self) {
         let token = Token::current();
         let mut pace = self.pace;
-        let block: Vec<_> = pace.block(BLOCK.min(self.left.end - self.left.start), |size| {
-            let numbers = (self.left.start..(self.left.start + size).min(self.left.end)).into_par_iter();
-            let simulated = numbers.map(|number| token.during(|| self.simulated(number)));
+        let flown = self.flown();
+        let most = flown.most(&self.grid.diagram);
+        let block: Vec<_> = pace.block(most.min(self.left.end - self.left.start), |size| {
+            let numbers = flown.parts(self.left.start..(self.left.start + size).min(self.left.end));
+            let simulated = numbers.into_par_iter();
+            let simulated = simulated.flat_map_iter(|part| token.during(|| self.simulated(part)));
             simulated.collect()
         });
         self.pace = pace;

@@ -1,12 +1,14 @@
 //! What the motion from a start comes to, and its means.
 
-use super::sweep::Diagram;
-use crate::impact::{Event, Kind, Widening};
-use crate::model::{Membrane, Motion, MotionError, Parameters};
+use super::sweep::{Begin, Diagram};
+use crate::impact::{Event, Kind, Widening, in_lanes};
+use crate::model::{Membrane, Motion, MotionError, Parameters, Side};
 use crate::number::FIGURES_OF_F64;
 use crate::orbit::{
-    Attractor, Averaging, AveragingLength, CycleMeans, Estimate, LongRun, OfImpact, RestingCycle, SteadyState, lyapunov,
+    Attractor, Averaging, AveragingLength, CycleMeans, Estimate, LongRun, OfImpact, RestingCycle, Settling,
+    SteadyState, lyapunov,
 };
+use std::ops::Range;
 
 /// The means of a motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,7 +59,7 @@ pub(super) enum Depth {
     Reliable,
 }
 
-/// How motions of one device are followed, and what is made of them.
+/// How a motion is followed, and what is made of it.
 pub(super) struct Following<'a, P> {
     pub diagram: Diagram,
     pub depth: Depth,
@@ -78,98 +80,306 @@ pub(super) struct Followed {
     pub digits: Option<u32>,
 }
 
-impl<P: Parameters> Following<'_, P> {
-    /// Follows a motion from its first events on.
-    pub fn follow(&self, events: Widening) -> Result<Followed, MotionError> {
-        let voltage = self
-            .membrane
-            .map(|(membrane, unit)| move |event: &Event<f64>| membrane.voltage(&(event.velocity * unit)));
-        let voltage = voltage.as_ref().map(|voltage| voltage as OfImpact);
-        let (mut settled, digits) = self.settled(events);
-        let means = match self.depth {
-            Depth::Listed => None,
-            Depth::SteadyState | Depth::Reliable => self.means(&mut settled, voltage)?,
+/// The motions that are computed together, at most.
+const BLOCK: u64 = 1024;
+
+/// How motions are flown: what they come to is the same but for rounding, and for chaos, which makes all of rounding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Flown {
+    /// One after the other.
+    Alone,
+    /// In lanes: faster from ten on.
+    InLanes,
+}
+
+/// The fewest motions that are faster in lanes.
+const WORTHWHILE: u64 = 8;
+
+/// The motions that fly together, where there are as many: at least the lanes of a core, at most so many that no core is
+/// left without.
+const TOGETHER: u64 = 32;
+const MOST_TOGETHER: u64 = 128;
+
+/// The impacts that may be held at once, and those that motions which fly together may make: nobody is to wait longer for
+/// the first of them, nor lose more when it is stopped.
+const HELD: u64 = 100_000;
+const LONGEST: u32 = 1_000_000;
+
+impl Flown {
+    /// How so many motions are flown. What comes out must not depend on the parts in which they are computed, so that it
+    /// goes by all of them.
+    pub fn of(motions: u64, diagram: &Diagram) -> Self {
+        let fits = u64::from(diagram.keep) * TOGETHER <= HELD && diagram.impacts <= LONGEST;
+        match motions >= WORTHWHILE && fits && diagram.start == Begin::Each {
+            true => Self::InLanes,
+            false => Self::Alone,
+        }
+    }
+
+    /// The motions that one core is given at once, at least.
+    pub fn together(self) -> u64 {
+        match self {
+            Self::Alone => 1,
+            Self::InLanes => TOGETHER,
+        }
+    }
+
+    /// The parts of so many motions that cores are given.
+    pub fn parts(self, numbers: Range<u64>) -> Vec<Range<u64>> {
+        let each = match self {
+            Self::Alone => 1,
+            Self::InLanes => {
+                let for_each_core = (numbers.end - numbers.start) / rayon::current_num_threads() as u64;
+                for_each_core.clamp(TOGETHER, MOST_TOGETHER)
+            }
         };
-        Ok(Followed {
-            voltages: voltage.map(|voltage| settled.kept.iter().map(voltage).collect()),
+        let starts = numbers.clone().step_by(each as usize);
+        starts.map(|start| start..(start + each).min(numbers.end)).collect()
+    }
+
+    /// The most motions that are computed before the first is told.
+    pub fn most(self, diagram: &Diagram) -> u64 {
+        let threads = rayon::current_num_threads() as u64;
+        (HELD / u64::from(diagram.keep.max(1))).clamp((threads * self.together()).min(BLOCK), BLOCK)
+    }
+
+    /// Goes along motions, each with what is made of its events, until `each` wants no more; `ended` gets them as they stand.
+    fn along<M>(
+        self,
+        motions: impl Iterator<Item = (Widening, M)>,
+        with_growth: bool,
+        mut each: impl FnMut(&mut M, &Event<f64>, &dyn Fn() -> f64) -> bool,
+        mut ended: impl FnMut(M, Widening),
+    ) {
+        match self {
+            Self::InLanes => in_lanes(
+                motions,
+                with_growth,
+                |beside, event, grown| each(beside, event, &|| grown.stretch_since_release()),
+                ended,
+            ),
+            Self::Alone => {
+                for (mut motion, mut beside) in motions {
+                    while let Some(event) = motion.next() {
+                        if !each(&mut beside, &event, &|| motion.growth().stretch_since_release()) {
+                            break;
+                        }
+                    }
+                    ended(beside, motion);
+                }
+            }
+        }
+    }
+}
+
+/// Follows motions from their first events on.
+pub(super) fn follow<P: Parameters>(
+    motions: Vec<(Following<P>, Widening)>,
+    flown: Flown,
+) -> Vec<Result<Followed, MotionError>> {
+    let (motions, events): (Vec<_>, Vec<_>) = motions.into_iter().unzip();
+    let with_growth = motions.iter().any(|motion| motion.depth == Depth::Reliable);
+    let begun = motions.iter().zip(events).enumerate();
+    let begun = begun.map(|(index, (motion, events))| (motion.tracked(events), (index, motion.settling())));
+    let mut settled = Vec::with_capacity(motions.len());
+    flown.along(
+        begun,
+        with_growth,
+        |(_, settling), event, _| settling.take(event),
+        |(index, settling): (usize, Settling), events| settled.push((index, motions[index].settled(settling, events))),
+    );
+
+    settled.sort_by_key(|(index, _)| *index);
+    let voltages: Vec<_> = motions.iter().map(Following::voltage).collect();
+    let averagings: Vec<Averaging> = motions
+        .iter()
+        .zip(&voltages)
+        .map(|(motion, voltage)| motion.averaging(voltage.as_ref()))
+        .collect();
+    // motions of which nothing is known after their cycles and rests have been looked for
+    let mut open = Vec::new();
+    let mut followed: Vec<Result<Followed, MotionError>> = Vec::with_capacity(motions.len());
+    for (index, (mut settled, digits)) in settled {
+        let means = motions[index].known_means(&mut settled, &averagings[index]);
+        let means = means.map(|means| match means {
+            KnownMeans::Known(means) => means,
+            KnownMeans::Open { end, at_releases } => {
+                open.push((
+                    index,
+                    end,
+                    Averaging {
+                        at_releases,
+                        ..averagings[index]
+                    },
+                ));
+                None
+            }
+        });
+        let voltages = voltages[index]
+            .as_ref()
+            .map(|voltage| settled.kept.iter().map(voltage).collect());
+        followed.push(means.map(|means| Followed {
             settled,
+            voltages,
             means,
             digits,
-        })
+        }));
     }
 
-    /// The impacts and, where that is asked for, what they come to without a rest, and the digits that hold.
-    fn settled(&self, events: Widening) -> (SteadyState, Option<u32>) {
-        let Diagram { impacts, keep, .. } = self.diagram;
-        let mut events = match self.depth {
-            Depth::Listed => return (SteadyState::listed(events.without_growth(), impacts, keep), None),
-            Depth::SteadyState => events.without_growth(),
+    let mut long_runs = Vec::with_capacity(open.len());
+    let begun = open
+        .iter()
+        .map(|(index, end, averaging)| (averaging.events_after(end), (*index, averaging.begin(end))));
+    flown.along(
+        begun,
+        with_growth,
+        |(_, means), event, grown| means.take(event, grown),
+        |(index, means), _| long_runs.push((index, means.long_run())),
+    );
+    for (index, long_run) in long_runs {
+        if let Ok(reached) = &mut followed[index] {
+            match motions[index].after_long_run(&mut reached.settled, &averagings[index], long_run) {
+                Ok(means) => reached.means = means,
+                Err(error) => followed[index] = Err(error),
+            }
+        }
+    }
+    followed
+}
+
+/// The means of a motion, if they are known without following it on.
+enum KnownMeans {
+    Known(Option<Means>),
+    /// From this event on, the second release closing a cycle or not.
+    Open {
+        end: Event<f64>,
+        at_releases: bool,
+    },
+}
+
+impl<P: Parameters> Following<'_, P> {
+    fn voltage(&self) -> Option<impl Fn(&Event<f64>) -> f64> {
+        self.membrane
+            .map(|(membrane, unit)| move |event: &Event<f64>| membrane.voltage(&(event.velocity * unit)))
+    }
+
+    /// The events with as much of their growth as is wanted.
+    fn tracked(&self, events: Widening) -> Widening {
+        match self.depth {
+            Depth::Listed | Depth::SteadyState => events.without_growth(),
             Depth::Reliable => events,
-        };
-        let mut settled = SteadyState::after(events.by_ref(), impacts, keep);
-        let end = settled.end.as_ref();
-        let digits = end.map_or(0, |end| events.growth().digits_since_release(end.velocity));
-        // on to rounding nobody asks what still holds
-        let further = events.without_growth();
-        settled.attractor = settled.attractor.map(|found| found.settled_further(further));
-        (
-            settled,
-            (self.depth == Depth::Reliable).then_some(digits.min(FIGURES_OF_F64)),
-        )
+        }
     }
 
-    /// The means; what the motion comes to through a rest is added to what it has settled to.
-    fn means(&self, settled: &mut SteadyState, voltage: Option<OfImpact>) -> Result<Option<Means>, MotionError> {
+    fn settling(&self) -> Settling {
+        let Diagram {
+            impacts, keep, options, ..
+        } = self.diagram;
+        match self.depth {
+            Depth::Listed => Settling::listed(impacts, keep),
+            Depth::SteadyState | Depth::Reliable => Settling::new(impacts, keep, &options),
+        }
+    }
+
+    fn averaging<'b>(&'b self, voltage: Option<&'b impl Fn(&Event<f64>) -> f64>) -> Averaging<'b> {
         let Diagram {
             impacts,
             error,
             most_impacts: most,
             ..
         } = self.diagram;
-        let through = |side, after: u64| -> Result<Option<Attractor>, MotionError> {
-            // errors may lead round a longer way than f64 has seen
-            let cycle = RestingCycle::find(&self.parameters, side, 4 * after.max(1000))?;
-            cycle
-                .map(|cycle| Attractor::through(&self.parameters, cycle))
-                .transpose()
-        };
-        let mut measure = Averaging {
+        Averaging {
             motion: self.motion,
             length: AveragingLength { impacts, error, most },
-            voltage,
+            voltage: voltage.map(|voltage| voltage as OfImpact),
             with_growth: self.depth == Depth::Reliable,
             at_releases: true,
-        };
+        }
+    }
+
+    /// What the impacts come to without a rest, where that is asked for, and the digits that hold.
+    fn settled(&self, settling: Settling, events: Widening) -> (SteadyState, Option<u32>) {
+        let mut settled = settling.steady_state();
+        let end = settled.end.as_ref();
+        let digits = end.map_or(0, |end| events.growth().digits_since_release(end.velocity));
+        // on to rounding nobody asks what still holds
+        let further = events.without_growth();
+        settled.attractor = settled
+            .attractor
+            .map(|found| found.settled_further(further, &self.diagram.options));
+        (
+            settled,
+            (self.depth == Depth::Reliable).then_some(digits.min(FIGURES_OF_F64)),
+        )
+    }
+
+    /// The cycle through a rest after a second release from a wall, after so many impacts.
+    fn through(&self, side: Side, after: u64) -> Result<Option<Attractor>, MotionError> {
+        // errors may lead round a longer way than f64 has seen
+        let cycle = RestingCycle::find(
+            &self.parameters,
+            side,
+            4 * after.max(1000),
+            self.diagram.options.resting_digits,
+        )?;
+        cycle
+            .map(|cycle| Attractor::through(&self.parameters, cycle))
+            .transpose()
+    }
+
+    /// The means, where they are known; what the motion comes to through a rest is added to what it has settled to.
+    fn known_means(&self, settled: &mut SteadyState, measure: &Averaging) -> Result<KnownMeans, MotionError> {
+        if self.depth == Depth::Listed {
+            return Ok(KnownMeans::Known(None));
+        }
+        let mut at_releases = true;
         if let Some(release) = &settled.release {
-            settled.attractor = through(release.side, u64::from(impacts))?;
-            measure.at_releases = false;
+            settled.attractor = self.through(release.side, u64::from(self.diagram.impacts))?;
+            at_releases = false;
         }
         if let Some(found) = &settled.attractor {
-            return self.of_cycle(&measure, found).map(Some);
+            return Ok(KnownMeans::Known(Some(self.of_cycle(measure, found)?)));
         }
-        let Some(end) = settled.end.as_ref().filter(|end| end.kind != Kind::Undecided) else {
-            return Ok(None);
-        };
-        let mut further = measure.after(end);
-        if let LongRun::Released(side, after) = further {
-            settled.attractor = through(side, after)?;
-            if let Some(found) = &settled.attractor {
-                return self.of_cycle(&measure, found).map(Some);
-            }
-            measure.at_releases = false;
-            further = measure.after(end);
-        }
-        Ok(match further {
-            LongRun::Measured(found) => Some(Means {
-                over: MeanOver::Impacts,
-                impacts: found.impacts,
-                voltage: found.voltage,
-                rate: found.rate,
-                lyapunov: found.lyapunov,
-                is_met: found.is_met,
-            }),
-            LongRun::Released(..) => None,
+        let end = settled.end.clone().filter(|end| end.kind != Kind::Undecided);
+        Ok(match end {
+            Some(end) => KnownMeans::Open { end, at_releases },
+            None => KnownMeans::Known(None),
         })
+    }
+
+    /// The means of a motion that was followed on.
+    fn after_long_run(
+        &self,
+        settled: &mut SteadyState,
+        measure: &Averaging,
+        long_run: LongRun,
+    ) -> Result<Option<Means>, MotionError> {
+        let found = match (long_run, &settled.end) {
+            (LongRun::Measured(found), _) => found,
+            (LongRun::Released(side, after), Some(end)) => {
+                settled.attractor = self.through(side, after)?;
+                if let Some(found) = &settled.attractor {
+                    return self.of_cycle(measure, found).map(Some);
+                }
+                let anew = Averaging {
+                    at_releases: false,
+                    ..*measure
+                };
+                match anew.after(end) {
+                    LongRun::Measured(found) => found,
+                    LongRun::Released(..) => return Ok(None),
+                }
+            }
+            (LongRun::Released(..), None) => return Ok(None),
+        };
+        Ok(Some(Means {
+            over: MeanOver::Impacts,
+            impacts: found.impacts,
+            voltage: found.voltage,
+            rate: found.rate,
+            lyapunov: found.lyapunov,
+            is_met: found.is_met,
+        }))
     }
 
     /// The means over a cycle, or of a ball that rests for ever.

@@ -41,6 +41,11 @@ const MOST_PERIODS: u32 = 1000;
 const MOST_POINTS: u32 = 1_000_000;
 const IMPACTS_AT_MOST: u32 = 1_000_000_000;
 const KEPT_AT_MOST: u32 = 1_000_000;
+const MOST_CELLS_OF_A_COVER: u32 = 10_000_000;
+const MOST_TIMES: u32 = 1000;
+const MOST_SYMBOLS: u32 = 10_000;
+/// The widest number has no more.
+const MOST_RESTING_DIGITS: u32 = 200;
 
 macro_rules! keys {
     ($($constant:ident = $section:literal $name:literal $allowed:expr, $meaning:literal;)*) => {
@@ -119,6 +124,20 @@ keys! {
     BOX_FORCING_AMPLITUDE = "box" "forcing_amplitude" Allowed::Range, "the range of the amplitude of the force, N";
     BOX_MARGIN = "box" "margin" Allowed::NotNegative, "what 1 + Det - |Tr| is at least";
     BOX_CLEARANCE = "box" "clearance" Allowed::NotNegative, "the least clearance";
+    FINEST_CELL = "options" "finest_cell" Allowed::Positive, "1-1 motions: the width of the finest cells in T_1 and psi";
+    MOST_CELLS = "options" "most_cells" Allowed::Count(MOST_POINTS), "1-1 motions: the most cells at one value, for each forcing period";
+    MOST_COVER_CELLS = "options" "most_cover_cells" Allowed::Count(MOST_CELLS_OF_A_COVER), "1-1 motions over a range: the most cells of their cover";
+    MOST_COVERS = "options" "most_covers" Allowed::Count(MOST_TIMES), "1-1 motions over a range: how often what is undecided is covered again";
+    WORD_STARTS = "options" "word_starts" Allowed::Count(MOST_POINTS), "other words: the starts at one value, for each impact and forcing period";
+    BRANCH_VALUES = "options" "branch_values" Allowed::Count(MOST_TIMES), "other words over a range: the values at which motions are searched for";
+    BRANCH_STARTS = "options" "branch_starts" Allowed::Count(MOST_POINTS), "other words over a range: the starts at each, for each impact and forcing period";
+    LONGEST_STEP = "options" "longest_step" Allowed::Positive, "continuation: the longest step, in radians and ranges of the parameter";
+    SHORTEST_STEP = "options" "shortest_step" Allowed::Positive, "continuation: the step below which a branch is left";
+    MOST_STEPS = "options" "most_steps" Allowed::Count(MOST_POINTS), "continuation: the most steps in one direction";
+    LONGEST_WORD = "options" "longest_word" Allowed::Count(MOST_SYMBOLS), "long runs: the most symbols of a word that is looked for";
+    SETTLED = "options" "settled" Allowed::Positive, "long runs: how far impacts a cycle apart may differ, in phase, rad, and in velocity";
+    SETTLING_IMPACTS = "options" "settling_impacts" Allowed::Count(IMPACTS_AT_MOST), "long runs: the most impacts for which a cycle is followed on";
+    RESTING_DIGITS = "options" "resting_digits" Allowed::Count(MOST_RESTING_DIGITS), "long runs: the digits that may be spent on a cycle through a rest";
 }
 
 /// The keys of evenly spaced numbers.
@@ -212,7 +231,7 @@ impl DiagramKeys {
 }
 
 /// The sections, in the order of DESIGN.
-pub(super) const SECTIONS: [&str; 12] = [
+pub(super) const SECTIONS: [&str; 13] = [
     "device",
     "motion",
     "membrane",
@@ -225,6 +244,7 @@ pub(super) const SECTIONS: [&str; 12] = [
     "basins.phase",
     "basins.velocity",
     "box",
+    "options",
 ];
 
 impl Key {

@@ -55,6 +55,24 @@ const MEMBRANE: [&Key; 6] = [
     &key::INPUT_VOLTAGE,
 ];
 
+/// What sets how motions at one value are looked for, how they are followed over a range, and what runs come to.
+const ORBIT_OPTIONS: [&Key; 3] = [&key::FINEST_CELL, &key::MOST_CELLS, &key::WORD_STARTS];
+const BRANCH_OPTIONS: [&Key; 7] = [
+    &key::MOST_COVER_CELLS,
+    &key::MOST_COVERS,
+    &key::BRANCH_VALUES,
+    &key::BRANCH_STARTS,
+    &key::LONGEST_STEP,
+    &key::SHORTEST_STEP,
+    &key::MOST_STEPS,
+];
+const LONG_RUN_OPTIONS: [&Key; 4] = [
+    &key::LONGEST_WORD,
+    &key::SETTLED,
+    &key::SETTLING_IMPACTS,
+    &key::RESTING_DIGITS,
+];
+
 impl Key {
     /// Whether g comes from this key.
     pub(super) fn gives_g(&self) -> bool {
@@ -105,9 +123,14 @@ impl Scene {
         };
         let (mut required, mut optional) = (Vec::new(), vec![&key::DIGITS]);
         match want {
-            Want::Orbits => optional.extend([&key::WORDS, &key::MAX_PERIODS]),
+            Want::Orbits => {
+                optional.extend([&key::WORDS, &key::MAX_PERIODS]);
+                optional.extend(ORBIT_OPTIONS);
+            }
             Want::Branch => {
                 optional.extend([&key::WORDS, &key::MAX_PERIODS]);
+                optional.extend(ORBIT_OPTIONS);
+                optional.extend(BRANCH_OPTIONS);
                 required.extend(RangeKeys::SWEEP.all());
             }
             Want::Impacts => required.extend(START),
@@ -129,6 +152,7 @@ impl Scene {
                 } = DiagramKeys::SWEEP;
                 required.extend([impacts, keep, begin]);
                 optional.extend([error, most_impacts]);
+                optional.extend(LONG_RUN_OPTIONS);
                 required.extend(START);
             }
             Want::Map => {
@@ -143,6 +167,7 @@ impl Scene {
                 } = DiagramKeys::MAP;
                 required.push(impacts);
                 optional.extend([keep, begin, error, most_impacts, &key::MAP_WANT, &key::MAP_STARTS]);
+                optional.extend(LONG_RUN_OPTIONS);
                 if !self.has_starts() {
                     required.extend(START);
                 }
@@ -157,6 +182,7 @@ impl Scene {
                 required.extend(SpacedKeys::VELOCITY.all());
                 required.push(&key::BASINS_IMPACTS);
                 optional.push(&key::BASINS_KEEP);
+                optional.extend(LONG_RUN_OPTIONS);
                 if self.serves_voltage()? {
                     required.extend(MEMBRANE);
                     required.extend(SCALES);

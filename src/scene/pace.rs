@@ -10,28 +10,28 @@ const SLOW: Duration = Duration::from_millis(500);
 
 /// The size of the next block. What is computed does not depend on it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pace(u64);
+pub(super) struct Pace {
+    size: u64,
+    least: u64,
+}
 
 impl Pace {
-    /// One for each thread.
-    pub fn new() -> Self {
-        Self(Self::least())
-    }
-
-    fn least() -> u64 {
-        rayon::current_num_threads() as u64
+    /// Of at least so many for each thread.
+    pub fn new(together: u64) -> Self {
+        let least = together * rayon::current_num_threads() as u64;
+        Self { size: least, least }
     }
 
     /// Works on a block of at most so many, at least one.
     pub fn block<R>(&mut self, most: u64, work: impl FnOnce(u64) -> R) -> R {
-        let size = self.0.min(most).max(1);
+        let size = self.size.min(most).max(1);
         let start = Instant::now();
         let made = work(size);
         let took = start.elapsed();
         if took < QUICK {
-            self.0 = size.saturating_mul(2).max(self.0);
+            self.size = size.saturating_mul(2).max(self.size);
         } else if took > SLOW {
-            self.0 = (size / 2).max(Self::least());
+            self.size = (size / 2).max(self.least);
         }
         made
     }

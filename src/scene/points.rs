@@ -1,6 +1,6 @@
 //! The points of a sweep: at each value the motion, its last impacts, what it has come to, and their voltage.
 
-use super::following::{Depth, Following, Means};
+use super::following::{Depth, Flown, Followed, Following, Means, follow};
 use super::pace::Pace;
 use super::setting::At;
 use super::sweep::{Begin, Diagram, Map, MapWant, Over, Sweep};
@@ -13,11 +13,8 @@ use rayon::prelude::*;
 use std::ops::Range;
 use std::vec::IntoIter;
 
-/// The impacts that may be held at once, if a point for each thread does not take more.
-const HELD: usize = 100_000;
-
-/// The points that are computed together, at most.
-const BLOCK: usize = 1024;
+/// The points of a map that are computed row by row at once, at most; longer rows are computed one by one.
+const MOST_IN_ROWS: u64 = 1024;
 
 /// What a sweep shows at one of its values.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +33,19 @@ pub struct Point {
     /// it where there was one. 0 where none does, and the impacts tell what such a motion does, not what this one does.
     /// None where that is not asked for ([`Points::with_reliance`]).
     pub digits: Option<u32>,
+}
+
+impl Point {
+    fn new(value: Quantity, motion: Motion<f64>, reached: Followed) -> Self {
+        Self {
+            settled: reached.settled,
+            voltages: reached.voltages,
+            means: reached.means,
+            digits: reached.digits,
+            motion,
+            value,
+        }
+    }
 }
 
 impl Scene {
@@ -67,9 +77,11 @@ impl Scene {
         self.check(&wants)?;
         let setting = self.swept_setting()?;
         let membrane = wants.contains(&Want::Voltage).then(|| self.membrane()).transpose()?;
-        let sweep = self.sweep()?;
+        let (sweep, diagram) = (self.sweep()?, self.diagram()?);
+        let flown = Flown::of(u64::from(sweep.points), &diagram);
         Ok(Points {
-            diagram: self.diagram()?,
+            diagram,
+            flown,
             setting: setting.over_number(),
             typed: setting,
             start: self.start()?.start(),
@@ -79,7 +91,7 @@ impl Scene {
             beside: None,
             left: 0..sweep.points,
             sweep,
-            pace: Pace::new(),
+            pace: Pace::new(flown.together()),
             block: Vec::new().into_iter(),
             before: None,
         })
@@ -104,7 +116,7 @@ impl Scene {
             scene: self.clone(),
             rows: 0..u64::from(map.y.points) * map.starts.len() as u64,
             first: 0,
-            pace: Pace::new(),
+            pace: Pace::new(1),
             map,
             block: Box::new(std::iter::empty()),
         })
@@ -122,6 +134,7 @@ pub struct Points {
     start: Start<f64>,
     membrane: Option<Membrane<f64>>,
     depth: Depth,
+    flown: Flown,
     /// What else stands in the place of a key.
     beside: Option<(Over, Quantity)>,
     /// The numbers of the values that are still to come.
@@ -166,16 +179,11 @@ impl Points {
         self.diagram.start == Begin::Follow
     }
 
-    /// Point number `index`, from 0, from where the one before came to or from `[start]`.
-    fn point(&self, index: u32, before: Option<&Event<f64>>) -> Result<Point, SceneError> {
+    /// The motion at number `index`, from 0.
+    fn prepared(&self, index: u32) -> Result<Prepared, SceneError> {
         let value = self.sweep.value(index);
         let motion = self.setting.at(&value.value());
         let motion = motion.map_err(|error| self.scene.error(None, error))?;
-        let events = match before {
-            None => Widening::new(&motion, &self.start),
-            Some(impact) if impact.kind == Kind::Impact => Widening::new(&motion, &Start::from(impact)),
-            Some(event) => Widening::after(&motion, event),
-        };
         let unit = match &self.membrane {
             Some(_) => {
                 let beside = self.beside.iter().map(|(over, value)| (*over, value));
@@ -184,56 +192,90 @@ impl Points {
             }
             None => 1.0,
         };
-        let following = Following {
+        Ok(Prepared { value, motion, unit })
+    }
+
+    fn following<'a>(&'a self, prepared: &'a Prepared) -> Following<'a, At<'a>> {
+        Following {
             diagram: self.diagram,
             depth: self.depth,
-            motion: &motion,
+            motion: &prepared.motion,
             parameters: At {
                 setting: &self.typed,
-                value: &value,
+                value: &prepared.value,
             },
-            membrane: self.membrane.as_ref().map(|membrane| (membrane, unit)),
+            membrane: self.membrane.as_ref().map(|membrane| (membrane, prepared.unit)),
+        }
+    }
+
+    /// The points of these numbers, from 0, each from `[start]` or, where there is one, from where the motion before came to.
+    fn at(&self, indices: Range<u32>, before: Option<&Event<f64>>) -> Vec<Result<Point, SceneError>> {
+        let prepared: Vec<_> = indices.map(|index| self.prepared(index)).collect();
+        let events = |motion| match before {
+            None => Widening::new(motion, &self.start),
+            Some(impact) if impact.kind == Kind::Impact => Widening::new(motion, &Start::from(impact)),
+            Some(event) => Widening::after(motion, event),
         };
-        let reached = following.follow(events);
-        let reached = reached.map_err(|error| self.scene.error(None, error))?;
-        Ok(Point {
-            settled: reached.settled,
-            voltages: reached.voltages,
-            means: reached.means,
-            digits: reached.digits,
-            motion,
-            value,
-        })
+        let motions = prepared.iter().flatten();
+        let motions = motions.map(|prepared| (self.following(prepared), events(&prepared.motion)));
+        let mut followed = follow(motions.collect(), self.flown).into_iter();
+        let point = |prepared: Result<Prepared, SceneError>| {
+            let Prepared { value, motion, .. } = match prepared {
+                Ok(prepared) => prepared,
+                Err(error) => return Some(Err(error)),
+            };
+            // what is prepared is followed
+            let reached = followed.next()?;
+            Some(
+                reached
+                    .map(|reached| Point::new(value, motion, reached))
+                    .map_err(|error| self.scene.error(None, error)),
+            )
+        };
+        prepared.into_iter().filter_map(point).collect()
     }
 
     fn fill(&mut self) {
         let left = self.left.end - self.left.start;
         let block = match self.diagram.start {
             Begin::Each => {
-                let held = HELD / self.diagram.keep as usize;
-                let most = held.clamp(rayon::current_num_threads().min(BLOCK), BLOCK) as u64;
+                let most = self.flown.most(&self.diagram).min(u64::from(left));
                 let token = Token::current();
                 let mut pace = self.pace;
-                let block = pace.block(most.min(u64::from(left)), |size| {
-                    let numbers = self.left.start..(self.left.start + size as u32).min(self.left.end);
-                    let points = numbers.into_par_iter();
-                    points.map(|index| token.during(|| self.point(index, None))).collect()
+                let block = pace.block(most, |size| {
+                    let start = u64::from(self.left.start);
+                    let parts = self.flown.parts(start..(start + size).min(u64::from(self.left.end)));
+                    let points = parts.into_par_iter().flat_map_iter(|part| {
+                        let part = part.start as u32..part.end as u32;
+                        token.during(|| self.at(part, None))
+                    });
+                    points.collect()
                 });
                 self.pace = pace;
                 block
             }
             Begin::Follow if left > 0 => {
-                let point = self.point(self.left.start, self.before.as_ref());
-                if let Some(end) = point.as_ref().ok().and_then(|point| known_end(&point.settled)) {
+                let next = self.left.start;
+                let points = self.at(next..next + 1, self.before.as_ref());
+                let point = points.last().and_then(|point| point.as_ref().ok());
+                if let Some(end) = point.and_then(|point| known_end(&point.settled)) {
                     self.before = Some(end.clone());
                 }
-                vec![point]
+                points
             }
             Begin::Follow => Vec::new(),
         };
         self.left.start += block.len() as u32;
         self.block = block.into_iter();
     }
+}
+
+/// A motion of a sweep before it is followed.
+struct Prepared {
+    value: Quantity,
+    motion: Motion<f64>,
+    /// The unit of velocity, m/s; 1 where no voltage is modelled.
+    unit: f64,
 }
 
 /// What a map shows at one of its points.
@@ -303,10 +345,12 @@ impl MapPoints {
         let starts = self.map.starts.len() as u64;
         let (y, start) = (self.map.y.value((row / starts) as u32), (row % starts) as usize);
         let typed = self.setting.clone().with(self.map.y.over, &y);
+        let flown = Flown::of(u64::from(self.map.x.points), &self.map.diagram);
         let points = Points {
             scene: self.scene.clone(),
             sweep: self.map.x.clone(),
             diagram: self.map.diagram,
+            flown,
             setting: typed.over_number(),
             typed,
             start: self.map.starts[start].start(),
@@ -314,7 +358,7 @@ impl MapPoints {
             depth: self.depth,
             beside: Some((self.map.y.over, y.clone())),
             left: first..self.map.x.points,
-            pace: Pace::new(),
+            pace: Pace::new(flown.together()),
             block: Vec::new().into_iter(),
             before: None,
         };
@@ -327,7 +371,7 @@ impl MapPoints {
     /// The next rows, as many as make a block, or one that is longer, point by point.
     fn fill(&mut self) {
         let (next, first) = (self.rows.start, std::mem::take(&mut self.first));
-        let most = (BLOCK as u64 / u64::from(self.map.x.points)).min(self.count_rows());
+        let most = (MOST_IN_ROWS / u64::from(self.map.x.points)).min(self.count_rows());
         if most <= 1 {
             self.rows.start += 1;
             self.block = Box::new(self.row(next, first));

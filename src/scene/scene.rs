@@ -9,7 +9,7 @@ use super::value::{allowed_number, one_of};
 use super::{Quantity, Want};
 use crate::model::{Device, Membrane, MembraneError, Motion, Scales, gravity_component};
 use crate::number::Analytic;
-use crate::orbit::{Word, WordError};
+use crate::orbit::{OrbitOptions, Word, WordError};
 
 /// The most impacts for an error that is asked for, where the scene does not say.
 const FOR_AN_ERROR: u32 = 1_000_000;
@@ -344,6 +344,35 @@ impl Scene {
             start,
             error,
             most_impacts,
+            options: self.options()?,
+        })
+    }
+
+    /// The tolerances and limits of `[options]`, and those that hold where nothing else is said.
+    ///
+    /// # Errors
+    /// A key of `[options]` that is out of its range.
+    pub fn options(&self) -> Result<OrbitOptions, SceneError> {
+        let default = OrbitOptions::DEFAULT;
+        let real = |key, default| match self.document.get(key) {
+            Some(_) => Ok(self.number(key)?.value()),
+            None => Ok(default),
+        };
+        Ok(OrbitOptions {
+            finest_cell: real(&key::FINEST_CELL, default.finest_cell)?,
+            most_cells: self.count_or(&key::MOST_CELLS, default.most_cells)?,
+            most_cover_cells: self.count_or(&key::MOST_COVER_CELLS, default.most_cover_cells)?,
+            most_covers: self.count_or(&key::MOST_COVERS, default.most_covers)?,
+            word_starts: self.count_or(&key::WORD_STARTS, default.word_starts)?,
+            branch_values: self.count_or(&key::BRANCH_VALUES, default.branch_values)?,
+            branch_starts: self.count_or(&key::BRANCH_STARTS, default.branch_starts)?,
+            longest_step: real(&key::LONGEST_STEP, default.longest_step)?,
+            shortest_step: real(&key::SHORTEST_STEP, default.shortest_step)?,
+            most_steps: self.count_or(&key::MOST_STEPS, default.most_steps)?,
+            longest_word: self.count_or(&key::LONGEST_WORD, default.longest_word)?,
+            settled: real(&key::SETTLED, default.settled)?,
+            settling_impacts: self.count_or(&key::SETTLING_IMPACTS, default.settling_impacts)?,
+            resting_digits: self.count_or(&key::RESTING_DIGITS, default.resting_digits)?,
         })
     }
 
@@ -393,6 +422,7 @@ impl Scene {
                 start: Begin::Each,
                 error: None,
                 most_impacts: impacts,
+                options: self.options()?,
             },
         })
     }

@@ -2,6 +2,7 @@
 
 use super::{Quantity, Start};
 use crate::number::Rational;
+use crate::orbit::OrbitOptions;
 use num_traits::Zero;
 use std::fmt;
 
@@ -121,6 +122,8 @@ pub struct Diagram {
     pub error: Option<f64>,
     /// The most impacts for that.
     pub most_impacts: u32,
+    /// How what motions come to is looked for.
+    pub options: OrbitOptions,
 }
 
 /// What is wanted at each point of a map.

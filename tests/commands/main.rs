@@ -4,7 +4,6 @@ mod asked_digits;
 mod check;
 mod cli;
 mod columns;
-mod costs;
 mod features;
 mod fuzz;
 mod merge;

@@ -2,13 +2,13 @@
 //! certified orbit of that word, to the digits of f64. The two share no equation but (3) and (4).
 
 use std::fs;
-use vibro_audit::orbit::SETTLED;
+use vibro_audit::orbit::OrbitOptions;
 use vibro_audit::reference::{Certified, Figures};
 use vibro_audit::scene::{Scene, find};
 
 /// How far a simulated mean may be from the certified one, relative to it: as far as a motion that counts as settled may
 /// still be from where it tends to.
-const ALLOWED: f64 = SETTLED;
+const ALLOWED: f64 = OrbitOptions::DEFAULT.settled;
 
 const FILE: &str = "golden/paper/reference/sweeps.csv";
 

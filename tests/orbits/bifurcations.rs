@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 use vibro_audit::model::{Motion, MotionError, Side};
 use vibro_audit::number::{Analytic, Interval};
 use vibro_audit::orbit::{
-    BifurcationKind, BifurcationPoint, Family, FoundOrbits, OneOneBranches, OrbitKind, Parameters, RoundedOrbit, Word,
-    find,
+    BifurcationKind, BifurcationPoint, Family, FoundOrbits, OneOneBranches, OrbitKind, OrbitOptions, Parameters,
+    RoundedOrbit, Word, find,
 };
 
 /// g in hundred thousandths, restitutions in hundredths, so that they are the same in every number.
@@ -74,7 +74,7 @@ impl Sweep {
 }
 
 fn prepared(family: &Along, periods: u32, [from, to]: [f64; 2]) -> OneOneBranches<&Along> {
-    OneOneBranches::new(family, periods, Interval::new(from, to)).expect("a cover")
+    OneOneBranches::new(family, periods, Interval::new(from, to), &OrbitOptions::DEFAULT).expect("a cover")
 }
 
 fn along(g: i64, r_b: i64, r_t: i64) -> Along {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use vibro_audit::model::{Forcing, Impact, Motion, Side, next_impact};
 use vibro_audit::number::Interval;
 use vibro_audit::orbit::{
-    BifurcationKind, BifurcationPoint, Family, OneOneBranches, RoundedOrbit, Word, WordBranches, find,
+    BifurcationKind, BifurcationPoint, Family, OneOneBranches, OrbitOptions, RoundedOrbit, Word, WordBranches, find,
 };
 
 const G: f64 = 0.12201;
@@ -18,7 +18,14 @@ fn word(text: &str) -> Word {
 }
 
 fn followed<'a>(family: &'a Motion<f64>, text: &str, periods: u32) -> WordBranches<&'a Motion<f64>> {
-    WordBranches::new(family, &word(text), periods, Interval::new(0.1, 0.5)).expect("a sweep")
+    WordBranches::new(
+        family,
+        &word(text),
+        periods,
+        Interval::new(0.1, 0.5),
+        &OrbitOptions::DEFAULT,
+    )
+    .expect("a sweep")
 }
 
 fn at(followed: &WordBranches<&Motion<f64>>, d: f64) -> Vec<RoundedOrbit> {
@@ -138,7 +145,7 @@ fn three_impacts_a_period_are_born_where_the_pair_grazes() {
     let mut born = moments.iter().filter(|moment| moment.trace.is_infinite());
     let born = born.next().expect("an end at an impact of velocity 0");
     // another system of equations, with a proof of its own, that all events are found
-    let prepared = OneOneBranches::new(&family, 1, Interval::new(0.25, 0.27)).expect("a sweep");
+    let prepared = OneOneBranches::new(&family, 1, Interval::new(0.25, 0.27), &OrbitOptions::DEFAULT).expect("a sweep");
     let (instants, open) = prepared.bifurcations();
     assert!(open.is_empty());
     let mut grazing = instants
@@ -258,7 +265,14 @@ fn a_sweep_over_restitution_is_followed_to_its_end_at_one() {
             false
         }
     }
-    let followed = WordBranches::new(&Restitution, &word("BTT"), 1, Interval::new(0.2, 1.0)).expect("a sweep");
+    let followed = WordBranches::new(
+        &Restitution,
+        &word("BTT"),
+        1,
+        Interval::new(0.2, 1.0),
+        &OrbitOptions::DEFAULT,
+    )
+    .expect("a sweep");
     let (branches, lost) = followed.branches();
     assert!(branches > 0 && lost == 0, "{branches} {lost}");
     let velocities = [0.7017134314, -0.5554716630, -0.1204679448];

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use vibro_audit::model::Motion;
 use vibro_audit::number::{Analytic, Field, Interval, Sequence, Wide};
-use vibro_audit::orbit::{BifurcationKind, BifurcationPoint, OneOneBranches, OpenBifurcation};
+use vibro_audit::orbit::{BifurcationKind, BifurcationPoint, OneOneBranches, OpenBifurcation, OrbitOptions};
 
 type Digits = Wide<60>;
 
@@ -289,7 +289,8 @@ fn examined(seed: u64, fine: u32) -> Outcome {
         is_special,
     } = drawn(seed);
     let said = format!("seed {seed}: {motion:?}, {periods} periods, d in [{from}, {to}]");
-    let prepared = OneOneBranches::new(&motion, periods, Interval::new(from, to)).expect("a range");
+    let prepared =
+        OneOneBranches::new(&motion, periods, Interval::new(from, to), &OrbitOptions::DEFAULT).expect("a range");
     let (listed, open) = prepared.bifurcations();
     let device = Device {
         g: Digits::from_f64(*motion.g()),

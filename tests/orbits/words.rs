@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use vibro_audit::impact::{Simulation, Start};
 use vibro_audit::model::{Forcing, Impact, Leg, Map, Motion, Order, Passage, Side, next_impact};
 use vibro_audit::number::{Analytic, DoubleDouble, Field, Interval, Rung, Sequence, Wide};
-use vibro_audit::orbit::{Inconclusive, Orbit, Property, RoundedOrbit, Word, find, search_word};
+use vibro_audit::orbit::{Inconclusive, Orbit, OrbitOptions, Property, RoundedOrbit, Word, find, search_word};
 
 type Digits = Wide<40>;
 type Line = Interval<f64>;
@@ -38,7 +38,8 @@ impl Case {
 
     fn orbits(self, word: &str, periods: u32) -> Vec<Orbit<f64>> {
         let motion = self.motion::<Line>();
-        let cycles = search_word(&word.parse().expect("a word"), periods, &motion).expect("a search");
+        let cycles =
+            search_word(&word.parse().expect("a word"), periods, &motion, &OrbitOptions::DEFAULT).expect("a search");
         assert!(cycles.iter().all(|cycle| cycle.is_certified()), "{self:?} {word}");
         cycles
             .iter()
@@ -369,7 +370,13 @@ fn in_double_double_the_bound_is_the_rounding_of_what_is_printed_and_in_many_dig
         (paper(440, 60, 30), "BT", 2),
     ] {
         let word: Word = word.parse().expect("a word");
-        let cycles = search_word(&word, periods, &case.motion::<Interval<DoubleDouble>>()).expect("a search");
+        let cycles = search_word(
+            &word,
+            periods,
+            &case.motion::<Interval<DoubleDouble>>(),
+            &OrbitOptions::DEFAULT,
+        )
+        .expect("a search");
         assert!(!cycles.is_empty());
         for cycle in &cycles {
             let narrow = cycle.orbit(&case.motion::<Line>()).expect("decided");
@@ -408,7 +415,7 @@ fn what_f64_cannot_tell_a_wider_number_can() {
         Motion::new(g, Interval::point(d), r_b, r_t).expect("a motion")
     };
     let near = motion("0.25905782991527197");
-    let cycles = search_word(&Word::pair(), 1, &near).expect("a search");
+    let cycles = search_word(&Word::pair(), 1, &near, &OrbitOptions::DEFAULT).expect("a search");
     assert_eq!(cycles.len(), 1);
     let line = near.convert(|value| Line::new(value.low().to_f64().next_down(), value.high().to_f64().next_up()));
     let undecided = cycles[0].orbit(&line.expect("a motion"));

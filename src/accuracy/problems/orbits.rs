@@ -6,8 +6,8 @@ use super::{Means, Why};
 use crate::model::Parameters;
 use crate::number::{Decimal, Decimals, Interval, Rung, Told};
 use crate::orbit::{
-    FoundOrbits, OutputPrecision, ProvedOrbit, RoundedOrbit, Word, confirm_orbit, find, find_as, isolate_one_one,
-    search_word,
+    FoundOrbits, OrbitOptions, OutputPrecision, ProvedOrbit, RoundedOrbit, Word, confirm_orbit, find, find_as,
+    isolate_one_one, search_word,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -76,11 +76,11 @@ fn narrow(given: &Given, word: &Word, periods: u32) -> Result<Vec<RoundedOrbit>,
     let motion = given.motion::<Interval<f64>>()?;
     let orbit = |proved: ProvedOrbit| proved.orbit::<f64>(given).ok().map(|orbit| orbit.rounded());
     Ok(if *word == Word::pair() {
-        let roots = isolate_one_one(&motion, periods).motions;
+        let roots = isolate_one_one(&motion, periods, &OrbitOptions::DEFAULT).motions;
         let pairs = roots.iter().map(|root| ProvedOrbit::Pair { root, periods });
         pairs.filter_map(orbit).collect()
     } else {
-        let cycles = search_word(word, periods, &motion)?;
+        let cycles = search_word(word, periods, &motion, &OrbitOptions::DEFAULT)?;
         cycles.iter().map(ProvedOrbit::Word).filter_map(orbit).collect()
     })
 }

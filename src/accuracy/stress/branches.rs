@@ -5,7 +5,7 @@ use super::quantity::Exact;
 use super::row::{StressRow, place};
 use crate::model::Motion;
 use crate::number::{Analytic, Decimal, Decimals, Interval, Rung};
-use crate::orbit::{BifurcationPoint, OneOneBranches, OutputPrecision, confirm_bifurcation};
+use crate::orbit::{BifurcationPoint, OneOneBranches, OrbitOptions, OutputPrecision, confirm_bifurcation};
 
 /// The device, the bifurcation, and the range of gaps in which it is located.
 const INPUTS: [&str; 6] = ["g", "r_B", "r_T", "d", "low", "high"];
@@ -81,7 +81,7 @@ fn motion([g, r_b, r_t]: [f64; 3]) -> Option<Motion<f64>> {
 }
 
 fn prepared(motion: &Motion<f64>, [low, high]: [f64; 2]) -> Option<OneOneBranches<&Motion<f64>>> {
-    OneOneBranches::new(motion, 1, Interval::new(low, high)).ok()
+    OneOneBranches::new(motion, 1, Interval::new(low, high), &OrbitOptions::DEFAULT).ok()
 }
 
 /// The bifurcations in decimals.

@@ -78,17 +78,6 @@ impl Point {
     }
 }
 
-/// Random motions of ordinary start, for other measurements.
-pub fn starts(options: &TradeOptions, count: usize) -> Vec<(Motion<f64>, Start<f64>)> {
-    let options = TradeOptions {
-        points: count * FEWER,
-        ..options.clone()
-    };
-    let points = points(REGIONS[0].1, &options).into_iter();
-    let pairs = points.filter_map(|point| Some((point.motion()?, point.start())));
-    pairs.collect()
-}
-
 /// How fast the ball starts.
 const REGIONS: [(&str, [f64; 2]); 2] = [("impact/random", [0.1, 1.5]), ("impact/slow", [0.01, 0.1])];
 

@@ -6,7 +6,7 @@ use super::{TradeError, TradeOptions, TradeRow, Unsolved};
 use crate::accuracy::paper_equations::{DerivativeMethod, Eq16, PaperEquations};
 use crate::model::{Bracket, Motion, Sample, Side, root};
 use crate::number::{Analytic, Digits, Dual, Interval, Machine, Rung, Sequence, at_digits, seeded};
-use crate::orbit::{OneOneEquations, ProvedOrbit, isolate_one_one, newton_one_one, sharpen};
+use crate::orbit::{OneOneEquations, OrbitOptions, ProvedOrbit, isolate_one_one, newton_one_one, sharpen};
 use roots::{
     SearchError, SimpleConvergency, find_root_brent, find_root_inverse_quadratic, find_root_newton_raphson,
     find_root_regula_falsi, find_root_secant,
@@ -115,7 +115,11 @@ fn points(options: &TradeOptions) -> Vec<Point> {
 
 /// The orbits of a motion with what is known of them in many digits.
 fn orbits(motion: Motion<f64>, sequence: &mut Sequence) -> Option<Vec<Point>> {
-    let search = isolate_one_one(&motion.convert(|value| Interval::from_f64(*value)).ok()?, 1);
+    let search = isolate_one_one(
+        &motion.convert(|value| Interval::from_f64(*value)).ok()?,
+        1,
+        &OrbitOptions::DEFAULT,
+    );
     let points = search.motions.iter().filter_map(|root| {
         let proved = ProvedOrbit::Pair { root, periods: 1 };
         let exact: Vec<Exact> = at_digits(100, || {

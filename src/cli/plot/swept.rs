@@ -107,7 +107,7 @@ fn follow(scene: &Scene, diagram: &mut Diagram) -> Result<(), Failure> {
                 _ => format!("{word} {periods}T"),
             };
             let found: Vec<FoundOrbits> = if word == Word::pair() {
-                let prepared = OneOneBranches::new(&setting, periods, from.hull(&to))?;
+                let prepared = OneOneBranches::new(&setting, periods, from.hull(&to), &scene.options()?)?;
                 let (events, open) = prepared.bifurcations();
                 open.iter().for_each(|open| note(&format!("{}: {open}", scene.name())));
                 let events = events.into_iter().map(|event| Bifurcation {
@@ -123,7 +123,8 @@ fn follow(scene: &Scene, diagram: &mut Diagram) -> Result<(), Failure> {
                 diagram.bifurcations.extend(events);
                 prepared.points(&values)?
             } else {
-                let followed = WordBranches::new(&setting, &word, periods, Interval::new(low, high))?;
+                let followed =
+                    WordBranches::new(&setting, &word, periods, Interval::new(low, high), &scene.options()?)?;
                 let events = followed.bifurcations().into_iter().map(|event| Bifurcation {
                     step: Step {
                         at: event.parameter,

@@ -21,6 +21,8 @@ pub(super) struct Flights {
     piece_low: [Row; 3],
     piece_high: Row,
     falling: Row,
+    /// The least distance of the dips before the contact, where growth is followed.
+    pub clearance: Row,
     /// 1 while the contact is looked for, 0 where it is found, -1 where it is not.
     pub state: Row,
     /// An angle near the contact, the flight there, and the step from there to the contact.
@@ -46,6 +48,7 @@ impl Flights {
             piece_low: [row; 3],
             piece_high: row,
             falling: row,
+            clearance: row,
             state: row,
             angle: row,
             w: row,
@@ -77,6 +80,7 @@ impl Flights {
             low: [low[0][lane], low[1][lane], low[2][lane]],
             high: self.piece_high[lane],
             falling: self.falling[lane],
+            clearance: self.clearance[lane],
         }
     }
 
@@ -98,6 +102,7 @@ impl Flights {
         }
         self.piece_high[lane] = search.high;
         self.falling[lane] = search.falling;
+        self.clearance[lane] = search.clearance;
     }
 
     /// The flight near the contact; its distance is not kept.

@@ -1,6 +1,7 @@
 //! The instructions that lanes are worked with, found out at run time.
 
 use super::flights::Flights;
+use super::growth::Growths;
 use super::lanes::Lanes;
 use super::step;
 
@@ -48,6 +49,12 @@ impl Instructions {
 }
 
 impl Available {
+    /// The fastest.
+    pub fn fastest() -> Self {
+        let fastest = Instructions::all().last().copied();
+        Self::or_portable(fastest.unwrap_or(Instructions::Portable))
+    }
+
     /// Those that are wanted, or the portable ones where this machine does not have them.
     pub fn or_portable(wanted: Instructions) -> Self {
         Self(if wanted.is_here() {
@@ -63,32 +70,32 @@ impl Available {
 
     /// The next flight of every lane.
     #[inline]
-    pub fn step(self, lanes: &mut Lanes, flights: &mut Flights) {
+    pub fn step<const GROWTH: bool>(self, lanes: &mut Lanes, flights: &mut Flights, growths: &mut Growths) {
         match self.0 {
-            Instructions::Portable => portable(lanes, flights),
+            Instructions::Portable => portable::<GROWTH>(lanes, flights, growths),
             // SAFETY: `Available` is made only where the machine was found to have these instructions
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2 => unsafe { avx2(lanes, flights) },
+            Instructions::Avx2 => unsafe { avx2::<GROWTH>(lanes, flights, growths) },
             // SAFETY: the same
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx512 => unsafe { avx512(lanes, flights) },
+            Instructions::Avx512 => unsafe { avx512::<GROWTH>(lanes, flights, growths) },
         }
     }
 }
 
 #[inline(never)]
-fn portable(lanes: &mut Lanes, flights: &mut Flights) {
-    step::step(lanes, flights);
+fn portable<const GROWTH: bool>(lanes: &mut Lanes, flights: &mut Flights, growths: &mut Growths) {
+    step::step::<GROWTH>(lanes, flights, growths);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn avx2(lanes: &mut Lanes, flights: &mut Flights) {
-    step::step(lanes, flights);
+fn avx2<const GROWTH: bool>(lanes: &mut Lanes, flights: &mut Flights, growths: &mut Growths) {
+    step::step::<GROWTH>(lanes, flights, growths);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
-fn avx512(lanes: &mut Lanes, flights: &mut Flights) {
-    step::step(lanes, flights);
+fn avx512<const GROWTH: bool>(lanes: &mut Lanes, flights: &mut Flights, growths: &mut Growths) {
+    step::step::<GROWTH>(lanes, flights, growths);
 }

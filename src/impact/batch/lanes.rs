@@ -9,6 +9,14 @@ pub(super) const WIDTH: usize = 32;
 /// One number for each lane.
 pub(super) type Row = [f64; WIDTH];
 
+/// What belongs to the bottom or to the top. A plain choice between entries of two rows would become one of addresses,
+/// and a loop with such a choice no vector.
+#[inline(always)]
+pub(super) fn either_wall(side: f64, bottom: f64, top: f64) -> f64 {
+    let mask = u64::from(side > 0.0).wrapping_neg();
+    f64::from_bits((bottom.to_bits() & mask) | (top.to_bits() & !mask))
+}
+
 /// Balls that have just left a wall, and their motions: a lane is one entry of each row.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
@@ -98,6 +106,13 @@ impl Lanes {
     /// The wall a lane's ball has left.
     pub fn side(&self, lane: usize) -> Side {
         if self.side[lane] > 0.0 { Side::Bottom } else { Side::Top }
+    }
+
+    /// The restitution of the wall a lane's ball has left.
+    #[inline(always)]
+    pub fn restitution_from(&self, lane: usize) -> f64 {
+        let [bottom, top] = &self.restitution;
+        either_wall(self.side[lane], bottom[lane], top[lane])
     }
 
     /// The departure of a lane's ball.

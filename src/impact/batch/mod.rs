@@ -2,6 +2,7 @@
 
 mod angle;
 mod flights;
+mod growth;
 mod instructions;
 mod lanes;
 mod near;
@@ -11,25 +12,27 @@ pub mod step;
 pub use instructions::Instructions;
 
 use super::event::{Event, Kind};
-use super::simulation::{LISTED, Simulation};
+use super::simulation::LISTED;
 use super::start::Start;
+use super::widening::Widening;
 use crate::model::Motion;
 use flights::Flights;
+use growth::Growths;
 use instructions::Available;
 use lanes::{Lanes, WIDTH};
 
 /// Motions from their starts on, followed in lanes: for a sweep, a basin, an ensemble.
 ///
-/// Each motion is what [`Simulation`] makes of it, event by event, to a few roundings per impact; so it is the same as
+/// Each motion is what [`Widening`] makes of it, event by event, to a few roundings per impact; so it is the same as
 /// far as the number tells it, and where it is chaotic a different one after some fifty impacts. An ordinary flight, to
 /// the other wall or back, clear of every doubt, is followed in lanes; a flight that grazes, a chatter that completes, a
-/// rest, a release, a contact that f64 cannot decide is left to `Simulation`, and so is all that |g| >= 1 or a start of
+/// rest, a release, a contact that f64 cannot decide is left to `Widening`, and so is all that |g| >= 1 or a start of
 /// no ordinary speed brings. What a motion comes to depends neither on the motions beside it nor on the instructions.
 ///
-/// Made for ten motions and more; for a few, `Simulation` is faster. On every core, give each a part of the motions.
+/// Made for ten motions and more; for a few, `Widening` is faster. On every core, give each a part of the motions.
 ///
 /// Each impact follows from the one before to 8 epsilon (1 + a)(1 + b) / min(1, |velocity|), a and b the angles of the
-/// latest two flights: the error of phase and velocity, as for `Simulation`.
+/// latest two flights: the error of phase and velocity, as for `Widening`.
 #[derive(Clone, Debug)]
 pub struct Batch<'a> {
     motions: &'a [(Motion<f64>, Start<f64>)],
@@ -39,10 +42,9 @@ pub struct Batch<'a> {
 impl<'a> Batch<'a> {
     /// These motions, by the fastest instructions of this machine.
     pub fn new(motions: &'a [(Motion<f64>, Start<f64>)]) -> Self {
-        let fastest = Instructions::all().last().copied().unwrap_or(Instructions::Portable);
         Self {
             motions,
-            available: Available::or_portable(fastest),
+            available: Available::fastest(),
         }
     }
 
@@ -60,118 +62,203 @@ impl<'a> Batch<'a> {
     }
 
     /// Follows each motion for so many impacts, that of the start among them, or to its end, or until it is
-    /// [idle](Simulation::is_idle), and shows each event with the index of its motion. The events of a motion come in
+    /// [idle](Widening::is_idle), and shows each event with the index of its motion. The events of a motion come in
     /// their order; those of different motions in between, in an order that is the same on every machine.
     pub fn run(&self, impacts: u64, mut each: impl FnMut(usize, &Event<f64>)) {
         if impacts == 0 {
             return;
         }
         let motions = self.motions.iter().enumerate();
-        let mut waiting = motions.map(|(index, (motion, start))| Ball::new(index, motion, start, impacts));
-        let (mut lanes, mut flights) = (Lanes::idle(), Flights::none());
-        let mut balls: [Option<Ball>; WIDTH] = [const { None }; WIDTH];
-        loop {
-            let mut is_over = true;
-            for (lane, ball) in balls.iter_mut().enumerate() {
-                is_over &= !go_on(ball, &mut lanes, lane, &mut waiting, &mut each);
-            }
-            if is_over {
-                return;
-            }
-            self.available.step(&mut lanes, &mut flights);
-        }
+        let motions = motions.map(|(index, (motion, start))| {
+            let motion = Widening::new(motion, start).without_growth();
+            (motion, (index, impacts))
+        });
+        let each = |(index, left): &mut (usize, u64), event: &Event<f64>, _: &Grown| {
+            each(*index, event);
+            *left -= u64::from(event.kind == Kind::Impact);
+            *left > 0
+        };
+        follow::<(usize, u64), false>(self.available, motions, each, |_, _| {});
     }
 }
 
-/// Brings a lane to its next ordinary flight: of its ball, or, where that motion is over, of one that waits; `false` where
-/// there is none.
-#[inline]
-fn go_on(
-    place: &mut Option<Ball>,
-    lanes: &mut Lanes,
-    lane: usize,
-    waiting: &mut impl Iterator<Item = Ball>,
-    each: &mut impl FnMut(usize, &Event<f64>),
-) -> bool {
+/// Follows motions in lanes, as [`Batch`] does; where `with_growth`, with the growth of their errors.
+///
+/// Of each motion, `each` is shown the events in their order, with what the motion has been given beside it, until it says
+/// that no more are wanted, the motion ends or is [idle](Widening::is_idle); then `ended` is given the motion as it stands.
+pub fn in_lanes<M>(
+    motions: impl IntoIterator<Item = (Widening, M)>,
+    with_growth: bool,
+    each: impl FnMut(&mut M, &Event<f64>, &Grown) -> bool,
+    ended: impl FnMut(M, Widening),
+) {
+    let motions = motions.into_iter();
+    match with_growth {
+        true => follow::<M, true>(Available::fastest(), motions, each, ended),
+        false => follow::<M, false>(Available::fastest(), motions, each, ended),
+    }
+}
+
+fn follow<M, const GROWTH: bool>(
+    available: Available,
+    motions: impl Iterator<Item = (Widening, M)>,
+    mut each: impl FnMut(&mut M, &Event<f64>, &Grown) -> bool,
+    mut ended: impl FnMut(M, Widening),
+) {
+    let mut waiting = motions.map(|(motion, beside)| Ball {
+        motion,
+        beside,
+        turns: 0,
+    });
+    let mut air = Air {
+        lanes: Lanes::idle(),
+        growths: Growths::none(),
+    };
+    let mut flights = Flights::none();
+    let mut balls: [Option<Ball<M>>; WIDTH] = [const { None }; WIDTH];
     loop {
-        if let Some(ball) = place
-            && ball.goes_on(lanes, lane, each)
-        {
-            return true;
+        let mut is_over = true;
+        for (lane, place) in balls.iter_mut().enumerate() {
+            is_over &= !air.goes_on::<M, GROWTH>(place, lane, &mut waiting, &mut each, &mut ended);
         }
-        *place = waiting.next();
-        match place {
-            Some(ball) => lanes.enter(lane, ball.simulation.course.scaled()),
-            None => {
-                lanes.leave(lane);
-                return false;
-            }
+        if is_over {
+            return;
         }
+        available.step::<GROWTH>(&mut air.lanes, &mut flights, &mut air.growths);
     }
 }
 
-/// A motion in a lane.
-struct Ball {
-    index: usize,
+/// How the errors of a motion in a lane have grown.
+pub struct Grown<'a> {
+    motion: &'a Widening,
+    since: Option<(&'a Growths, usize)>,
+}
+
+impl Grown<'_> {
+    /// As [`Growth::stretch_since_release`](super::Growth::stretch_since_release).
+    pub fn stretch_since_release(&self) -> f64 {
+        let since = self.since.map_or(0.0, |(growths, lane)| growths.stretch(lane));
+        self.motion.growth().stretch_since_release() + since
+    }
+}
+
+/// All lanes, with what is known of their errors.
+struct Air {
+    lanes: Lanes,
+    growths: Growths,
+}
+
+/// A motion in a lane, with what it has been given beside it.
+struct Ball<M> {
     /// Where the latest event that was no ordinary flight has led.
-    simulation: Simulation<f64>,
+    motion: Widening,
+    beside: M,
     /// The turns up to the latest event.
     turns: i64,
-    /// The impacts still to come.
-    left: u64,
 }
 
-impl Ball {
-    fn new(index: usize, motion: &Motion<f64>, start: &Start<f64>, impacts: u64) -> Self {
-        let simulation = Simulation::new(motion, start);
-        Self {
-            index,
-            simulation,
-            turns: 0,
-            left: impacts,
+impl Air {
+    /// Brings a lane to its next ordinary flight: of its ball, or, where that motion is over, of one that waits; `false`
+    /// where there is none.
+    #[inline]
+    fn goes_on<M, const GROWTH: bool>(
+        &mut self,
+        place: &mut Option<Ball<M>>,
+        lane: usize,
+        waiting: &mut impl Iterator<Item = Ball<M>>,
+        each: &mut impl FnMut(&mut M, &Event<f64>, &Grown) -> bool,
+        ended: &mut impl FnMut(M, Widening),
+    ) -> bool {
+        loop {
+            if let Some(ball) = place {
+                if self.flies::<M, GROWTH>(ball, lane, each) {
+                    return true;
+                }
+                if let Some(ball) = place.take() {
+                    ended(ball.beside, ball.motion);
+                }
+            }
+            *place = waiting.next();
+            match place {
+                Some(ball) => self.lanes.enter(lane, ball.motion.simulation.course.scaled()),
+                None => {
+                    self.lanes.leave(lane);
+                    return false;
+                }
+            }
         }
     }
 
     /// Shows what has happened in the lane, and all that follows up to a departure for an ordinary flight; `false` where
     /// the motion is over.
     #[inline]
-    fn goes_on(&mut self, lanes: &mut Lanes, lane: usize, each: &mut impl FnMut(usize, &Event<f64>)) -> bool {
+    fn flies<M, const GROWTH: bool>(
+        &mut self,
+        ball: &mut Ball<M>,
+        lane: usize,
+        each: &mut impl FnMut(&mut M, &Event<f64>, &Grown) -> bool,
+    ) -> bool {
+        let lanes = &self.lanes;
         if lanes.flown[lane] > 0.0 {
-            self.turns += lanes.turns[lane] as i64;
+            ball.turns += lanes.turns[lane] as i64;
             let event = Event {
                 kind: Kind::Impact,
                 side: lanes.side(lane),
-                turns: self.turns,
+                turns: ball.turns,
                 phase: lanes.phase[lane],
                 velocity: lanes.velocity[lane],
             };
-            each(self.index, &event);
-            self.left -= 1;
-            return self.left > 0;
+            let grown = Grown {
+                motion: &ball.motion,
+                since: GROWTH.then_some((&self.growths, lane)),
+            };
+            let goes_on = each(&mut ball.beside, &event, &grown);
+            if !goes_on {
+                self.land::<M, GROWTH>(ball, lane);
+            }
+            return goes_on;
         }
-        self.goes_by_itself(lanes, lane, each)
+        self.goes_by_itself::<M, GROWTH>(ball, lane, each)
+    }
+
+    /// Brings the motion of a lane to where that is.
+    fn land<M, const GROWTH: bool>(&mut self, ball: &mut Ball<M>, lane: usize) {
+        if self.lanes.speed[lane] > 0.0 {
+            let simulation = &mut ball.motion.simulation;
+            simulation.depart(self.lanes.departure(lane), ball.turns);
+            if GROWTH {
+                self.growths.leave(lane, &mut simulation.growth);
+            }
+        }
+        self.lanes.leave(lane);
     }
 
     #[inline(never)]
-    fn goes_by_itself(&mut self, lanes: &mut Lanes, lane: usize, each: &mut impl FnMut(usize, &Event<f64>)) -> bool {
-        if lanes.speed[lane] > 0.0 {
-            self.simulation.depart(lanes.departure(lane), self.turns);
-        }
-        lanes.leave(lane);
-        while let Some(event) = self.simulation.next() {
-            each(self.index, &event);
-            self.turns = event.turns;
-            if event.kind == Kind::Impact {
-                self.left -= 1;
-            }
-            if self.left == 0 || self.simulation.is_idle() {
+    fn goes_by_itself<M, const GROWTH: bool>(
+        &mut self,
+        ball: &mut Ball<M>,
+        lane: usize,
+        each: &mut impl FnMut(&mut M, &Event<f64>, &Grown) -> bool,
+    ) -> bool {
+        self.land::<M, GROWTH>(ball, lane);
+        while let Some(event) = ball.motion.next() {
+            let grown = Grown {
+                motion: &ball.motion,
+                since: None,
+            };
+            let goes_on = each(&mut ball.beside, &event, &grown);
+            ball.turns = event.turns;
+            if !goes_on || ball.motion.is_idle() {
                 return false;
             }
             if event.kind == Kind::Impact
                 && event.velocity.abs() > 2.0 * LISTED
-                && let Some(from) = self.simulation.course.departure()
+                && let Some(from) = ball.motion.simulation.course.departure()
             {
-                lanes.depart(lane, from);
+                self.lanes.depart(lane, from);
+                if GROWTH {
+                    self.growths.enter(lane, ball.motion.growth());
+                }
                 return true;
             }
         }
@@ -181,10 +268,12 @@ impl Ball {
 
 #[cfg(test)]
 mod tests {
+    use super::super::simulation::Simulation;
     use super::*;
     use crate::model::Side;
     use crate::number::{Analytic, DoubleDouble};
     use proptest::prelude::*;
+    use proptest::strategy::ValueTree;
     use std::f64::consts::{PI, TAU};
 
     type Orbit = (Motion<f64>, Start<f64>);
@@ -285,6 +374,69 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// The impacts and the logarithm of the stretch at each, and the growth at the end, of a motion in lanes or alone.
+    fn grown((motion, start): &Orbit, in_a_lane: bool) -> (Vec<(Event<f64>, f64)>, Widening) {
+        let mut told = Vec::new();
+        let mut motion = Widening::new(motion, start);
+        if in_a_lane {
+            let mut end = None;
+            let each = |left: &mut u32, event: &Event<f64>, grown: &Grown| {
+                told.push((event.clone(), grown.stretch_since_release()));
+                *left -= 1;
+                *left > 0
+            };
+            in_lanes([(motion, 60)], true, each, |_, motion| end = Some(motion));
+            return (told, end.expect("it ends"));
+        }
+        while told.len() < 60
+            && !motion.is_idle()
+            && let Some(event) = motion.next()
+        {
+            told.push((event, motion.growth().stretch_since_release()));
+        }
+        (told, motion)
+    }
+
+    #[test]
+    fn errors_grow_in_lanes_as_they_do_alone() {
+        let mut runner = proptest::test_runner::TestRunner::deterministic();
+        let (mut held, mut apart_in_claims) = (0, 0);
+        for _ in 0..40 {
+            let tree = orbits(40).new_tree(&mut runner).expect("orbits");
+            for orbit in tree.current() {
+                let (told, motion) = grown(&orbit, true);
+                let (alone, other) = grown(&orbit, false);
+                let (growth, one) = (motion.growth(), other.growth());
+                if one.holds() != growth.holds() {
+                    apart_in_claims += 1;
+                    continue;
+                }
+                if !one.holds() || told.len() != alone.len() || one.phase_error() > 1e-11 {
+                    continue;
+                }
+                held += 1;
+                for ((event, stretch), (same, alone)) in told.iter().zip(&alone) {
+                    assert_eq!(event.kind, same.kind);
+                    assert!(
+                        (stretch - alone).abs() <= 1e-2 || stretch == alone,
+                        "{orbit:?} {event:?} {stretch} {alone}"
+                    );
+                }
+                let ratios = [
+                    (growth.phase_error(), one.phase_error()),
+                    (growth.velocity_error(), one.velocity_error()),
+                ];
+                assert!(
+                    ratios
+                        .iter()
+                        .all(|(error, alone)| (error - alone).abs() <= 1e-2 * alone),
+                    "{orbit:?} {ratios:?}"
+                );
+            }
+        }
+        assert!(held > 300 && apart_in_claims < held / 100, "{held} {apart_in_claims}");
     }
 
     #[test]

@@ -49,6 +49,9 @@ pub(super) struct Search {
     pub high: f64,
     /// 1 where f + g falls through 0 there, -1 where it rises.
     pub falling: f64,
+    /// The least distance of the dips so far from a wall, a lower bound; as [`Arrival`](crate::impact::flight::Arrival)
+    /// has it.
+    pub clearance: f64,
 }
 
 impl Leaving {
@@ -72,12 +75,13 @@ impl Leaving {
             low: [0.0, 0.0, self.speed],
             high: pick(first > 0.0, first, pick(second > 0.0, second, first + TAU)),
             falling: pick(is_rising, -1.0, 1.0),
+            clearance: f64::INFINITY,
         }
     }
 
-    /// The search after one more piece.
+    /// The search after one more piece. `GROWTH`: whether how far dips keep away is wanted.
     #[inline(always)]
-    pub fn piece(&self, search: Search) -> Search {
+    pub fn piece<const GROWTH: bool>(&self, search: Search) -> Search {
         let [low, y, w] = search.low;
         let high = search.high;
         // whether f + g presses the ball to the wall it left
@@ -96,6 +100,13 @@ impl Leaving {
         let turns = after < 0.0;
         // the tangents at both ends meet short of the wall
         let clears = (near - CLOSE) * (before - after) > before * (near - far - after * (stop - start));
+        let clearance = if GROWTH {
+            let bound = near - before * (near - far - after * (stop - start)) / (before - after);
+            let closer = pick(bound < search.clearance, bound, search.clearance);
+            pick(is_towards & turns & clears, closer, search.clearance)
+        } else {
+            search.clearance
+        };
         let is_past = far < -CLOSE;
         let dips = is_towards & (is_past | (turns & !clears));
         let is_clear = !is_towards | (turns & clears) | (!turns & (far > CLOSE));
@@ -122,6 +133,7 @@ impl Leaving {
             low: [high, end_y, end_w],
             high: high + pick(falling > 0.0, twice, 2.0 * PI - twice),
             falling,
+            clearance: pick(search.is_open, clearance, search.clearance),
         }
     }
 

@@ -2,7 +2,9 @@
 
 use super::angle::{nearest, pick, sin_cos};
 use super::flights::Flights;
-use super::lanes::{Lanes, Row, WIDTH};
+use super::growth::Growths;
+use super::lanes::{Lanes, Row, WIDTH, either_wall};
+use super::near::Near;
 use super::search::{Leaving, Stretch};
 use crate::impact::simulation::LISTED;
 use crate::impact::swing::REACH;
@@ -30,11 +32,11 @@ const MOST_PIECES: usize = 5;
 /// The most steps to a contact.
 const MOST_STEPS: usize = 4;
 
-/// Follows every lane to its next impact. A lane whose flight is not ordinary, or not beyond doubt, is left as it is, with
-/// `flown` 0.
+/// Follows every lane to its next impact, and, with `GROWTH`, what that makes of rounding errors. A lane whose flight is
+/// not ordinary, or not beyond doubt, is left as it is, with `flown` 0.
 #[inline(always)]
-pub(super) fn step(lanes: &mut Lanes, flights: &mut Flights) {
-    search(lanes, flights);
+pub(super) fn step<const GROWTH: bool>(lanes: &mut Lanes, flights: &mut Flights, growths: &mut Growths) {
+    search::<GROWTH>(lanes, flights);
     propose(lanes, flights);
     for _ in 0..MOST_STEPS {
         let next = |lane: usize| flights.angle[lane] + flights.leap[lane];
@@ -46,6 +48,9 @@ pub(super) fn step(lanes: &mut Lanes, flights: &mut Flights) {
         if !any(&flights.state, |_, state| state > 0.0) {
             break;
         }
+    }
+    if GROWTH {
+        growths.follow(lanes, flights);
     }
     let is_close = |lane: usize, state: f64| (state == 0.0) & (flights.angle[lane] < REACH);
     if any(&flights.state, is_close) {
@@ -85,20 +90,20 @@ impl Lanes {
 
 /// In which stretches the contacts are. Most flights have two pieces at most.
 #[inline(always)]
-fn search(lanes: &Lanes, flights: &mut Flights) {
+fn search<const GROWTH: bool>(lanes: &Lanes, flights: &mut Flights) {
     for lane in 0..WIDTH {
         let leaving = lanes.leaving(lane);
         let speed = leaving.speed;
         let is_ordinary = (speed > SLOWEST) & (speed < FASTEST) & (leaving.gap < WIDEST);
         let search = leaving.search(is_ordinary);
-        flights.keep_search(lane, leaving.piece(leaving.piece(search)));
+        flights.keep_search(lane, leaving.piece::<GROWTH>(leaving.piece::<GROWTH>(search)));
     }
     for _ in 2..MOST_PIECES {
         if !any(&flights.open, |_, open| open > 0.0) {
             break;
         }
         for lane in 0..WIDTH {
-            let search = lanes.leaving(lane).piece(flights.search(lane));
+            let search = lanes.leaving(lane).piece::<GROWTH>(flights.search(lane));
             flights.keep_search(lane, search);
         }
     }
@@ -112,8 +117,8 @@ fn propose(lanes: &Lanes, flights: &mut Flights) {
         let [bottom, top] = &lanes.latest;
         let latest = pick(
             stretch.is_far,
-            from(lanes.side[lane], bottom[1][lane], top[1][lane]),
-            from(lanes.side[lane], bottom[0][lane], top[0][lane]),
+            either_wall(lanes.side[lane], bottom[1][lane], top[1][lane]),
+            either_wall(lanes.side[lane], bottom[0][lane], top[0][lane]),
         );
         flights.angle[lane] = proposal(&lanes.leaving(lane), &stretch, latest);
         flights.leap[lane] = 0.0;
@@ -181,28 +186,56 @@ fn improve<const CLOSE: bool>(lanes: &Lanes, flights: &mut Flights) {
     }
 }
 
-/// What belongs to the bottom or to the top. A plain choice between entries of two rows would become one of addresses,
-/// and a loop with such a choice no vector.
-#[inline(always)]
-fn from(side: f64, bottom: f64, top: f64) -> f64 {
-    let mask = u64::from(side > 0.0).wrapping_neg();
-    f64::from_bits((bottom.to_bits() & mask) | (top.to_bits() & !mask))
+/// The contact that a flight ends with.
+#[derive(Clone, Copy)]
+pub(super) struct Contact {
+    /// The angle of the forcing since the departure.
+    pub angle: f64,
+    /// Whether that, but for the last step to it, is within [`REACH`].
+    pub is_close: bool,
+    /// The flight there.
+    pub there: Near,
+    /// Whether it is the other wall, and how fast the ball approaches it.
+    pub is_far: bool,
+    pub approach: f64,
+    /// Whether the flight is an ordinary one, and beyond doubt.
+    pub is_flown: bool,
+}
+
+impl Flights {
+    /// The contact of a lane.
+    #[inline(always)]
+    pub fn contact(&self, lanes: &Lanes, lane: usize) -> Contact {
+        let (angle, leap) = (self.angle[lane], self.leap[lane]);
+        let is_close = angle < REACH;
+        let there = self.near(lane).after(leap);
+        let is_far = self.far[lane] > 0.0;
+        let approach = pick(is_far, there.w, -there.w);
+        let slowest = pick(!is_far & is_close, GRAZING_HOP * lanes.speed[lane], GRAZING);
+        Contact {
+            angle: angle + leap,
+            is_close,
+            there,
+            is_far,
+            approach,
+            is_flown: (self.state[lane] == 0.0) & (approach > slowest) & (approach > SLOWEST) & (approach < FASTEST),
+        }
+    }
 }
 
 /// The impacts, and the departures after them. `CLOSE`: whether one of them may be close to its departure.
 #[inline(always)]
 fn rebound<const CLOSE: bool>(lanes: &mut Lanes, flights: &Flights) {
     for lane in 0..WIDTH {
-        let (angle, leap) = (flights.angle[lane], flights.leap[lane]);
-        let is_close = angle < REACH;
-        let there = flights.near(lane).after(leap);
-        let is_far = flights.far[lane] > 0.0;
-        let approach = pick(is_far, there.w, -there.w);
-        let slowest = pick(!is_far & is_close, GRAZING_HOP * lanes.speed[lane], GRAZING);
-        let is_flown =
-            (flights.state[lane] == 0.0) & (approach > slowest) & (approach > SLOWEST) & (approach < FASTEST);
-
-        let (phase, turns) = reduced(lanes.phase[lane] + (angle + leap));
+        let Contact {
+            angle,
+            is_close,
+            there,
+            is_far,
+            approach,
+            is_flown,
+        } = flights.contact(lanes, lane);
+        let (phase, turns) = reduced(lanes.phase[lane] + angle);
         let left = lanes.side[lane];
         let side = pick(is_far, -left, left);
         let (mut sin, mut cos) = (pick(is_far, -there.sin, there.sin), pick(is_far, -there.cos, there.cos));
@@ -212,7 +245,7 @@ fn rebound<const CLOSE: bool>(lanes: &mut Lanes, flights: &Flights) {
             sin = pick(is_close, side * fresh.0, sin);
             cos = pick(is_close, side * fresh.1, cos);
         }
-        let r = from(side, lanes.restitution[0][lane], lanes.restitution[1][lane]);
+        let r = either_wall(side, lanes.restitution[0][lane], lanes.restitution[1][lane]);
         let keep = |new: f64, old: f64| pick(is_flown, new, old);
         lanes.side[lane] = keep(side, left);
         lanes.phase[lane] = keep(phase, lanes.phase[lane]);
@@ -225,8 +258,8 @@ fn rebound<const CLOSE: bool>(lanes: &mut Lanes, flights: &Flights) {
         for (wall, angles) in lanes.latest.iter_mut().enumerate() {
             let is_from = if wall == 0 { left > 0.0 } else { left < 0.0 };
             let new = is_flown & is_from;
-            angles[0][lane] = pick(new & !is_far, angle + leap, angles[0][lane]);
-            angles[1][lane] = pick(new & is_far, angle + leap, angles[1][lane]);
+            angles[0][lane] = pick(new & !is_far, angle, angles[0][lane]);
+            angles[1][lane] = pick(new & is_far, angle, angles[1][lane]);
         }
     }
 }
@@ -275,7 +308,7 @@ mod tests {
     fn flown(lanes: &mut Lanes, flights: usize) -> usize {
         let mut rows = Flights::none();
         let mut step_by = || {
-            step(lanes, &mut rows);
+            step::<false>(lanes, &mut rows, &mut Growths::none());
             assert!(lanes.flown.iter().all(|flown| *flown == lanes.flown[0]));
             lanes.flown[0] == 1.0
         };

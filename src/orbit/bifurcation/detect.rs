@@ -204,6 +204,7 @@ fn of_shorter<F: Family>(extended: &ExtendedSystem<F>, node: &BranchPoint) -> Op
         word,
         periods,
         range: extended.range,
+        options: extended.options,
     };
     guess.push(extended.parameter(&place));
     let system = ConditionedWord {

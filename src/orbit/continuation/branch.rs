@@ -9,16 +9,11 @@ use crate::orbit::solve::starts::{brought_near, listed_from};
 use crate::orbit::solve::words::WordOrbit;
 use std::f64::consts::PI;
 
-/// The first step, the longest and the shortest, in radians and ranges of the parameter.
+/// The first step, in radians and ranges of the parameter.
 const FIRST_STEP: f64 = 0.01;
-const LONGEST_STEP: f64 = 0.15;
-const SHORTEST_STEP: f64 = 1e-7;
 
 /// A step may be so much longer than the one before.
 const GROWTH: f64 = 1.6;
-
-/// Steps in one direction before a branch is left: a branch takes some hundred.
-const MOST_STEPS: usize = 4000;
 
 /// Newton's method may go this part of a step from its prediction.
 const NEAR: f64 = 0.1;
@@ -208,7 +203,7 @@ impl<'a, F: Family> Continuation<'a, F> {
 
     fn walk(&mut self) -> BranchEnd {
         let mut length = FIRST_STEP;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..self.extended.options.most_steps {
             let here = self.nodes[self.nodes.len() - 1].clone();
             let (place, ahead) = (here.point[here.point.len() - 1], here.tangent[here.tangent.len() - 1]);
             if (place <= 0.0 && ahead < 0.0) || (place >= 1.0 && ahead > 0.0) {
@@ -237,7 +232,7 @@ impl<'a, F: Family> Continuation<'a, F> {
             if self.is_closed() {
                 return BranchEnd::Closed;
             }
-            length = (used * GROWTH).min(LONGEST_STEP);
+            length = (used * GROWTH).min(self.extended.options.longest_step);
         }
         BranchEnd::Lost
     }
@@ -245,7 +240,7 @@ impl<'a, F: Family> Continuation<'a, F> {
     /// The longest step not above `length` that can be proved, half of it by half.
     fn proved_step(&self, here: &BranchPoint, length: f64) -> Option<(Step, Option<CertifiedSegment>, f64)> {
         let mut length = length;
-        while length > SHORTEST_STEP {
+        while length > self.extended.options.shortest_step {
             if let Some(step) = self.step(here, length) {
                 let (Step::Next(node) | Step::Last(node)) = &step;
                 if let Some(segment) = CertifiedSegment::prove(self.extended, &here.point, &node.point) {
@@ -347,6 +342,7 @@ mod tests {
     use super::*;
     use crate::model::Motion;
     use crate::number::Interval;
+    use crate::orbit::options::OrbitOptions;
     use crate::orbit::solve::words::search_word;
 
     #[test]
@@ -357,6 +353,7 @@ mod tests {
             word: "BTT".parse().expect("a word"),
             periods: 1,
             range: Interval::new(0.1, 0.5),
+            options: OrbitOptions::DEFAULT,
         };
         let place = extended.place(0.2);
         let at = |place: f64| {
@@ -364,7 +361,7 @@ mod tests {
                 .motion_at(&extended.parameter(&Interval::point(place)))
                 .expect("a motion")
         };
-        let cycles = search_word(&extended.word, 1, &at(place)).expect("a search");
+        let cycles = search_word(&extended.word, 1, &at(place), &OrbitOptions::DEFAULT).expect("a search");
         assert!(!cycles.is_empty());
         for cycle in &cycles {
             let branch = Branch::through(&extended, cycle.phases(), place).expect("a branch");

@@ -4,6 +4,7 @@ use crate::number::{Analytic, Dual, Interval, seeded};
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::family::Family;
 use crate::orbit::interval_box::apart;
+use crate::orbit::options::OrbitOptions;
 use crate::orbit::solve::newton::{Ending, newton};
 use crate::orbit::word::Word;
 use nalgebra::{DMatrix, DVector};
@@ -25,6 +26,7 @@ pub(crate) struct ExtendedSystem<F> {
     pub periods: u32,
     /// Of the parameter.
     pub range: Interval<f64>,
+    pub options: OrbitOptions,
 }
 
 /// The range of a parameter as long as places go: never beyond its end by rounding, where a restitution cannot go.

@@ -94,6 +94,7 @@ impl CertifiedSegment {
 mod tests {
     use super::*;
     use crate::model::Motion;
+    use crate::orbit::options::OrbitOptions;
     use crate::orbit::solve::words::search_word;
 
     #[test]
@@ -104,13 +105,14 @@ mod tests {
             word: "BTT".parse().expect("a word"),
             periods: 1,
             range: Interval::new(0.1, 0.5),
+            options: OrbitOptions::DEFAULT,
         };
         let at = |place: f64| {
             family
                 .motion_at(&extended.parameter(&Interval::point(place)))
                 .expect("a motion")
         };
-        let cycles = search_word(&extended.word, 1, &at(0.25)).expect("a search");
+        let cycles = search_word(&extended.word, 1, &at(0.25), &OrbitOptions::DEFAULT).expect("a search");
         assert!(!cycles.is_empty());
         for cycle in &cycles {
             let (from, _) = extended

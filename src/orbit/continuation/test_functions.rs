@@ -161,6 +161,7 @@ mod tests {
     use super::*;
     use crate::model::Motion;
     use crate::number::Interval;
+    use crate::orbit::options::OrbitOptions;
     use crate::orbit::solve::words::search_word;
 
     #[test]
@@ -176,7 +177,7 @@ mod tests {
             let motion = Motion::new(0.12201, d, 0.6, 0.3).expect("a motion");
             let line = motion.convert(|value| Interval::point(*value)).expect("a motion");
             let word: crate::orbit::word::Word = word.parse().expect("a word");
-            for cycle in search_word(&word, periods, &line).expect("a search") {
+            for cycle in search_word(&word, periods, &line, &OrbitOptions::DEFAULT).expect("a search") {
                 let Ok(orbit) = cycle.orbit(&line) else { continue };
                 let orbit = orbit.rounded();
                 let system = WordEquations {

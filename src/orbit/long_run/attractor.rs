@@ -5,6 +5,7 @@ use crate::model::{MotionError, Parameters, Side};
 use crate::orbit::long_run::repetition::{repeated, start};
 use crate::orbit::long_run::resting::RestingCycle;
 use crate::orbit::long_run::symbols::{self, Symbol, symbols};
+use crate::orbit::options::OrbitOptions;
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
 
@@ -17,15 +18,12 @@ const HELD: usize = 1_000_000;
 /// Impacts a cycle apart that differ by no more, in phase and in velocity, repeat but for rounding.
 const REPEATED: f64 = 1e-14;
 
-/// The most impacts for which a cycle is followed on.
-const LATEST: usize = 20_000;
-
 /// A motion that repeats itself, or rests for ever.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Attractor {
     /// The impacts of one cycle by wall, written as a [`Word`](crate::orbit::Word) is: from a bottom impact that follows a top
     /// one; of several such, the fastest first; on one wall, from the fastest. Without a rest it has at most
-    /// [`LONGEST_WORD`](crate::orbit::LONGEST_WORD) symbols; of more than [`LONGEST_WRITTEN`] it only says how many there are. A chatter that comes to
+    /// [`longest_word`](OrbitOptions::longest_word) symbols; of more than [`LONGEST_WRITTEN`] it only says how many there are. A chatter that comes to
     /// rest is infinitely many impacts and one letter with a star: `BT*` is a bottom impact, then a chatter that ends at
     /// rest on the top, and a release from there.
     pub word: String,
@@ -42,11 +40,11 @@ impl Attractor {
     /// What a motion has come to by its last events; `None` where they do not repeat: the motion is chaotic, has not
     /// settled, or an undecided contact ended it.
     ///
-    /// The least number of impacts that repeats: two more cycles before the last must be the same to [`SETTLED`](crate::orbit::SETTLED). Of a
+    /// The least number of impacts that repeats: two more cycles before the last must be the same to [`settled`](OrbitOptions::settled). Of a
     /// cycle with a rest one is enough, for a rest forgets what was before: the release that follows has its phase from
     /// g alone. `events` are the last ones of a motion in order, impacts, rests and releases; a rest as the last of all
     /// is one that nothing releases.
-    pub fn of(events: &[Event<f64>]) -> Option<Self> {
+    pub fn of(events: &[Event<f64>], options: &OrbitOptions) -> Option<Self> {
         let last = events.last()?;
         match last.kind {
             Kind::Undecided => return None,
@@ -60,7 +58,7 @@ impl Attractor {
             .rposition(|letter| letter.rests)
             .map_or(0, |last| last + 1);
         let ends = [symbols.len(), rested];
-        let (cycle, periods) = ends.iter().find_map(|end| repeated(&symbols[..*end]))?;
+        let (cycle, periods) = ends.iter().find_map(|end| repeated(&symbols[..*end], options))?;
         let first = start(cycle);
         let rotated = || cycle[first..].iter().chain(&cycle[..first]);
         let impacts_of = |letter: &Symbol, turns: i64| {
@@ -115,15 +113,16 @@ impl Attractor {
         })
     }
 
-    /// The same cycle, followed on along the `events` after it until it repeats to rounding, or for 20,000 impacts: a
-    /// motion that comes in slowly is told by [`SETTLED`](crate::orbit::SETTLED) long before it is there.
-    pub fn settled_further(mut self, events: impl Iterator<Item = Event<f64>>) -> Self {
+    /// The same cycle, followed on along the `events` after it until it repeats to rounding, or for
+    /// [`settling_impacts`](OrbitOptions::settling_impacts): a
+    /// motion that comes in slowly is told by [`settled`](OrbitOptions::settled) long before it is there.
+    pub fn settled_further(mut self, events: impl Iterator<Item = Event<f64>>, options: &OrbitOptions) -> Self {
         let length = self.impacts.len();
         if self.rests() || length == 0 {
             return self;
         }
         let mut last: VecDeque<Event<f64>> = VecDeque::with_capacity(2 * length);
-        for event in events.take(LATEST) {
+        for event in events.take(options.settling_impacts as usize) {
             if event.kind != Kind::Impact {
                 return self;
             }
@@ -207,7 +206,7 @@ mod tests {
     }
 
     fn found(events: &[Event<f64>]) -> Option<(String, Option<i64>, usize)> {
-        Attractor::of(events).map(|found| (found.word, found.periods, found.impacts.len()))
+        Attractor::of(events, &OrbitOptions::DEFAULT).map(|found| (found.word, found.periods, found.impacts.len()))
     }
 
     fn word(text: &str, periods: i64, impacts: usize) -> Option<(String, Option<i64>, usize)> {
@@ -227,7 +226,9 @@ mod tests {
             })
         };
         let events: Vec<Event<f64>> = motion(0).take(60).collect();
-        let found = Attractor::of(&events).expect("a cycle").settled_further(motion(30));
+        let found = Attractor::of(&events, &OrbitOptions::DEFAULT)
+            .expect("a cycle")
+            .settled_further(motion(30), &OrbitOptions::DEFAULT);
         assert!(
             (found.impacts[0].velocity - 0.7).abs() < 2e-12,
             "{}",
@@ -283,7 +284,7 @@ mod tests {
             ('B', 1.5, 0.1),
             ('T', 1.9, 0.2),
         ];
-        let found = Attractor::of(&repeating(&cycle, 2, 3, 40)).expect("a cycle");
+        let found = Attractor::of(&repeating(&cycle, 2, 3, 40), &OrbitOptions::DEFAULT).expect("a cycle");
         assert_eq!((found.word.as_str(), found.periods), ("BBTBT", Some(2)));
         let speeds: Vec<f64> = found.impacts.iter().map(|event| event.velocity.abs()).collect();
         assert_eq!(speeds, [0.7, 0.1, 0.2, 0.3, 0.5]);
@@ -374,7 +375,7 @@ mod tests {
     proptest! {
         #[test]
         fn every_rotation_of_a_cycle_has_the_same_word_and_impacts((cycle, periods) in cycles(), first in 0_usize..12) {
-            let [straight, rotated] = [0, first].map(|first| Attractor::of(&repeating(&cycle, periods, first, 60)));
+            let [straight, rotated] = [0, first].map(|first| Attractor::of(&repeating(&cycle, periods, first, 60), &OrbitOptions::DEFAULT));
             let (straight, rotated) = (straight.expect("a cycle"), rotated.expect("a cycle"));
             prop_assert_eq!(straight.periods, Some(periods));
             prop_assert_eq!(straight.word.len(), cycle.len());
@@ -396,7 +397,7 @@ mod tests {
                 let noise = crate::number::mix(seed ^ index as u64) as f64 / u64::MAX as f64;
                 event.velocity += size * (noise - 0.5);
             }
-            let word = Attractor::of(&events).map(|found| found.word.len());
+            let word = Attractor::of(&events, &OrbitOptions::DEFAULT).map(|found| found.word.len());
             prop_assert_eq!(word, below.then_some(cycle.len()));
         }
 
@@ -408,7 +409,7 @@ mod tests {
                 velocity: -event.velocity,
                 ..event.clone()
             }).collect();
-            let [word, image] = [events, mirrored].map(|events| Attractor::of(&events).expect("a cycle").word);
+            let [word, image] = [events, mirrored].map(|events| Attractor::of(&events, &OrbitOptions::DEFAULT).expect("a cycle").word);
             let exchanged: String = word.chars().map(|wall| if wall == 'B' { 'T' } else { 'B' }).collect();
             prop_assert!(image.len() == word.len() && image.repeat(2).contains(&exchanged), "{} {}", word, image);
         }

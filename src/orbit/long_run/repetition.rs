@@ -2,17 +2,7 @@
 
 use crate::model::Side;
 use crate::orbit::long_run::symbols::Symbol;
-
-/// The most symbols of a word that is looked for.
-pub const LONGEST_WORD: usize = 60;
-
-/// How far two events may lie apart that are taken for the same one a cycle on: in phase, rad, and in velocity as a
-/// part of the greatest one of the cycle.
-///
-/// Rounding moves a settled motion of f64 by some 1e-16 / (1 - multiplier), so that a multiplier of 1 - 1e-6 still
-/// passes; and the two impacts into which a period doubling splits one part as the square root of the distance from it,
-/// so that they are taken for one only where the parameter is within some 1e-18 of the bifurcation.
-pub const SETTLED: f64 = 1e-9;
+use crate::orbit::options::OrbitOptions;
 
 /// Cycles that differ by less are one that is still settling, not two that a period doubling has parted: the parts lie
 /// as far from each other as the square root of the distance from the bifurcation, so this one is some 1e-12 wide.
@@ -22,9 +12,10 @@ const UNPARTED: f64 = 1e-6;
 ///
 /// A motion that comes in turning over at each cycle, with a multiplier near -1, agrees over two cycles before it does
 /// over one: so a part of a cycle that repeats to [`UNPARTED`] is the cycle.
-pub fn repeated(letters: &[Symbol]) -> Option<(&[Symbol], i64)> {
-    let longest = LONGEST_WORD.min(letters.len() / 2);
-    let (length, found) = (1..=longest).find_map(|length| Some((length, repeated_by(letters, length, SETTLED)?)))?;
+pub fn repeated<'a>(letters: &'a [Symbol], options: &OrbitOptions) -> Option<(&'a [Symbol], i64)> {
+    let longest = (options.longest_word as usize).min(letters.len() / 2);
+    let (length, found) =
+        (1..=longest).find_map(|length| Some((length, repeated_by(letters, length, options.settled)?)))?;
     let parts = (1..length).filter(|part| length % part == 0);
     let part = parts.filter_map(|part| repeated_by(letters, part, UNPARTED)).next();
     Some(part.unwrap_or(found))
@@ -46,6 +37,10 @@ fn repeated_by(letters: &[Symbol], length: usize, tolerance: f64) -> Option<(&[S
     (first > 0 && turns.all(|other| other == Some(first))).then_some((cycle, first))
 }
 
+/// Impacts of a cycle whose speeds differ by no more than this part of them are equally fast: those of a cycle that has
+/// settled differ by less where they are the same.
+const EQUALLY_FAST: f64 = 2e-9;
+
 /// Where the word of a cycle starts. Of starts that are equally fast, the one whose word comes first in the alphabet.
 pub fn start(cycle: &[Symbol]) -> usize {
     let length = cycle.len();
@@ -60,7 +55,7 @@ pub fn start(cycle: &[Symbol]) -> usize {
     let word = |first: usize| (0..length).map(move |index| cycle[(first + index) % length].text());
     (0..length)
         .filter(may_start)
-        .filter(|index| cycle[*index].speed >= fastest * (1.0 - 2.0 * SETTLED))
+        .filter(|index| cycle[*index].speed >= fastest * (1.0 - EQUALLY_FAST))
         .min_by(|one, other| word(*one).cmp(word(*other)))
         .unwrap_or(0)
 }

@@ -25,7 +25,7 @@ impl Releases {
 ///
 /// The release is known by itself to every digit, so all of the cycle is that of the exact parameters, in a number wide
 /// enough for errors not to take its impacts over.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RestingCycle {
     /// The wall that releases the ball.
     pub side: Side,
@@ -33,28 +33,47 @@ pub struct RestingCycle {
     pub number: Rung,
     /// The forcing periods it takes.
     pub periods: i64,
+    /// What happens on it, the next release from that wall last, so that nobody has to compute it again; none of a cycle
+    /// of more than [`HELD`] events.
+    events: Vec<Event<f64>>,
 }
+
+/// The most events of a cycle that are kept.
+const HELD: usize = 20_000;
 
 impl RestingCycle {
     /// The cycle on which the ball is released from `side`; `None` where it does not come back within `most` impacts, or
-    /// no number up to 200 digits can tell.
+    /// no number of up to `digits` digits can tell.
     ///
     /// # Errors
     /// A parameter out of its range.
-    pub fn find(parameters: &impl Parameters, side: Side, most: u64) -> Result<Option<Self>, MotionError> {
-        for number in Rung::Double.and_wider() {
+    pub fn find(parameters: &impl Parameters, side: Side, most: u64, digits: u32) -> Result<Option<Self>, MotionError> {
+        for number in Rung::Double.and_wider().filter(|number| number.digits() <= digits) {
             let cycle = Self {
                 side,
                 number,
                 periods: 0,
+                events: Vec::new(),
             };
-            let mut left = most;
+            let (mut left, mut events) = (most, Vec::new());
             let closed = cycle.follow(parameters, |event| {
                 left -= u64::from(event.kind == Kind::Impact);
+                if events.len() <= HELD {
+                    events.push(event.clone());
+                }
                 left > 0 && stop::goes_on()
             })?;
             match closed {
-                Some(periods) => return Ok(Some(Self { periods, ..cycle })),
+                Some(periods) => {
+                    if events.len() > HELD {
+                        events = Vec::new();
+                    }
+                    return Ok(Some(Self {
+                        periods,
+                        events,
+                        ..cycle
+                    }));
+                }
                 None if left == 0 || !stop::goes_on() => return Ok(None),
                 None => {}
             }
@@ -67,6 +86,10 @@ impl RestingCycle {
     /// # Errors
     /// A parameter out of its range.
     pub fn visit(&self, parameters: &impl Parameters, mut visit: impl FnMut(&Event<f64>)) -> Result<(), MotionError> {
+        if !self.events.is_empty() {
+            self.events.iter().for_each(visit);
+            return Ok(());
+        }
         let all = |event: &Event<f64>| {
             visit(event);
             true
@@ -144,7 +167,7 @@ mod tests {
     }
 
     fn periods(motion: &Motion<f64>, side: Side) -> Option<(i64, Rung)> {
-        let found = RestingCycle::find(motion, side, 10_000).unwrap();
+        let found = RestingCycle::find(motion, side, 10_000, 200).unwrap();
         found.map(|cycle| (cycle.periods, cycle.number))
     }
 

@@ -79,6 +79,7 @@ pub enum LongRun {
 pub type OfImpact<'a> = &'a dyn Fn(&Event<f64>) -> f64;
 
 /// Takes means along a motion.
+#[derive(Clone, Copy)]
 pub struct Averaging<'a> {
     /// The motion.
     pub motion: &'a Motion<f64>,
@@ -153,60 +154,41 @@ impl Averaging<'_> {
     /// None is given where r_B r_T = 1: nothing is lost there, and a mean may drift for ever; nor of a motion that ends
     /// before its length.
     pub fn after(&self, event: &Event<f64>) -> LongRun {
+        let mut events = self.events_after(event);
+        let mut means = self.begin(event);
+        while let Some(event) = events.next() {
+            if !means.take(&event, || events.growth().stretch_since_release()) {
+                break;
+            }
+        }
+        means.long_run()
+    }
+
+    /// What follows after `event`, from which no digits are claimed.
+    pub fn events_after(&self, event: &Event<f64>) -> Widening {
         let events = Widening::after(self.motion, event);
-        let mut events = if self.with_growth {
+        if self.with_growth {
             events
         } else {
             events.without_growth()
-        };
-        let mut releases = Releases::default();
-        let (mut before, mut stretch, mut impacts) = (event.clone(), 0.0, 0);
-        let mut cells = Cells::new();
-        let mut taken = 0;
-        let mut lengths = lengths(self.length.impacts);
-        let mut length = lengths.next();
-        while let Some(event) = events.next() {
-            match event.kind {
-                Kind::Undecided => break,
-                Kind::Rest => continue,
-                Kind::Release if !self.at_releases => {
-                    // what wipes out every distance has no exponent to measure
-                    stretch = f64::NAN;
-                    continue;
-                }
-                Kind::Release if releases.is_second(&event) => return LongRun::Released(event.side, impacts),
-                Kind::Release => {
-                    (cells, taken) = (Cells::new(), 0);
-                    (before, stretch) = (event, 0.0);
-                    continue;
-                }
-                Kind::Impact => {}
-            }
-            impacts += 1;
-            taken += 1;
-            if impacts % BETWEEN_STOPS == 0 && !stop::goes_on() {
-                break;
-            }
-            let grown = events.growth().stretch_since_release();
-            cells.add(&Sums {
-                impacts: 1.0,
-                voltage: self.voltage.map_or(0.0, |voltage| voltage(&event)),
-                time: before.time_to(&event),
-                stretch: grown - stretch,
-            });
-            (before, stretch) = (event, grown);
-            if Some(taken) != length {
-                continue;
-            }
-            let found = self.statistics(&cells.sums);
-            length = lengths.next().filter(|next| *next <= u64::from(self.length.most));
-            if found.is_met != Some(false) || length.is_none() {
-                return LongRun::Measured(found);
-            }
         }
-        // what there is, as one cell
-        let all = cells.sums.iter().fold(Sums::default(), Sums::plus);
-        LongRun::Measured(self.statistics(&[all]))
+    }
+
+    /// The means from `event` on, to be given what [follows](Averaging::events_after), event by event.
+    pub fn begin(&self, event: &Event<f64>) -> RunningMeans<'_> {
+        let mut lengths = Lengths::new(self.length.impacts);
+        RunningMeans {
+            averaging: self,
+            cells: Cells::new(),
+            before: event.clone(),
+            stretch: 0.0,
+            impacts: 0,
+            taken: 0,
+            releases: Releases::default(),
+            length: lengths.next(),
+            lengths,
+            ended: None,
+        }
     }
 
     fn statistics(&self, cells: &[Sums]) -> Statistics {
@@ -233,11 +215,112 @@ impl Averaging<'_> {
     }
 }
 
+/// Means along a motion, event by event.
+pub struct RunningMeans<'a> {
+    averaging: &'a Averaging<'a>,
+    cells: Cells,
+    before: Event<f64>,
+    stretch: f64,
+    /// All impacts, and those the means are of.
+    impacts: u64,
+    taken: u64,
+    releases: Releases,
+    lengths: Lengths,
+    length: Option<u64>,
+    ended: Option<LongRun>,
+}
+
+impl RunningMeans<'_> {
+    /// Takes in the next event, `grown` being the logarithm of the stretch since the last release where growth is
+    /// followed; `false` where no more are wanted.
+    #[inline]
+    pub fn take(&mut self, event: &Event<f64>, grown: impl FnOnce() -> f64) -> bool {
+        if event.kind != Kind::Impact {
+            return self.pass(event);
+        }
+        self.impacts += 1;
+        self.taken += 1;
+        if self.impacts % BETWEEN_STOPS == 0 && !stop::goes_on() {
+            return false;
+        }
+        let averaging = self.averaging;
+        let grown = if averaging.with_growth { grown() } else { 0.0 };
+        self.cells.add(&Sums {
+            impacts: 1.0,
+            voltage: averaging.voltage.map_or(0.0, |voltage| voltage(event)),
+            time: self.before.time_to(event),
+            stretch: grown - self.stretch,
+        });
+        self.before.clone_from(event);
+        self.stretch = grown;
+        Some(self.taken) != self.length || self.goes_on()
+    }
+
+    /// Looks at the means so far.
+    fn goes_on(&mut self) -> bool {
+        let found = self.averaging.statistics(&self.cells.sums);
+        let most = u64::from(self.averaging.length.most);
+        self.length = self.lengths.next().filter(|next| *next <= most);
+        let goes_on = found.is_met == Some(false) && self.length.is_some();
+        if !goes_on {
+            self.ended = Some(LongRun::Measured(found));
+        }
+        goes_on
+    }
+
+    /// Takes in an event that is no impact.
+    #[cold]
+    fn pass(&mut self, event: &Event<f64>) -> bool {
+        match event.kind {
+            Kind::Undecided => false,
+            Kind::Release if !self.averaging.at_releases => {
+                // what wipes out every distance has no exponent to measure
+                self.stretch = f64::NAN;
+                true
+            }
+            Kind::Release if self.releases.is_second(event) => {
+                self.ended = Some(LongRun::Released(event.side, self.impacts));
+                false
+            }
+            Kind::Release => {
+                (self.cells, self.taken) = (Cells::new(), 0);
+                (self.before, self.stretch) = (event.clone(), 0.0);
+                true
+            }
+            Kind::Rest | Kind::Impact => true,
+        }
+    }
+
+    /// What has come of it; where it ended before its length, of what there is, as one cell.
+    pub fn long_run(self) -> LongRun {
+        self.ended.unwrap_or_else(|| {
+            let all = self.cells.sums.iter().fold(Sums::default(), Sums::plus);
+            LongRun::Measured(self.averaging.statistics(&[all]))
+        })
+    }
+}
+
 /// The lengths at which an error that is asked for is looked at: each no more than 1.43 times the one before, and few, since
 /// each is one more chance to stop by luck.
-fn lengths(first: u32) -> impl Iterator<Item = u64> {
-    let first = u64::from(first.max(1)).div_ceil(LEAST);
-    (0..).flat_map(move |doubles| [20, 28].map(|times| times * (first << doubles)))
+struct Lengths {
+    first: u64,
+    number: u32,
+}
+
+impl Lengths {
+    fn new(first: u32) -> Self {
+        Self {
+            first: u64::from(first.max(1)).div_ceil(LEAST),
+            number: 0,
+        }
+    }
+
+    fn next(&mut self) -> Option<u64> {
+        let times = if self.number.is_multiple_of(2) { 20 } else { 28 };
+        let length = self.first.checked_mul(times << (self.number / 2).min(40));
+        self.number += 1;
+        length
+    }
 }
 
 /// The ratio of two sums with its standard error; `None` where it is no number.

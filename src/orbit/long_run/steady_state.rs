@@ -3,11 +3,13 @@
 use crate::impact::{Event, Kind};
 use crate::orbit::long_run::attractor::Attractor;
 use crate::orbit::long_run::resting::Releases;
+use crate::orbit::options::OrbitOptions;
 use crate::stop;
 
-/// The impacts among which a cycle is looked for, at least: three times the longest word, and two cycles of which each
-/// has a long chatter.
+/// The impacts among which a cycle is looked for, at least: two cycles of which each has a long chatter; or
 const WINDOW: usize = 512;
+/// so many times the longest word, of which three cycles must be there.
+const CYCLES: usize = 4;
 
 /// A release forgets what was before: after so many rests and releases without an impact there is none any more.
 const IDLE: u32 = 4;
@@ -34,22 +36,108 @@ impl SteadyState {
     /// Follows a motion to impact number `impacts`, or to its end where that comes first, and keeps the last `keep`
     /// impacts. Memory holds twice `keep` or 1024 of them, whichever is more.
     pub fn after(events: impl IntoIterator<Item = Event<f64>>, impacts: u32, keep: u32) -> Self {
-        let last = Window::after(events, impacts, (keep as usize).max(WINDOW));
-        let attractor = Attractor::of(&last.events);
-        Self {
-            attractor,
-            ..last.into_settled(keep as usize)
-        }
+        Settling::new(impacts, keep, &OrbitOptions::DEFAULT).along(events)
     }
 
     /// The same impacts, for less: what the motion has come to is not looked for.
     pub fn listed(events: impl IntoIterator<Item = Event<f64>>, impacts: u32, keep: u32) -> Self {
-        Window::after(events, impacts, keep as usize).into_settled(keep as usize)
+        Settling::listed(impacts, keep).along(events)
+    }
+}
+
+/// A motion that is followed to what it comes to, event by event.
+#[derive(Clone, Debug)]
+pub struct Settling {
+    window: Window,
+    rests: Rests,
+    keep: usize,
+    /// How what it has come to is looked for, if it is.
+    looked_for: Option<OrbitOptions>,
+    /// The impacts that are held at least.
+    most: usize,
+    /// The impact that ends it.
+    last: u64,
+    /// Of an impact this is to cost next to nothing: all else is done now and then, at the impacts of these numbers.
+    next_cut: u64,
+    next_look: u64,
+}
+
+impl Settling {
+    /// To impact number `impacts`; the last `keep` impacts are kept.
+    pub fn new(impacts: u32, keep: u32, options: &OrbitOptions) -> Self {
+        let least = WINDOW.max(CYCLES * options.longest_word as usize);
+        Self::holding(impacts, keep, (keep as usize).max(least), Some(*options))
+    }
+
+    /// The same impacts, for less: what the motion has come to is not looked for.
+    pub fn listed(impacts: u32, keep: u32) -> Self {
+        Self::holding(impacts, keep, keep as usize, None)
+    }
+
+    fn holding(impacts: u32, keep: u32, most: usize, looked_for: Option<OrbitOptions>) -> Self {
+        let (last, most) = (u64::from(impacts), most.min(impacts as usize));
+        let next_cut = last.min(2 * most as u64);
+        Self {
+            window: Window {
+                events: Vec::with_capacity((2 * most).min(impacts as usize)),
+                impacts: 0,
+                release: None,
+            },
+            rests: Rests::default(),
+            keep: keep as usize,
+            looked_for,
+            most,
+            last,
+            next_cut,
+            next_look: next_cut.min(BETWEEN_STOPS),
+        }
+    }
+
+    /// Takes in the next event; `false` where no more are wanted.
+    #[inline]
+    pub fn take(&mut self, event: &Event<f64>) -> bool {
+        if event.kind != Kind::Impact {
+            return !self.rests.go_on_for_ever(&mut self.window, event.clone());
+        }
+        self.window.events.push(event.clone());
+        self.window.impacts += 1;
+        self.window.impacts != self.next_look || self.goes_on()
+    }
+
+    fn goes_on(&mut self) -> bool {
+        let window = &mut self.window;
+        if window.impacts == self.next_cut {
+            window.cut(self.most);
+            self.next_cut = self.last.min(self.next_cut + self.most as u64);
+        }
+        self.next_look = self.next_cut.min(window.impacts + BETWEEN_STOPS);
+        window.impacts != self.last && stop::goes_on()
+    }
+
+    /// What the motion has come to by now.
+    pub fn steady_state(mut self) -> SteadyState {
+        self.window.cut(self.most);
+        let attractor = self
+            .looked_for
+            .and_then(|options| Attractor::of(&self.window.events, &options));
+        SteadyState {
+            attractor,
+            ..self.window.into_settled(self.keep)
+        }
+    }
+
+    fn along(mut self, events: impl IntoIterator<Item = Event<f64>>) -> SteadyState {
+        for event in events {
+            if !self.take(&event) {
+                break;
+            }
+        }
+        self.steady_state()
     }
 }
 
 /// What a window has seen besides impacts.
-#[derive(Default)]
+#[derive(Clone, Debug, Default)]
 struct Rests {
     releases: Releases,
     /// Rests and releases since the last impact, and the number of that.
@@ -72,6 +160,7 @@ impl Rests {
 }
 
 /// The last events of a motion, with so many impacts among them at least, if there were as many.
+#[derive(Clone, Debug)]
 struct Window {
     events: Vec<Event<f64>>,
     /// All impacts so far.
@@ -81,43 +170,6 @@ struct Window {
 }
 
 impl Window {
-    /// The last `most` impacts of a motion that is followed to impact number `impacts` or to its end, with all events
-    /// among them.
-    fn after(events: impl IntoIterator<Item = Event<f64>>, impacts: u32, most: usize) -> Self {
-        let (last, most) = (u64::from(impacts), most.min(impacts as usize));
-        let mut window = Self {
-            events: Vec::with_capacity((2 * most).min(impacts as usize)),
-            impacts: 0,
-            release: None,
-        };
-        let mut rests = Rests::default();
-        // of an impact this is to cost next to nothing: all else is done now and then
-        let mut next_cut = last.min(2 * most as u64);
-        let mut next_look = next_cut.min(BETWEEN_STOPS);
-        for event in events {
-            if event.kind != Kind::Impact {
-                if rests.go_on_for_ever(&mut window, event) {
-                    break;
-                }
-                continue;
-            }
-            window.events.push(event);
-            window.impacts += 1;
-            if window.impacts == next_look {
-                if window.impacts == next_cut {
-                    window.cut(most);
-                    next_cut = last.min(next_cut + most as u64);
-                }
-                if window.impacts == last || !stop::goes_on() {
-                    break;
-                }
-                next_look = next_cut.min(window.impacts + BETWEEN_STOPS);
-            }
-        }
-        window.cut(most);
-        window
-    }
-
     /// Lets go of what is before the last `most` impacts, and of the events between that and the first of these.
     fn cut(&mut self, most: usize) {
         let impacts = self.events.iter().enumerate().rev();

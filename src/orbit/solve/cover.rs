@@ -8,6 +8,7 @@ use crate::number::{Dual, Interval, seeded};
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::family::Family;
 use crate::orbit::interval_box::IntervalBox;
+use crate::orbit::options::OrbitOptions;
 use crate::orbit::solve::krawczyk::image;
 use crate::stop;
 
@@ -16,9 +17,6 @@ const PARTS: f64 = 32.0;
 
 /// The same of a box that is covered again.
 const PARTS_OF_A_BOX: f64 = 8.0;
-
-/// With so many cells none is halved any more: the cover stays one, of coarser cells.
-const MOST_CELLS: usize = 400_000;
 
 /// Nor are they made narrower, in the parameter, than this part of its size: a narrow range needs no parts.
 const NARROW: f64 = 0.01;
@@ -53,7 +51,12 @@ impl Cover {
     ///
     /// # Errors
     /// A range in which a parameter of the motion cannot be.
-    pub fn new(family: &impl Family, periods: u32, range: Interval<f64>) -> Result<Self, CoverError> {
+    pub fn new(
+        family: &impl Family,
+        periods: u32,
+        range: Interval<f64>,
+        options: &OrbitOptions,
+    ) -> Result<Self, CoverError> {
         let turn = 2.0 * std::f64::consts::PI;
         let total = 2.0 * f64::from(periods);
         let share = (4.0 * width(range) / PARTS).max(NARROW * range.magnitude());
@@ -63,7 +66,14 @@ impl Cover {
             range,
         ];
         let mut cells = Vec::new();
-        divide(family, periods, start, [2.0 / PARTS, turn / PARTS, share], &mut cells)?;
+        divide(
+            family,
+            periods,
+            start,
+            [2.0 / PARTS, turn / PARTS, share],
+            options,
+            &mut cells,
+        )?;
         Ok(Self { periods, range, cells })
     }
 
@@ -71,11 +81,16 @@ impl Cover {
     ///
     /// # Errors
     /// As [`Cover::new`].
-    pub fn within(&self, family: &impl Family, boxes: &[IntervalBox<f64, 3>]) -> Result<Self, CoverError> {
+    pub fn within(
+        &self,
+        family: &impl Family,
+        boxes: &[IntervalBox<f64, 3>],
+        options: &OrbitOptions,
+    ) -> Result<Self, CoverError> {
         let mut cells = Vec::new();
         for around in boxes {
             let widest = around.map(|side| width(side) / PARTS_OF_A_BOX);
-            divide(family, self.periods, *around, widest, &mut cells)?;
+            divide(family, self.periods, *around, widest, options, &mut cells)?;
         }
         Ok(Self { cells, ..*self })
     }
@@ -94,6 +109,7 @@ fn divide(
     periods: u32,
     start: IntervalBox<f64, 3>,
     widest: [f64; 3],
+    options: &OrbitOptions,
     cells: &mut Vec<IntervalBox<f64, 3>>,
 ) -> Result<(), CoverError> {
     let mut left = vec![start];
@@ -111,7 +127,8 @@ fn divide(
             }
         };
         let direction = (0..3).max_by(|&i, &j| excess(i).total_cmp(&excess(j))).unwrap_or(0);
-        if excess(direction) <= 1.0 || cells.len() + left.len() > MOST_CELLS || !stop::goes_on() {
+        if excess(direction) <= 1.0 || cells.len() + left.len() > options.most_cover_cells as usize || !stop::goes_on()
+        {
             cells.push(grown(family, cell, widest));
             continue;
         }
@@ -226,13 +243,19 @@ mod tests {
         let mut orbits = 0;
         for (g, r_b, r_t, periods) in [(0.12201, 0.5, 0.5, 1), (0.0, 0.6, 0.6, 1), (0.12201, 0.6, 0.3, 2)] {
             let family = Motion::new(g, 0.5, r_b, r_t).expect("a motion");
-            let cover = Cover::new(&family, periods, Interval::new(0.2, 0.7)).expect("a cover");
+            let cover = Cover::new(&family, periods, Interval::new(0.2, 0.7), &OrbitOptions::DEFAULT).expect("a cover");
             for step in 0..=10 {
                 let d = Interval::point(0.2 + 0.05 * f64::from(step))
                     .intersection(&cover.range)
                     .expect("a value");
                 let cells = cover.at(d);
-                for root in isolate_one_one(&family.motion_at(&d).expect("a motion"), periods).motions {
+                for root in isolate_one_one(
+                    &family.motion_at(&d).expect("a motion"),
+                    periods,
+                    &OrbitOptions::DEFAULT,
+                )
+                .motions
+                {
                     let [t_1, middle] = root.enclosure;
                     let inside = |[time, phase]: &[Interval<f64>; 2]| {
                         let turn = Interval::pi() + Interval::pi();
@@ -251,7 +274,7 @@ mod tests {
     #[test]
     fn a_box_of_neighbouring_numbers_is_covered_by_few_cells() {
         let family = Motion::new(1.055e-10, 0.5, 0.084_455_544_531_243_32, 0.084_455_544_531_243_32).expect("a motion");
-        let whole = Cover::new(&family, 1, Interval::new(0.3530, 0.3531)).expect("a cover");
+        let whole = Cover::new(&family, 1, Interval::new(0.3530, 0.3531), &OrbitOptions::DEFAULT).expect("a cover");
         let tight = [
             Interval::new(1.000_000_000_138_732_4, 1.000_000_000_138_733_7),
             Interval::new(3.033_708_538_134_507, 3.033_708_545_391_402),
@@ -259,14 +282,16 @@ mod tests {
         ];
         let mut point = tight;
         point[0] = Interval::point(1.000_000_000_138_733);
-        let cover = whole.within(&family, &[tight, point]).expect("a cover");
+        let cover = whole
+            .within(&family, &[tight, point], &OrbitOptions::DEFAULT)
+            .expect("a cover");
         assert!(cover.cells.len() < 1000, "{}", cover.cells.len());
     }
 
     #[test]
     fn a_range_in_which_there_is_no_motion_is_refused() {
         let family = Motion::new(0.1, 0.5, 0.5, 0.5).expect("a motion");
-        let refused = Cover::new(&family, 1, Interval::new(-0.1, 0.2));
+        let refused = Cover::new(&family, 1, Interval::new(-0.1, 0.2), &OrbitOptions::DEFAULT);
         assert!(
             matches!(refused, Err(CoverError::Motion(MotionError::Gap { .. }))),
             "{refused:?}"
@@ -276,7 +301,7 @@ mod tests {
     #[test]
     fn only_cells_that_reach_a_value_are_given_for_it() {
         let family = Motion::new(0.12201, 0.5, 0.5, 0.5).expect("a motion");
-        let cover = Cover::new(&family, 1, Interval::new(0.2, 0.7)).expect("a cover");
+        let cover = Cover::new(&family, 1, Interval::new(0.2, 0.7), &OrbitOptions::DEFAULT).expect("a cover");
         let here = cover.at(Interval::point(0.3)).len();
         assert!(
             0 < here && here < cover.cells.len() / 4,

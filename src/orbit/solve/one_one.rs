@@ -7,19 +7,13 @@ use crate::orbit::equations::one_one_bifurcations::ConditionedOneOne;
 use crate::orbit::equations::square_system::SquareSystem;
 use crate::orbit::family::Family;
 use crate::orbit::interval_box::{IntervalBox, joined};
+use crate::orbit::options::OrbitOptions;
 use crate::orbit::solve::isolate::{Isolation, SearchLimits, isolate};
 use crate::orbit::solve::krawczyk::{ProvedRoot, distinct_phases, is_shifted, prove};
 use crate::orbit::solve::newton::{Ending, newton, newton_by_duals};
 use crate::orbit::solve::proposals;
 
-/// Cells narrower than this in T_1 and psi are not halved again: two motions nearer to each other than some times
-/// this are left to a wider number.
-pub const FINEST: f64 = 2e-9;
-
-/// A search that needs more cells than this for each period is at a motion that is no isolated one.
-const MOST_CELLS: usize = 200_000;
-
-/// As [`FINEST`] and [`MOST_CELLS`], over the wider number.
+/// Cells examined again over the wider number are halved to this width, and so many of them are.
 const FINEST_AGAIN: f64 = 1e-18;
 const MOST_CELLS_AGAIN: usize = 5_000;
 
@@ -48,7 +42,7 @@ pub struct OneOneSearch<E: Endpoint = f64> {
 ///
 /// Nothing stays undecided unless two motions are nearer than about 1e-8, or a velocity is 0 within rounding:
 /// elsewhere the list is complete, by proof. Costs some hundred evaluations of h_1, h_2.
-pub fn isolate_one_one(motion: &Motion<Interval<f64>>, periods: u32) -> OneOneSearch {
+pub fn isolate_one_one(motion: &Motion<Interval<f64>>, periods: u32, options: &OrbitOptions) -> OneOneSearch {
     let balance = OneOneEquations::new(motion, periods);
     let mut roots: Vec<ProvedRoot<f64, 2>> = Vec::new();
     if let Ok(middle) = motion.convert(|parameter| parameter.midpoint()) {
@@ -66,8 +60,8 @@ pub fn isolate_one_one(motion: &Motion<Interval<f64>>, periods: u32) -> OneOneSe
         Interval::new(-0.5 * turn, (0.5 * turn).above()),
     ]];
     let limits = SearchLimits {
-        finest: FINEST,
-        most_cells: MOST_CELLS * periods as usize,
+        finest: options.finest_cell,
+        most_cells: options.most_cells as usize * periods as usize,
     };
     let proposed = roots.len();
     OneOneSearch::new(periods, proposed, isolate(&balance, cells, roots, limits), &balance)
@@ -78,13 +72,14 @@ pub fn again(
     motion: &Motion<Interval<DoubleDouble>>,
     periods: u32,
     undecided: &[IntervalBox<f64, 2>],
+    options: &OrbitOptions,
 ) -> OneOneSearch<DoubleDouble> {
     let balance = OneOneEquations::new(motion, periods);
     let limits = SearchLimits {
         finest: FINEST_AGAIN,
         most_cells: MOST_CELLS_AGAIN,
     };
-    let isolation = isolate(&balance, clusters(undecided), Vec::new(), limits);
+    let isolation = isolate(&balance, clusters(undecided, options), Vec::new(), limits);
     OneOneSearch::new(periods, 0, isolation, &balance)
 }
 
@@ -108,12 +103,12 @@ impl<E: Endpoint> OneOneSearch<E> {
 
 /// The undecided cells over the wider number, those that touch in one, a little larger: a root may lie on the seam of
 /// two.
-fn clusters(undecided: &[IntervalBox<f64, 2>]) -> Vec<IntervalBox<DoubleDouble, 2>> {
+fn clusters(undecided: &[IntervalBox<f64, 2>], options: &OrbitOptions) -> Vec<IntervalBox<DoubleDouble, 2>> {
     let wider = |side: Interval<f64>| {
         let [low, high] = [side.low(), side.high()].map(DoubleDouble::from_f64);
         Interval::new(low, high)
     };
-    let joined = joined(undecided, FINEST);
+    let joined = joined(undecided, options.finest_cell);
     joined.into_iter().map(|cell| cell.map(wider)).collect()
 }
 

@@ -74,6 +74,7 @@ fn lifted<E: Endpoint>(number: &DoubleDouble) -> Interval<E> {
 mod tests {
     use super::*;
     use crate::number::Wide;
+    use crate::orbit::options::OrbitOptions;
     use crate::orbit::solve::krawczyk::sharpen;
     use crate::orbit::solve::one_one::isolate_one_one;
 
@@ -95,7 +96,7 @@ mod tests {
                 let end = side.to_f64();
                 Interval::new(end.next_down(), end.next_up())
             });
-            let search = isolate_one_one(&coarse.expect("a motion"), 1);
+            let search = isolate_one_one(&coarse.expect("a motion"), 1, &OrbitOptions::DEFAULT);
             assert!(!search.motions.is_empty());
             for root in &search.motions {
                 let found = refine_one_one(&fifty, 1, root).expect("a motion");

@@ -5,14 +5,12 @@ use crate::number::{Analytic, Endpoint, Interval, Wide};
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::inconclusive::Inconclusive;
 use crate::orbit::interval_box::apart;
+use crate::orbit::options::OrbitOptions;
 use crate::orbit::orbit::Orbit;
 use crate::orbit::solve::certify::{Proof, approached, prove};
 use crate::orbit::solve::starts::{brought_near, listed_from, solve_word, starts};
 use crate::orbit::word::Word;
 use crate::stop;
-
-/// Starts for each impact and forcing period.
-const STARTS: usize = 256;
 
 /// Proposals without a proof that are no farther apart are told once: around a point where three motions meet, as at
 /// a period doubling, rounding hides the residual within the cube root of 2^-52, times its condition.
@@ -31,8 +29,8 @@ pub struct WordOrbit {
     proof: Option<Proof>,
 }
 
-/// All periodic motions of `word` over `periods` forcing periods that Newton's method leads to from some 256 starts
-/// an impact and a period, over the whole of the phases and times that the word allows. Stable or not, admissible or
+/// All periodic motions of `word` over `periods` forcing periods that Newton's method leads to from some
+/// [`word_starts`](OrbitOptions::word_starts) an impact and a period, over the whole of the phases and times that the word allows. Stable or not, admissible or
 /// not. The forcing is cos(pi t). The proof is for every motion within the intervals of `motion`, rounded to f64.
 ///
 /// **Completeness is not claimed**: a motion may attract none of the starts. What is found is certain: each is proved
@@ -46,8 +44,10 @@ pub fn search_word<E: Endpoint>(
     word: &Word,
     periods: u32,
     motion: &Motion<Interval<E>>,
+    options: &OrbitOptions,
 ) -> Result<Vec<WordOrbit>, MotionError> {
-    search_word_from(STARTS * word.impacts() * periods as usize, word, periods, motion)
+    let count = options.word_starts as usize * word.impacts() * periods as usize;
+    search_word_from(count, word, periods, motion)
 }
 
 /// As [`search_word`], from as many starts as asked for.
@@ -245,7 +245,7 @@ mod tests {
 
     fn found(word: &str, periods: u32, motion: &Motion<Interval<f64>>) -> Vec<RoundedOrbit> {
         let word = word.parse().expect("a word");
-        let cycles = search_word(&word, periods, motion).expect("a search");
+        let cycles = search_word(&word, periods, motion, &OrbitOptions::DEFAULT).expect("a search");
         let rows = cycles
             .iter()
             .map(|cycle| cycle.orbit(motion).expect("decided").rounded());
@@ -281,8 +281,16 @@ mod tests {
         for (word, periods) in [("BT", 1), ("BTT", 1), ("BBT", 2), ("BTT", 2)] {
             let motion = motion(12_201, 20, 60, 30);
             let word: Word = word.parse().expect("a word");
-            let some = search_word(&word, periods, &motion).expect("a search").len();
-            let many = search_word_from(16 * STARTS * word.impacts(), &word, periods, &motion).expect("a search");
+            let some = search_word(&word, periods, &motion, &OrbitOptions::DEFAULT)
+                .expect("a search")
+                .len();
+            let many = search_word_from(
+                16 * OrbitOptions::DEFAULT.word_starts as usize * word.impacts(),
+                &word,
+                periods,
+                &motion,
+            )
+            .expect("a search");
             assert_eq!(some, many.len(), "{word}");
         }
     }
@@ -299,7 +307,7 @@ mod tests {
             Interval::point(0.5),
         )
         .expect("a motion");
-        let cycles = search_word(&"B".parse().expect("a word"), 1, &fold).expect("a search");
+        let cycles = search_word(&"B".parse().expect("a word"), 1, &fold, &OrbitOptions::DEFAULT).expect("a search");
         assert!(
             !cycles.is_empty() && cycles.iter().all(|cycle| !cycle.is_certified()),
             "{cycles:?}"
