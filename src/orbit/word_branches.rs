@@ -18,6 +18,9 @@ use crate::orbit::word::Word;
 /// Values at which motions are searched for, both ends of the range among them.
 const SEARCHES: u32 = 17;
 
+/// A motion found there is known to this, in radians.
+const ROOM: f64 = 1e-9;
+
 /// Starts for each impact and forcing period, at each of them.
 const STARTS: usize = 128;
 
@@ -61,8 +64,9 @@ impl<F: Family + Sync> WordBranches<F> {
         for (place, cycles) in places.iter().zip(found) {
             let cycles = cycles?;
             for cycle in cycles.iter().filter(|cycle| cycle.is_certified()) {
-                if !branches.iter().any(|branch| branch.holds(&extended, cycle, *place)) {
-                    branches.extend(Branch::through(&extended, cycle.phases(), *place));
+                let point = [cycle.phases(), &[*place]].concat();
+                if !branches.iter().any(|branch| branch.holds(&extended, &point, ROOM)) {
+                    branches.extend(Branch::through(&extended, point));
                 }
             }
         }
