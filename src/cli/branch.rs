@@ -2,6 +2,7 @@
 
 use super::answer::Rows;
 use super::complete::{Complete, incomplete};
+use super::curves;
 use super::{Answer, Asked, Failure, Options, SceneArguments, note};
 use crate::number::{Decimals, Interval, Rung, Told};
 use crate::orbit::{
@@ -12,7 +13,8 @@ use crate::report::{Cell, Column, Table};
 use crate::scene::{Over, Quantity, Scene, Setting, Sweep, Want};
 use std::collections::VecDeque;
 
-/// The motions of the wanted words over a sweep, and every bifurcation on the way
+/// The motions of the wanted words over a sweep, and every bifurcation on the way; or curves of bifurcations over two
+/// parameters
 #[derive(Debug, clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -22,7 +24,7 @@ pub struct Arguments {
 }
 
 /// The columns that scripts rely on; where something other than d is swept, its name stands before d.
-const COLUMNS: [&str; 15] = [
+pub(super) const COLUMNS: [&str; 15] = [
     "kind",
     "word",
     "periods",
@@ -41,7 +43,7 @@ const COLUMNS: [&str; 15] = [
 ];
 
 /// Where d stands.
-const GAP: usize = 3;
+pub(super) const GAP: usize = 3;
 
 /// The values that are computed together.
 const BLOCK: u32 = 1024;
@@ -54,6 +56,9 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
 
 /// The rows of a scene: word by word, periods by periods, in the direction of the sweep.
 pub fn rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
+    if scene.branches_over_two() {
+        return curves::rows(scene, options);
+    }
     match options.goal_for(scene)? {
         Asked::Doubles(goal) => rows_as(scene, goal),
         Asked::Decimals(goal) => rows_as(scene, goal),

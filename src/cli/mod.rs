@@ -10,6 +10,7 @@ mod check;
 mod columns;
 mod complete;
 mod completions;
+mod curves;
 mod document;
 mod exit;
 mod failure;

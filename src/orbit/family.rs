@@ -1,7 +1,7 @@
-//! Motions along one parameter, over any number.
+//! Motions along one parameter, or over two, over any number.
 
 use crate::model::{Exact, Motion, MotionError, Parameters, Side};
-use crate::number::Analytic;
+use crate::number::{Analytic, Interval};
 
 /// Motions along one swept parameter.
 pub trait Family {
@@ -22,6 +22,28 @@ pub trait Family {
     {
         Fixed { family: self, value }
     }
+}
+
+/// Motions over a rectangle of two parameters.
+pub trait ParameterPlane: Sync {
+    /// The motions along a side of the rectangle, or a line beside it.
+    type Line: Family + Sync;
+
+    /// The motion at values of both parameters.
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    fn motion_at<T: Analytic>(&self, parameters: [&T; 2]) -> Result<Motion<T>, MotionError>;
+
+    /// The ranges of both.
+    fn ranges(&self) -> [Interval<f64>; 2];
+
+    /// The motions along the other parameter where number `fixed`, 0 or 1, has value number `index`, from 0, of `count` + 1
+    /// evenly spaced ones from end to end of its range; and that value.
+    fn line(&self, fixed: usize, index: u32, count: u32) -> (Self::Line, f64);
+
+    /// Whether each motion is its own mirror image, as in [`Family::is_symmetric`].
+    fn is_symmetric(&self) -> bool;
 }
 
 impl<F: Family> Family for &F {

@@ -178,15 +178,21 @@ impl<F: Family + Sync> OneOneBranches<F> {
         self.bifurcations_as(&OutputPrecision::DOUBLES)
     }
 
-    /// The same, told as they are wanted.
-    pub fn bifurcations_as<W: Output>(&self, wanted: &W) -> (Vec<BifurcationPoint<W::Number>>, Vec<OpenBifurcation>) {
-        let periods = self.periods;
+    /// Every bifurcation over the range, proved, in order of the parameter, and the boxes in which one could not be told.
+    pub fn located(&self) -> Bifurcations {
         let mut found = Bifurcations::default();
         for piece in each(&self.covers, |cover| self.settled(cover)) {
             found.add(piece);
         }
         let place = |located: &LocatedBifurcation| located.parameter().midpoint();
         found.located.sort_by(|one, other| place(one).total_cmp(&place(other)));
+        found
+    }
+
+    /// The same, told as they are wanted.
+    pub fn bifurcations_as<W: Output>(&self, wanted: &W) -> (Vec<BifurcationPoint<W::Number>>, Vec<OpenBifurcation>) {
+        let periods = self.periods;
+        let found = self.located();
         let open = found.undecided.into_iter();
         let mut open: Vec<OpenBifurcation> = open
             .map(|(event, cell)| OpenBifurcation::Box { event, periods, cell })

@@ -16,6 +16,9 @@ use crate::orbit::solve::starts::{brought_near, solve_word};
 use crate::orbit::solve::words::{WordOrbit, moves, search_word_from};
 use crate::orbit::word::Word;
 
+/// A motion found there is known to this, in radians.
+const ROOM: f64 = 1e-9;
+
 /// The branches of motions of a word that a search at some values of the parameter leads to.
 ///
 /// Each is followed in both directions, through folds, to where it ends: where the parameter leaves its range, a
@@ -64,8 +67,9 @@ impl<F: Family + Sync> WordBranches<F> {
         for (place, cycles) in places.iter().zip(found) {
             let cycles = cycles?;
             for cycle in cycles.iter().filter(|cycle| cycle.is_certified()) {
-                if !branches.iter().any(|branch| branch.holds(&extended, cycle, *place)) {
-                    branches.extend(Branch::through(&extended, cycle.phases(), *place));
+                let point = [cycle.phases(), &[*place]].concat();
+                if !branches.iter().any(|branch| branch.holds(&extended, &point, ROOM)) {
+                    branches.extend(Branch::through(&extended, point));
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 use super::document::Entry;
 use super::key::{self, Allowed, Key, RangeKeys};
+use super::plane::{Extent, Plane};
 use super::{Map, Over, Scene, SceneError, Want};
 use crate::orbit::Word;
 use std::fmt::Write;
@@ -94,6 +95,7 @@ impl Scene {
             key if *key == key::WORDS => self.words()?.iter().map(Word::to_string).collect::<Vec<_>>().join(", "),
             key if *key == key::MAX_PERIODS => self.max_periods()?.to_string(),
             key if key.section == "map" => self.default_of_map(key)?,
+            key if *key == key::LINES => self.plane()?.lines.to_string(),
             key if *key == key::BASINS_KEEP => self.start_grid()?.diagram.keep.to_string(),
             key if key.section == "box" && key.allowed == Allowed::Range => "one value".to_owned(),
             key if key.section == "box" => "0".to_owned(),
@@ -122,11 +124,12 @@ impl Scene {
         let (swept, at_rest): (Vec<Want>, Vec<Want>) = wants
             .iter()
             .filter(|want| !matches!(want, Want::Voltage | Want::Map | Want::Optimum))
+            .filter(|want| **want != Want::Branch || !self.branches_over_two())
             .partition(|&&want| matches!(want, Want::Branch | Want::Sweep));
         let over = if swept.is_empty() {
             None
         } else {
-            Some(self.over(RangeKeys::SWEEP, None)?)
+            Some(self.over(RangeKeys::SWEEP.over, None)?)
         };
         let moves_g = matches!(over, Some(Over::Incline | Over::G | Over::ForcingAmplitude));
         if !at_rest.is_empty() || (over.is_some() && !moves_g) {
@@ -142,6 +145,11 @@ impl Scene {
         }
         if over.is_some() {
             lines.push(format!("sweep: {}", told_range(&self.sweep()?)));
+        }
+        if wants.contains(&Want::Branch) && self.branches_over_two() {
+            let Plane { x, y, .. } = self.plane()?;
+            let told = |Extent { over, from, to }: Extent| format!("{over} from {from} to {to}");
+            lines.push(format!("curves of bifurcations over {} and {}", told(x), told(y)));
         }
         if wants.contains(&Want::Map) {
             let map = self.map()?;

@@ -39,6 +39,7 @@ pub const MOST_DIGITS: u32 = 10_000;
 /// Beyond, nobody waits for the answer.
 const MOST_PERIODS: u32 = 1000;
 const MOST_POINTS: u32 = 1_000_000;
+const MOST_LINES: u32 = 1000;
 const IMPACTS_AT_MOST: u32 = 1_000_000_000;
 const KEPT_AT_MOST: u32 = 1_000_000;
 const MOST_CELLS_OF_A_COVER: u32 = 10_000_000;
@@ -108,6 +109,13 @@ keys! {
     Y_FROM = "map.y" "from" Allowed::Finite, "the first value along y";
     Y_TO = "map.y" "to" Allowed::Finite, "the last value along y";
     Y_POINTS = "map.y" "points" Allowed::Count(MOST_POINTS), "the number of values along y, both ends counted";
+    LINES = "branch" "lines" Allowed::Count(MOST_LINES), "into how many parts lines on which curves are looked for divide each side";
+    CURVE_X_OVER = "branch.x" "over" Allowed::Text, "the first of two parameters";
+    CURVE_X_FROM = "branch.x" "from" Allowed::Finite, "one end of its range";
+    CURVE_X_TO = "branch.x" "to" Allowed::Finite, "the other end of its range";
+    CURVE_Y_OVER = "branch.y" "over" Allowed::Text, "the second of two parameters";
+    CURVE_Y_FROM = "branch.y" "from" Allowed::Finite, "one end of its range";
+    CURVE_Y_TO = "branch.y" "to" Allowed::Finite, "the other end of its range";
     BASINS_IMPACTS = "basins" "impacts" Allowed::Count(IMPACTS_AT_MOST), "the impacts from each start";
     BASINS_KEEP = "basins" "keep" Allowed::Count(KEPT_AT_MOST), "the last impacts from each start, among which a cycle is looked for";
     PHASES_FROM = "basins.phase" "from" Allowed::Finite, "the first phase of the forcing at the first impact, rad";
@@ -165,6 +173,32 @@ impl SpacedKeys {
     }
 }
 
+/// The keys of a parameter and the ends of its range.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ExtentKeys {
+    pub over: &'static Key,
+    pub from: &'static Key,
+    pub to: &'static Key,
+}
+
+impl ExtentKeys {
+    /// Those of `[branch]`.
+    pub const X: Self = Self {
+        over: &CURVE_X_OVER,
+        from: &CURVE_X_FROM,
+        to: &CURVE_X_TO,
+    };
+    pub const Y: Self = Self {
+        over: &CURVE_Y_OVER,
+        from: &CURVE_Y_FROM,
+        to: &CURVE_Y_TO,
+    };
+
+    pub const fn all(self) -> [&'static Key; 3] {
+        [self.over, self.from, self.to]
+    }
+}
+
 /// The keys of a range of values of one parameter.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RangeKeys {
@@ -201,6 +235,15 @@ impl RangeKeys {
     pub fn all(self) -> impl Iterator<Item = &'static Key> {
         std::iter::once(self.over).chain(self.values.all())
     }
+
+    pub const fn extent(self) -> ExtentKeys {
+        let SpacedKeys { from, to, .. } = self.values;
+        ExtentKeys {
+            over: self.over,
+            from,
+            to,
+        }
+    }
 }
 
 /// The keys of how motions are followed.
@@ -231,7 +274,7 @@ impl DiagramKeys {
 }
 
 /// The sections, in the order of DESIGN.
-pub(super) const SECTIONS: [&str; 13] = [
+pub(super) const SECTIONS: [&str; 16] = [
     "device",
     "motion",
     "membrane",
@@ -240,6 +283,9 @@ pub(super) const SECTIONS: [&str; 13] = [
     "map",
     "map.x",
     "map.y",
+    "branch",
+    "branch.x",
+    "branch.y",
     "basins",
     "basins.phase",
     "basins.velocity",

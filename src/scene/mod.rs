@@ -27,6 +27,7 @@ mod following;
 mod key;
 mod need;
 mod pace;
+mod plane;
 mod points;
 mod quantity;
 #[allow(clippy::module_inception)]
@@ -43,6 +44,7 @@ pub use error::{Origin, SceneError, SceneProblem};
 pub use following::{MeanOver, Means};
 pub use key::MOST_DIGITS;
 pub use need::Note;
+pub use plane::{Extent, Plane};
 pub use points::{MapPoint, MapPoints, Point, Points};
 pub use quantity::{Quantity, QuantityError};
 pub use scene::{Scene, Start};

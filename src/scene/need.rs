@@ -2,7 +2,7 @@
 
 use super::document::Entry;
 use super::error::{Origin, SceneError, SceneProblem};
-use super::key::{self, DiagramKeys, Key, RangeKeys, SpacedKeys};
+use super::key::{self, DiagramKeys, ExtentKeys, Key, RangeKeys, SpacedKeys};
 use super::{Over, Scene, Want};
 use std::fmt;
 
@@ -113,9 +113,13 @@ impl Scene {
     /// A sweep over something that cannot be swept.
     pub(super) fn needs(&self, want: Want) -> Result<Need, SceneError> {
         let swept = match want {
-            Want::Branch | Want::Sweep => vec![self.over(RangeKeys::SWEEP, Some(want))?],
+            Want::Branch if self.branches_over_two() => {
+                let over = |keys: ExtentKeys| self.over(keys.over, Some(want));
+                vec![over(ExtentKeys::X)?, over(ExtentKeys::Y)?]
+            }
+            Want::Branch | Want::Sweep => vec![self.over(RangeKeys::SWEEP.over, Some(want))?],
             Want::Map => {
-                let over = |keys| self.over(keys, Some(want));
+                let over = |keys: RangeKeys| self.over(keys.over, Some(want));
                 vec![over(RangeKeys::X)?, over(RangeKeys::Y)?]
             }
             Want::Optimum => self.chosen(),
@@ -131,7 +135,12 @@ impl Scene {
                 optional.extend([&key::WORDS, &key::MAX_PERIODS]);
                 optional.extend(ORBIT_OPTIONS);
                 optional.extend(BRANCH_OPTIONS);
-                required.extend(RangeKeys::SWEEP.all());
+                if self.branches_over_two() {
+                    required.extend(ExtentKeys::X.all().into_iter().chain(ExtentKeys::Y.all()));
+                    optional.push(&key::LINES);
+                } else {
+                    required.extend(RangeKeys::SWEEP.all());
+                }
             }
             Want::Impacts => required.extend(START),
             Want::Trajectory => {
@@ -209,7 +218,7 @@ impl Scene {
                 optional.clear();
                 required.extend(MEMBRANE);
                 // Along a sweep the scales are those of its values.
-                let is_swept = matches!(self.over(RangeKeys::SWEEP, None), Ok(Over::ForcingAmplitude));
+                let is_swept = matches!(self.over(RangeKeys::SWEEP.over, None), Ok(Over::ForcingAmplitude));
                 let given = |key: &&Key| !(is_swept && **key == key::FORCING_AMPLITUDE);
                 required.extend(SCALES.into_iter().filter(given));
             }
@@ -254,6 +263,7 @@ impl Scene {
                 self.check_key(key)?;
             }
             match want {
+                Want::Branch if self.branches_over_two() => drop(self.plane()?),
                 Want::Branch => drop(self.sweep()?),
                 Want::Sweep => {
                     self.sweep()?;

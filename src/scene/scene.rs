@@ -3,7 +3,8 @@
 use super::basins::{Spaced, StartGrid};
 use super::document::{Document, Entry, Value};
 use super::error::{Origin, SceneError, SceneProblem};
-use super::key::{self, DiagramKeys, Key, RangeKeys, SpacedKeys};
+use super::key::{self, DiagramKeys, ExtentKeys, Key, RangeKeys, SpacedKeys};
+use super::plane::{Extent, LINES, Plane};
 use super::sweep::{Begin, Diagram, Map, MapWant, Over, Sweep};
 use super::value::{allowed_number, one_of};
 use super::{Quantity, Want};
@@ -280,16 +281,19 @@ impl Scene {
     }
 
     fn range(&self, keys: RangeKeys) -> Result<Sweep, SceneError> {
-        let over = self.over(keys, None)?;
-        let SpacedKeys { from, to, points } = keys.values;
-        let range = Sweep {
+        let Extent { over, from, to } = self.extent(keys.extent())?;
+        let points = self.count(keys.values.points)?;
+        self.refuse_one_end(keys.values, [&from, &to], points)?;
+        Ok(Sweep { over, from, to, points })
+    }
+
+    fn extent(&self, keys: ExtentKeys) -> Result<Extent, SceneError> {
+        let over = self.over(keys.over, None)?;
+        Ok(Extent {
             over,
-            from: self.end(from, over)?,
-            to: self.end(to, over)?,
-            points: self.count(points)?,
-        };
-        self.refuse_one_end(keys.values, [&range.from, &range.to], range.points)?;
-        Ok(range)
+            from: self.end(keys.from, over)?,
+            to: self.end(keys.to, over)?,
+        })
     }
 
     /// That several points are not asked for between two ends that are one.
@@ -383,22 +387,72 @@ impl Scene {
     /// parameter, or of which one leaves the other unread.
     pub fn map(&self) -> Result<Map, SceneError> {
         let [x, y] = [self.range(RangeKeys::X)?, self.range(RangeKeys::Y)?];
-        let is_pair = |one, other| (x.over, y.over) == (one, other) || (x.over, y.over) == (other, one);
-        if x.over == y.over || is_pair(Over::G, Over::Incline) {
-            let allowed = format!("another parameter than {}, and not both g and incline", x.over);
-            let key = RangeKeys::Y.over;
-            return Err(self.wrong(key, self.require(key, None)?, allowed));
-        }
-        // every parameter of the one goes with every parameter of the other
-        for (x_end, y_end) in [(&x.from, &y.from), (&x.to, &y.to)] {
-            self.motion_with::<f64>(&[(x.over, x_end), (y.over, y_end)])?;
-        }
+        self.check_pair(
+            RangeKeys::Y.over,
+            (x.over, [&x.from, &x.to]),
+            (y.over, [&y.from, &y.to]),
+        )?;
         Ok(Map {
             diagram: self.diagram_of(DiagramKeys::MAP)?,
             starts: self.starts()?,
             wants: self.wants_of_map()?,
             x,
             y,
+        })
+    }
+
+    /// That two parameters can go together, with what is typed for their ends.
+    fn check_pair(
+        &self,
+        second: &'static Key,
+        (x, x_ends): (Over, [&Quantity; 2]),
+        (y, y_ends): (Over, [&Quantity; 2]),
+    ) -> Result<(), SceneError> {
+        let is_pair = |one, other| (x, y) == (one, other) || (x, y) == (other, one);
+        if x == y || is_pair(Over::G, Over::Incline) {
+            let allowed = format!("another parameter than {x}, and not both g and incline");
+            return Err(self.wrong(second, self.require(second, None)?, allowed));
+        }
+        // every parameter of the one goes with every parameter of the other
+        for (x_end, y_end) in x_ends.into_iter().zip(y_ends) {
+            self.motion_with::<f64>(&[(x, x_end), (y, y_end)])?;
+        }
+        Ok(())
+    }
+
+    /// Whether `branch` goes over the two parameters of `[branch]`, not along `[sweep]`.
+    pub fn branches_over_two(&self) -> bool {
+        self.document.has_section("branch")
+    }
+
+    /// The two parameters of `[branch]`, and the motions there.
+    ///
+    /// # Errors
+    /// A key of `[branch]` that is lacking or out of its range, x and y that are one parameter or of which one leaves the
+    /// other unread, a range of one value, other words than BT.
+    pub fn plane(&self) -> Result<Plane, SceneError> {
+        let [x, y] = [self.extent(ExtentKeys::X)?, self.extent(ExtentKeys::Y)?];
+        for (keys, Extent { from, to, .. }) in [(ExtentKeys::X, &x), (ExtentKeys::Y, &y)] {
+            if from == to {
+                let allowed = format!("other than {}", keys.from.path());
+                return Err(self.wrong(keys.to, self.require(keys.to, None)?, allowed));
+            }
+        }
+        self.check_pair(
+            ExtentKeys::Y.over,
+            (x.over, [&x.from, &x.to]),
+            (y.over, [&y.from, &y.to]),
+        )?;
+        if self.words()? != [Word::pair()] {
+            let allowed = "BT alone, where branch goes over two parameters".to_owned();
+            return Err(self.wrong(&key::WORDS, self.require(&key::WORDS, None)?, allowed));
+        }
+        let setting = self.setting_without(&[x.over, y.over])?;
+        Ok(Plane {
+            setting,
+            x,
+            y,
+            lines: self.count_or(&key::LINES, LINES)?,
         })
     }
 
@@ -498,13 +552,13 @@ impl Scene {
         Ok(wants)
     }
 
-    /// What is swept by these keys; where `by` needs it, an error says so.
-    pub(super) fn over(&self, keys: RangeKeys, by: Option<Want>) -> Result<Over, SceneError> {
-        let entry = self.require(keys.over, by)?;
-        let name = self.text(keys.over, entry)?;
+    /// The parameter that a key names; where `by` needs it, an error says so.
+    pub(super) fn over(&self, key: &'static Key, by: Option<Want>) -> Result<Over, SceneError> {
+        let entry = self.require(key, by)?;
+        let name = self.text(key, entry)?;
         let known = Over::ALL.map(Over::name);
         let over = Over::ALL.into_iter().find(|over| over.name() == name);
-        over.ok_or_else(|| self.wrong(keys.over, entry, one_of(name, &known)))
+        over.ok_or_else(|| self.wrong(key, entry, one_of(name, &known)))
     }
 
     fn end(&self, end: &'static Key, over: Over) -> Result<Quantity, SceneError> {

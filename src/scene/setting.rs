@@ -81,9 +81,9 @@ impl Scene {
     }
 }
 
-impl Setting {
+impl<Q: Clone> Setting<Q> {
     /// The same with a value for one parameter that is left open.
-    pub(super) fn with(mut self, over: Over, value: &Quantity) -> Self {
+    pub(super) fn with(mut self, over: Over, value: &Q) -> Self {
         let place = match (over, &mut self.gravity) {
             (Over::D, _) => &mut self.d,
             (Over::RB, _) => &mut self.r_b,
@@ -97,7 +97,9 @@ impl Setting {
         *place = Some(value.clone());
         self
     }
+}
 
+impl Setting {
     /// The same over `T`: what is typed is rounded or enclosed once, not at each value of a sweep.
     pub fn over_number<T: Analytic>(&self) -> Setting<T> {
         let value = |typed: &Option<Quantity>| typed.as_ref().map(Quantity::value);

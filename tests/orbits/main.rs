@@ -4,6 +4,7 @@
 mod common;
 
 mod bifurcations;
+mod curves;
 mod follow;
 mod optimum;
 mod orbits;

@@ -107,7 +107,8 @@ def branch(
     """The periodic motions followed over the scene's sweep, and every bifurcation located.
 
     A row per motion and value (`kind` "point"), and per bifurcation ("fold", "period-doubling", "symmetry-breaking",
-    "node-focus", "grazing"), in the order of the sweep. Columns as in `orbits`.
+    "node-focus", "grazing"), in the order of the sweep. Columns as in `orbits`. Of a scene with `[branch]`: the curves of
+    bifurcations over its two parameters, a row per step and special point.
     """
     return _table("branch", {"set": set, "strict": strict, "digits": digits}, _input(scene, "scene"))
 

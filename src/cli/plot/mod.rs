@@ -1,6 +1,7 @@
 //! `vibro-audit plot SCENE` and `vibro-audit plot all --out DIR`.
 
 mod claims;
+mod curves;
 mod map;
 mod motion;
 mod paper;
@@ -18,7 +19,8 @@ use std::path::Path;
 ///
 /// `branch` and `sweep` give a bifurcation diagram, `voltage` an energy diagram beside it (without it the phase of the
 /// impacts), `trajectory` a phase portrait and the displacements, `map` a map in colours of each thing that it wants,
-/// `basins` the starts in the colours of their attractors. What the paper prints is marked on its own figures: a ring is
+/// `basins` the starts in the colours of their attractors, `branch` over two parameters its curves, over a map of the
+/// same two where the scene wants that too. What the paper prints is marked on its own figures: a ring is
 /// reproduced, a cross is wrong.
 #[derive(Debug, clap::Args)]
 pub struct Arguments {
@@ -114,9 +116,9 @@ fn scenes(arguments: &Arguments) -> Result<Vec<Scene>, Failure> {
 /// What a sweep of the scene shows, where it wants one.
 fn swept(scene: &Scene) -> Result<Option<swept::Swept>, Failure> {
     let wants = scene.want()?;
-    let is_swept = wants
-        .iter()
-        .any(|want| matches!(want, Want::Branch | Want::Sweep | Want::Voltage));
+    let is_swept = wants.iter().any(|want| {
+        matches!(want, Want::Sweep | Want::Voltage) || (*want == Want::Branch && !scene.branches_over_two())
+    });
     is_swept.then(|| swept::Swept::new(scene)).transpose()
 }
 
@@ -129,9 +131,18 @@ fn one(scene: &Scene, swept: Option<&swept::Swept>, claims: &Claims) -> Result<F
     if scene.want()?.contains(&Want::Trajectory) {
         panels.extend(motion::panels(scene, claims)?);
     }
+    let curves = curves::of(scene)?;
+    let mut is_drawn = false;
     if scene.want()?.contains(&Want::Map) {
-        panels.extend(map::panels(scene)?);
+        let over = scene.map().map(|map| [map.x.over, map.y.over])?;
+        let over = curves.as_ref().map_or(Vec::new(), |curves| curves.over(over));
+        is_drawn = !over.is_empty();
+        for mut panel in map::panels(scene)? {
+            panel.series.extend(over.iter().cloned());
+            panels.push(panel);
+        }
     }
+    panels.extend(curves.filter(|_| !is_drawn).map(|curves| curves.panel()));
     if scene.want()?.contains(&Want::Basins) {
         panels.extend(map::basins(scene)?);
     }

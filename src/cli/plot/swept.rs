@@ -40,7 +40,8 @@ impl Swept {
         };
         let is_simulated = wants.contains(&Want::Sweep) || wants.contains(&Want::Voltage);
         let points = u64::from(sweep.points);
-        if wants.contains(&Want::Branch) {
+        let is_followed = wants.contains(&Want::Branch) && !scene.branches_over_two();
+        if is_followed {
             let kinds = scene.words()?.len() as u64 * u64::from(scene.max_periods()?);
             allowed(points * kinds, "values of motions", MOST_STEPS, "max_periods")?;
         }
@@ -48,7 +49,7 @@ impl Swept {
             let keep = u64::from(scene.diagram()?.keep);
             allowed(points * keep, "impacts", MOST_IMPACTS, "sweep.keep")?;
         }
-        if wants.contains(&Want::Branch) {
+        if is_followed {
             follow(scene, &mut diagram)?;
         }
         let mut energy = None;

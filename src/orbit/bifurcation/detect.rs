@@ -3,6 +3,7 @@
 use crate::orbit::bifurcation::point::BifurcationPoint;
 use crate::orbit::bifurcation::words::{ConditionedWord, Listing};
 use crate::orbit::continuation::branch::{Branch, BranchEnd, BranchPoint, TOGETHER, between, distance};
+use crate::orbit::continuation::curve::{CurveEquations, dot};
 use crate::orbit::continuation::extended_system::ExtendedSystem;
 use crate::orbit::continuation::segment::CertifiedSegment;
 use crate::orbit::continuation::test_functions::TestFunctions;
@@ -148,7 +149,7 @@ fn halved<F: Family>(
         .zip(&high.tangent)
         .map(|(one, other)| one + other)
         .collect();
-    let offset = crate::orbit::continuation::extended_system::dot(&guess, &normal);
+    let offset = dot(&guess, &normal);
     let (point, _) = extended.corrected(&guess, &normal, offset)?;
     let tangent = extended.tangent(&point, &normal)?;
     let last = point.len() - 1;

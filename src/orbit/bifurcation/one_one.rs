@@ -3,7 +3,7 @@
 //! Each is a solution of h_1 = h_2 = 0 and a condition in (T_1, psi, parameter), isolated in the cells of a [`Cover`]:
 //! two between neighbouring values of a sweep are found like one.
 
-use crate::model::Side;
+use crate::model::{Motion, Side};
 use crate::number::{Endpoint, Field, Interval};
 use crate::orbit::bifurcation::point::{EnclosedBifurcation, clearance_at};
 use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind};
@@ -127,46 +127,19 @@ impl LocatedBifurcation {
         let open = |what| Inconclusive::Undecided { what };
         let [t_1, middle, parameter] = self.refined::<E>(family, periods).ok_or(open(Property::Existence))?;
         let motion = family.motion_at(&parameter).map_err(|_| open(Property::Direction))?;
-        let balance = OneOneEquations::new(&motion, periods);
-        let impacts = balance.impacts(&t_1, &middle);
         let condition = match self {
             Self::Condition(condition, _) | Self::Touch(condition, _) => *condition,
             Self::Crossing(_) | Self::Turn(_) => BifurcationCondition::MultiplierOne,
         };
-        // without loss an impact of velocity 0 is a contact of its reflection in time too; without gravity a ball with two of
-        // them stands still while the capsule moves, and touches whenever that turns
-        let touches = |clearance: &Interval<E>| match condition {
-            BifurcationCondition::Touch(..) => true,
-            BifurcationCondition::ZeroVelocity(_) => {
-                let has_loss = (Interval::one() - balance.loss_factor()).is_positive();
-                let stands = motion.g().contains_zero() && impacts.iter().all(|impact| impact.velocity.contains_zero());
-                (stands || !has_loss) && clearance.magnitude().to_f64() <= 2.0 * CLEARANCE_MARGIN
-            }
-            _ => false,
-        };
-        let sides = [Side::Bottom, Side::Top];
-        let margin = CLEARANCE_MARGIN;
-        let (clearance, admissible) = clearance_at(condition, (&sides, &motion), &impacts, margin, touches)?;
-        let trace = match condition {
-            BifurcationCondition::ZeroVelocity(_) => None,
-            BifurcationCondition::Touch(..) => {
-                let [v, w] = balance.scaled_velocities(&t_1, &middle);
-                Some(balance.trace_above(&Interval::from_integer(0), &t_1, &middle) / (v * w))
-            }
-            condition => condition.trace(&balance.loss_factor()),
-        };
-        Ok(EnclosedBifurcation {
+        let known = KnownMotion {
             kind: self.kind(),
-            word: Word::pair(),
+            condition,
+            motion: &motion,
             periods,
-            d: motion.d().clone(),
-            parameter,
-            impacts: impacts.to_vec(),
-            trace,
-            clearance,
-            admissible,
-            certified: true,
-        })
+            place: [parameter, t_1, middle],
+        };
+        let clearance = known.clearance(false)?;
+        Ok(known.with(clearance))
     }
 
     /// (T_1, psi, parameter) over `E`.
@@ -190,6 +163,79 @@ impl LocatedBifurcation {
                 prove_over(&SymmetricOneOne { family, periods }, root)
                     .map(|[middle, parameter]| [line, middle, parameter])
             }
+        }
+    }
+}
+
+/// A bifurcation of a known motion: what happens, the condition that holds, the motion at (parameter, T_1, psi).
+#[derive(Clone, Debug)]
+pub(crate) struct KnownMotion<'a, E: Endpoint> {
+    pub kind: BifurcationKind,
+    pub condition: BifurcationCondition,
+    pub motion: &'a Motion<Interval<E>>,
+    pub periods: u32,
+    pub place: [Interval<E>; 3],
+}
+
+impl<E: Endpoint> KnownMotion<'_, E> {
+    fn balance(&self) -> OneOneEquations<Interval<E>> {
+        OneOneEquations::new(self.motion, self.periods)
+    }
+
+    /// The clearance, `None` where no flight turns, and whether the motion keeps between the walls. A clearance that may
+    /// be 0 is 0 where `grazes` says that it is somewhere.
+    ///
+    /// # Errors
+    /// `Undecided` where `E` is too narrow to tell.
+    pub fn clearance(&self, grazes: bool) -> Result<(Option<Interval<E>>, bool), Inconclusive> {
+        let balance = self.balance();
+        let [_, t_1, middle] = &self.place;
+        let impacts = balance.impacts(t_1, middle);
+        // without loss an impact of velocity 0 is a contact of its reflection in time too; without gravity a ball with two of
+        // them stands still while the capsule moves, and touches whenever that turns
+        let touches = |clearance: &Interval<E>| match self.condition {
+            BifurcationCondition::Touch(..) => true,
+            BifurcationCondition::ZeroVelocity(_) => {
+                let has_loss = (Interval::one() - balance.loss_factor()).is_positive();
+                let is_still = impacts.iter().all(|impact| impact.velocity.contains_zero());
+                let stands = self.motion.g().contains_zero() && is_still;
+                (grazes || stands || !has_loss) && clearance.magnitude().to_f64() <= 2.0 * CLEARANCE_MARGIN
+            }
+            _ => grazes,
+        };
+        let sides = [Side::Bottom, Side::Top];
+        clearance_at(
+            self.condition,
+            (&sides, self.motion),
+            &impacts,
+            CLEARANCE_MARGIN,
+            touches,
+        )
+    }
+
+    /// The motion with what is known of its clearance.
+    pub fn with(self, (clearance, admissible): (Option<Interval<E>>, bool)) -> EnclosedBifurcation<E> {
+        let balance = self.balance();
+        let [parameter, t_1, middle] = self.place;
+        let trace = match self.condition {
+            BifurcationCondition::ZeroVelocity(_) => None,
+            BifurcationCondition::Touch(..) => {
+                let [v, w] = balance.scaled_velocities(&t_1, &middle);
+                Some(balance.trace_above(&Interval::from_integer(0), &t_1, &middle) / (v * w))
+            }
+            condition => condition.trace(&balance.loss_factor()),
+        };
+        EnclosedBifurcation {
+            kind: self.kind,
+            word: Word::pair(),
+            periods: self.periods,
+            d: self.motion.d().clone(),
+            parameter,
+            impacts: balance.impacts(&t_1, &middle).to_vec(),
+            trace,
+            clearance,
+            admissible,
+            certified: true,
         }
     }
 }

@@ -1,19 +1,19 @@
-//! One branch of motions: from a motion on it, in both directions, to where it ends.
+//! One branch of a curve: from a point on it, in both directions, to where it ends.
 
-use crate::orbit::continuation::extended_system::{ExtendedSystem, dot};
+use crate::orbit::continuation::curve::{CurveEquations, dot};
 use crate::orbit::continuation::segment::CertifiedSegment;
 use crate::orbit::continuation::test_functions::TestFunctions;
-use crate::orbit::family::Family;
-use crate::orbit::interval_box::apart;
-use crate::orbit::solve::starts::{brought_near, listed_from};
-use crate::orbit::solve::words::WordOrbit;
-use std::f64::consts::PI;
+use crate::orbit::options::OrbitOptions;
+use std::ops::Range;
 
-/// The first step, in radians and ranges of the parameter.
+/// The first step, in radians and ranges of a parameter.
 const FIRST_STEP: f64 = 0.01;
 
 /// A step may be so much longer than the one before.
 const GROWTH: f64 = 1.6;
+
+/// A step that would end so near to the end of a range that this times its length leaves it goes there.
+const REACH: f64 = 1.25;
 
 /// Newton's method may go this part of a step from its prediction.
 const NEAR: f64 = 0.1;
@@ -24,14 +24,35 @@ const STRAIGHT: f64 = 0.9;
 /// Steps tried where none can be proved, as where two branches cross: over the point rather than onto it.
 const LEAPS: [f64; 4] = [1e-4, 1e-3, 3e-3, 1e-2];
 
-/// A motion of a branch.
+/// A curve that is followed through the ranges of its parameters.
+pub(crate) trait Continued: CurveEquations {
+    /// What is looked at along it.
+    type Functions: Clone;
+
+    /// How far the steps go.
+    fn options(&self) -> &OrbitOptions;
+
+    /// Which coordinates are places of parameters in their ranges, from 0 to 1.
+    fn places(&self) -> Range<usize>;
+
+    /// The test functions at a point; `None` where there is no motion.
+    fn functions(&self, point: &[f64]) -> Option<Self::Functions>;
+
+    /// Why the branch ends at a point, or before it, other than by a range.
+    fn ends(&self, node: &BranchPoint<Self::Functions>) -> Option<BranchEnd>;
+
+    /// A point in all coordinates that mean the same, those near another one.
+    fn images(&self, point: &[f64], near: &[f64]) -> Vec<Vec<f64>>;
+}
+
+/// A point of a branch.
 #[derive(Clone, Debug)]
-pub(crate) struct BranchPoint {
-    /// The phases, and the place in the range of the parameter.
+pub(crate) struct BranchPoint<T = TestFunctions> {
+    /// Of motions of a word the phases, and the place in the range of the parameter.
     pub point: Vec<f64>,
     /// Along the branch.
     pub tangent: Vec<f64>,
-    pub functions: TestFunctions,
+    pub functions: T,
 }
 
 /// Why a branch ends.
@@ -51,28 +72,26 @@ pub(crate) enum BranchEnd {
 
 /// A branch in one piece.
 #[derive(Clone, Debug)]
-pub(crate) struct Branch {
+pub(crate) struct Branch<T = TestFunctions> {
     /// In order along it.
-    pub nodes: Vec<BranchPoint>,
+    pub nodes: Vec<BranchPoint<T>>,
     /// The proof for each piece between two of them; `None` where it was leapt over.
     pub segments: Vec<Option<CertifiedSegment>>,
     /// At the first node and at the last.
     pub ends: [BranchEnd; 2],
 }
 
-impl Branch {
-    /// The branch through a motion at a place of the range.
-    pub fn through(extended: &ExtendedSystem<impl Family>, phases: &[f64], place: f64) -> Option<Self> {
-        let mut point = phases.to_vec();
-        point.push(place);
-        let tangent = extended.first_tangent(&point)?;
-        let functions = TestFunctions::new(&extended.at_place(&place)?, phases);
+impl<T: Clone> Branch<T> {
+    /// The branch through a point of a curve.
+    pub fn through<S: Continued<Functions = T>>(curve: &S, point: Vec<f64>) -> Option<Self> {
+        let tangent = curve.first_tangent(&point)?;
+        let functions = curve.functions(&point)?;
         let start = BranchPoint {
             point,
             tangent,
             functions,
         };
-        let mut onwards = Continuation::new(extended, start.clone());
+        let mut onwards = Continuation::new(curve, start.clone());
         let end = onwards.walk();
         if end == BranchEnd::Closed {
             let Continuation { nodes, segments, .. } = onwards;
@@ -80,7 +99,7 @@ impl Branch {
             return Some(Self { nodes, segments, ends });
         }
         let back = start.tangent.iter().map(|part| -part).collect();
-        let mut backwards = Continuation::new(extended, BranchPoint { tangent: back, ..start });
+        let mut backwards = Continuation::new(curve, BranchPoint { tangent: back, ..start });
         let start = backwards.walk();
         let (mut nodes, mut segments) = (backwards.nodes, backwards.segments);
         nodes.reverse();
@@ -95,24 +114,25 @@ impl Branch {
         Some(Self { nodes, segments, ends })
     }
 
-    /// Whether it passes through a motion at a place of the range.
-    pub fn holds(&self, extended: &ExtendedSystem<impl Family>, cycle: &WordOrbit, place: f64) -> bool {
-        let firsts: Vec<usize> = std::iter::once(0).chain(extended.word.symmetries()).collect();
+    /// Whether it is proved to pass through a solution within `room` of a point.
+    pub fn holds(&self, curve: &impl Continued<Functions = T>, point: &[f64], room: f64) -> bool {
         let pieces = self.segments.iter().zip(self.nodes.windows(2));
         let mut near = pieces.filter_map(|(segment, pair)| Some((segment.as_ref()?, &pair[0].point, &pair[1].point)));
         near.any(|(segment, from, to)| {
-            let last = from.len() - 1;
-            let (low, high) = (from[last].min(to[last]), from[last].max(to[last]));
-            place >= low - segment.radius
-                && place <= high + segment.radius
-                && firsts.iter().any(|first| {
-                    let mut listed = brought_near(&listed_from(cycle.phases(), *first, extended.periods), from[0]);
-                    listed.push(place);
-                    segment.holds(&listed, 1e-9)
-                })
+            let is_beside = |i: usize| {
+                let (low, high) = (from[i].min(to[i]), from[i].max(to[i]));
+                point[i] >= low - segment.radius && point[i] <= high + segment.radius
+            };
+            curve.places().all(is_beside)
+                && curve
+                    .images(point, from)
+                    .iter()
+                    .any(|listed| segment.holds(listed, room))
         })
     }
+}
 
+impl Branch {
     /// The phases of likely motions at a place of the range, by cubic interpolation.
     pub fn proposals(&self, place: f64) -> Vec<Vec<f64>> {
         let pairs = self.nodes.windows(2);
@@ -121,7 +141,7 @@ impl Branch {
 }
 
 /// The cubic through two motions with their tangents, at a part of the way.
-pub(crate) fn between(one: &BranchPoint, other: &BranchPoint, part: f64) -> Vec<f64> {
+pub(crate) fn between<T>(one: &BranchPoint<T>, other: &BranchPoint<T>, part: f64) -> Vec<f64> {
     let length = distance(&one.point, &other.point);
     let (s, rest) = (part, 1.0 - part);
     let weights = [
@@ -177,36 +197,38 @@ pub(crate) fn distance(one: &[f64], other: &[f64]) -> f64 {
 }
 
 /// The way in one direction.
-struct Continuation<'a, F> {
-    extended: &'a ExtendedSystem<F>,
-    nodes: Vec<BranchPoint>,
+struct Continuation<'a, S: Continued> {
+    curve: &'a S,
+    nodes: Vec<BranchPoint<S::Functions>>,
     segments: Vec<Option<CertifiedSegment>>,
 }
 
 /// What a step comes to.
-enum Step {
-    Next(BranchPoint),
-    /// At the end of the range.
-    Last(BranchPoint),
+enum Step<T> {
+    Next(BranchPoint<T>),
+    /// At the end of a range.
+    Last(BranchPoint<T>),
 }
 
-impl<'a, F: Family> Continuation<'a, F> {
-    fn new(extended: &'a ExtendedSystem<F>, start: BranchPoint) -> Self {
+/// A step with its proof, if it has one, and its length.
+type Stepped<T> = (Step<T>, Option<CertifiedSegment>, f64);
+
+impl<'a, S: Continued> Continuation<'a, S> {
+    fn new(curve: &'a S, start: BranchPoint<S::Functions>) -> Self {
         let nodes = vec![start];
         let segments = Vec::new();
-        Self {
-            extended,
-            nodes,
-            segments,
-        }
+        Self { curve, nodes, segments }
     }
 
     fn walk(&mut self) -> BranchEnd {
         let mut length = FIRST_STEP;
-        for _ in 0..self.extended.options.most_steps {
+        for _ in 0..self.curve.options().most_steps {
             let here = self.nodes[self.nodes.len() - 1].clone();
-            let (place, ahead) = (here.point[here.point.len() - 1], here.tangent[here.tangent.len() - 1]);
-            if (place <= 0.0 && ahead < 0.0) || (place >= 1.0 && ahead > 0.0) {
+            let leaves = |i: usize| {
+                let (place, ahead) = (here.point[i], here.tangent[i]);
+                (place <= 0.0 && ahead < 0.0) || (place >= 1.0 && ahead > 0.0)
+            };
+            if self.curve.places().any(leaves) {
                 return BranchEnd::Range;
             }
             let Some((step, segment, used)) = self.proved_step(&here, length).or_else(|| self.leap(&here)) else {
@@ -216,34 +238,28 @@ impl<'a, F: Family> Continuation<'a, F> {
                 Step::Next(node) => (node, false),
                 Step::Last(node) => (node, true),
             };
-            let moves = node.functions.moves();
-            let shorter = self.is_shorter(&node);
+            let end = self.curve.ends(&node);
             self.nodes.push(node);
             self.segments.push(segment);
-            if !moves {
-                return BranchEnd::Slow;
+            match end {
+                Some(BranchEnd::Slow) => return BranchEnd::Slow,
+                _ if is_last => return BranchEnd::Range,
+                Some(end) => return end,
+                None if self.is_closed() => return BranchEnd::Closed,
+                None => {}
             }
-            if is_last {
-                return BranchEnd::Range;
-            }
-            if shorter {
-                return BranchEnd::Shorter;
-            }
-            if self.is_closed() {
-                return BranchEnd::Closed;
-            }
-            length = (used * GROWTH).min(self.extended.options.longest_step);
+            length = (used * GROWTH).min(self.curve.options().longest_step);
         }
         BranchEnd::Lost
     }
 
     /// The longest step not above `length` that can be proved, half of it by half.
-    fn proved_step(&self, here: &BranchPoint, length: f64) -> Option<(Step, Option<CertifiedSegment>, f64)> {
+    fn proved_step(&self, here: &BranchPoint<S::Functions>, length: f64) -> Option<Stepped<S::Functions>> {
         let mut length = length;
-        while length > self.extended.options.shortest_step {
+        while length > self.curve.options().shortest_step {
             if let Some(step) = self.step(here, length) {
                 let (Step::Next(node) | Step::Last(node)) = &step;
-                if let Some(segment) = CertifiedSegment::prove(self.extended, &here.point, &node.point) {
+                if let Some(segment) = CertifiedSegment::prove(self.curve, &here.point, &node.point) {
                     return Some((step, Some(segment), length));
                 }
             }
@@ -252,44 +268,45 @@ impl<'a, F: Family> Continuation<'a, F> {
         None
     }
 
-    fn leap(&self, here: &BranchPoint) -> Option<(Step, Option<CertifiedSegment>, f64)> {
+    fn leap(&self, here: &BranchPoint<S::Functions>) -> Option<Stepped<S::Functions>> {
         LEAPS
             .iter()
             .find_map(|length| Some((self.step(here, *length)?, None, FIRST_STEP.min(*length))))
     }
 
-    fn step(&self, here: &BranchPoint, length: f64) -> Option<Step> {
-        let last = here.point.len() - 1;
+    fn step(&self, here: &BranchPoint<S::Functions>, length: f64) -> Option<Step<S::Functions>> {
         let ahead = |length: f64| -> Vec<f64> {
             let pairs = here.point.iter().zip(&here.tangent);
             pairs.map(|(at, part)| at + length * part).collect()
         };
         let guess = ahead(length);
-        let end = if guess[last] > 1.0 {
-            Some(1.0)
-        } else if guess[last] < 0.0 {
-            Some(0.0)
-        } else {
-            None
-        };
+        // the end of a range on the way, and how far it is: one so near that no step would be left to it counts
+        let beyond = ahead(REACH * length);
+        let ends = self.curve.places().filter_map(|i| {
+            let end = if beyond[i] > 1.0 {
+                1.0
+            } else if beyond[i] < 0.0 {
+                0.0
+            } else {
+                return None;
+            };
+            Some((i, end, (end - here.point[i]) / here.tangent[i]))
+        });
+        let end = ends.min_by(|(_, _, one), (_, _, other)| one.total_cmp(other));
         let (point, moved) = match end {
-            Some(end) => {
-                let part = (end - here.point[last]) / here.tangent[last];
-                self.extended.solved_at(&ahead(part), end)?
-            }
+            Some((i, end, part)) => self.curve.solved_at(&ahead(part), i, end)?,
             None => self
-                .extended
+                .curve
                 .corrected(&guess, &here.tangent, dot(&guess, &here.tangent))?,
         };
-        if moved > NEAR * length || !(0.0..=1.0).contains(&point[last]) {
+        if moved > NEAR * length || !self.curve.places().all(|i| (0.0..=1.0).contains(&point[i])) {
             return None;
         }
-        let tangent = self.extended.tangent(&point, &here.tangent)?;
+        let tangent = self.curve.tangent(&point, &here.tangent)?;
         if dot(&tangent, &here.tangent) < STRAIGHT {
             return None;
         }
-        let phases = &point[..last];
-        let functions = TestFunctions::new(&self.extended.at_place(&point[last])?, phases);
+        let functions = self.curve.functions(&point)?;
         let node = BranchPoint {
             point,
             tangent,
@@ -302,7 +319,7 @@ impl<'a, F: Family> Continuation<'a, F> {
         })
     }
 
-    /// Whether the branch came round to its first motion.
+    /// Whether the branch came round to its first point.
     fn is_closed(&self) -> bool {
         let (Some(start), Some(Some(segment))) = (self.nodes.first(), self.segments.last()) else {
             return false;
@@ -311,26 +328,8 @@ impl<'a, F: Family> Continuation<'a, F> {
             return false;
         }
         let from = &self.nodes[self.nodes.len() - 2].point;
-        let last = from.len() - 1;
-        let firsts = std::iter::once(0).chain(self.extended.word.symmetries());
-        firsts.into_iter().any(|first| {
-            let listed = listed_from(&start.point[..last], first, self.extended.periods);
-            let mut listed = brought_near(&listed, from[0]);
-            listed.push(start.point[last]);
-            segment.holds(&listed, 0.0)
-        })
-    }
-
-    /// Whether a motion all but repeats itself, or two of its impacts all but come together.
-    fn is_shorter(&self, node: &BranchPoint) -> bool {
-        let last = node.point.len() - 1;
-        let phases = &node.point[..last];
-        let mut repeats = self.extended.word.symmetries().map(|first| {
-            let listed = listed_from(phases, first, self.extended.periods);
-            apart(&brought_near(&listed, phases[0]), phases)
-        });
-        let shortest = node.functions.times.iter().copied().fold(f64::INFINITY, f64::min);
-        repeats.any(|apart| apart < TOGETHER) || PI * shortest < TOGETHER
+        let images = self.curve.images(&start.point, from);
+        images.iter().any(|listed| segment.holds(listed, 0.0))
     }
 }
 
@@ -342,8 +341,12 @@ mod tests {
     use super::*;
     use crate::model::Motion;
     use crate::number::Interval;
-    use crate::orbit::options::OrbitOptions;
+    use crate::orbit::continuation::extended_system::ExtendedSystem;
+    use crate::orbit::family::Family;
+    use crate::orbit::interval_box::apart;
+    use crate::orbit::solve::starts::brought_near;
     use crate::orbit::solve::words::search_word;
+    use std::f64::consts::PI;
 
     #[test]
     fn a_branch_passes_through_every_motion_it_was_proved_to() {
@@ -364,14 +367,14 @@ mod tests {
         let cycles = search_word(&extended.word, 1, &at(place), &OrbitOptions::DEFAULT).expect("a search");
         assert!(!cycles.is_empty());
         for cycle in &cycles {
-            let branch = Branch::through(&extended, cycle.phases(), place).expect("a branch");
+            let branch = Branch::through(&extended, [cycle.phases(), &[place]].concat()).expect("a branch");
             assert!(
                 branch.ends.iter().all(|end| *end != BranchEnd::Lost),
                 "{:?}",
                 branch.ends
             );
             assert!(branch.segments.iter().all(Option::is_some));
-            assert!(branch.holds(&extended, cycle, place));
+            assert!(branch.holds(&extended, &[cycle.phases(), &[place]].concat(), 1e-9));
             let near = |phases: &Vec<f64>| apart(&brought_near(phases, PI), cycle.phases()) < 1e-6;
             assert!(branch.proposals(place).iter().any(near));
         }

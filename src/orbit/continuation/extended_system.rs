@@ -1,22 +1,18 @@
 //! The motions of a word along a parameter: a curve in the phases and the parameter, followed in f64.
 
 use crate::number::{Analytic, Dual, Interval, seeded};
+use crate::orbit::continuation::branch::{BranchEnd, BranchPoint, Continued, TOGETHER};
+use crate::orbit::continuation::curve::CurveEquations;
+use crate::orbit::continuation::test_functions::TestFunctions;
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::family::Family;
 use crate::orbit::interval_box::apart;
 use crate::orbit::options::OrbitOptions;
-use crate::orbit::solve::newton::{Ending, newton};
+use crate::orbit::solve::starts::{brought_near, listed_from};
 use crate::orbit::word::Word;
-use nalgebra::{DMatrix, DVector};
 use num_dual::DualNum;
-
-/// How Newton's method ends: from a good prediction it takes three steps.
-const ENDING: Ending = Ending {
-    most_steps: 8,
-    last_step: 1e-10,
-    growth: 1.0,
-    rounding: 0.0,
-};
+use std::f64::consts::PI;
+use std::ops::Range;
 
 /// The equations of a word as those of a curve: as many as impacts, in the phases and one unknown more, the place of
 /// the parameter in its range, from 0 to 1.
@@ -34,6 +30,16 @@ fn width(range: &Interval<f64>) -> f64 {
     (range.high() - range.low()).next_down()
 }
 
+/// The parameter at a place of its range, from 0 to 1.
+pub(crate) fn parameter_at<T: Analytic>(range: &Interval<f64>, place: &T) -> T {
+    T::from_f64(range.low()) + T::from_f64(width(range)) * place.clone()
+}
+
+/// The place of a parameter in its range.
+pub(crate) fn place_of(range: &Interval<f64>, parameter: f64) -> f64 {
+    ((parameter - range.low()) / width(range)).clamp(0.0, 1.0)
+}
+
 impl<F: Family> ExtendedSystem<F> {
     pub fn impacts(&self) -> usize {
         self.word.impacts()
@@ -41,12 +47,12 @@ impl<F: Family> ExtendedSystem<F> {
 
     /// The parameter at a place of its range.
     pub fn parameter<T: Analytic>(&self, place: &T) -> T {
-        T::from_f64(self.range.low()) + T::from_f64(width(&self.range)) * place.clone()
+        parameter_at(&self.range, place)
     }
 
     /// The place of a parameter of the range.
     pub fn place(&self, parameter: f64) -> f64 {
-        ((parameter - self.range.low()) / width(&self.range)).clamp(0.0, 1.0)
+        place_of(&self.range, parameter)
     }
 
     /// The equations at one value of the parameter; `None` where it can have no such value.
@@ -68,84 +74,67 @@ impl<F: Family> ExtendedSystem<F> {
         let residuals = self.at_place(&seeded(place.clone()))?.residuals(&lifted);
         Some(residuals.into_iter().map(|residual| residual.eps).collect())
     }
+}
 
-    /// Residuals and their derivatives, row by row, those by the place last.
+impl<F: Family> CurveEquations for ExtendedSystem<F> {
     fn linearised(&self, point: &[f64]) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
         let (phases, place) = point.split_at(self.impacts());
         let (residuals, rows) = self.at_place(&place[0])?.linearised(phases)?;
         Some((residuals, with_column(rows, self.by_place(phases, &place[0])?)))
     }
 
-    /// Enclosures of the derivatives over a box, row by row, those by the place last.
-    pub fn slopes(&self, cell: &[Interval<f64>]) -> Option<Vec<Vec<Interval<f64>>>> {
+    fn values(&self, cell: &[Interval<f64>]) -> Option<Vec<Interval<f64>>> {
+        let (phases, place) = cell.split_at(self.impacts());
+        Some(self.at_place(&place[0])?.residuals(phases))
+    }
+
+    fn slopes(&self, cell: &[Interval<f64>]) -> Option<Vec<Vec<Interval<f64>>>> {
         let (phases, place) = cell.split_at(self.impacts());
         let rows = self.at_place(&place[0])?.jacobian(phases);
         Some(with_column(rows, self.by_place(phases, &place[0])?))
     }
+}
 
-    /// Residuals and derivatives with one more row, that of a plane across the curve.
-    pub fn bordered(&self, point: &[f64], normal: &[f64]) -> Option<(DVector<f64>, DMatrix<f64>)> {
-        let (residuals, mut rows) = self.linearised(point)?;
-        rows.push(normal.to_vec());
-        let count = rows.len();
-        let matrix = DMatrix::from_fn(count, count, |row, column| rows[row][column]);
-        let values = DVector::from_fn(count, |row, _| residuals.get(row).copied().unwrap_or(0.0));
-        Some((values, matrix))
+impl<F: Family> Continued for ExtendedSystem<F> {
+    type Functions = TestFunctions;
+
+    fn options(&self) -> &OrbitOptions {
+        &self.options
     }
 
-    /// The point of the curve in the plane across `normal` at `offset`, and how far Newton's method went for it.
-    pub fn corrected(&self, guess: &[f64], normal: &[f64], offset: f64) -> Option<(Vec<f64>, f64)> {
-        let point = newton(guess.to_vec(), &ENDING, |point: &Vec<f64>| {
-            let (mut values, matrix) = self.bordered(point, normal)?;
-            let count = values.len();
-            values[count - 1] = dot(point, normal) - offset;
-            let step = matrix.lu().solve(&values)?;
-            Some(step.iter().copied().collect())
-        })?;
-        let moved = apart(&point, guess);
-        Some((point, moved))
+    fn places(&self) -> Range<usize> {
+        self.impacts()..self.impacts() + 1
     }
 
-    /// The point of the curve at a place, near a guess.
-    pub fn solved_at(&self, guess: &[f64], place: f64) -> Option<(Vec<f64>, f64)> {
-        let mut guess = guess.to_vec();
-        let count = guess.len();
-        guess[count - 1] = place;
-        self.corrected(&guess, &axis(count), place)
+    fn functions(&self, point: &[f64]) -> Option<TestFunctions> {
+        let (phases, place) = point.split_at(self.impacts());
+        Some(TestFunctions::new(&self.at_place(&place[0])?, phases))
     }
 
-    /// The unit tangent at a point, on the side of `near`.
-    pub fn tangent(&self, point: &[f64], near: &[f64]) -> Option<Vec<f64>> {
-        let (_, matrix) = self.bordered(point, near)?;
-        let count = near.len();
-        let mut right = DVector::zeros(count);
-        right[count - 1] = 1.0;
-        let tangent = matrix.lu().solve(&right)?;
-        let length = tangent.norm();
-        let tangent: Vec<f64> = tangent.iter().map(|part| part / length).collect();
-        tangent.iter().all(|part| part.is_finite()).then_some(tangent)
-    }
-
-    /// The tangent at a point of which nothing is known, in one of its two directions.
-    pub fn first_tangent(&self, point: &[f64]) -> Option<Vec<f64>> {
-        let count = point.len();
-        // the curve may turn in the parameter there, but not in all phases as well
-        let extended = |index: usize| {
-            (0..count)
-                .map(|i| if i == index { 1.0 } else { 0.0 })
-                .collect::<Vec<f64>>()
-        };
-        let tangents = (0..count)
-            .rev()
-            .filter_map(|index| self.tangent(point, &extended(index)));
-        let mut best: Option<(f64, Vec<f64>)> = None;
-        for (index, tangent) in tangents.enumerate() {
-            let part = tangent[count - 1 - index].abs();
-            if best.as_ref().is_none_or(|(most, _)| part > *most) {
-                best = Some((part, tangent));
-            }
+    fn ends(&self, node: &BranchPoint) -> Option<BranchEnd> {
+        if !node.functions.moves() {
+            return Some(BranchEnd::Slow);
         }
-        best.map(|(_, tangent)| tangent)
+        let phases = &node.point[..self.impacts()];
+        let mut repeats = self.word.symmetries().map(|first| {
+            let listed = listed_from(phases, first, self.periods);
+            apart(&brought_near(&listed, phases[0]), phases)
+        });
+        let shortest = node.functions.times.iter().copied().fold(f64::INFINITY, f64::min);
+        let is_shorter = repeats.any(|apart| apart < TOGETHER) || PI * shortest < TOGETHER;
+        is_shorter.then_some(BranchEnd::Shorter)
+    }
+
+    fn images(&self, point: &[f64], near: &[f64]) -> Vec<Vec<f64>> {
+        let (phases, place) = point.split_at(self.impacts());
+        let firsts = std::iter::once(0).chain(self.word.symmetries());
+        firsts
+            .map(|first| {
+                let mut listed = brought_near(&listed_from(phases, first, self.periods), near[0]);
+                listed.push(place[0]);
+                listed
+            })
+            .collect()
     }
 }
 
@@ -154,15 +143,4 @@ fn with_column<T>(mut rows: Vec<Vec<T>>, column: Vec<T>) -> Vec<Vec<T>> {
         row.push(entry);
     }
     rows
-}
-
-/// The direction of the parameter alone.
-fn axis(count: usize) -> Vec<f64> {
-    (1..=count)
-        .map(|index| if index == count { 1.0 } else { 0.0 })
-        .collect()
-}
-
-pub(crate) fn dot(one: &[f64], other: &[f64]) -> f64 {
-    one.iter().zip(other).map(|(one, other)| one * other).sum()
 }

@@ -1,8 +1,7 @@
-//! The proof that one curve of motions, and no other, leads from a point to the next.
+//! The proof that one curve of solutions, and no other, leads from a point to the next.
 
 use crate::number::{Field, Interval};
-use crate::orbit::continuation::extended_system::{ExtendedSystem, dot};
-use crate::orbit::family::Family;
+use crate::orbit::continuation::curve::{CurveEquations, dot};
 use crate::orbit::interval_box::apart;
 use crate::orbit::solve::contraction::{contraction, largest, times};
 
@@ -16,9 +15,9 @@ const OVERLAP: f64 = 1e-4;
 /// A tube with one piece of curve in it.
 ///
 /// c(tau) the chord, X the box around it within R in the maximum norm, Y about the inverse of the derivative with the
-/// direction of the chord as last row: for each tau the plane across the chord at c(tau) holds one motion of the
-/// family within R of it, and no other, if |I - Y G'| <= q < 1 on X and |Y G(c(tau))| < (1 - q) R for all tau
-/// (Krawczyk, as for one motion, with tau as a parameter). Both are checked in intervals: the motions in the tube are
+/// direction of the chord as last row: for each tau the plane across the chord at c(tau) holds one solution of the
+/// equations within R of it, and no other, if |I - Y G'| <= q < 1 on X and |Y G(c(tau))| < (1 - q) R for all tau
+/// (Krawczyk, as for one solution, with tau as a parameter). Both are checked in intervals: the solutions in the tube are
 /// one curve from end to end.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct CertifiedSegment {
@@ -30,13 +29,13 @@ pub(crate) struct CertifiedSegment {
 
 impl CertifiedSegment {
     /// The proof for the piece between two points of a curve; `None` where intervals are too coarse for its length.
-    pub fn prove(extended: &ExtendedSystem<impl Family>, from: &[f64], to: &[f64]) -> Option<Self> {
+    pub fn prove(curve: &impl CurveEquations, from: &[f64], to: &[f64]) -> Option<Self> {
         let chord: Vec<f64> = to.iter().zip(from).map(|(to, from)| to - from).collect();
         let square = dot(&chord, &chord);
         let radius = SLENDER * square.sqrt();
         let normal: Vec<f64> = chord.iter().map(|part| part / square).collect();
         let middle: Vec<f64> = from.iter().zip(to).map(|(from, to)| 0.5 * (from + to)).collect();
-        let (_, matrix) = extended.bordered(&middle, &normal)?;
+        let (_, matrix) = curve.bordered(&middle, &normal)?;
         let inverse = matrix.try_inverse()?;
         if !inverse.iter().all(|entry| entry.is_finite()) {
             return None;
@@ -46,7 +45,7 @@ impl CertifiedSegment {
             .zip(to)
             .map(|(from, to)| Interval::point(*from).hull(&Interval::point(*to)));
         let cell: Vec<_> = ends.map(|side| side + Interval::new(-radius, radius)).collect();
-        let mut rows = extended.slopes(&cell)?;
+        let mut rows = curve.slopes(&cell)?;
         rows.push(normal.iter().map(|part| Interval::point(*part)).collect());
         let contraction = contraction(&inverse, &rows);
         if contraction.is_nan() || contraction >= 1.0 {
@@ -54,8 +53,7 @@ impl CertifiedSegment {
         }
         // G at the middle, then along the chord by the mean value theorem
         let at: Vec<_> = middle.iter().map(|side| Interval::point(*side)).collect();
-        let (phases, place) = at.split_at(extended.impacts());
-        let mut values = extended.at_place(&place[0])?.residuals(phases);
+        let mut values = curve.values(&at)?;
         values.push(Interval::point(0.0));
         let along = |row: &Vec<Interval<f64>>| {
             let terms = row.iter().zip(&chord);
@@ -81,12 +79,15 @@ impl CertifiedSegment {
         })
     }
 
-    /// Whether a motion is the one of this tube in its plane across the chord, `room` to spare.
+    /// Whether a solution within `room` of a point is the one of this tube in its plane across the chord.
     pub fn holds(&self, point: &[f64], room: f64) -> bool {
         let ahead: Vec<f64> = point.iter().zip(&self.from).map(|(point, from)| point - from).collect();
-        let part = dot(&ahead, &self.chord) / dot(&self.chord, &self.chord);
+        let square = dot(&self.chord, &self.chord);
+        let part = dot(&ahead, &self.chord) / square;
         let on: Vec<f64> = self.chord.iter().map(|chord| part * chord).collect();
-        (-OVERLAP..=1.0 + OVERLAP).contains(&part) && apart(&ahead, &on) + room < self.radius
+        // the room along the chord, as a part of it
+        let within = OVERLAP - room * (point.len() as f64 / square).sqrt();
+        (-within..=1.0 + within).contains(&part) && apart(&ahead, &on) + 2.0 * room < self.radius
     }
 }
 
@@ -94,6 +95,8 @@ impl CertifiedSegment {
 mod tests {
     use super::*;
     use crate::model::Motion;
+    use crate::orbit::continuation::extended_system::ExtendedSystem;
+    use crate::orbit::family::Family;
     use crate::orbit::options::OrbitOptions;
     use crate::orbit::solve::words::search_word;
 
@@ -116,10 +119,10 @@ mod tests {
         assert!(!cycles.is_empty());
         for cycle in &cycles {
             let (from, _) = extended
-                .solved_at(&[cycle.phases(), &[0.25]].concat(), 0.25)
+                .solved_at(&[cycle.phases(), &[0.25]].concat(), 3, 0.25)
                 .expect("a motion");
-            let (middle, _) = extended.solved_at(&from, 0.2502).expect("a motion");
-            let (to, _) = extended.solved_at(&middle, 0.2504).expect("a motion");
+            let (middle, _) = extended.solved_at(&from, 3, 0.2502).expect("a motion");
+            let (to, _) = extended.solved_at(&middle, 3, 0.2504).expect("a motion");
             let segment = CertifiedSegment::prove(&extended, &from, &to).expect("a proof");
             assert!([&from, &middle, &to].iter().all(|point| segment.holds(point, 0.0)));
             let beside: Vec<f64> = middle.iter().map(|side| side + 2.0 * segment.radius).collect();

@@ -46,14 +46,7 @@ impl TestFunctions {
         let turns: Vec<Vec<TurningPoint>> = flights
             .map(|(side, impact)| turns(&HarmonicFlight::after(&system.motion, *side, impact), impact.time))
             .collect();
-        let crossings = turns.iter().map(|turns| {
-            // a flight starts and ends between the walls
-            std::array::from_fn(|wall| {
-                let beyond = std::iter::once(false).chain(turns.iter().map(|turn| turn.distances[wall] < 0.0));
-                let beyond: Vec<bool> = beyond.chain(std::iter::once(false)).collect();
-                beyond.windows(2).filter(|pair| pair[0] != pair[1]).count()
-            })
-        });
+        let crossings = turns.iter().map(|turns| crossings(turns));
         Self {
             multipliers: BifurcationCondition::MULTIPLIERS.map(|condition| condition.multiplier_excess(&jacobians)),
             crossings: crossings.collect(),
@@ -99,6 +92,16 @@ impl TestFunctions {
         let turns = self.turns.iter().flatten();
         turns.flat_map(|turn| turn.distances).fold(f64::INFINITY, f64::min)
     }
+}
+
+/// How often a flight goes through the bottom and through the top strictly between its ends, of its turning points.
+pub(crate) fn crossings(turns: &[TurningPoint]) -> [usize; 2] {
+    // a flight starts and ends between the walls
+    std::array::from_fn(|wall| {
+        let beyond = std::iter::once(false).chain(turns.iter().map(|turn| turn.distances[wall] < 0.0));
+        let beyond: Vec<bool> = beyond.chain(std::iter::once(false)).collect();
+        beyond.windows(2).filter(|pair| pair[0] != pair[1]).count()
+    })
 }
 
 /// The turning points strictly inside a flight of this duration, in order: between two changes of sign of f + g the

@@ -46,6 +46,26 @@ pub struct HalvedOneOne<'a, F> {
     pub periods: u32,
 }
 
+/// What is 0 where a condition holds: one value, and 0 beside it, or both values of a touch a time `after` into its flight.
+pub(crate) fn condition_excess<T: Analytic>(
+    condition: BifurcationCondition,
+    balance: &OneOneEquations<T>,
+    [t_1, middle]: [&T; 2],
+    after: &T,
+) -> [T; 2] {
+    match condition {
+        BifurcationCondition::ZeroVelocity(impact) => {
+            let [v, w] = balance.scaled_velocities(t_1, middle);
+            [if impact == 0 { v } else { w }, T::zero()]
+        }
+        BifurcationCondition::Touch(flight, wall) => touch_excess(&balance.flight(flight, t_1, middle), wall, after),
+        condition => {
+            let level = condition.trace(&balance.loss_factor()).unwrap_or_else(T::zero);
+            [balance.trace_above(&level, t_1, middle), T::zero()]
+        }
+    }
+}
+
 impl<F: Family> ConditionedOneOne<'_, F> {
     /// The left sides, over any number: in `D` = 4 unknowns for a touch, 3 for the other conditions.
     ///
@@ -55,19 +75,7 @@ impl<F: Family> ConditionedOneOne<'_, F> {
         let [t_1, middle, parameter] = [&at[0], &at[1], &at[2]];
         let balance = OneOneEquations::new(&self.family.motion_at(parameter)?, self.periods);
         let [first, second] = balance.residual(t_1, middle);
-        let [excess, velocity] = match self.condition {
-            BifurcationCondition::ZeroVelocity(impact) => {
-                let [v, w] = balance.scaled_velocities(t_1, middle);
-                [if impact == 0 { v } else { w }, T::zero()]
-            }
-            BifurcationCondition::Touch(flight, wall) => {
-                touch_excess(&balance.flight(flight, t_1, middle), wall, &at[D - 1])
-            }
-            condition => {
-                let level = condition.trace(&balance.loss_factor()).unwrap_or_else(T::zero);
-                [balance.trace_above(&level, t_1, middle), T::zero()]
-            }
-        };
+        let [excess, velocity] = condition_excess(self.condition, &balance, [t_1, middle], &at[D - 1]);
         let mut values = [first, second, excess, velocity].into_iter();
         Ok(std::array::from_fn(|_| values.next().unwrap_or_else(T::zero)))
     }

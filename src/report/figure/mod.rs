@@ -7,6 +7,7 @@
 mod branch;
 mod claim;
 mod comparison;
+mod curves;
 mod diagram;
 mod displacement;
 mod energy;
@@ -21,6 +22,7 @@ mod trade;
 pub use branch::{Bifurcation, Course, Step};
 pub use claim::Claim;
 pub use comparison::{Curve, comparison};
+pub use curves::{BifurcationCurve, BifurcationCurves};
 pub use diagram::{Diagram, Impact, Quantity};
 pub use displacement::displacement;
 pub use energy::Energy;

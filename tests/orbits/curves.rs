@@ -1,0 +1,371 @@
+//! Curves of bifurcations over two parameters: none is lost along random lines, and each point is what it is said to be.
+
+use std::f64::consts::PI;
+use vibro_audit::model::{Motion, MotionError};
+use vibro_audit::number::{Analytic, DoubleDouble, Interval, Sequence};
+use vibro_audit::orbit::{
+    BifurcationKind, BifurcationPoint, CurvePoint, Family, OneOneBranches, OneOneCurves, OrbitOptions, ParameterPlane,
+    SpecialPoint, shoot_bifurcation,
+};
+
+/// Devices over d and r_B.
+#[derive(Clone, Copy, Debug)]
+struct Devices {
+    g: f64,
+    /// `None`: that of the bottom.
+    r_t: Option<f64>,
+    d: [f64; 2],
+    r_b: [f64; 2],
+}
+
+/// The paper's device with r_T = .5, with r_T = .3, and devices without gravity and with like walls.
+const DEVICES: [Devices; 3] = [
+    Devices {
+        g: 0.12201,
+        r_t: Some(0.5),
+        d: [0.1, 0.6],
+        r_b: [0.2, 0.8],
+    },
+    Devices {
+        g: 0.12201,
+        r_t: Some(0.3),
+        d: [0.1, 0.6],
+        r_b: [0.2, 0.8],
+    },
+    Devices {
+        g: 0.0,
+        r_t: None,
+        d: [0.1, 1.2],
+        r_b: [0.2, 0.9],
+    },
+];
+
+/// Devices along a straight line from one place to another, as its parameter goes from 0 to 1.
+#[derive(Clone, Copy, Debug)]
+struct Line {
+    devices: Devices,
+    ends: [[f64; 2]; 2],
+}
+
+impl Family for Line {
+    fn motion_at<T: Analytic>(&self, part: &T) -> Result<Motion<T>, MotionError> {
+        let [from, to] = self.ends;
+        let at = |i: usize| T::from_f64(from[i]) + T::from_f64(to[i] - from[i]) * part.clone();
+        ParameterPlane::motion_at(&self.devices, [&at(0), &at(1)])
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.devices.r_t.is_none()
+    }
+}
+
+impl ParameterPlane for Devices {
+    type Line = Along;
+
+    fn motion_at<T: Analytic>(&self, [d, r_b]: [&T; 2]) -> Result<Motion<T>, MotionError> {
+        let r_t = self.r_t.map_or_else(|| r_b.clone(), T::from_f64);
+        Motion::new(T::from_f64(self.g), d.clone(), r_b.clone(), r_t)
+    }
+
+    fn ranges(&self) -> [Interval<f64>; 2] {
+        [self.d, self.r_b].map(|[from, to]| Interval::new(from, to))
+    }
+
+    fn line(&self, fixed: usize, index: u32, count: u32) -> (Along, f64) {
+        let [from, to] = [self.d, self.r_b][fixed];
+        let part = f64::from(index) / f64::from(count);
+        let value = from * (1.0 - part) + to * part;
+        let devices = *self;
+        (Along { devices, fixed, value }, value)
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.r_t.is_none()
+    }
+}
+
+/// Devices along one of the parameters.
+#[derive(Clone, Copy, Debug)]
+struct Along {
+    devices: Devices,
+    fixed: usize,
+    value: f64,
+}
+
+impl Family for Along {
+    fn motion_at<T: Analytic>(&self, other: &T) -> Result<Motion<T>, MotionError> {
+        let value = T::from_f64(self.value);
+        let at = if self.fixed == 0 {
+            [&value, other]
+        } else {
+            [other, &value]
+        };
+        ParameterPlane::motion_at(&self.devices, at)
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.devices.r_t.is_none()
+    }
+}
+
+impl Devices {
+    fn curves(&self) -> Vec<Vec<CurvePoint>> {
+        let curves = OneOneCurves::new(*self, 1, 8, &OrbitOptions::DEFAULT).expect("curves");
+        assert!(curves.undecided().is_empty());
+        curves.collect()
+    }
+
+    /// The place of a point, each side of the rectangle from 0 to 1.
+    fn place(&self, point: &CurvePoint) -> [f64; 2] {
+        let part = |[from, to]: [f64; 2], value: f64| (value - from) / (to - from);
+        [part(self.d, point.motion.parameter), part(self.r_b, point.y)]
+    }
+
+    /// A line from one side of the rectangle to another.
+    fn random_line(&self, sequence: &mut Sequence) -> Line {
+        let sides = [sequence.draw() % 4, sequence.draw() % 3];
+        let sides = [sides[0], (sides[0] + 1 + sides[1]) % 4];
+        let ends = sides.map(|side| {
+            let part = sequence.between(0.02, 0.98);
+            let end = (side % 2) as f64;
+            let [x, y] = if side < 2 { [end, part] } else { [part, end] };
+            let at = |[from, to]: [f64; 2], part: f64| from * (1.0 - part) + to * part;
+            [at(self.d, x), at(self.r_b, y)]
+        });
+        Line { devices: *self, ends }
+    }
+}
+
+/// Where a piece of a curve crosses a line: the kind, the part of the line and the motion's first flight.
+#[derive(Clone, Copy, Debug)]
+struct Crossing {
+    kind: BifurcationKind,
+    part: f64,
+    time: f64,
+}
+
+/// The crossings of curves with a line, by linear interpolation.
+fn crossings(line: &Line, curves: &[Vec<CurvePoint>]) -> Vec<Crossing> {
+    let [from, to] = line.ends;
+    let along = [to[0] - from[0], to[1] - from[1]];
+    let beside = |point: &CurvePoint| {
+        let [x, y] = [point.motion.parameter - from[0], point.y - from[1]];
+        along[0] * y - along[1] * x
+    };
+    let mut found = Vec::new();
+    for pair in curves.iter().flat_map(|curve| curve.windows(2)) {
+        let [one, other] = [beside(&pair[0]), beside(&pair[1])];
+        if one * other >= 0.0 {
+            continue;
+        }
+        let share = one / (one - other);
+        let between = |of: fn(&CurvePoint) -> f64| of(&pair[0]) * (1.0 - share) + of(&pair[1]) * share;
+        let [x, y] = [between(|point| point.motion.parameter), between(|point| point.y)];
+        let part = if along[0].abs() > along[1].abs() {
+            (x - from[0]) / along[0]
+        } else {
+            (y - from[1]) / along[1]
+        };
+        let time = between(|point| point.motion.times[0]);
+        if (0.0..=1.0).contains(&part) {
+            found.push(Crossing {
+                kind: pair[0].motion.kind,
+                part,
+                time,
+            });
+        }
+    }
+    found
+}
+
+/// Steps are chords: so far, in parts of the line and in time, a crossing of one may lie from that of its curve.
+const APART: f64 = 0.02;
+
+/// The crossings with random lines are the bifurcations along them: each has its own. Returns how many there were.
+fn compare(devices: &Devices, curves: &[Vec<CurvePoint>], seed: u64, lines: usize) -> usize {
+    let mut sequence = Sequence::new(seed);
+    let mut seen = 0;
+    for _ in 0..lines {
+        let line = devices.random_line(&mut sequence);
+        let (mut expected, open) = OneOneBranches::new(line, 1, Interval::new(0.0, 1.0), &OrbitOptions::DEFAULT)
+            .expect("a cover")
+            .bifurcations();
+        assert!(open.is_empty(), "{line:?} {open:?}");
+        expected.retain(|event| event.kind != BifurcationKind::NodeFocus);
+        let mut found = crossings(&line, curves);
+        for event in &expected {
+            let apart = |crossing: &Crossing| {
+                let apart = (crossing.part - event.parameter)
+                    .abs()
+                    .max((crossing.time - event.times[0]).abs());
+                if crossing.kind == event.kind {
+                    apart
+                } else {
+                    f64::INFINITY
+                }
+            };
+            let nearest = (0..found.len()).min_by(|one, other| apart(&found[*one]).total_cmp(&apart(&found[*other])));
+            let nearest = nearest.filter(|nearest| apart(&found[*nearest]) < APART);
+            let nearest = nearest.unwrap_or_else(|| panic!("{line:?}: no curve at {event:?}; there are {found:?}"));
+            found.swap_remove(nearest);
+            seen += 1;
+        }
+        assert!(found.is_empty(), "{line:?}: no bifurcation at {found:?}");
+    }
+    seen
+}
+
+#[test]
+fn a_few_random_lines_meet_curves_where_branches_bifurcate() {
+    let curves = DEVICES[0].curves();
+    assert!(compare(&DEVICES[0], &curves, 5, 8) > 20);
+}
+
+#[test]
+#[ignore = "a minute: part of .ci/long"]
+fn the_curves_cross_50_random_lines_where_branches_bifurcate() {
+    for devices in DEVICES {
+        let curves = devices.curves();
+        let seen = compare(&devices, &curves, 2026, 50);
+        println!("{devices:?}: {seen} crossings with 50 lines, none lost");
+    }
+}
+
+/// The bifurcation of a kind on the line through a point, by the return map and its derivative in double-double: how
+/// far along the line it is from the point.
+fn shot(devices: &Devices, point: &CurvePoint, kind: BifurcationKind, fixed: usize) -> f64 {
+    let values = [point.motion.parameter, point.y];
+    let along = Along {
+        devices: *devices,
+        fixed,
+        value: values[fixed],
+    };
+    let sign = if kind == BifurcationKind::PeriodDoubling {
+        -1.0
+    } else {
+        1.0
+    };
+    let near = BifurcationPoint {
+        kind,
+        parameter: values[1 - fixed],
+        trace: sign,
+        ..point.motion.clone()
+    };
+    let found = shoot_bifurcation::<DoubleDouble>(&along, &near);
+    let (parameter, _) = found.unwrap_or_else(|why| panic!("{kind:?} {why} {point:?}"));
+    (parameter.to_f64() - near.parameter).abs()
+}
+
+/// Number `index` of a curve with the parameter that the curve moves less along.
+fn across(devices: &Devices, curve: &[CurvePoint], index: usize) -> usize {
+    let neighbours = [index.saturating_sub(1), (index + 1).min(curve.len() - 1)];
+    let [one, other] = neighbours.map(|index| devices.place(&curve[index]));
+    usize::from((other[1] - one[1]).abs() > (other[0] - one[0]).abs())
+}
+
+#[test]
+fn every_point_is_proved_and_a_bifurcation_by_the_return_map_too() {
+    let devices = &DEVICES[0];
+    let mut names = Vec::new();
+    for curve in devices.curves() {
+        assert!(curve.len() > 2 && curve[0].is_joined.is_none());
+        for (index, point) in curve.iter().enumerate() {
+            assert_eq!(point.is_joined, (index > 0).then_some(true), "{point:?}");
+            assert!(point.motion.error_bound.is_some_and(|bound| bound < 1e-12), "{point:?}");
+            let inside = devices.place(point).iter().all(|part| (0.0..=1.0).contains(part));
+            let on_side = devices
+                .place(point)
+                .iter()
+                .any(|part| part.min(1.0 - part).abs() < 1e-12);
+            assert!(inside && on_side == (point.special == SpecialPoint::Edge), "{point:?}");
+            let kind = point.motion.kind;
+            let second = match point.special {
+                SpecialPoint::Step if index % 7 != 0 => continue,
+                SpecialPoint::Step | SpecialPoint::Edge => None,
+                SpecialPoint::Grazing | SpecialPoint::DoubleGrazing => Some(BifurcationKind::Grazing),
+                SpecialPoint::Fold => Some(BifurcationKind::Fold),
+                SpecialPoint::PeriodDoubling => Some(BifurcationKind::PeriodDoubling),
+                SpecialPoint::Cusp => {
+                    names.push(point.special);
+                    folds_meet(devices, point);
+                    continue;
+                }
+                other => panic!("{other} {point:?}"),
+            };
+            names.extend(second.map(|_| point.special));
+            let fixed = across(devices, &curve, index);
+            for kind in [Some(kind), second].into_iter().flatten() {
+                let apart = shot(devices, point, kind, fixed);
+                assert!(apart < 1e-11, "{kind:?} {apart} {point:?}");
+            }
+        }
+    }
+    for name in [
+        SpecialPoint::Cusp,
+        SpecialPoint::Grazing,
+        SpecialPoint::Fold,
+        SpecialPoint::PeriodDoubling,
+    ] {
+        assert!(names.contains(&name), "{name}");
+    }
+}
+
+/// On one side of a cusp two folds are near each other, on the other side none is.
+fn folds_meet(devices: &Devices, cusp: &CurvePoint) {
+    let counts = [-1e-3, 1e-3].map(|beside| {
+        let along = Along {
+            devices: *devices,
+            fixed: 1,
+            value: cusp.y + beside,
+        };
+        let near = cusp.motion.parameter;
+        let branches = OneOneBranches::new(
+            along,
+            1,
+            Interval::new(near - 5e-3, near + 5e-3),
+            &OrbitOptions::DEFAULT,
+        )
+        .expect("a cover");
+        let (found, open) = branches.bifurcations();
+        assert!(open.is_empty());
+        found.iter().filter(|event| event.kind == BifurcationKind::Fold).count()
+    });
+    assert!(counts == [0, 2] || counts == [2, 0], "{counts:?}");
+}
+
+/// Without gravity a ball of r_B = r_T breaks its symmetry where the folds of unlike walls meet.
+#[test]
+fn the_cusp_without_gravity_is_where_the_symmetry_breaks() {
+    let devices = Devices {
+        g: 0.0,
+        r_t: Some(0.5),
+        d: [0.2, 0.4],
+        r_b: [0.3, 0.8],
+    };
+    let curves = devices.curves();
+    let cusps: Vec<&CurvePoint> = curves
+        .iter()
+        .flatten()
+        .filter(|point| point.special == SpecialPoint::Cusp)
+        .collect();
+    let [cusp] = cusps[..] else { panic!("{cusps:?}") };
+    let symmetric = Motion::new(0.0, 0.3, 0.5, 0.5).expect("a motion");
+    let (events, _) = OneOneBranches::new(symmetric, 1, Interval::new(0.2, 0.4), &OrbitOptions::DEFAULT)
+        .expect("a cover")
+        .bifurcations();
+    let breaking = events
+        .iter()
+        .find(|event| event.kind == BifurcationKind::SymmetryBreaking);
+    let breaking = breaking.expect("a symmetry breaking");
+    assert!((cusp.motion.parameter - breaking.parameter).abs() < 1e-12 && (cusp.y - 0.5).abs() < 1e-12);
+    assert!((cusp.motion.times[0] - 1.0).abs() < 1e-12);
+    // the ball that stands still touches both walls at d = 4/(2 pi²), whatever they are
+    let still = 2.0 / (PI * PI);
+    let stands = |curve: &&Vec<CurvePoint>| curve.iter().all(|point| (point.motion.parameter - still).abs() < 1e-12);
+    let standing = curves
+        .iter()
+        .filter(|curve| curve.len() > 2)
+        .find(stands)
+        .expect("a curve");
+    assert!(standing.iter().all(|point| point.is_joined != Some(false)));
+}
