@@ -2,7 +2,7 @@
 
 use super::answer::Copied;
 use super::shard::Label;
-use super::{Answer, Content, Exit, Failure, Options, basins};
+use super::{Answer, Content, Exit, Failure, Options, basins, optimise};
 use crate::orbit::Estimate;
 use crate::report::{Format, note_input};
 use crate::scene::{ReachedAttractor, ReachedAttractors};
@@ -139,6 +139,13 @@ fn check(parts: &[Part]) -> Result<(), Failure> {
 
 /// Writes the rows of all parts under one line of columns, and the attractors of all; how many rows they are.
 fn join(parts: &[Part], to: &mut dyn Write) -> io::Result<usize> {
+    if parts.iter().any(|part| part.label.is_of(optimise::COMMAND)) {
+        let tables = parts.iter().map(rows_of).collect::<io::Result<Vec<_>>>()?;
+        let unlike = || io::Error::other("the parts do not have the rows of one search");
+        let table = optimise::joined(&tables).ok_or_else(unlike)?;
+        table.write(to, Format::Csv, 0)?;
+        return Ok(table.rows().len());
+    }
     let mut all = ReachedAttractors::default();
     // of each part, under which number its attractors are known to all
     let numbers: Vec<Vec<i64>> = parts
@@ -159,6 +166,17 @@ fn join(parts: &[Part], to: &mut dyn Write) -> io::Result<usize> {
         table.write(to, Format::Csv, 0)?;
     }
     Ok(rows)
+}
+
+/// The rows of a part, cell by cell.
+fn rows_of(part: &Part) -> io::Result<Vec<Vec<String>>> {
+    let mut lines = Vec::new();
+    copy(part, &[], &mut lines)?;
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(part.label.number == 1)
+        .from_reader(&lines[..]);
+    let cells = |row: Result<csv::StringRecord, csv::Error>| Ok(row?.iter().map(str::to_owned).collect());
+    reader.records().map(cells).collect()
 }
 
 /// Writes the rows of a part, the first under the line of columns.

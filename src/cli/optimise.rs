@@ -1,11 +1,13 @@
 //! `vibro-audit optimise SCENE [--gap G] [--effort N]`.
 
+use super::answer::Rows;
 use super::complete::Complete;
 use super::progress::Status;
+use super::shard::{Label, Shard};
 use super::{Answer, Failure, Options, SceneArguments, note};
 use crate::number::Interval;
-use crate::orbit::{Active, Optimum, OptimumLimits, OptimumProgress, optimum};
-use crate::report::{Cell, Table};
+use crate::orbit::{Active, Optimum, OptimumLimits, OptimumPart, OptimumProgress, optimum};
+use crate::report::{Cell, Column, Table};
 use crate::scene::{BoxChoice, Over, Scene, Want};
 
 /// The device of a box whose stable and admissible 1-1 motion gives the largest voltage, proved
@@ -19,6 +21,9 @@ pub struct Arguments {
     /// How far to search, as a multiple of the usual limit in boxes
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=MOST_EFFORT))]
     effort: u64,
+    /// Search the I-th of N parts of the motions only, as CSV that says which part it is; `merge` joins them
+    #[arg(long, value_name = "I/N")]
+    shard: Option<Shard>,
     #[command(flatten)]
     complete: Complete,
 }
@@ -58,8 +63,105 @@ pub fn run(arguments: &Arguments, _options: &Options) -> Result<Answer, Failure>
     let limits = OptimumLimits {
         gap: arguments.gap,
         most_boxes: BOXES * arguments.effort,
+        part: arguments.shard.map_or(OptimumPart::WHOLE, Shard::part),
     };
-    Ok(arguments.complete.answer(table_within(&scene, limits)?))
+    let table = table_within(&scene, limits)?;
+    let Some(shard) = arguments.shard else {
+        return Ok(arguments.complete.answer(table));
+    };
+    let mut label = Label::new(shard, COMMAND, &scene, &[Want::Optimum])?;
+    label.run = format!("{} gap {} effort {}", label.run, arguments.gap, arguments.effort);
+    let rows = table.rows().to_vec().into_iter().map(Ok);
+    let rows = Rows::new(COLUMNS.map(Column::from).to_vec(), rows).part(Some(label));
+    Ok(arguments.complete.answer(rows))
+}
+
+/// The name of the command, which its parts say.
+pub(super) const COMMAND: &str = "optimise";
+
+/// The table of all parts of a search, each as its rows: the largest value that is proved, no more than the largest bound of
+/// all, at a place that is in the hull of theirs. `None` where they are not such rows.
+pub(super) fn joined(parts: &[Vec<Vec<String>>]) -> Option<Table> {
+    let mut table = Table::new(COLUMNS);
+    // a part without rows holds no motion as asked
+    let parts: Vec<&Vec<Vec<String>>> = parts.iter().filter(|rows| !rows.is_empty()).collect();
+    let number = |part: &Vec<Vec<String>>, row: usize, column: usize| part.get(row)?.get(column)?.parse::<f64>().ok();
+    let of = |row: usize, column: usize| parts.iter().filter_map(move |part| number(part, row, column));
+    let least = |row, column| of(row, column).reduce(f64::min);
+    let largest = |row, column| of(row, column).reduce(f64::max);
+    let value = |part: &&&Vec<Vec<String>>| number(part, 0, 1).unwrap_or(f64::NEG_INFINITY);
+    let Some(best) = parts.iter().max_by(|one, other| value(one).total_cmp(&value(other))) else {
+        return Some(table);
+    };
+    let text = |row: usize, column: usize| Some(Cell::from(best.get(row)?.get(column)?.as_str()));
+    let all = |column: usize, word: &str| {
+        parts
+            .iter()
+            .all(|part| part[0].get(column).is_some_and(|cell| cell == word))
+    };
+    // bounds that are not told are none
+    let is_bounded = parts.iter().all(|part| number(part, 0, 2).is_some());
+    let most = largest(0, 2).filter(|_| is_bounded);
+    let (low, rate) = (number(best, 0, 1), number(best, 0, 3));
+    let reached = low.zip(most).map(|(low, most)| gap_of(low, most));
+    let attained = match (all(4, "true"), all(4, "false")) {
+        (true, _) => Cell::from(true),
+        (_, true) => Cell::from(false),
+        _ => Cell::Empty,
+    };
+    let boxes: f64 = of(0, 8).sum();
+    table
+        .push(vec![
+            text(0, 0)?,
+            Cell::from(low),
+            Cell::from(most),
+            Cell::from(rate),
+            attained,
+            text(0, 5)?,
+            Cell::Empty,
+            Cell::from(reached),
+            Cell::from(boxes as i64),
+            Cell::from(all(9, "true")),
+            Cell::from(
+                rate.zip(low)
+                    .zip(most)
+                    .map(|((rate, low), most)| farthest(rate, [low, most])),
+            ),
+        ])
+        .ok()?;
+    for row in 1..best.len() {
+        if parts
+            .iter()
+            .any(|part| part.get(row).map(|row| &row[0]) != Some(&best[row][0]))
+        {
+            return None;
+        }
+        let (low, high, value) = (least(row, 1), largest(row, 2), number(best, row, 3));
+        let bound = value
+            .zip(low.zip(high))
+            .map(|(value, (low, high))| farthest(value, [low, high]));
+        table
+            .push(vec![
+                text(row, 0)?,
+                Cell::from(low),
+                Cell::from(high),
+                Cell::from(value),
+                Cell::Empty,
+                text(row, 5)?,
+                Cell::from(number(best, row, 6)),
+                Cell::Empty,
+                Cell::Empty,
+                Cell::Empty,
+                Cell::from(bound),
+            ])
+            .ok()?;
+    }
+    Some(table)
+}
+
+/// By which part of the bound `most` the value `best` may be below it.
+fn gap_of(best: f64, most: f64) -> f64 {
+    ((most - best) / most).max(0.0)
 }
 
 /// The table of a scene, to the usual gap.
@@ -70,6 +172,7 @@ pub fn table(scene: &Scene) -> Result<Table, Failure> {
     let limits = OptimumLimits {
         gap: GAP,
         most_boxes: BOXES,
+        part: OptimumPart::WHOLE,
     };
     table_within(scene, limits)
 }

@@ -3,6 +3,7 @@
 use super::answer::Rows;
 use super::resume::Unfinished;
 use super::{Content, Failure, Options};
+use crate::orbit::OptimumPart;
 use crate::report::fingerprint;
 use crate::scene::{Scene, Want};
 use std::fmt;
@@ -61,6 +62,12 @@ impl PartArguments {
 impl Shard {
     /// All of a run.
     pub const WHOLE: Self = Self { number: 1, of: 1 };
+
+    /// The same of a search for an optimum.
+    pub fn part(self) -> OptimumPart {
+        let Self { number, of } = self;
+        OptimumPart { number, of }
+    }
 
     /// What of so many things it has: the parts follow one another and differ by one at most.
     pub fn range(self, total: u64) -> Range<u64> {

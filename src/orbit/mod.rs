@@ -64,7 +64,7 @@ pub use long_run::steady_state::{Settling, SteadyState};
 pub use one_one_branches::{OneOneBranches, OpenBifurcation};
 pub use optimum::design::{Choice, Devices, Gap, Pull, Range, Unit};
 pub use optimum::incumbent::ProvedDevice;
-pub use optimum::search::{Optimum, OptimumLimits, OptimumProgress, optimum};
+pub use optimum::search::{Optimum, OptimumLimits, OptimumPart, OptimumProgress, optimum};
 pub use optimum::supremum::Active;
 pub use options::OrbitOptions;
 pub use orbit::{Orbit, flight_jacobians};

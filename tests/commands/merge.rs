@@ -138,6 +138,59 @@ fn what_is_not_all_of_one_run_is_refused_and_nothing_is_written() {
     }
 }
 
+/// The numbers of some columns of each row, NaN where there is none.
+fn numbers<const N: usize>(table: &[u8], columns: [&str; N]) -> Vec<[f64; N]> {
+    let mut reader = csv::Reader::from_reader(table);
+    let header = reader.headers().unwrap().clone();
+    let places = columns.map(|column| header.iter().position(|name| name == column).unwrap());
+    let row = |row: csv::StringRecord| places.map(|place| row[place].parse().unwrap_or(f64::NAN));
+    reader.records().map(|found| row(found.unwrap())).collect()
+}
+
+#[test]
+fn the_parts_of_a_search_for_an_optimum_enclose_it_together_within_the_gap() {
+    let here = Parts::new("optimum");
+    let command = [
+        "optimise",
+        "fig03",
+        "--gap",
+        "1e-3",
+        "--set",
+        "box={d = [0.3, 0.5], r_b = [0.5, 0.7]}",
+    ];
+    let whole = here.printed(&[&command[..], &["--format", "csv"]].concat());
+    let whole = numbers(&whole, ["low", "high", "value"]);
+    for of in [1, 3] {
+        let files = here.parts(&command, of);
+        let merged = here.merged(&files);
+        assert!(merged.status.success(), "{}", String::from_utf8_lossy(&merged.stderr));
+        let text = String::from_utf8_lossy(&merged.stdout).into_owned();
+        assert!(
+            text.lines().nth(1).is_some_and(|line| line.contains(",true,")),
+            "{text}"
+        );
+        let gaps = numbers(&merged.stdout, ["gap"]);
+        assert!(gaps[0][0] <= 1e-3, "{text}");
+        let merged = numbers(&merged.stdout, ["low", "high", "value"]);
+        assert_eq!(merged.len(), whole.len());
+        for (&[low, high, value], &[other_low, other_high, other]) in merged.iter().zip(&whole) {
+            assert!(
+                low <= value && value <= high && low <= other_high && other_low <= high,
+                "{text}"
+            );
+            assert!((value - other).abs() <= 1e-2 * other.abs(), "{text}");
+        }
+    }
+    // searched to another gap it is another search
+    let other = [&command[..3], &["1e-2"], &command[4..]].concat();
+    let other = here.printed(&[&other[..], &["--format", "csv", "--shard", "2/3"]].concat());
+    fs::write(here.0.join("2.csv"), other).unwrap();
+    here.refused(&["1.csv", "2.csv", "3.csv"].map(str::to_owned), "two runs");
+    let none = ["optimise", "fig03", "--set", "box={d = [3, 4], r_b = [0.1, 0.2]}"];
+    let files = here.parts(&none, 2);
+    assert_eq!(String::from_utf8_lossy(&here.merged(&files).stdout).lines().count(), 1);
+}
+
 #[test]
 fn what_has_no_parts_is_refused() {
     let here = Parts::new("none");

@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::process::{Command, Output, Stdio};
 use vibro_audit::number::Sequence;
-use vibro_audit::orbit::{Active, Optimum, OptimumLimits, Word, find, optimum};
+use vibro_audit::orbit::{Active, Optimum, OptimumLimits, OptimumPart, Word, find, optimum};
 use vibro_audit::scene::{Scene, built_in};
 
 /// The device of Fig. 3 with a box and overrides.
@@ -20,6 +20,7 @@ fn best(scene: &Scene, gap: f64) -> Optimum {
     let limits = OptimumLimits {
         gap,
         most_boxes: 500_000,
+        part: OptimumPart::WHOLE,
     };
     let mut last = f64::INFINITY;
     let found = optimum(&scene.choice().unwrap().choice, limits, |progress| {

@@ -1,17 +1,19 @@
-//! What a sweep shows of a motion that attracts, where a device is at an extreme: its impacts, and their mean voltage.
+//! What a sweep or a map shows of a motion that attracts, where a device is at an extreme: its impacts, and their mean
+//! voltage; and the best device near that extreme.
 
 use super::StressError;
 use super::impacts::SimulatedImpact;
 use super::motion::{Known, errors, known};
 use super::quantity::{Exact, largest, widen};
-use super::row::StressRow;
+use super::row::{StressRow, place};
 use super::voltage::{membrane_at, of_paper};
-use crate::impact::{Event, Simulation, Start};
+use crate::impact::{Event, Simulation, Start, Widening, in_lanes};
 use crate::model::{Motion, Side};
-use crate::number::Analytic;
+use crate::number::{Analytic, Interval};
 use crate::orbit::{
-    Attractor, Averaging, AveragingLength, CycleMeans, LongRun, OrbitImpact, RoundedOrbit, SteadyState, Word, find,
-    multipliers,
+    Attractor, Averaging, AveragingLength, Choice, CycleMeans, Devices, Gap, LongRun, OptimumLimits, OptimumPart,
+    OrbitImpact, OrbitOptions, Pull, Range, RoundedOrbit, Settling, SteadyState, Unit, Word, find, multipliers,
+    optimum,
 };
 
 /// The extremes, each with g, d, r_B and r_T of a device that has a stable 1-1 motion, and the impacts after which what is
@@ -61,24 +63,99 @@ pub(super) fn rows(case: &'static str) -> Result<Vec<StressRow>, StressError> {
     let start = start(orbit).ok_or_else(fault)?;
     let settled = SteadyState::after(Simulation::new(&motion, &start), impacts, 2);
     let attractor = settled.attractor.ok_or_else(fault)?;
-    if attractor.impacts.len() != known.fixes.len() {
-        return Err(fault());
-    }
+    let in_a_lane = settled_in_a_lane(&motion, &start, impacts).ok_or_else(fault)?;
     let at = from(start.phase, start.velocity).at();
-    let of_impacts = of_impacts(&attractor.impacts, &known);
-    let mut rows = vec![StressRow::stable(
-        case,
-        "(8) until it repeats",
-        of_impacts,
-        condition,
-        at.clone(),
-    )];
+    let mut rows = Vec::new();
+    for (formula, attractor) in [
+        ("(8) until it repeats", &attractor),
+        ("(8) in lanes until it repeats", &in_a_lane),
+    ] {
+        if attractor.impacts.len() != known.fixes.len() {
+            return Err(fault());
+        }
+        let error = of_impacts(&attractor.impacts, &known);
+        rows.push(StressRow::stable(case, formula, error, condition, at.clone()));
+    }
     let at = format!("{at};{}", membrane_at());
     let voltages = voltages(&motion, &attractor, &known).ok_or_else(fault)?;
     let of_voltage = |(formula, error): (&str, f64)| StressRow::stable(case, formula, error, condition, at.clone());
     rows.extend(voltages.map(of_voltage));
+    rows.push(best_device(case, device).ok_or_else(fault)?);
     Ok(rows)
 }
+
+/// As `map` and `basins` follow it.
+fn settled_in_a_lane(motion: &Motion<f64>, start: &Start<f64>, impacts: u32) -> Option<Attractor> {
+    let settling = Settling::new(impacts, 2, &OrbitOptions::DEFAULT);
+    let mut found = None;
+    let motions = [(Widening::new(motion, start).without_growth(), settling)];
+    in_lanes(
+        motions,
+        false,
+        |settling, event, _| settling.take(event),
+        |settling, _| found = settling.steady_state().attractor,
+    );
+    found
+}
+
+/// How far below a device's restitutions and gap those of a choice begin, relatively.
+const LOWER: f64 = 1e-4;
+
+/// The voltage per forcing period of the best device near one, as [`optimum`] proves it, against that of its motion in many
+/// digits.
+fn best_device(case: &'static str, [g, d, r_b, r_t]: [f64; 4]) -> Option<StressRow> {
+    let below = |value: f64| Range {
+        low: Interval::point(value * (1.0 - LOWER)),
+        high: Interval::point(value),
+    };
+    let choice = Choice {
+        devices: Devices {
+            gap: Gap::Itself,
+            pull: Pull::Itself,
+            unit: Unit::Same(Interval::point(1.0)),
+            membrane: of_paper()?,
+        },
+        ranges: [below(d), Range::held(Interval::point(g)), below(r_b), below(r_t)],
+        max_periods: 1,
+        margin: Interval::point(0.0),
+        clearance: Interval::point(0.0),
+    };
+    let limits = OptimumLimits {
+        gap: GAP,
+        most_boxes: MOST_BOXES,
+        part: OptimumPart::WHOLE,
+    };
+    let device = optimum(&choice, limits, |_| ()).device?;
+    let [d, g, r_b, r_t] = device.parameters.map(|parameter| parameter.midpoint());
+    let motion = Motion::new(g, d, r_b, r_t).ok()?;
+    let orbits = find(&motion, &Word::pair(), 1).ok()?.orbits;
+    let apart = |orbit: &&RoundedOrbit| {
+        let velocities = orbit.velocities.iter().zip(&device.orbit.velocities);
+        velocities
+            .map(|(one, other)| (one - other.midpoint()).abs())
+            .sum::<f64>()
+    };
+    let orbit = orbits.iter().min_by(|one, other| apart(one).total_cmp(&apart(other)))?;
+    let known = known([g, d, r_b, r_t], orbit)?;
+    let wide = of_paper::<Exact>()?;
+    let mut sum = <Exact as Analytic>::from_f64(0.0);
+    for fix in &known.fixes {
+        sum += wide.voltage(&fix.velocity);
+    }
+    let error = ((widen(&device.rate.midpoint()) - sum.clone()) / sum).to_f64().abs();
+    let at = place(&["g", "d", "r_B", "r_T"], &[g, d, r_b, r_t]);
+    Some(StressRow::stable(
+        case,
+        "optimum",
+        error,
+        known.condition,
+        format!("{at};{}", membrane_at()),
+    ))
+}
+
+/// How far searches for the best device go.
+const GAP: f64 = 1e-3;
+const MOST_BOXES: u64 = 20_000;
 
 /// What roundings of one size at every cycle come to: 1 / (1 - the size of the larger multiplier), the sum of what is left
 /// of each.

@@ -24,7 +24,60 @@ pub struct OptimumLimits {
     pub gap: f64,
     /// It ends after so many boxes.
     pub most_boxes: u64,
+    /// Which part of the motions is searched.
+    pub part: OptimumPart,
 }
+
+/// One of several parts of a search, of which each has other motions: the best of all parts is the best of the whole, and the
+/// largest bound of all encloses it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OptimumPart {
+    /// From 1.
+    pub number: u32,
+    /// How many there are, at least 1.
+    pub of: u32,
+}
+
+impl OptimumPart {
+    /// All of a search.
+    pub const WHOLE: Self = Self { number: 1, of: 1 };
+
+    /// Of the motions in these boxes those of this part: where there are several parts, the boxes are halved until each part
+    /// has [`BOXES_OF_A_PART`], which are dealt out in turn, since most of the work lies near the optimum.
+    fn own(self, everything: Vec<Start>) -> Vec<Start> {
+        if self.of <= 1 {
+            return everything;
+        }
+        let mut boxes = everything;
+        for direction in (0..UNKNOWNS).cycle() {
+            if boxes.len() >= BOXES_OF_A_PART * self.of as usize {
+                break;
+            }
+            let halves = boxes.into_iter().flat_map(|(cell, periods, most)| {
+                let (low, high) = cell[direction].halves();
+                let half = move |half| {
+                    let mut cell = cell;
+                    cell[direction] = half;
+                    (cell, periods, most)
+                };
+                // a parameter that is held has no halves
+                let count = if width(&cell[direction]) > 0.0 { 2 } else { 1 };
+                [low, high].map(half).into_iter().rev().take(count)
+            });
+            boxes = halves.collect();
+        }
+        let own = (0..self.of).cycle().zip(boxes);
+        own.filter(|(number, _)| number + 1 == self.number)
+            .map(|(_, start)| start)
+            .collect()
+    }
+}
+
+/// A box to examine: where, over how many periods, and the bound of what it is part of.
+type Start = (Cell, u32, f64);
+
+/// The boxes that each part of a search begins with, at least.
+const BOXES_OF_A_PART: usize = 64;
 
 /// How far a search has come.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,7 +146,7 @@ struct Left {
 
 impl Left {
     /// Both halves, with the bound of the whole.
-    fn halves(&self) -> [(Cell, u32, f64); 2] {
+    fn halves(&self) -> [Start; 2] {
         let (low, high) = self.cell[self.direction].halves();
         [low, high].map(|half| {
             let mut cell = self.cell;
@@ -156,11 +209,8 @@ pub fn optimum(choice: &Choice, limits: OptimumLimits, mut progress: impl FnMut(
         search.take(&candidate);
     }
     let everything = formulas.iter().zip(1..);
-    search.examine(
-        everything
-            .map(|(formulas, periods)| (formulas.everything(), periods, f64::INFINITY))
-            .collect(),
-    );
+    let everything = everything.map(|(formulas, periods)| (formulas.everything(), periods, f64::INFINITY));
+    search.examine(limits.part.own(everything.collect()));
     let mut rounds = 0;
     while !search.is_within(limits.gap) && search.boxes < limits.most_boxes && stop::goes_on() {
         if search.left.is_empty() {
@@ -273,7 +323,7 @@ impl Search<'_> {
     }
 
     /// Examines boxes, and keeps what is left of them.
-    fn examine(&mut self, cells: Vec<(Cell, u32, f64)>) {
+    fn examine(&mut self, cells: Vec<Start>) {
         self.boxes += cells.len() as u64;
         let best = self.best();
         let outcomes = each(&cells, |(cell, periods, most)| {
