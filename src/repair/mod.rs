@@ -2,17 +2,21 @@
 //! accepted where the edited claim is proved.
 //!
 //! Every node of the claim is edited as a misprint may call for (`edit`), or by what its sides lack (`dictionary`). Values
-//! at points where the premises hold sieve what is to be proved (`values`, `search`); several edits are matched by
+//! at points where the premises hold sieve what is to be proved (`points`, `leaves`, `graph`, `search`); several edits are matched by
 //! what each adds to the difference of the sides (`combine`).
 
 mod combine;
 mod context;
 mod dictionary;
 mod edit;
+mod graph;
+mod leaves;
+mod matrices;
 mod monomial;
 mod path;
+mod points;
 mod search;
-mod values;
+mod value;
 
 pub use path::{Path, node, parts, replaced};
 
@@ -98,8 +102,8 @@ pub fn repairs(sheet: &Sheet, position: usize, options: &Options) -> Vec<Repair>
     let Some(search) = Search::new(sheet, position, options.effort).filter(|_| !is_approximate) else {
         return Vec::new();
     };
-    for edits in 1..=search::MOST_EDITS {
-        let found = search.found(edits);
+    for stage in search::STAGES {
+        let found = search.found(stage);
         let repairs = proved(sheet, position, &search, found, options);
         if !repairs.is_empty() {
             return repairs;
