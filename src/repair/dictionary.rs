@@ -113,9 +113,17 @@ impl Dictionaries {
         }
         found.extend(self.sums(wanted).into_iter().map(|tree| (tree, false)));
         // a sum times a value of a function
-        for call in self.summands.entries.iter().filter(|entry| matches!(entry.tree, Tree::Call(..))) {
+        for call in self
+            .summands
+            .entries
+            .iter()
+            .filter(|entry| matches!(entry.tree, Tree::Call(..)))
+        {
             let sums = self.sums(&wanted.map(|at, value| value / call.at(at)));
-            found.extend(sums.iter().map(|tree| (product(vec![tree.clone(), call.tree.clone()]), false)));
+            found.extend(
+                sums.iter()
+                    .map(|tree| (product(vec![tree.clone(), call.tree.clone()]), false)),
+            );
         }
         found.sort_by_key(|(tree, _)| size(tree));
         found.truncate(MOST_PAIRS);
@@ -170,7 +178,12 @@ impl Dictionary {
             entries.push(atom.by(atom, |x, _| x * x, own.clone()));
             entries.push(atom.by(atom, |x, _| x * 2.0, product(vec![number(2), atom.tree.clone()])));
             entries.push(atom.by(atom, |x, _| x / 2.0, quotient(atom.tree.clone(), number(2))));
-            for other in atoms.get(n + 1..).unwrap_or_default().iter().filter(|other| !other.is_constant()) {
+            for other in atoms
+                .get(n + 1..)
+                .unwrap_or_default()
+                .iter()
+                .filter(|other| !other.is_constant())
+            {
                 let both = product(vec![atom.tree.clone(), other.tree.clone()]);
                 entries.push(atom.by(other, |x, y| x * y, both.clone()));
                 entries.push(atom.by(other, |x, y| x / y, quotient(atom.tree.clone(), other.tree.clone())));
@@ -255,7 +268,13 @@ impl Dictionary {
     /// The formulas that have the wanted values, and whether with the opposite sign.
     pub fn find(&self, wanted: &Wanted) -> Vec<(&Tree, bool)> {
         let mut found: Vec<(&Tree, bool)> = Vec::new();
-        for first in wanted.places.first().into_iter().flatten().map(|(_, value)| value.norm()) {
+        for first in wanted
+            .places
+            .first()
+            .into_iter()
+            .flatten()
+            .map(|(_, value)| value.norm())
+        {
             for entry in self.near(first) {
                 for (sign, negative) in [(1.0, false), (-1.0, true)] {
                     if wanted.is_met(|at| entry.at(at) * sign) {
@@ -401,19 +420,25 @@ fn numbers(points: usize) -> Vec<Entry> {
 /// The number that has the wanted values, where it is a simple one.
 pub fn number_of(wanted: &Wanted) -> Option<Tree> {
     let firsts = wanted.places.first()?.iter().map(|(_, value)| *value);
-    firsts.filter(|first| first.im.abs() <= CLOSE * first.re.abs() + NOTHING).find_map(|first| {
-        let first = first.re;
-        if wanted.places.iter().all(|place| place.iter().any(|(_, value)| value.norm() < NOTHING)) {
-            return Some(number(0));
-        }
-        if !wanted.is_met(|_| real(first)) {
-            return None;
-        }
-        (1..=60_i64).find_map(|below| {
-            let above = (first * below as f64).round();
-            let is_it = (above / below as f64 - first).abs() <= CLOSE * first.abs();
-            let is_simple = above.abs() < 1e4 && above >= 0.0;
-            (is_it && is_simple).then(|| Tree::Number(Rational::from_ratio(above as i64, below)))
+    firsts
+        .filter(|first| first.im.abs() <= CLOSE * first.re.abs() + NOTHING)
+        .find_map(|first| {
+            let first = first.re;
+            if wanted
+                .places
+                .iter()
+                .all(|place| place.iter().any(|(_, value)| value.norm() < NOTHING))
+            {
+                return Some(number(0));
+            }
+            if !wanted.is_met(|_| real(first)) {
+                return None;
+            }
+            (1..=60_i64).find_map(|below| {
+                let above = (first * below as f64).round();
+                let is_it = (above / below as f64 - first).abs() <= CLOSE * first.abs();
+                let is_simple = above.abs() < 1e4 && above >= 0.0;
+                (is_it && is_simple).then(|| Tree::Number(Rational::from_ratio(above as i64, below)))
+            })
         })
-    })
 }

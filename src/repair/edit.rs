@@ -88,7 +88,11 @@ pub fn times(tree: &Tree, factor: &Tree) -> Tree {
         // \frac{1}{2} x^2 a is \frac{a}{2} x^2
         Tree::Product(factors) => {
             let is_part = |tree: &Tree| matches!(tree, Tree::Quotient(above, ..) if is_number(above, 1));
-            match factors.iter().position(is_part).and_then(|n| Some((n, factors.get(n)?))) {
+            match factors
+                .iter()
+                .position(is_part)
+                .and_then(|n| Some((n, factors.get(n)?)))
+            {
                 Some((n, part)) => Tree::Product(put(factors, n, times(part, factor))),
                 None => product(vec![tree.clone(), factor.clone()]),
             }
@@ -335,7 +339,11 @@ pub fn missing_exponent(exponent: &Tree, negative: bool, node: &Tree) -> Edit {
 pub fn missing_factor(factor: &Tree, node: &Tree, is_above: bool) -> Edit {
     let below = if is_above { "" } else { " in the denominator" };
     Edit {
-        tree: if is_above { times(node, factor) } else { over(node, factor) },
+        tree: if is_above {
+            times(node, factor)
+        } else {
+            over(node, factor)
+        },
         cost: RARE - 1 + size(factor) + u32::from(!is_above),
         words: format!("the factor `{factor}` is missing{below} in `{node}`"),
         adds: true,
@@ -359,7 +367,11 @@ pub fn relations(equation: &Equation) -> Vec<Edit> {
         _ => [Less, LessOrEqual],
     };
     let costs = [(turned, PLAIN), (other, PLAIN + 1)].into_iter();
-    let costs = costs.chain(both.into_iter().filter(|relation| *relation != turned).map(|relation| (relation, RARE)));
+    let costs = costs.chain(
+        both.into_iter()
+            .filter(|relation| *relation != turned)
+            .map(|relation| (relation, RARE)),
+    );
     let edit = |(relation, cost)| Edit {
         tree: equation.left.clone(),
         cost,
@@ -369,7 +381,6 @@ pub fn relations(equation: &Equation) -> Vec<Edit> {
     };
     costs.map(edit).collect()
 }
-
 
 /// The longest number whose digits are taken for misprints.
 const MOST_DIGITS: usize = 4;

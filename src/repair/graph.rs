@@ -66,11 +66,7 @@ struct Source<'a> {
 
 impl Graph {
     /// The graph of these formulas, each an equation and, where it is a definition, the name that it gives.
-    pub fn new(
-        formulas: &[(Equation, Option<Name>)],
-        leaves: &Leaves,
-        definitions: &HashMap<Name, Tree>,
-    ) -> Self {
+    pub fn new(formulas: &[(Equation, Option<Name>)], leaves: &Leaves, definitions: &HashMap<Name, Tree>) -> Self {
         let mut graph = Self {
             arithmetic: (0..leaves.points).map(|point| leaves.arithmetic(point)).collect(),
             ..Self::default()
@@ -115,7 +111,10 @@ impl Graph {
         if let Some(known) = self.definitions.get(name) {
             return Some(*known);
         }
-        let number = source.formulas.iter().position(|(_, given)| given.as_ref() == Some(name))?;
+        let number = source
+            .formulas
+            .iter()
+            .position(|(_, given)| given.as_ref() == Some(name))?;
         if depth > DEEPEST {
             return None;
         }

@@ -83,14 +83,16 @@ impl Stands<'_> {
         let number = |value: f64| {
             let (size, unit) = ((value.abs() * UNIT).round(), UNIT as i64);
             let tree = Tree::Number(Rational::from_ratio(size as i64, unit));
-            if value < 0.0 { Tree::Negate(Box::new(tree)) } else { tree }
+            if value < 0.0 {
+                Tree::Negate(Box::new(tree))
+            } else {
+                tree
+            }
         };
         let weighted = |by: f64, tree: &Tree| Tree::Product(vec![number(by), tree.clone()]);
         match self {
             Self::Anywhere => None,
-            Self::Between(low, high, part) => {
-                Some(Tree::Sum(vec![weighted(1.0 - part, low), weighted(part, high)]))
-            }
+            Self::Between(low, high, part) => Some(Tree::Sum(vec![weighted(1.0 - part, low), weighted(part, high)])),
             Self::Near(at, by) => Some(Tree::Sum(vec![at.clone(), number(by)])),
         }
     }
@@ -141,7 +143,9 @@ pub fn take_standing(tree: &Tree, running: Option<&Name>, runs: &dyn Fn(&Tree) -
             into.extend(places.filter_map(|place| standing(&leaf, letter, *place)));
         }
     }
-    parts(tree).iter().for_each(|part| take_standing(part, running, runs, into));
+    parts(tree)
+        .iter()
+        .for_each(|part| take_standing(part, running, runs, into));
 }
 
 static NO_NAME: Name = Name {
@@ -219,7 +223,12 @@ impl Leaves {
     pub fn keep(&mut self, test: impl Fn(usize) -> bool) {
         let passes: Vec<bool> = (0..self.points).map(test).collect();
         let pair = if self.has_signs { 2 } else { 1 };
-        let kept = |point: usize| passes.chunks(pair).nth(point / pair).is_some_and(|all| all.contains(&true));
+        let kept = |point: usize| {
+            passes
+                .chunks(pair)
+                .nth(point / pair)
+                .is_some_and(|all| all.contains(&true))
+        };
         for values in self.values.values_mut() {
             let all = values.iter().enumerate();
             *values = all.filter(|(point, _)| kept(*point)).map(|(_, value)| *value).collect();
@@ -238,7 +247,7 @@ impl Leaves {
     pub fn arithmetic(&self, point: usize) -> Arithmetic {
         Arithmetic {
             is_complex: self.is_complex,
-            upper: !self.has_signs || point % 2 == 0,
+            upper: !self.has_signs || point.is_multiple_of(2),
         }
     }
 

@@ -33,6 +33,10 @@ pub const MOST_REPAIRS: usize = 5;
 /// Edited claims for which a proof is looked for, for each unit of effort.
 const MOST_PROOFS: u64 = 16;
 
+/// The most that the squares of the numbers of their nodes come to where there are operations in them, which make many claims
+/// of one, for each unit of effort; two are proved in any case.
+const MOST_SQUARES: u64 = 60_000;
+
 /// A formula of an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Part {
@@ -116,8 +120,9 @@ pub fn repairs(sheet: &Sheet, position: usize, options: &Options) -> Vec<Repair>
 fn proved(sheet: &Sheet, position: usize, search: &Search, found: Vec<Found>, options: &Options) -> Vec<Repair> {
     let mut edited = sheet.clone();
     let (mut repairs, mut proofs): (Vec<Repair>, _) = (Vec::new(), 0);
+    let most = search.most_proofs(MOST_PROOFS, MOST_SQUARES) * options.effort;
     for found in found {
-        if repairs.len() >= MOST_REPAIRS || proofs >= MOST_PROOFS * options.effort {
+        if repairs.len() >= MOST_REPAIRS || proofs >= most {
             break;
         }
         let mended = found.mended(&search.formulas);

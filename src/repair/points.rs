@@ -24,7 +24,11 @@ impl Asked<'_> {
     /// The values of the leaves of these trees at points where the premises hold, and at some where these need not. Nothing
     /// where none are found, or where something in the claim has no value by itself.
     pub fn drawn(&self, trees: &[&Tree], points: usize, free: usize) -> Option<(Leaves, Option<Leaves>)> {
-        let sides = || self.equations.iter().flat_map(|equation| [&equation.left, &equation.right]);
+        let sides = || {
+            self.equations
+                .iter()
+                .flat_map(|equation| [&equation.left, &equation.right])
+        };
         let defined: HashSet<Name> = self.definitions.keys().cloned().collect();
         if sides().chain(self.definitions.values()).any(has_no_value) {
             return None;
@@ -60,14 +64,17 @@ impl Asked<'_> {
             locals: Vec::new(),
             ..statements.clone()
         };
-        let is_free = statements.premises.is_empty() && self.statements.locals.is_empty();
-        let mut free = if is_free { None } else { sample(&unbound, free) };
+        let is_number = |tree: &Tree| drawn.value(tree, 0, self.definitions).number().is_some();
+        let mut locals = self.statements.locals.iter();
+        let is_bound = !statements.premises.is_empty() && locals.all(|local| is_number(&local.tree));
+        let mut free = is_bound.then(|| sample(&unbound, free)).flatten();
         // what is defined takes any value
         let mut any = Sequence::new(1);
         for local in &self.statements.locals {
             if let Some(free) = &mut free {
                 let values = (0..free.points).map(|_| real(any.between(0.2, 2.0)));
-                free.values.insert(Tree::Symbol(local.name.clone(), At::default()), values.collect());
+                free.values
+                    .insert(Tree::Symbol(local.name.clone(), At::default()), values.collect());
             }
         }
         Some((drawn, free))
@@ -114,7 +121,10 @@ impl Asked<'_> {
     }
 
     fn speaks_of_complex(&self) -> bool {
-        let sides = self.equations.iter().flat_map(|equation| [&equation.left, &equation.right]);
+        let sides = self
+            .equations
+            .iter()
+            .flat_map(|equation| [&equation.left, &equation.right]);
         let mut all = sides.chain(self.definitions.values());
         all.any(|tree| any(tree, &mut |node| self.vocabulary.may_be_complex(node)))
     }
@@ -124,7 +134,11 @@ impl Asked<'_> {
     fn make_small(&self, values: &mut HashMap<Tree, Vec<Number>>) -> Option<()> {
         let mut orders: Vec<(Tree, i32)> = Vec::new();
         let mut is_read = true;
-        for side in self.equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
+        for side in self
+            .equations
+            .iter()
+            .flat_map(|equation| [&equation.left, &equation.right])
+        {
             any(side, &mut |node| {
                 if let Tree::Operation(operation, _) = node
                     && let Operation::Order(of) = &**operation
@@ -174,7 +188,11 @@ impl Asked<'_> {
         }
         // as they come out once the operations are worked out
         let reduced = reduced(self.statements, self.vocabulary).ok()??;
-        let goal = reduced.sufficient.into_iter().next().filter(|_| reduced.is_equivalent)?;
+        let goal = reduced
+            .sufficient
+            .into_iter()
+            .next()
+            .filter(|_| reduced.is_equivalent)?;
         let mut statements = goal.statements;
         statements.claims.clear();
         Some((statements, goal.vocabulary))

@@ -17,12 +17,7 @@ use crate::tex::{At, Equation, Name, Relation, Tree};
 use std::collections::{HashMap, HashSet};
 
 /// What is looked for, the likelier first: the next where nothing before it is found and proved.
-pub const STAGES: [Stage; 4] = [
-    Stage::Single,
-    Stage::Joined,
-    Stage::Several(2),
-    Stage::Several(3),
-];
+pub const STAGES: [Stage; 4] = [Stage::Single, Stage::Joined, Stage::Several(2), Stage::Several(3)];
 
 /// Kinds of repairs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -179,8 +174,6 @@ struct Bench {
     /// What names mean beside those that the formulas define, and with these.
     locals: HashMap<Name, Tree>,
     definitions: HashMap<Name, Tree>,
-    /// What matrices are, where nothing else is given.
-    free_locals: HashMap<Name, Tree>,
     graph: Graph,
     /// The equations that fail.
     failing: Vec<usize>,
@@ -220,7 +213,14 @@ impl<'a> Search<'a> {
             statements.maps.extend(context.maps.iter().cloned());
         }
         let additions = additions(&formulas, &context);
-        let bench = Bench::new(&statements, &sheet.vocabulary, &formulas, &context, &candidates, &additions);
+        let bench = Bench::new(
+            &statements,
+            &sheet.vocabulary,
+            &formulas,
+            &context,
+            &candidates,
+            &additions,
+        );
         Some(Self {
             sheet,
             position,
@@ -233,11 +233,24 @@ impl<'a> Search<'a> {
         })
     }
 
+    /// How many edited claims may be proved: so many, or of claims with operations as many as their size allows.
+    pub fn most_proofs(&self, most: u64, squares: u64) -> u64 {
+        let nodes: u64 = self.formulas.iter().map(|formula| u64::from(formula.size())).sum();
+        match self.formulas.iter().any(Formula::has_operation) {
+            true => (squares / (nodes * nodes).max(1)).clamp(2, most),
+            false => most,
+        }
+    }
+
     /// What edits of this kind make true at the points, the smallest first.
     pub fn found(&self, stage: Stage) -> Vec<Found> {
         let found = match (&self.bench, stage) {
             (Some(bench), Stage::Single) => bench.single(&self.context, &self.additions),
-            (Some(bench), Stage::Joined) => bench.missing(&self.context, true, &mut Overlay::default()),
+            (Some(bench), Stage::Joined) => {
+                let mut found = bench.missing(&self.context, true, &mut Overlay::default());
+                found.retain(|found| !found.edits.iter().any(|candidate| self.puts_in_a_side(candidate)));
+                found
+            }
             (Some(bench), Stage::Several(edits)) => {
                 let at = (&bench.graph, &bench.leaves);
                 let found = combine::combined(at, &bench.valued, &bench.failing, edits, self.effort);
@@ -297,6 +310,24 @@ impl<'a> Search<'a> {
         found
     }
 
+    /// Whether an edit puts in what stands on a whole side: so any sides are balanced.
+    fn puts_in_a_side(&self, candidate: &Candidate) -> bool {
+        let Some(printed) = self.formulas.get(candidate.formula).map(|formula| &formula.equation) else {
+            return false;
+        };
+        let before = node(printed, &candidate.path);
+        [&printed.left, &printed.right].into_iter().any(|side| {
+            let count = |tree: &Tree| {
+                let mut count = 0;
+                walk(tree, None, &mut Vec::new(), &mut |node, _, _| {
+                    count += u32::from(node == side)
+                });
+                count
+            };
+            !matches!(side, Tree::Number(_)) && count(&candidate.edit.tree) > before.as_ref().map_or(0, count)
+        })
+    }
+
     /// Whether an edit makes a sum of a side that is none, and begins with no minus.
     fn makes_sum_of_side(&self, candidate: &Candidate) -> bool {
         let printed = self.formulas.get(candidate.formula);
@@ -309,7 +340,10 @@ impl<'a> Search<'a> {
     /// Whether this stands in the printed formula, but for a sign, where an edit is made.
     fn is_printed(&self, candidate: &Candidate, term: &Tree) -> bool {
         let printed = self.formulas.get(candidate.formula);
-        printed.and_then(|printed| term_around(&printed.equation, &candidate.path)).as_ref() == Some(term)
+        printed
+            .and_then(|printed| term_around(&printed.equation, &candidate.path))
+            .as_ref()
+            == Some(term)
     }
 
     /// Those that are no other spelling of one before, do not hold without the premises, and hold at all points.
@@ -356,7 +390,7 @@ impl<'a> Search<'a> {
                 kept.push(found);
                 continue;
             };
-            let gaps = gaps(free, &with(&self.formulas, &mended, &bench.free_locals).1);
+            let gaps = gaps(free, &with(&self.formulas, &mended, &HashMap::new()).1);
             let is_identity = |gaps: &[[Sized; 2]]| gaps.iter().all(|[left, right]| agree(left, right));
             let changed = |n: usize| {
                 let mut sides = bench.failing.iter().filter_map(|side| bench.graph.sides.get(*side));
@@ -371,10 +405,7 @@ impl<'a> Search<'a> {
                 continue;
             }
             let difference = |[left, right]: &[Sized; 2]| left.value.clone().plus(right.value.clone().negated()).told();
-            let differences: Vec<Vec<Number>> = gaps
-                .iter()
-                .map(|gaps| gaps.iter().map(difference).collect())
-                .collect();
+            let differences: Vec<Vec<Number>> = gaps.iter().map(|gaps| gaps.iter().map(difference).collect()).collect();
             if known.iter().any(|other| proportional(other, &differences)) {
                 continue;
             }
@@ -655,9 +686,6 @@ impl Bench {
             definitions: &definitions,
         };
         let (leaves, free) = asked.drawn(&trees, POINTS, FREE_POINTS)?;
-        let is_number = |tree: &Tree| leaves.value(tree, 0, &definitions).number().is_some();
-        let free_locals = locals.iter().filter(|(_, tree)| !is_number(tree));
-        let free_locals = free_locals.map(|(name, tree)| (name.clone(), tree.clone())).collect();
         let list: Vec<(Equation, Option<Name>)> = formulas
             .iter()
             .map(|formula| (formula.equation.clone(), formula.name.clone()))
@@ -673,7 +701,6 @@ impl Bench {
             leaves,
             locals,
             definitions,
-            free_locals,
             graph,
             free,
             valued: Vec::new(),
@@ -823,7 +850,9 @@ impl Bench {
                 let found = dictionaries.factor(&list, joined);
                 // in the place of 1 a sum is a term that is missing beside it
                 let is_one = node.tree == edit::number(1);
-                let found = found.iter().filter(|factor| !(is_one && matches!(factor, Tree::Sum(_))));
+                let found = found
+                    .iter()
+                    .filter(|factor| !(is_one && matches!(factor, Tree::Sum(_))));
                 for factor in found.take(MOST_OF_DICTIONARY) {
                     let mut edit = missing_factor(factor, &node.tree, is_above);
                     if is_matrix && is_above {
@@ -854,12 +883,7 @@ impl Bench {
 
 /// A node that is evaluated as a whole, with a part of it edited.
 fn leaf_around(equation: &Equation, path: &[usize], new: &Tree) -> Option<Tree> {
-    let is_leaf = |tree: &Tree| {
-        matches!(
-            tree,
-            Tree::Call(..) | Tree::Partial { .. } | Tree::Invariant { .. }
-        )
-    };
+    let is_leaf = |tree: &Tree| matches!(tree, Tree::Call(..) | Tree::Partial { .. } | Tree::Invariant { .. });
     let length = (1..path.len()).find(|length| {
         let inner = path.get(..*length).and_then(|path| node(equation, path));
         inner.is_some_and(|tree| is_leaf(&tree))

@@ -46,9 +46,7 @@ impl Value {
     pub fn is_finite(&self) -> bool {
         match self {
             Self::Number(value) => value.re.is_finite() && value.im.is_finite(),
-            Self::Matrix(entries) => entries
-                .iter()
-                .all(|entry| entry.re.is_finite() && entry.im.is_finite()),
+            Self::Matrix(entries) => entries.iter().all(|entry| entry.re.is_finite() && entry.im.is_finite()),
         }
     }
 
@@ -73,9 +71,7 @@ impl Value {
             Self::Number(value) => *value,
             Self::Matrix(entries) => {
                 let weighted = entries.iter().enumerate();
-                weighted
-                    .map(|(n, entry)| entry * (1.0 + 0.618 * n as f64).sin())
-                    .sum()
+                weighted.map(|(n, entry)| entry * (1.0 + 0.618 * n as f64).sin()).sum()
             }
         }
     }
@@ -114,7 +110,7 @@ impl Value {
         }
     }
 
-    fn to_the(self, exponent: i32) -> Self {
+    fn raised(self, exponent: i32) -> Self {
         match self {
             Self::Number(value) if value.im == 0.0 => Self::Number(real(value.re.powi(exponent))),
             Self::Number(value) => Self::Number(value.powi(exponent)),
@@ -235,7 +231,7 @@ impl Arithmetic {
             Op::Sum => (1..count).fold(part(0), |sum, n| sum.plus(part(n))),
             Op::Product => (1..count).fold(part(0), |product, n| product.times(part(n))),
             Op::Quotient => part(0).over(part(1)),
-            Op::Power(exponent) => part(0).to_the(exponent),
+            Op::Power(exponent) => part(0).raised(exponent),
             Op::RealPower => match (part(0), part(1)) {
                 (Value::Number(base), Value::Number(exponent)) => Value::Number(self.power(base, exponent)),
                 _ => Value::UNDEFINED,
@@ -326,9 +322,9 @@ impl Arithmetic {
 fn binomial(of: Number, chosen: Number) -> Option<Number> {
     let chosen = whole(chosen).filter(|chosen| (0..200).contains(chosen))?;
     let factors = 0..chosen;
-    Some(real(factors.fold(1.0, |product, n| {
-        product * (of.re - n as f64) / (n + 1) as f64
-    })))
+    Some(real(
+        factors.fold(1.0, |product, n| product * (of.re - n as f64) / (n + 1) as f64),
+    ))
 }
 
 fn elementary(name: &Name) -> Option<Function> {
