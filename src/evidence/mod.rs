@@ -28,4 +28,4 @@ mod value;
 pub use compiler::Unwitnessed;
 pub use judgement::{Evidence, witness, witness_near};
 pub use motion::Flown;
-pub use samples::samples;
+pub use samples::{Samples, samples};

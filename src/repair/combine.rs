@@ -1,7 +1,9 @@
 //! Several edits at once: what each adds to the difference of the sides is looked up among what the others leave.
 
+use super::graph::{Graph, Overlay};
+use super::leaves::Leaves;
 use super::search::{Candidate, Valued};
-use super::values::{Graph, Overlay};
+use super::value::{Number, Value};
 use std::collections::BTreeMap;
 
 /// Pairs of edits of one term that are evaluated, for each unit of effort.
@@ -12,6 +14,8 @@ const MOST_KEPT: usize = 60;
 const LARGEST: u32 = 16;
 /// How close sums must come, as a part of the largest.
 const CLOSE: f64 = 1e-9;
+/// How much of the imaginary part counts where one number tells of a complex one.
+const IMAGINARY: f64 = 0.618;
 
 /// An edit with what it adds to a sum at the first point.
 struct Change<'a> {
@@ -22,8 +26,14 @@ struct Change<'a> {
 }
 
 /// Sets of two or three edits after which all equations hold at the points.
-pub fn combined(graph: &Graph, valued: &[Valued], failing: &[usize], edits: usize, effort: u64) -> Vec<Vec<Candidate>> {
-    let [failing] = failing else {
+pub fn combined(
+    (graph, leaves): (&Graph, &Leaves),
+    valued: &[Valued],
+    failing: &[usize],
+    edits: usize,
+    effort: u64,
+) -> Vec<Vec<Candidate>> {
+    let ([failing], false) = (failing, leaves.is_either) else {
         return Vec::new();
     };
     let Some((_, sides)) = graph.sides.get(*failing) else {
@@ -31,6 +41,7 @@ pub fn combined(graph: &Graph, valued: &[Valued], failing: &[usize], edits: usiz
     };
     let mut over = Sum {
         graph,
+        leaves,
         sides: *sides,
         terms: Vec::new(),
         overlay: Overlay::default(),
@@ -49,6 +60,7 @@ pub fn combined(graph: &Graph, valued: &[Valued], failing: &[usize], edits: usiz
 /// The difference of the sides of an equation as a sum of terms.
 struct Sum<'a> {
     graph: &'a Graph,
+    leaves: &'a Leaves,
     sides: [usize; 2],
     terms: Vec<usize>,
     overlay: Overlay,
@@ -67,10 +79,11 @@ impl Sum<'_> {
 
     fn gap(&self, overlay: &Overlay) -> f64 {
         let [left, right] = self.sides.map(|side| self.graph.seen(side, 0, overlay));
-        left - right
+        let Number { re, im } = left.plus(right.negated()).told();
+        re + IMAGINARY * im
     }
 
-    fn after(&mut self, changes: &[(usize, f64)]) -> f64 {
+    fn after(&mut self, changes: &[(usize, &Value)]) -> f64 {
         self.graph.change(0, changes, &mut self.overlay);
         self.gap(&self.overlay)
     }
@@ -95,7 +108,7 @@ impl Sum<'_> {
         let start = self.gap(&Overlay::default());
         let mut changes: Vec<Change> = Vec::new();
         for valued in valued.iter().filter(|valued| valued.candidate.edit.cost <= LARGEST) {
-            let value = valued.values.first().copied().unwrap_or(f64::NAN);
+            let Some(value) = valued.values.first() else { continue };
             let adds = self.after(&[(valued.node, value)]) - start;
             let terms = self.changed(valued.node);
             if adds.is_finite() && adds != 0.0 && terms != 0 {
@@ -127,8 +140,10 @@ impl Sum<'_> {
                         continue;
                     }
                     self.left -= 1;
-                    let value = |change: &Change| change.valued.values.first().copied().unwrap_or(f64::NAN);
-                    let both = [(one.valued.node, value(one)), (other.valued.node, value(other))];
+                    let (Some(first), Some(second)) = (one.valued.values.first(), other.valued.values.first()) else {
+                        continue;
+                    };
+                    let both = [(one.valued.node, first), (other.valued.node, second)];
                     let adds = self.after(&both) - start;
                     match edits {
                         2 if (adds - wanted).abs() <= CLOSE * (adds.abs() + wanted.abs()) => self.keep(&[one, other]),
@@ -175,12 +190,11 @@ impl Sum<'_> {
     }
 
     fn keep(&mut self, set: &[&Change]) {
-        let changes: Vec<(usize, &[f64])> = set
+        let changes: Vec<(usize, &[Value])> = set
             .iter()
             .map(|change| (change.valued.node, change.valued.values.as_slice()))
             .collect();
-        let points = set.first().map_or(0, |change| change.valued.values.len());
-        if self.graph.all_hold(&changes, points, &mut self.overlay) {
+        if self.graph.all_hold(&changes, self.leaves, &mut self.overlay) {
             let set: Vec<Candidate> = set.iter().map(|change| change.valued.candidate.clone()).collect();
             let cost = set.iter().map(|candidate| candidate.edit.cost).sum();
             self.found.push((cost, set));

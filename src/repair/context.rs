@@ -2,7 +2,7 @@
 
 use super::path::{parts, walk};
 use crate::claim::{Entry, Sheet, index_of, subscript_of};
-use crate::tex::{At, Equation, Name, Tree};
+use crate::tex::{At, Equation, Name, Operation, Tree};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// Entries on either side of the claim whose names are looked at beside those of its premises.
@@ -24,6 +24,10 @@ pub struct Context {
     pub atoms: Vec<Tree>,
     /// Longer parts of these.
     pub terms: Vec<Tree>,
+    /// Longer parts of other formulas.
+    pub near: Vec<Tree>,
+    /// What vectors are multiplied.
+    operands: Vec<Tree>,
 }
 
 /// Functions that are taken for each other.
@@ -35,6 +39,17 @@ const FUNCTIONS: [(&str, &str); 6] = [
     (r"\arcsin", r"\arccos"),
     (r"\sin", r"\sinh"),
 ];
+
+/// Functions of which each is the derivative of the other, but for a sign.
+const PARTNERS: [(&str, &str); 2] = [(r"\sin", r"\cos"), (r"\sinh", r"\cosh")];
+
+/// A tree with another in the place of a symbol.
+pub fn with_symbol(tree: &Tree, name: &Name, new: &Tree) -> Tree {
+    match tree {
+        Tree::Symbol(own, _) if own == name => new.clone(),
+        other => other.map(&mut |part| with_symbol(part, name, new)),
+    }
+}
 
 impl Context {
     pub fn new(sheet: &Sheet, position: usize) -> Self {
@@ -65,6 +80,7 @@ impl Context {
             }
         }
         context.take_values(sheet);
+        context.take_partners(sheet);
         for (map, _) in &sheet.vocabulary.maps {
             if !context.maps.contains(map) {
                 context.maps.push(map.clone());
@@ -88,11 +104,62 @@ impl Context {
         }
         for name in &names {
             for time in &times {
-                let value = Tree::Call(name.clone(), Box::new(time.clone()), At::default());
-                if !self.atoms.contains(&value) {
-                    self.atoms.push(value);
+                self.take_atom(Tree::Call(name.clone(), Box::new(time.clone()), At::default()));
+            }
+        }
+        // what an elementary function of the time is then
+        let Some(running) = &sheet.vocabulary.running else {
+            return;
+        };
+        for atom in self.atoms.clone() {
+            if matches!(atom, Tree::Call(ref name, ..) if !functions.contains(&name)) && atom.has_free(running) {
+                for time in &times {
+                    self.take_atom(with_symbol(&atom, running, time));
                 }
             }
+        }
+    }
+
+    /// Takes in what is met with what is there: the sine with the cosine, a derivative with those below it.
+    fn take_partners(&mut self, sheet: &Sheet) {
+        for atom in self.atoms.clone() {
+            match atom {
+                Tree::Call(name, argument, at) => {
+                    let partners = PARTNERS.iter().filter_map(|(one, other)| match name.base.as_str() {
+                        base if base == *one => Some(*other),
+                        base if base == *other => Some(*one),
+                        _ => None,
+                    });
+                    for partner in partners {
+                        let base = partner.to_owned();
+                        let name = Name { base, ..name.clone() };
+                        self.take_atom(Tree::Call(name, argument.clone(), at));
+                    }
+                }
+                Tree::Symbol(ref name, at) if self.operands.contains(&atom) && name.primes == 0 => {
+                    let name = Name {
+                        base: r"\abs".to_owned(),
+                        ..Name::default()
+                    };
+                    self.take_atom(Tree::Call(name, Box::new(atom), at));
+                }
+                Tree::Symbol(name, at) if name.accents.last().is_some_and(|accent| accent == r"\ddot") => {
+                    let mut accents = name.accents.clone();
+                    accents.pop();
+                    let plain = Name { accents, ..name };
+                    if sheet.vocabulary.functions.iter().any(|(known, _)| *known == plain) {
+                        self.take_atom(Tree::Symbol(plain.dotted(), at));
+                        self.take_atom(Tree::Symbol(plain, at));
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn take_atom(&mut self, atom: Tree) {
+        if !self.atoms.contains(&atom) {
+            self.atoms.push(atom);
         }
     }
 
@@ -114,6 +181,11 @@ impl Context {
                     }
                 }
                 Tree::Invariant { of, .. } => keep(&mut self.maps, of),
+                Tree::Operation(operation, _) => {
+                    if let Operation::Cross(one, other) | Operation::Dot(one, other) = &**operation {
+                        self.operands.extend([one.clone(), other.clone()]);
+                    }
+                }
                 _ => {}
             }
             let is_atom = matches!(node, Tree::Symbol(..) | Tree::Call(..) | Tree::Partial { .. });
@@ -124,8 +196,9 @@ impl Context {
             if bears && is_long && !self.terms.contains(node) {
                 self.terms.push(node.clone());
             }
-            if is_other {
-                self.said.insert(node.clone());
+            let is_whole = is_long || matches!(node, Tree::Call(..));
+            if is_other && self.said.insert(node.clone()) && is_whole && !bears {
+                self.near.push(node.clone());
             }
         });
     }

@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::path::size;
 use crate::number::{Field, Rational};
-use crate::tex::{At, Invariant, Name, Operation, Tree};
+use crate::tex::{At, Equation, Invariant, Name, Operation, Relation, Tree};
 
 /// What is put in the place of a node, and what was wrong with it.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +14,8 @@ pub struct Edit {
     pub words: String,
     /// Whether a factor or a term is put in, of which the printed formula says nothing.
     pub adds: bool,
+    /// The relation that the sides should have, where it is that which is wrong.
+    pub relation: Option<Relation>,
 }
 
 const PLAIN: u32 = 10;
@@ -83,6 +85,18 @@ pub fn times(tree: &Tree, factor: &Tree) -> Tree {
         Tree::Negate(body) => negated(&times(body, factor)),
         Tree::Quotient(above, below, _) => quotient(times(above, factor), (**below).clone()),
         _ if matches!(factor, Tree::Number(_)) => product(vec![factor.clone(), tree.clone()]),
+        // \frac{1}{2} x^2 a is \frac{a}{2} x^2
+        Tree::Product(factors) => {
+            let is_part = |tree: &Tree| matches!(tree, Tree::Quotient(above, ..) if is_number(above, 1));
+            match factors
+                .iter()
+                .position(is_part)
+                .and_then(|n| Some((n, factors.get(n)?)))
+            {
+                Some((n, part)) => Tree::Product(put(factors, n, times(part, factor))),
+                None => product(vec![tree.clone(), factor.clone()]),
+            }
+        }
         _ if is_number(tree, 1) => factor.clone(),
         _ => product(vec![tree.clone(), factor.clone()]),
     }
@@ -100,6 +114,19 @@ pub fn over(tree: &Tree, factor: &Tree) -> Tree {
 /// A sum with one more term.
 pub fn plus(tree: &Tree, term: &Tree) -> Tree {
     sum(vec![tree.clone(), term.clone()])
+}
+
+/// A sum with one more term of this sign, which does not begin with a minus where that can be avoided.
+pub fn plus_signed(tree: &Tree, term: &Tree, negative: bool) -> Tree {
+    let begins_negative = match tree {
+        Tree::Sum(terms) => matches!(terms.first(), Some(Tree::Negate(_))),
+        other => matches!(other, Tree::Negate(_)),
+    };
+    match (negative, begins_negative) {
+        (true, _) => plus(tree, &negated(term)),
+        (false, true) => plus(term, tree),
+        (false, false) => plus(tree, term),
+    }
 }
 
 fn without(list: &[Tree], at: usize) -> Vec<Tree> {
@@ -135,6 +162,7 @@ impl Edits<'_> {
                 cost,
                 words,
                 adds: false,
+                relation: None,
             });
         }
     }
@@ -177,7 +205,7 @@ pub fn edits(node: &Tree, above: Option<&Tree>, context: &Context) -> Vec<Edit> 
             }
         }
         Tree::Invariant { kind, of, at } => invariants(*kind, of, *at, context, &mut edits),
-        Tree::Sum(terms) => of_sum(terms, &mut edits),
+        Tree::Sum(terms) => of_sum(terms, above, &mut edits),
         Tree::Product(factors) => of_product(factors, above, &mut edits),
         Tree::Quotient(over, below, _) => of_quotient(over, below, above, &mut edits),
         Tree::Power(base, exponent, _) => {
@@ -280,7 +308,78 @@ pub fn within_bars(node: &Tree) -> Option<Edit> {
         cost: RARE + 1,
         words: format!("the bars of `|{node}|` are missing"),
         adds: false,
+        relation: None,
     })
+}
+
+/// A term that is missing in a node.
+pub fn missing_term(term: &Tree, negative: bool, node: &Tree) -> Edit {
+    Edit {
+        tree: plus_signed(node, term, negative),
+        cost: RARE + 2 * size(term) + u32::from(negative),
+        words: format!("the term `{term}` is missing in `{node}`"),
+        adds: true,
+        relation: None,
+    }
+}
+
+/// An exponent that is missing on a node.
+pub fn missing_exponent(exponent: &Tree, negative: bool, node: &Tree) -> Edit {
+    let exponent = if negative { negated(exponent) } else { exponent.clone() };
+    Edit {
+        cost: RARE + size(&exponent),
+        words: format!("the exponent `{exponent}` is missing on `{node}`"),
+        tree: Tree::RealPower(Box::new(node.clone()), Box::new(exponent), At::default()),
+        adds: true,
+        relation: None,
+    }
+}
+
+/// A factor that is missing in a node, above or below the line.
+pub fn missing_factor(factor: &Tree, node: &Tree, is_above: bool) -> Edit {
+    let below = if is_above { "" } else { " in the denominator" };
+    Edit {
+        tree: if is_above {
+            times(node, factor)
+        } else {
+            over(node, factor)
+        },
+        cost: RARE - 1 + size(factor) + u32::from(!is_above),
+        words: format!("the factor `{factor}` is missing{below} in `{node}`"),
+        adds: true,
+        relation: None,
+    }
+}
+
+/// The relations that one may be a slip for.
+pub fn relations(equation: &Equation) -> Vec<Edit> {
+    use Relation::{Equal, Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual};
+    let other = match equation.relation {
+        Equal | NotEqual => return Vec::new(),
+        Less => LessOrEqual,
+        LessOrEqual => Less,
+        Greater => GreaterOrEqual,
+        GreaterOrEqual => Greater,
+    };
+    let turned = equation.relation.turned();
+    let both = match other {
+        Less | LessOrEqual => [Greater, GreaterOrEqual],
+        _ => [Less, LessOrEqual],
+    };
+    let costs = [(turned, PLAIN), (other, PLAIN + 1)].into_iter();
+    let costs = costs.chain(
+        both.into_iter()
+            .filter(|relation| *relation != turned)
+            .map(|relation| (relation, RARE)),
+    );
+    let edit = |(relation, cost)| Edit {
+        tree: equation.left.clone(),
+        cost,
+        words: format!("`{}` in the place of `{relation}`", equation.relation),
+        adds: false,
+        relation: Some(relation),
+    };
+    costs.map(edit).collect()
 }
 
 /// The longest number whose digits are taken for misprints.
@@ -474,7 +573,17 @@ fn taken_out(of: &Tree) -> Vec<(Tree, Tree, bool)> {
     }
 }
 
-fn of_sum(terms: &[Tree], edits: &mut Edits) {
+/// How much smaller an edit is that moves a bracket which groups nothing as it stands.
+const OF_IDLE: u32 = 4;
+
+/// Whether a factor stands in brackets for which there is no reason: a product, a sign, or 1.
+fn has_idle_bracket(term: &Tree) -> bool {
+    let is_idle = |factor: &Tree| matches!(factor, Tree::Product(_) | Tree::Negate(_)) || is_number(factor, 1);
+    matches!(unsigned(term), Tree::Product(factors) if factors.iter().any(is_idle))
+}
+
+fn of_sum(terms: &[Tree], above: Option<&Tree>, edits: &mut Edits) {
+    let is_idle = matches!(above, Some(Tree::Sum(_)));
     for (n, term) in terms.iter().enumerate() {
         let cost = RARE + OF_NODE * size(term).min(10);
         let words = format!("the term `{}` is too much", unsigned(term));
@@ -487,8 +596,10 @@ fn of_sum(terms: &[Tree], edits: &mut Edits) {
         );
         for other in (0..terms.len()).filter(|other| *other != n) {
             let Some(into) = terms.get(other) else { continue };
+            let is_idle = is_idle || has_idle_bracket(into);
             for (taken, was) in taken_in(into, term) {
                 let cost = if was { RARE } else { RARE + 2 };
+                let cost = if is_idle { cost - OF_IDLE } else { cost };
                 let words = format!("the term `{}` belongs inside the bracket", unsigned(term));
                 edits.add(sum(without(&put(terms, other, taken), n)), cost, words);
             }

@@ -2,17 +2,21 @@
 //! accepted where the edited claim is proved.
 //!
 //! Every node of the claim is edited as a misprint may call for (`edit`), or by what its sides lack (`dictionary`). Values
-//! at points where the premises hold sieve what is to be proved (`values`, `search`); several edits are matched by
+//! at points where the premises hold sieve what is to be proved (`points`, `leaves`, `graph`, `search`); several edits are matched by
 //! what each adds to the difference of the sides (`combine`).
 
 mod combine;
 mod context;
 mod dictionary;
 mod edit;
+mod graph;
+mod leaves;
+mod matrices;
 mod monomial;
 mod path;
+mod points;
 mod search;
-mod values;
+mod value;
 
 pub use path::{Path, node, parts, replaced};
 
@@ -28,6 +32,10 @@ pub const MOST_REPAIRS: usize = 5;
 
 /// Edited claims for which a proof is looked for, for each unit of effort.
 const MOST_PROOFS: u64 = 16;
+
+/// The most that the squares of the numbers of their nodes come to where there are operations in them, which make many claims
+/// of one, for each unit of effort; two are proved in any case.
+const MOST_SQUARES: u64 = 60_000;
 
 /// A formula of an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -98,8 +106,8 @@ pub fn repairs(sheet: &Sheet, position: usize, options: &Options) -> Vec<Repair>
     let Some(search) = Search::new(sheet, position, options.effort).filter(|_| !is_approximate) else {
         return Vec::new();
     };
-    for edits in 1..=search::MOST_EDITS {
-        let found = search.found(edits);
+    for stage in search::STAGES {
+        let found = search.found(stage);
         let repairs = proved(sheet, position, &search, found, options);
         if !repairs.is_empty() {
             return repairs;
@@ -112,8 +120,9 @@ pub fn repairs(sheet: &Sheet, position: usize, options: &Options) -> Vec<Repair>
 fn proved(sheet: &Sheet, position: usize, search: &Search, found: Vec<Found>, options: &Options) -> Vec<Repair> {
     let mut edited = sheet.clone();
     let (mut repairs, mut proofs): (Vec<Repair>, _) = (Vec::new(), 0);
+    let most = search.most_proofs(MOST_PROOFS, MOST_SQUARES) * options.effort;
     for found in found {
-        if repairs.len() >= MOST_REPAIRS || proofs >= MOST_PROOFS * options.effort {
+        if repairs.len() >= MOST_REPAIRS || proofs >= most {
             break;
         }
         let mended = found.mended(&search.formulas);

@@ -2,33 +2,55 @@
 
 use super::combine;
 use super::context::Context;
-use super::dictionary::{Dictionary, number_of};
-use super::edit::{self, edits, negated, over, plus, times};
+use super::dictionary::{Dictionaries, Wanted, number_of};
+use super::edit::{self, edits, missing_factor, missing_term, times};
+use super::graph::{Graph, Overlay};
+use super::leaves::{Leaves, Sized, agree};
+use super::matrices;
 use super::path::{Path, node, replaced, size, walk};
-use super::values::{Graph, Leaves, Overlay, Sized, agree, take_leaves};
+use super::points;
+use super::value::{Number, Value};
 use super::{Edit, Part, Repair, put};
-use crate::claim::{Sheet, Statements, Verdict, Vocabulary, any_side, reduced};
-use crate::evidence::{samples, witness};
-use crate::tex::{Equation, Name, Relation, Tree};
+use crate::claim::{Sheet, Statements, Verdict, Vocabulary, any_side};
+use crate::evidence::witness;
+use crate::tex::{At, Equation, Name, Relation, Tree};
 use std::collections::{HashMap, HashSet};
 
-/// The most edits of a repair.
-pub const MOST_EDITS: usize = 3;
+/// What is looked for, the likelier first: the next where nothing before it is found and proved.
+pub const STAGES: [Stage; 4] = [Stage::Single, Stage::Joined, Stage::Several(2), Stage::Several(3)];
+
+/// Kinds of repairs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// One edit; what is put in is a name, a short product or sum of names, or stands elsewhere.
+    Single,
+    /// One edit that puts in a product or a sum of two of these.
+    Joined,
+    /// So many edits.
+    Several(usize),
+}
+
 /// Points at which the sides are compared, and those without premises at which formulas are told apart.
 const POINTS: usize = 6;
 const FREE_POINTS: usize = 4;
-/// Edited claims that are evaluated each by itself, for each unit of effort, and points for each.
+/// Edited claims that are evaluated each by itself, and nodes of these, for each unit of effort; and points for each.
 const MOST_TRIALS: u64 = 1_500;
+const MOST_TRIED_NODES: u64 = 60_000;
 const TRIAL_POINTS: usize = 3;
 /// The most formulas that are put in the place of one node by their values.
 const MOST_OF_DICTIONARY: usize = 3;
 /// By how much an edit counts as smaller where its term stands elsewhere in the sheet.
 const AGREEMENT: u32 = 3;
+/// A difference that is rounding.
+const NOTHING: f64 = 1e-9;
 
 /// By how much an edit counts as larger that puts a fraction in the place of a whole number, or another quantity in the place
 /// of the one that the formula is about.
 const OF_FRACTION: u32 = 4;
 const OF_SUBJECT: u32 = 4;
+
+/// By how much an edit counts as larger that makes a sum of a whole side.
+const OF_SIDE: u32 = 2;
 
 /// By how much an edit counts as larger or smaller where the formula grows or shrinks by it.
 const MOST_GROWTH: i32 = 2;
@@ -43,6 +65,11 @@ pub struct Formula {
 }
 
 impl Formula {
+    /// The number of nodes.
+    fn size(&self) -> u32 {
+        size(&self.equation.left) + size(&self.equation.right)
+    }
+
     /// Whether a sum, an integral, a derivative or the like stands in it.
     fn has_operation(&self) -> bool {
         any_side(&self.equation, &mut |node| matches!(node, Tree::Operation(..)))
@@ -62,7 +89,7 @@ pub struct Candidate {
 pub struct Valued {
     pub candidate: Candidate,
     pub node: usize,
-    pub values: Vec<f64>,
+    pub values: Vec<Value>,
 }
 
 /// Edits after which the claim may be true.
@@ -97,7 +124,13 @@ impl Found {
                 mended.len() - 1
             });
             if let Some((_, equation)) = mended.get_mut(known) {
-                *equation = replaced(equation, &candidate.path, &candidate.edit.tree);
+                *equation = match candidate.edit.relation {
+                    Some(relation) => Equation {
+                        relation,
+                        ..equation.clone()
+                    },
+                    None => replaced(equation, &candidate.path, &candidate.edit.tree),
+                };
             }
         }
         mended
@@ -129,6 +162,8 @@ pub struct Search<'a> {
     pub formulas: Vec<Formula>,
     context: Context,
     candidates: Vec<Candidate>,
+    /// Edits that put in a term.
+    additions: Vec<Candidate>,
     effort: u64,
     bench: Option<Bench>,
 }
@@ -136,6 +171,8 @@ pub struct Search<'a> {
 /// The claim at points.
 struct Bench {
     leaves: Leaves,
+    /// What names mean beside those that the formulas define, and with these.
+    locals: HashMap<Name, Tree>,
     definitions: HashMap<Name, Tree>,
     graph: Graph,
     /// The equations that fail.
@@ -175,27 +212,51 @@ impl<'a> Search<'a> {
         if statements.speaks_of_maps {
             statements.maps.extend(context.maps.iter().cloned());
         }
-        let bench = Bench::new(&statements, &sheet.vocabulary, &formulas, &context, &candidates);
+        let additions = additions(&formulas, &context);
+        let bench = Bench::new(
+            &statements,
+            &sheet.vocabulary,
+            &formulas,
+            &context,
+            &candidates,
+            &additions,
+        );
         Some(Self {
             sheet,
             position,
             formulas,
             context,
             candidates,
+            additions,
             effort,
             bench,
         })
     }
 
-    /// What so many edits make true at the points, the smallest first.
-    pub fn found(&self, edits: usize) -> Vec<Found> {
-        let found = match (&self.bench, edits) {
-            (Some(bench), 1) => bench.single(&self.context),
-            (Some(bench), _) => combine::combined(&bench.graph, &bench.valued, &bench.failing, edits, self.effort)
-                .into_iter()
-                .map(Found::new)
-                .collect(),
-            (None, 1) => self.tried(),
+    /// How many edited claims may be proved: so many, or of claims with operations as many as their size allows.
+    pub fn most_proofs(&self, most: u64, squares: u64) -> u64 {
+        let nodes: u64 = self.formulas.iter().map(|formula| u64::from(formula.size())).sum();
+        match self.formulas.iter().any(Formula::has_operation) {
+            true => (squares / (nodes * nodes).max(1)).clamp(2, most),
+            false => most,
+        }
+    }
+
+    /// What edits of this kind make true at the points, the smallest first.
+    pub fn found(&self, stage: Stage) -> Vec<Found> {
+        let found = match (&self.bench, stage) {
+            (Some(bench), Stage::Single) => bench.single(&self.context, &self.additions),
+            (Some(bench), Stage::Joined) => {
+                let mut found = bench.missing(&self.context, true, &mut Overlay::default());
+                found.retain(|found| !found.edits.iter().any(|candidate| self.puts_in_a_side(candidate)));
+                found
+            }
+            (Some(bench), Stage::Several(edits)) => {
+                let at = (&bench.graph, &bench.leaves);
+                let found = combine::combined(at, &bench.valued, &bench.failing, edits, self.effort);
+                found.into_iter().map(Found::new).collect()
+            }
+            (None, Stage::Single) => self.tried(),
             (None, _) => Vec::new(),
         };
         self.distinct(self.ranked(found))
@@ -211,6 +272,9 @@ impl<'a> Search<'a> {
                 match term {
                     // each name stands elsewhere
                     Some(Tree::Symbol(..)) if candidate.path.as_slice() == [0] => found.cost += OF_SUBJECT,
+                    _ if self.makes_sum_of_side(candidate) => found.cost += OF_SIDE,
+                    // of its sign nothing is said elsewhere
+                    Some(term) if self.is_printed(candidate, &term) => {}
                     Some(term) if self.context.said.contains(&term) => {
                         found.cost = found.cost.saturating_sub(AGREEMENT);
                     }
@@ -246,47 +310,88 @@ impl<'a> Search<'a> {
         found
     }
 
+    /// Whether an edit puts in what stands on a whole side: so any sides are balanced.
+    fn puts_in_a_side(&self, candidate: &Candidate) -> bool {
+        let Some(printed) = self.formulas.get(candidate.formula).map(|formula| &formula.equation) else {
+            return false;
+        };
+        let before = node(printed, &candidate.path);
+        [&printed.left, &printed.right].into_iter().any(|side| {
+            let count = |tree: &Tree| {
+                let mut count = 0;
+                walk(tree, None, &mut Vec::new(), &mut |node, _, _| {
+                    count += u32::from(node == side)
+                });
+                count
+            };
+            !matches!(side, Tree::Number(_)) && count(&candidate.edit.tree) > before.as_ref().map_or(0, count)
+        })
+    }
+
+    /// Whether an edit makes a sum of a side that is none, and begins with no minus.
+    fn makes_sum_of_side(&self, candidate: &Candidate) -> bool {
+        let printed = self.formulas.get(candidate.formula);
+        let side = printed.and_then(|printed| node(&printed.equation, &candidate.path));
+        candidate.path.len() == 1
+            && matches!(candidate.edit.tree, Tree::Sum(_))
+            && !matches!(side, Some(Tree::Sum(_) | Tree::Negate(_)))
+    }
+
+    /// Whether this stands in the printed formula, but for a sign, where an edit is made.
+    fn is_printed(&self, candidate: &Candidate, term: &Tree) -> bool {
+        let printed = self.formulas.get(candidate.formula);
+        printed
+            .and_then(|printed| term_around(&printed.equation, &candidate.path))
+            .as_ref()
+            == Some(term)
+    }
+
     /// Those that are no other spelling of one before, do not hold without the premises, and hold at all points.
     fn distinct(&self, found: Vec<Found>) -> Vec<Found> {
         let Some(bench) = &self.bench else {
             return found;
         };
-        let mut known: Vec<Vec<Vec<f64>>> = Vec::new();
+        let mut known: Vec<Vec<Vec<Number>>> = Vec::new();
         let mut kept = Vec::new();
         for found in found {
             let mended = found.mended(&self.formulas);
-            let (equations, definitions) = with(&self.formulas, &mended);
-            let gaps = |leaves: &Leaves| -> Vec<Vec<[Sized; 2]>> {
+            let (equations, definitions) = with(&self.formulas, &mended, &bench.locals);
+            let gaps = |leaves: &Leaves, definitions: &HashMap<Name, Tree>| -> Vec<Vec<[Sized; 2]>> {
                 let each = equations.iter();
                 each.map(|equation| {
-                    let sides = [&equation.left, &equation.right].map(|side| leaves.sized(side, &definitions));
+                    let sides = [&equation.left, &equation.right].map(|side| leaves.sized(side, definitions));
                     sides[0]
                         .iter()
                         .zip(&sides[1])
-                        .map(|(left, right)| [*left, *right])
+                        .map(|(left, right)| [left.clone(), right.clone()])
                         .collect()
                 })
                 .collect()
             };
-            let holds = |gaps: &[Vec<[Sized; 2]>]| gaps.iter().flatten().all(|[left, right]| agree(*left, *right));
-            if !holds(&gaps(&bench.leaves)) {
+            let own = gaps(&bench.leaves, &definitions);
+            let is_met = |gaps: &[[Sized; 2]], point: usize| {
+                let sides = gaps.get(point);
+                sides.is_some_and(|[left, right]| agree(left, right))
+            };
+            let holds = |point: usize| own.iter().all(|gaps| is_met(gaps, point));
+            if !bench.leaves.everywhere(holds) {
                 continue;
             }
             let is_literal =
                 |equation: &Equation| [&equation.left, &equation.right].map(|side| *side == edit::number(0));
             let is_nothing = |(gaps, equation): (&Vec<[Sized; 2]>, &Equation)| {
-                gaps.iter().flatten().all(|side| side.value == 0.0) && !is_literal(equation).contains(&true)
+                gaps.iter().flatten().all(|side| side.value.size() < NOTHING) && !is_literal(equation).contains(&true)
             };
             // a factor that is 0 makes everything true
-            if found.may_balance() && gaps(&bench.leaves).iter().zip(&equations).any(is_nothing) {
+            if found.may_balance() && own.iter().zip(&equations).any(is_nothing) {
                 continue;
             }
             let Some(free) = &bench.free else {
                 kept.push(found);
                 continue;
             };
-            let gaps = gaps(free);
-            let is_identity = |gaps: &[[Sized; 2]]| gaps.iter().all(|[left, right]| agree(*left, *right));
+            let gaps = gaps(free, &with(&self.formulas, &mended, &HashMap::new()).1);
+            let is_identity = |gaps: &[[Sized; 2]]| gaps.iter().all(|[left, right]| agree(left, right));
             let changed = |n: usize| {
                 let mut sides = bench.failing.iter().filter_map(|side| bench.graph.sides.get(*side));
                 sides.any(|(formula, _)| {
@@ -294,13 +399,13 @@ impl<'a> Search<'a> {
                     number == Some(*formula)
                 })
             };
-            if gaps.iter().enumerate().any(|(n, gaps)| changed(n) && is_identity(gaps)) {
+            let is_slip = !found.may_balance() && self.speaks_of_the_same(&mended);
+            let is_independent = |(n, gaps): (usize, &Vec<[Sized; 2]>)| changed(n) && is_identity(gaps);
+            if !is_slip && gaps.iter().enumerate().any(is_independent) {
                 continue;
             }
-            let differences: Vec<Vec<f64>> = gaps
-                .iter()
-                .map(|gaps| gaps.iter().map(|[left, right]| left.value - right.value).collect())
-                .collect();
+            let difference = |[left, right]: &[Sized; 2]| left.value.clone().plus(right.value.clone().negated()).told();
+            let differences: Vec<Vec<Number>> = gaps.iter().map(|gaps| gaps.iter().map(difference).collect()).collect();
             if known.iter().any(|other| proportional(other, &differences)) {
                 continue;
             }
@@ -310,11 +415,23 @@ impl<'a> Search<'a> {
         kept
     }
 
+    /// Whether the same names stand in the formulas as they should be as in the printed ones.
+    fn speaks_of_the_same(&self, mended: &[(usize, Equation)]) -> bool {
+        mended.iter().all(|(number, equation)| {
+            let printed = self.formulas.get(*number);
+            printed.is_some_and(|printed| names_in(&printed.equation) == names_in(equation))
+        })
+    }
+
     /// The edits after which the evidence speaks for the claim, each tried by itself.
     fn tried(&self) -> Vec<Found> {
         let mut copy = self.sheet.clone();
         let mut found = Vec::new();
-        for candidate in self.candidates.iter().take((MOST_TRIALS * self.effort) as usize) {
+        let mut all: Vec<&Candidate> = self.candidates.iter().chain(&self.additions).collect();
+        all.sort_by_key(|candidate| candidate.edit.cost);
+        let nodes: u64 = self.formulas.iter().map(|formula| u64::from(formula.size())).sum();
+        let trials = MOST_TRIALS.min(MOST_TRIED_NODES / nodes.max(1)) * self.effort;
+        for candidate in all.into_iter().take(trials as usize) {
             let one = Found::new(vec![candidate.clone()]);
             put(
                 &mut copy,
@@ -341,9 +458,27 @@ impl<'a> Search<'a> {
     }
 }
 
-/// The equations that are to hold, and the definitions, with new formulas in the place of some.
-fn with(formulas: &[Formula], mended: &[(usize, Equation)]) -> (Vec<Equation>, HashMap<Name, Tree>) {
-    let (mut equations, mut definitions) = (Vec::new(), HashMap::new());
+/// The names in an equation.
+fn names_in(equation: &Equation) -> HashSet<Name> {
+    let mut names = HashSet::new();
+    for side in [&equation.left, &equation.right] {
+        walk(side, None, &mut Vec::new(), &mut |node, _, _| match node {
+            Tree::Symbol(name, _) | Tree::Call(name, ..) => {
+                names.insert(name.clone());
+            }
+            _ => {}
+        });
+    }
+    names
+}
+
+/// The equations that are to hold, and what names mean, with new formulas in the place of some.
+pub fn with(
+    formulas: &[Formula],
+    mended: &[(usize, Equation)],
+    locals: &HashMap<Name, Tree>,
+) -> (Vec<Equation>, HashMap<Name, Tree>) {
+    let (mut equations, mut definitions) = (Vec::new(), locals.clone());
     for (number, formula) in formulas.iter().enumerate() {
         let new = mended.iter().find(|(other, _)| *other == number);
         let equation = new.map_or(&formula.equation, |(_, equation)| equation);
@@ -367,14 +502,14 @@ fn equation_number(formulas: &[Formula], n: usize) -> Option<usize> {
 }
 
 /// Whether two lists of differences are the same but for a factor each.
-fn proportional(one: &[Vec<f64>], other: &[Vec<f64>]) -> bool {
-    let is_multiple = |(one, other): (&Vec<f64>, &Vec<f64>)| {
-        let ratios: Vec<f64> = one.iter().zip(other).map(|(a, b)| a / b).collect();
-        let vanish = |list: &[f64]| list.iter().all(|value| value.abs() < 1e-9);
+fn proportional(one: &[Vec<Number>], other: &[Vec<Number>]) -> bool {
+    let is_multiple = |(one, other): (&Vec<Number>, &Vec<Number>)| {
+        let ratios: Vec<Number> = one.iter().zip(other).map(|(a, b)| a / b).collect();
+        let vanish = |list: &[Number]| list.iter().all(|value| value.norm() < NOTHING);
         (vanish(one) && vanish(other))
             || ratios
                 .first()
-                .is_some_and(|first| ratios.iter().all(|ratio| (ratio - first).abs() <= 1e-6 * first.abs()))
+                .is_some_and(|first| ratios.iter().all(|ratio| (ratio - first).norm() <= 1e-6 * first.norm()))
     };
     one.len() == other.len() && one.iter().zip(other).all(is_multiple)
 }
@@ -395,7 +530,12 @@ fn term_around(equation: &Equation, path: &[usize]) -> Option<Tree> {
 /// Every edit of every node.
 fn candidates(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
     let mut found = Vec::new();
-    let numbers = [2, 3, 4].map(edit::number);
+    let pi = Name {
+        base: r"\pi".to_owned(),
+        ..Name::default()
+    };
+    let mut numbers = [2, 3, 4].map(edit::number).to_vec();
+    numbers.push(Tree::Symbol(pi, At::default()));
     // elsewhere what lacks is looked up by its value
     let has_operation = formulas.iter().any(Formula::has_operation);
     let is_bar =
@@ -410,6 +550,11 @@ fn candidates(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
         factors.extend(context.atoms.iter().flat_map(multiples));
     }
     for (number, formula) in formulas.iter().enumerate() {
+        found.extend(edit::relations(&formula.equation).into_iter().map(|edit| Candidate {
+            formula: number,
+            path: Vec::new(),
+            edit,
+        }));
         for (side, tree) in [&formula.equation.left, &formula.equation.right]
             .into_iter()
             .enumerate()
@@ -436,18 +581,11 @@ fn candidates(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
                     return;
                 }
                 for factor in &factors {
-                    for (tree, is_above) in [(times(node, factor), true), (over(node, factor), false)] {
-                        let cost = 11 + size(factor) + u32::from(!is_above);
-                        let (words, adds) = (missing_factor(factor, node, is_above), true);
+                    for is_above in [true, false] {
                         found.push(Candidate {
                             formula: number,
                             path: path.clone(),
-                            edit: edit::Edit {
-                                tree,
-                                cost,
-                                words,
-                                adds,
-                            },
+                            edit: missing_factor(factor, node, is_above),
                         });
                     }
                 }
@@ -467,9 +605,44 @@ fn takes_factors(node: &Tree, above: Option<&Tree>) -> bool {
     !is_within && !matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_))
 }
 
-fn missing_factor(factor: &Tree, node: &Tree, is_above: bool) -> String {
-    let below = if is_above { "" } else { " in the denominator" };
-    format!("the factor `{factor}` is missing{below} in `{node}`")
+/// Whether a term that is missing is put in here, and not in what stands around it.
+fn takes_terms(node: &Tree, above: Option<&Tree>) -> bool {
+    match above {
+        None if *node == edit::number(0) => false,
+        Some(Tree::Sum(_)) => false,
+        Some(Tree::Negate(_)) => matches!(node, Tree::Sum(_)),
+        _ => true,
+    }
+}
+
+/// Every edit that puts in 1, a name, or the square of one as a term.
+fn additions(formulas: &[Formula], context: &Context) -> Vec<Candidate> {
+    let square = |atom: &Tree| Tree::Power(Box::new(atom.clone()), 2, At::default());
+    let mut terms = vec![edit::number(1)];
+    terms.extend(context.atoms.iter().cloned());
+    terms.extend(context.atoms.iter().map(square));
+    let mut found = Vec::new();
+    for (number, formula) in formulas.iter().enumerate() {
+        let sides = [&formula.equation.left, &formula.equation.right];
+        for (side, tree) in sides.into_iter().enumerate() {
+            if side == 0 && formula.name.is_some() {
+                continue;
+            }
+            walk(tree, None, &mut Vec::new(), &mut |node, above, path| {
+                if !takes_terms(node, above) || matches!(node, Tree::Operation(..)) {
+                    return;
+                }
+                for (term, negative) in terms.iter().flat_map(|term| [(term, false), (term, true)]) {
+                    found.push(Candidate {
+                        formula: number,
+                        path: std::iter::once(side).chain(path.iter().copied()).collect(),
+                        edit: missing_term(term, negative, node),
+                    });
+                }
+            });
+        }
+    }
+    found
 }
 
 impl Bench {
@@ -480,79 +653,53 @@ impl Bench {
         formulas: &[Formula],
         context: &Context,
         candidates: &[Candidate],
+        additions: &[Candidate],
     ) -> Option<Self> {
-        let is_plain = |formula: &Formula| {
-            let has_signs = |node: &Tree| matches!(node, Tree::PlusMinus(_) | Tree::MinusPlus(_));
-            formula.equation.relation == Relation::Equal && !any_side(&formula.equation, &mut |node| has_signs(node))
-        };
-        // a sum, an integral, a derivative has a value as a whole
-        let is_reduced = || matches!(reduced(statements, vocabulary), Ok(None));
-        if !formulas.iter().all(is_plain) || !(formulas.iter().any(Formula::has_operation) || is_reduced()) {
+        let is_equation = |formula: &Formula| formula.equation.relation == Relation::Equal;
+        if !formulas.iter().all(is_equation) {
             return None;
         }
-        let defined: HashSet<Name> = formulas.iter().filter_map(|formula| formula.name.clone()).collect();
-        let mut trees = Vec::new();
+        let locals = statements.locals.iter();
+        let locals: HashMap<Name, Tree> = locals.map(|local| (local.name.clone(), local.tree.clone())).collect();
+        let (equations, definitions) = with(formulas, &[], &locals);
+        let mut trees: Vec<&Tree> = definitions.values().collect();
         let sides = formulas
             .iter()
             .flat_map(|formula| [&formula.equation.left, &formula.equation.right]);
-        let edited = candidates.iter().map(|candidate| &candidate.edit.tree);
-        for tree in sides.chain(edited).chain(&context.atoms).chain(&context.terms) {
-            take_leaves(tree, &defined, &mut trees);
-        }
+        trees.extend(sides);
+        trees.extend(candidates.iter().chain(additions).map(|candidate| &candidate.edit.tree));
+        trees.extend(context.atoms.iter().chain(&context.terms).chain(&context.near));
         // what stands within a leaf makes another leaf
-        for candidate in candidates {
-            let Some(formula) = formulas.get(candidate.formula) else {
-                continue;
-            };
-            if let Some(leaf) = leaf_around(&formula.equation, &candidate.path, &candidate.edit.tree) {
-                take_leaves(&leaf, &defined, &mut trees);
-            }
-        }
-        // in the order in which they stand: which points are drawn is the same in each run
-        let mut met = HashSet::new();
-        trees.retain(|tree| met.insert(tree.clone()));
-        let stated = || formulas.iter().filter(|formula| formula.name.is_none());
-        let sides: Vec<Tree> = stated()
-            .flat_map(|formula| [formula.equation.left.clone(), formula.equation.right.clone()])
+        let within: Vec<Tree> = candidates
+            .iter()
+            .chain(additions)
+            .filter_map(|candidate| {
+                let formula = formulas.get(candidate.formula)?;
+                leaf_around(&formula.equation, &candidate.path, &candidate.edit.tree)
+            })
             .collect();
-        let sample = |statements: &Statements, points: usize| {
-            let values = samples(statements, vocabulary, &trees, &sides, points)?;
-            let points = values.first().map_or(0, Vec::len);
-            let values = trees.iter().cloned().zip(values).collect();
-            Some(Leaves { values, points })
+        trees.extend(&within);
+        let asked = points::Asked {
+            statements,
+            vocabulary,
+            equations: &equations,
+            definitions: &definitions,
         };
-        let mut leaves = sample(statements, POINTS)?;
-        let (equations, definitions) = with(formulas, &[]);
-        let is_defined = |point: &usize| {
-            let mut sides = equations.iter().flat_map(|equation| [&equation.left, &equation.right]);
-            sides.all(|side| leaves.value(side, *point, &definitions).is_finite())
-        };
-        let kept: Vec<usize> = (0..leaves.points).filter(is_defined).collect();
-        for values in leaves.values.values_mut() {
-            *values = kept.iter().filter_map(|point| values.get(*point).copied()).collect();
-        }
-        leaves.points = kept.len();
-        if kept.is_empty() {
-            return None;
-        }
-        let free = Statements {
-            premises: Vec::new(),
-            ..statements.clone()
-        };
-        let has_premises = !statements.premises.is_empty();
-        let free = has_premises.then(|| sample(&free, FREE_POINTS)).flatten();
+        let (leaves, free) = asked.drawn(&trees, POINTS, FREE_POINTS)?;
         let list: Vec<(Equation, Option<Name>)> = formulas
             .iter()
             .map(|formula| (formula.equation.clone(), formula.name.clone()))
             .collect();
-        let graph = Graph::new(&list, &leaves);
+        let graph = Graph::new(&list, &leaves, &definitions);
         let overlay = Overlay::default();
-        let holds = |sides: &[usize; 2]| (0..leaves.points).all(|point| graph.holds(*sides, point, &overlay));
-        let failing = graph.sides.iter().enumerate().filter(|(_, (_, sides))| !holds(sides));
+        let failing = graph.sides.iter().enumerate();
+        let failing =
+            failing.filter(|(_, (_, sides))| !leaves.everywhere(|point| graph.holds(*sides, point, &overlay)));
         let failing = failing.map(|(n, _)| n).collect();
         let mut bench = Self {
             failing,
             leaves,
+            locals,
             definitions,
             graph,
             free,
@@ -570,7 +717,7 @@ impl Bench {
         let whole = self.graph.nodes.get(node)?;
         let tree = super::path::with(&whole.tree, &rest, &candidate.edit.tree);
         let values = self.leaves.all(&tree, &self.definitions);
-        values.iter().all(|value| value.is_finite()).then(|| Valued {
+        values.iter().all(Value::is_finite).then(|| Valued {
             candidate: candidate.clone(),
             node,
             values,
@@ -578,7 +725,7 @@ impl Bench {
     }
 
     /// The single edits after which all equations hold.
-    fn single(&self, context: &Context) -> Vec<Found> {
+    fn single(&self, context: &Context, additions: &[Candidate]) -> Vec<Found> {
         if self.failing.is_empty() {
             return Vec::new();
         }
@@ -587,113 +734,147 @@ impl Bench {
         for valued in &self.valued {
             if self
                 .graph
-                .all_hold(&[(valued.node, &valued.values)], self.leaves.points, &mut overlay)
+                .all_hold(&[(valued.node, &valued.values)], &self.leaves, &mut overlay)
             {
                 found.push(Found::new(vec![valued.candidate.clone()]));
             }
         }
-        found.extend(self.missing(context, &mut overlay));
+        let matrices = matrices::inserted(&self.graph, context, &self.leaves, &self.definitions);
+        for candidate in additions.iter().chain(&matrices) {
+            if self.holds_with(candidate, &mut overlay) {
+                found.push(Found::new(vec![candidate.clone()]));
+            }
+        }
+        found.extend(self.missing(context, false, &mut overlay));
         found
     }
 
-    /// What a node must be multiplied by, or what must be added to it, looked up among what stands in the sheet.
-    fn missing(&self, context: &Context, overlay: &mut Overlay) -> Vec<Found> {
+    /// Whether all equations hold after an edit, which is worked out at one point after the other.
+    fn holds_with(&self, candidate: &Candidate, overlay: &mut Overlay) -> bool {
+        let Some((node, rest)) = self.graph.nearest(candidate.formula, &candidate.path) else {
+            return false;
+        };
+        let Some(whole) = self.graph.nodes.get(node) else {
+            return false;
+        };
+        let tree = super::path::with(&whole.tree, &rest, &candidate.edit.tree);
+        self.leaves.everywhere(|point| {
+            let value = self.leaves.value(&tree, point, &self.definitions);
+            self.graph.change(point, &[(node, &value)], overlay);
+            let mut sides = self.graph.sides.iter();
+            sides.all(|(_, sides)| self.graph.holds(*sides, point, overlay))
+        })
+    }
+
+    /// What a node must be at each place for an equation to hold, and the opposite where that will do too, as beneath an
+    /// even power.
+    fn wanted(&self, node: usize, sides: [usize; 2], overlay: &mut Overlay) -> Option<Wanted> {
+        let own = |point: usize| self.graph.value(node, point);
+        let mut at = |point: usize| -> Vec<(usize, Number)> {
+            let Some(required) = self.graph.required(node, sides, point, overlay) else {
+                return Vec::new();
+            };
+            let opposite = match own(point) {
+                Value::Number(_) => Value::Number(-required),
+                own @ Value::Matrix(_) => own.times(Value::Number(-required)),
+            };
+            self.graph.change(point, &[(node, &opposite)], overlay);
+            match self.graph.holds(sides, point, overlay) {
+                true => vec![(point, required), (point, -required)],
+                false => vec![(point, required)],
+            }
+        };
+        let places = match self.leaves.is_either {
+            false => (0..self.leaves.points).map(at).collect::<Vec<_>>(),
+            true => (0..self.leaves.points / 2)
+                .map(|place| [at(2 * place), at(2 * place + 1)].concat())
+                .collect(),
+        };
+        let is_whole = !places.is_empty() && places.iter().all(|place| !place.is_empty());
+        is_whole.then_some(Wanted { places })
+    }
+
+    /// What a node must be multiplied by, or what must be added to it, looked up among what stands in the sheet; where
+    /// `joined`, among the products and sums of two of these.
+    fn missing(&self, context: &Context, joined: bool, overlay: &mut Overlay) -> Vec<Found> {
         let [failing] = self.failing.as_slice() else {
             return Vec::new();
         };
         let Some((_, sides)) = self.graph.sides.get(*failing) else {
             return Vec::new();
         };
-        let factors = Dictionary::factors(context, &self.leaves, &self.definitions);
-        let terms = Dictionary::terms(context, &self.leaves, &self.definitions);
+        let dictionaries = Dictionaries::new(context, &self.leaves, &self.definitions);
         let mut found = Vec::new();
         for (number, node) in self.graph.nodes.iter().enumerate() {
             let takes = takes_factors(&node.tree, node.within.as_ref());
             let is_number = matches!(node.tree, Tree::Number(_));
-            let takes_terms = match &node.within {
-                Some(Tree::Sum(_)) => false,
-                Some(Tree::Negate(_)) => matches!(node.tree, Tree::Sum(_)),
-                _ => true,
-            };
+            let is_matrix = node.values.iter().any(|value| value.number().is_none());
+            let takes_terms = !is_matrix && takes_terms(&node.tree, node.within.as_ref());
             if !takes && !is_number && !takes_terms {
                 continue;
             }
-            let points = 0..self.leaves.points;
-            let required: Option<Vec<f64>> = points
-                .map(|point| self.graph.required(number, *sides, point, overlay))
-                .collect();
-            let Some(required) = required else { continue };
-            // beneath an even power the opposite will do too
-            let opposite: Vec<f64> = required.iter().map(|value| -value).collect();
-            let mut wanted = vec![required];
-            if self.graph.all_hold(&[(number, &opposite)], self.leaves.points, overlay) {
-                wanted.push(opposite);
-            }
-            let mut add = |tree: Tree, cost: u32, words: String, adds: bool| {
+            let Some(wanted) = self.wanted(number, *sides, overlay) else {
+                continue;
+            };
+            let own = |point: usize| match node.values.get(point) {
+                Some(Value::Number(own)) => *own,
+                _ => Number::new(1.0, 0.0),
+            };
+            let mut add = |edit: edit::Edit| {
                 found.push(Found::new(vec![Candidate {
                     formula: node.place.0,
                     path: node.place.1.clone(),
-                    edit: edit::Edit {
-                        tree,
-                        cost,
-                        words,
-                        adds,
-                    },
+                    edit,
                 }]));
             };
-            if let Some(tree) = wanted.iter().find_map(|values| number_of(values)).filter(|_| is_number) {
+            if let Some(tree) = number_of(&wanted).filter(|_| is_number && !joined) {
                 let is_whole = |tree: &Tree| matches!(tree, Tree::Number(value) if value.0.denominator().is_one());
                 let cost = if is_whole(&tree) || !is_whole(&node.tree) {
                     11
                 } else {
                     11 + OF_FRACTION
                 };
-                let words = format!("`{}` in the place of `{tree}`", node.tree);
-                add(tree, cost, words, false);
+                add(edit::Edit {
+                    words: format!("`{}` in the place of `{tree}`", node.tree),
+                    tree,
+                    cost,
+                    adds: false,
+                    relation: None,
+                });
             }
-            let each = |of: fn(f64, f64) -> f64| -> Vec<Vec<f64>> {
-                let mut all = Vec::new();
-                for values in &wanted {
-                    let pairs = values.iter().zip(&node.values);
-                    all.push(pairs.map(|(wanted, own)| of(*wanted, *own)).collect());
-                }
-                all
-            };
-            for (list, is_above) in [
-                (each(|wanted, own| wanted / own), true),
-                (each(|wanted, own| own / wanted), false),
-            ] {
-                let found = if takes { factors.find(&list) } else { Vec::new() };
-                for (factor, _) in found
-                    .into_iter()
-                    .filter(|(_, negative)| !negative)
-                    .take(MOST_OF_DICTIONARY)
-                {
-                    let tree = if is_above {
-                        times(&node.tree, factor)
-                    } else {
-                        over(&node.tree, factor)
-                    };
-                    let cost = 11 + size(factor) + u32::from(!is_above);
-                    add(tree, cost, missing_factor(factor, &node.tree, is_above), true);
+            let factors = [
+                (wanted.map(|at, wanted| wanted / own(at)), true),
+                (wanted.map(|at, wanted| own(at) / wanted), false),
+            ];
+            for (list, is_above) in factors.into_iter().filter(|_| takes) {
+                let found = dictionaries.factor(&list, joined);
+                // in the place of 1 a sum is a term that is missing beside it
+                let is_one = node.tree == edit::number(1);
+                let found = found
+                    .iter()
+                    .filter(|factor| !(is_one && matches!(factor, Tree::Sum(_))));
+                for factor in found.take(MOST_OF_DICTIONARY) {
+                    let mut edit = missing_factor(factor, &node.tree, is_above);
+                    if is_matrix && is_above {
+                        edit.tree = times(factor, &node.tree);
+                    }
+                    add(edit);
                 }
             }
             if !takes_terms {
                 continue;
             }
-            for (term, negative) in terms
-                .find(&each(|wanted, own| wanted - own))
-                .into_iter()
-                .take(MOST_OF_DICTIONARY)
-            {
-                let signed = if negative { negated(term) } else { term.clone() };
-                let words = format!("the term `{term}` is missing in `{}`", node.tree);
-                add(
-                    plus(&node.tree, &signed),
-                    12 + 2 * size(term) + u32::from(negative),
-                    words,
-                    true,
-                );
+            let terms = dictionaries.term(&wanted.map(|at, wanted| wanted - own(at)), joined);
+            for (term, negative) in terms.iter().take(MOST_OF_DICTIONARY) {
+                add(missing_term(term, *negative, &node.tree));
+            }
+            // a power without its exponent
+            let is_power = matches!(node.within, Some(Tree::Power(..) | Tree::RealPower(..)));
+            if !is_power && matches!(&node.tree, Tree::Symbol(name, _) if name.to_string() == "e") {
+                let exponents = dictionaries.term(&wanted.map(|_, wanted| wanted.ln()), joined);
+                for (exponent, negative) in exponents.iter().take(MOST_OF_DICTIONARY) {
+                    add(edit::missing_exponent(exponent, *negative, &node.tree));
+                }
             }
         }
         found
@@ -702,12 +883,7 @@ impl Bench {
 
 /// A node that is evaluated as a whole, with a part of it edited.
 fn leaf_around(equation: &Equation, path: &[usize], new: &Tree) -> Option<Tree> {
-    let is_leaf = |tree: &Tree| {
-        matches!(
-            tree,
-            Tree::Call(..) | Tree::Partial { .. } | Tree::Invariant { .. } | Tree::Operation(..)
-        )
-    };
+    let is_leaf = |tree: &Tree| matches!(tree, Tree::Call(..) | Tree::Partial { .. } | Tree::Invariant { .. });
     let length = (1..path.len()).find(|length| {
         let inner = path.get(..*length).and_then(|path| node(equation, path));
         inner.is_some_and(|tree| is_leaf(&tree))
