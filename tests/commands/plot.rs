@@ -235,7 +235,7 @@ fn curves_over_two_parameters_are_drawn_over_their_map_and_alone() {
         &["words", "BT alone", "two parameters"],
     );
     assert_refused(
-        &[scene, "--set", "branch.y.over=d"],
+        &[scene, "--set", "branch.y.over=d", "--set", "motion.r_b=0.5"],
         &["branch.y.over", "another parameter than d"],
     );
     assert_refused(

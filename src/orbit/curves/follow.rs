@@ -31,6 +31,9 @@ pub struct CurvePoint {
 /// How far the degenerate end of a curve of touches may lie from its last point.
 const BEYOND: f64 = 0.1;
 
+/// And how near, in time, its touch is there to an end of its flight.
+const ENDING: f64 = 0.1;
+
 /// The points of a branch, in order.
 pub(crate) fn points<P: ParameterPlane>(
     curve: &CurveSystem<'_, P>,
@@ -114,6 +117,9 @@ impl<P: ParameterPlane> Told<'_, P> {
         let (Some((flight, _)), Some([after, left])) = (self.curve.touch(), node.functions.around_touch) else {
             return;
         };
+        if after.min(left) > ENDING {
+            return;
+        }
         let impact = if after < left { flight } else { 1 - flight };
         let system = CurveSystem {
             conditions: vec![
