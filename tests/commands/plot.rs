@@ -221,6 +221,31 @@ fn any_parameter_may_be_swept_and_any_word_followed() {
 }
 
 #[test]
+fn curves_over_two_parameters_are_drawn_over_their_map_and_alone() {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/curves.toml");
+    let small = ["--set", "map.x.points=4", "--set", "map.y.points=3"];
+    let curves = ["period doubling", "fold", "grazing", "fold, through a wall", "cusp"];
+    let over = texts("over a map", &plotted(&[&[scene], &small[..]].concat()));
+    assert_says("over a map", &over, &[&curves[..], &["word", "BT"]].concat());
+    let alone = texts("alone", &plotted(&[scene, "--set", "want=['branch']"]));
+    assert_says("alone", &alone, &curves);
+    assert!(!alone.iter().any(|text| text == "word"), "{alone:?}");
+    assert_refused(
+        &[scene, "--set", "words=['BTT']"],
+        &["words", "BT alone", "two parameters"],
+    );
+    assert_refused(
+        &[scene, "--set", "branch.y.over=d", "--set", "motion.r_b=0.5"],
+        &["branch.y.over", "another parameter than d"],
+    );
+    assert_refused(
+        &[scene, "--set", "branch.y.to=0.2"],
+        &["branch.y.to", "other than branch.y.from"],
+    );
+    assert_refused(&[scene, "--set", "branch.y.to=1.2"], &["branch.y.to", "at most 1"]);
+}
+
+#[test]
 fn what_cannot_be_drawn_or_written_is_refused_by_name() {
     let scratch = Scratch::new("refused");
     let file = scratch.path("file");

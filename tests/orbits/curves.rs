@@ -5,7 +5,7 @@ use vibro_audit::model::{Motion, MotionError};
 use vibro_audit::number::{Analytic, DoubleDouble, Interval, Sequence};
 use vibro_audit::orbit::{
     BifurcationKind, BifurcationPoint, CurvePoint, Family, OneOneBranches, OneOneCurves, OrbitOptions, ParameterPlane,
-    SpecialPoint, shoot_bifurcation,
+    RoundedOrbit, SpecialPoint, Word, find, shoot_bifurcation,
 };
 
 /// Devices over d and r_B.
@@ -272,7 +272,10 @@ fn every_point_is_proved_and_a_bifurcation_by_the_return_map_too() {
         for (index, point) in curve.iter().enumerate() {
             assert_eq!(point.is_joined, (index > 0).then_some(true), "{point:?}");
             assert!(point.motion.error_bound.is_some_and(|bound| bound < 1e-12), "{point:?}");
-            let inside = devices.place(point).iter().all(|part| (0.0..=1.0).contains(part));
+            let inside = devices
+                .place(point)
+                .iter()
+                .all(|part| (-1e-14..1.0 + 1e-14).contains(part));
             let on_side = devices
                 .place(point)
                 .iter()
@@ -310,27 +313,106 @@ fn every_point_is_proved_and_a_bifurcation_by_the_return_map_too() {
     }
 }
 
-/// On one side of a cusp two folds are near each other, on the other side none is.
+/// Along lines on one side of a cusp there are two folds near it, on the other side none.
 fn folds_meet(devices: &Devices, cusp: &CurvePoint) {
+    let at = [cusp.motion.parameter, cusp.y];
     let counts = [-1e-3, 1e-3].map(|beside| {
         let along = Along {
             devices: *devices,
-            fixed: 1,
-            value: cusp.y + beside,
+            fixed: 0,
+            value: at[0] + beside,
         };
-        let near = cusp.motion.parameter;
-        let branches = OneOneBranches::new(
-            along,
-            1,
-            Interval::new(near - 5e-3, near + 5e-3),
-            &OrbitOptions::DEFAULT,
-        )
-        .expect("a cover");
-        let (found, open) = branches.bifurcations();
+    BifurcationKind, BifurcationPoint, CurvePoint, Family, OneOneBranches, OneOneCurves, OrbitOptions, ParameterPlane,
+    RoundedOrbit, SpecialPoint, Word, find, shoot_bifurcation,
         assert!(open.is_empty());
         found.iter().filter(|event| event.kind == BifurcationKind::Fold).count()
     });
-    assert!(counts == [0, 2] || counts == [2, 0], "{counts:?}");
+    assert_eq!(counts, [2, 0]);
+}
+
+/// Motions of twice the period part from a period doubling to one side of it before a degenerate one, to the other behind it.
+#[test]
+fn at_a_degenerate_period_doubling_motions_of_twice_the_period_change_sides() {
+    let devices = Devices {
+        g: 0.12201,
+        r_t: Some(0.9),
+        d: [0.55, 0.68],
+        r_b: [0.66, 0.75],
+    };
+    let curves = devices.curves();
+    let points = curves.iter().flatten();
+    let degenerate: Vec<&CurvePoint> = points
+        .filter(|point| point.special == SpecialPoint::DegenerateFlip)
+        .collect();
+    let [point] = degenerate[..] else {
+        panic!("{degenerate:?}")
+    };
+    assert!(point.motion.error_bound.is_some_and(|bound| bound < 1e-11) && point.is_joined == Some(true));
+    assert!(shot(&devices, point, BifurcationKind::PeriodDoubling, 0) < 1e-11);
+    let sides = [-0.03, 0.03].map(|beside| {
+        let along = Along {
+            devices,
+            fixed: 0,
+            value: point.motion.parameter + beside,
+        };
+        let range = Interval::new(point.y - 0.02, point.y + 0.02);
+        let (events, _) = OneOneBranches::new(along, 1, range).expect("a cover").bifurcations();
+        let doubling = |event: &&BifurcationPoint| event.kind == BifurcationKind::PeriodDoubling;
+        let apart = |event: &BifurcationPoint| (event.parameter - point.y).abs();
+        let doubling = events
+            .iter()
+            .filter(doubling)
+            .min_by(|one, other| apart(one).total_cmp(&apart(other)));
+        let doubling = doubling.expect("a period doubling");
+        let word: Word = "BTBT".parse().expect("a word");
+        let parts = |side: f64| {
+            let r_b = doubling.parameter + 2e-6 * side;
+            let found = find(&along.fixed(&r_b), &word, 2).expect("a search");
+            let is_near =
+                |orbit: &RoundedOrbit| (0..4).all(|i| (orbit.velocities[i] - doubling.velocities[i % 2]).abs() < 0.06);
+            found.orbits.iter().any(|orbit| orbit.word == word && is_near(orbit))
+        };
+        [-1.0, 1.0].map(parts)
+    });
+    assert!(
+        sides == [[true, false], [false, true]] || sides == [[false, true], [true, false]],
+        "{sides:?}"
+    );
+}
+
+/// Where an impact has velocity 0 and f + g is 0 curves of folds, period doublings and both grazings meet.
+#[test]
+fn a_degenerate_grazing_is_where_four_curves_meet() {
+    let devices = Devices {
+        g: 0.62,
+        r_t: Some(0.4),
+        d: [0.08, 0.13],
+        r_b: [0.6, 0.8],
+    };
+    let curves = devices.curves();
+    let all = || curves.iter().flatten();
+    let degenerate: Vec<&CurvePoint> = all()
+        .filter(|point| point.special == SpecialPoint::DegenerateGrazing)
+        .collect();
+    let first = degenerate.first().expect("a degenerate grazing");
+    for point in &degenerate {
+        let motion = &point.motion;
+        assert!(motion.error_bound.is_some_and(|bound| bound < 1e-12), "{point:?}");
+        let slow = usize::from(motion.velocities[1].abs() < motion.velocities[0].abs());
+        let push = motion.phases[slow].cos() + devices.g;
+        assert!(motion.velocities[slow].abs() < 1e-12 && push.abs() < 1e-12, "{point:?}");
+        assert!((motion.parameter - first.motion.parameter).hypot(point.y - first.y) < 1e-12);
+    }
+    let here = |point: &&CurvePoint| (point.motion.parameter - first.motion.parameter).hypot(point.y - first.y) < 1e-12;
+    let kinds: Vec<BifurcationKind> = all().filter(here).map(|point| point.motion.kind).collect();
+    for kind in [
+        BifurcationKind::Fold,
+        BifurcationKind::PeriodDoubling,
+        BifurcationKind::Grazing,
+    ] {
+        assert!(kinds.contains(&kind), "{kind} {kinds:?}");
+    }
+    assert!(degenerate.len() == 2 && curves.iter().all(|curve| curve.len() < 1500));
 }
 
 /// Without gravity a ball of r_B = r_T breaks its symmetry where the folds of unlike walls meet.

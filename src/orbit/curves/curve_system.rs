@@ -121,6 +121,11 @@ impl<P: ParameterPlane> CurveSystem<'_, P> {
         )
     }
 
+    /// Whether there is no such motion at a node: it lies behind the end of the curve.
+    pub fn is_beyond(&self, node: &BranchPoint<CurveFunctions>) -> bool {
+        self.ends(node) == Some(BranchEnd::Slow)
+    }
+
     /// The motion at places of both parameters.
     pub fn motion<T: Analytic>(&self, places: &[T]) -> Option<Motion<T>> {
         let [x, y] = self.plane.ranges();
@@ -353,12 +358,13 @@ impl<P: ParameterPlane> Continued for CurveSystem<'_, P> {
         );
         let own = |impact| *self.own() == CurveCondition::Bifurcation(BifurcationCondition::ZeroVelocity(impact));
         let moves = speeds.all(|(impact, speed)| *speed > if slow { -STILL } else { 0.0 } || own(impact));
-        let takes_time = motion
-            .times
-            .iter()
-            .chain(around_touch.iter().flatten())
-            .all(|time| *time > 0.0);
-        (!(moves && takes_time)).then_some(BranchEnd::Slow)
+        let mut around_touch = around_touch.iter().flatten();
+        if !(moves && motion.times.iter().chain(around_touch.clone()).all(|time| *time > 0.0)) {
+            return Some(BranchEnd::Slow);
+        }
+        around_touch
+            .any(|time| *time < NEARLY_ENDED)
+            .then_some(BranchEnd::Shorter)
     }
 
     fn images(&self, point: &[f64], near: &[f64]) -> Vec<Vec<f64>> {
@@ -370,6 +376,9 @@ impl<P: ParameterPlane> Continued for CurveSystem<'_, P> {
 
 /// A turning point this near, in time and distance, is the touch or the impact of the curve itself.
 const OWN_TOUCH: f64 = 1e-6;
+
+/// A touch this near, in time, to an end of its flight ends its curve, short of where its equations hold doubly.
+const NEARLY_ENDED: f64 = 0.05;
 
 /// Velocities below this are 0 up to rounding.
 pub(crate) const STILL: f64 = 1e-12;

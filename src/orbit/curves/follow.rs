@@ -3,7 +3,7 @@
 use crate::number::{Doubles, Interval};
 use crate::orbit::bifurcation::one_one::KnownMotion;
 use crate::orbit::bifurcation::point::{BifurcationPoint, EnclosedBifurcation};
-use crate::orbit::continuation::branch::{Branch, BranchEnd, BranchPoint, Continued, distance};
+use crate::orbit::continuation::branch::{Branch, BranchEnd, BranchPoint, distance};
 use crate::orbit::continuation::extended_system::parameter_at;
 use crate::orbit::continuation::segment::CertifiedSegment;
 use crate::orbit::curves::curve_system::{CurveCondition, CurveFunctions, CurveSystem, PLACES, across};
@@ -31,19 +31,22 @@ pub struct CurvePoint {
 /// How far the degenerate end of a curve of touches may lie from its last point.
 const BEYOND: f64 = 0.1;
 
+/// And how near, in time, its touch is there to an end of its flight.
+const ENDING: f64 = 0.1;
+
 /// The points of a branch, in order.
 pub(crate) fn points<P: ParameterPlane>(
     curve: &CurveSystem<'_, P>,
     branch: &Branch<CurveFunctions>,
 ) -> Vec<CurvePoint> {
     let nodes = &branch.nodes;
-    let is_beyond = |index: usize| curve.ends(&nodes[index]).is_some();
+    let is_beyond = |index: usize| curve.is_beyond(&nodes[index]);
     let mut told = Told {
         curve,
         points: Vec::new(),
         before: None,
     };
-    if branch.ends[0] == BranchEnd::Lost || is_beyond(0) {
+    if matches!(branch.ends[0], BranchEnd::Lost | BranchEnd::Shorter | BranchEnd::Slow) {
         told.degenerate_end(&nodes[0]);
     }
     if !is_beyond(0) {
@@ -78,7 +81,7 @@ pub(crate) fn points<P: ParameterPlane>(
             told.node(&nodes[index + 1], end, segment.as_ref());
         }
     }
-    if branch.ends[1] == BranchEnd::Lost || is_beyond(last) {
+    if matches!(branch.ends[1], BranchEnd::Lost | BranchEnd::Shorter | BranchEnd::Slow) {
         told.degenerate_end(&nodes[last]);
     }
     told.points
@@ -114,6 +117,9 @@ impl<P: ParameterPlane> Told<'_, P> {
         let (Some((flight, _)), Some([after, left])) = (self.curve.touch(), node.functions.around_touch) else {
             return;
         };
+        if after.min(left) > ENDING {
+            return;
+        }
         let impact = if after < left { flight } else { 1 - flight };
         let system = CurveSystem {
             conditions: vec![
@@ -139,10 +145,15 @@ impl<P: ParameterPlane> Told<'_, P> {
         segment: Option<&CertifiedSegment>,
     ) {
         let root = system.proved(at);
-        let cell: Vec<Interval<f64>> = match &root {
+        let mut cell: Vec<Interval<f64>> = match &root {
             Some(root) => root.enclosure[..at.len()].to_vec(),
             None => at.iter().map(|side| Interval::point(*side)).collect(),
         };
+        for condition in &system.conditions {
+            if let CurveCondition::Place(coordinate, place) = condition {
+                cell[*coordinate] = Interval::point(*place);
+            }
+        }
         let middle: Vec<f64> = cell.iter().map(Interval::midpoint).collect();
         let widest = cell.iter().map(|side| side.width()).fold(0.0, f64::max);
         let here = (middle, root.is_some().then_some(widest));

@@ -2,7 +2,7 @@
 
 use crate::number::{Analytic, Interval};
 use crate::orbit::bifurcation::one_one::LocatedBifurcation;
-use crate::orbit::continuation::branch::{Branch, Continued};
+use crate::orbit::continuation::branch::Branch;
 use crate::orbit::continuation::curve::{CurveEquations, dot};
 use crate::orbit::continuation::extended_system::place_of;
 use crate::orbit::curves::curve_system::{CurveCondition, CurveFunctions, CurveSystem, PLACES};
@@ -142,8 +142,7 @@ impl<P: ParameterPlane> OneOneCurves<P> {
         point[PLACES]
             .iter_mut()
             .for_each(|place| *place = place.clamp(0.0, 1.0));
-        let branch = (moved < NEAR).then(|| Branch::through(&curve, point))??;
-        (curve.ends(branch.nodes.first()?).is_none() || branch.nodes.len() > 1).then_some(branch)
+        (moved < NEAR).then(|| Branch::through(&curve, point))?
     }
 
     fn system(&self, condition: &CurveCondition) -> CurveSystem<'_, P> {
@@ -166,7 +165,9 @@ impl<P: ParameterPlane> Iterator for OneOneCurves<P> {
             if let Some(branch) = self.follow(&condition, &start) {
                 let points = points(&self.system(&condition), &branch);
                 self.known.push((condition, branch));
-                return Some(points);
+                if !points.is_empty() {
+                    return Some(points);
+                }
             }
         }
     }

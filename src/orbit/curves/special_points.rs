@@ -86,7 +86,7 @@ pub(crate) fn on_piece<P: ParameterPlane>(curve: &CurveSystem<'_, P>, one: &Node
     let pushed = changed
         .iter()
         .any(|condition| matches!(condition, CurveCondition::Push(_)));
-    let moves = [one, other].iter().all(|node| curve.ends(node).is_none());
+    let moves = ![one, other].iter().any(|node| curve.is_beyond(node));
     changed.retain(|condition| match condition {
         CurveCondition::Bifurcation(Touch(..)) => moves && !pushed,
         CurveCondition::Bifurcation(MultiplierOne) => !pushed,

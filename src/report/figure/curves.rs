@@ -29,7 +29,7 @@ const KINDS: [(BifurcationKind, &str, Colour); 4] = [
     (BifurcationKind::Grazing, "grazing", Colour::Black),
 ];
 
-const POINTS: [(SpecialPoint, &str, Form); 8] = [
+const POINTS: [(SpecialPoint, &str, Form); 6] = [
     (SpecialPoint::Cusp, "cusp", Form::Wedge),
     (
         SpecialPoint::DegenerateFlip,
@@ -41,18 +41,14 @@ const POINTS: [(SpecialPoint, &str, Form); 8] = [
         "degenerate symmetry breaking",
         Form::Diamond,
     ),
-    (SpecialPoint::Grazing, "grazing too", Form::Circle),
-    (SpecialPoint::Fold, "grazing at a fold", Form::Circle),
-    (
-        SpecialPoint::PeriodDoubling,
-        "grazing at a period doubling",
-        Form::Circle,
-    ),
+    // there are the points of the other curve, too
+    (SpecialPoint::Grazing, "grazing meets another curve", Form::Circle),
     (SpecialPoint::DoubleGrazing, "double grazing", Form::Square),
     (SpecialPoint::DegenerateGrazing, "grazing with f + g = 0", Form::Cross),
 ];
 
 const WIDTH: f64 = 1.6;
+const EDGED: f64 = 3.6;
 
 impl BifurcationCurves {
     /// A panel of them alone.
@@ -77,12 +73,14 @@ impl BifurcationCurves {
                 } else {
                     format!("{name}, through a wall")
                 };
-                let stroke = Stroke {
-                    colour,
-                    dash,
-                    width: WIDTH,
-                };
-                series.push(Series::line(name, points, stroke));
+                // over cells of any colour a line is seen by its white edges
+                let stroke = |colour, dash, width| Stroke { colour, dash, width };
+                series.push(Series::line(
+                    "",
+                    points.clone(),
+                    stroke(Colour::White, Dash::Solid, EDGED),
+                ));
+                series.push(Series::line(name, points, stroke(colour, dash, WIDTH)));
             }
         }
         for (point, name, form) in POINTS {
@@ -144,6 +142,7 @@ mod tests {
             special: vec![(SpecialPoint::Cusp, (1.0, 1.0)), (SpecialPoint::Step, (2.0, 1.0))],
         };
         let series = drawn.series();
+        let series: Vec<Series> = series.into_iter().filter(|series| !series.name.is_empty()).collect();
         let names: Vec<&str> = series.iter().map(|series| series.name.as_str()).collect();
         assert_eq!(names, ["fold", "fold, through a wall", "cusp"]);
         let xs = |series: &Series| match &series.shape {

@@ -2,10 +2,12 @@
 
 use plotters::style::RGBColor;
 
-/// The palette of Okabe and Ito, black, and a grey for what stays in the background.
+/// The palette of Okabe and Ito, black, white, and a grey for what stays in the background.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Colour {
     Black,
+    /// That of the paper, around what stands over other colours.
+    White,
     Grey,
     Orange,
     Sky,
@@ -49,6 +51,7 @@ impl Colour {
     pub const fn rgb(self) -> (u8, u8, u8) {
         match self {
             Self::Black => (0, 0, 0),
+            Self::White => (255, 255, 255),
             Self::Grey => (150, 150, 150),
             Self::Orange => (230, 159, 0),
             Self::Sky => (86, 180, 233),
