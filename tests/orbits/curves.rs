@@ -322,8 +322,10 @@ fn folds_meet(devices: &Devices, cusp: &CurvePoint) {
             fixed: 0,
             value: at[0] + beside,
         };
-    BifurcationKind, BifurcationPoint, CurvePoint, Family, OneOneBranches, OneOneCurves, OrbitOptions, ParameterPlane,
-    RoundedOrbit, SpecialPoint, Word, find, shoot_bifurcation,
+        let near = Interval::new(at[1] - 0.02, at[1] + 0.02);
+        let (found, open) = OneOneBranches::new(along, 1, near, &OrbitOptions::DEFAULT)
+            .expect("a cover")
+            .bifurcations();
         assert!(open.is_empty());
         found.iter().filter(|event| event.kind == BifurcationKind::Fold).count()
     });
@@ -356,7 +358,9 @@ fn at_a_degenerate_period_doubling_motions_of_twice_the_period_change_sides() {
             value: point.motion.parameter + beside,
         };
         let range = Interval::new(point.y - 0.02, point.y + 0.02);
-        let (events, _) = OneOneBranches::new(along, 1, range).expect("a cover").bifurcations();
+        let (events, _) = OneOneBranches::new(along, 1, range, &OrbitOptions::DEFAULT)
+            .expect("a cover")
+            .bifurcations();
         let doubling = |event: &&BifurcationPoint| event.kind == BifurcationKind::PeriodDoubling;
         let apart = |event: &BifurcationPoint| (event.parameter - point.y).abs();
         let doubling = events
