@@ -183,26 +183,7 @@ derivable!([T: Machine] Counted<T>);
 impl<T: Machine> Counted<T> {
     pub(crate) fn elementary(&self, function: Elementary) -> Self {
         count(|counts| counts.others += 1);
-        let x = &self.0;
-        Self(match function {
-            Elementary::Cbrt => x.cbrt(),
-            Elementary::Exp => x.exp(),
-            Elementary::Exp2 => x.exp2(),
-            Elementary::ExpM1 => x.exp_m1(),
-            Elementary::Ln => x.ln(),
-            Elementary::Log2 => x.log2(),
-            Elementary::Log10 => x.log10(),
-            Elementary::Ln1p => x.ln_1p(),
-            Elementary::Tan => x.tan(),
-            Elementary::Asin => x.asin(),
-            Elementary::Atan => x.atan(),
-            Elementary::Sinh => x.sinh(),
-            Elementary::Cosh => x.cosh(),
-            Elementary::Tanh => x.tanh(),
-            Elementary::Asinh => x.asinh(),
-            Elementary::Acosh => x.acosh(),
-            Elementary::Atanh => x.atanh(),
-        })
+        Self(function.of(&self.0))
     }
 }
 

@@ -25,6 +25,31 @@ pub(crate) enum Elementary {
     Atanh,
 }
 
+impl Elementary {
+    /// Its value.
+    pub fn of<T: num_dual::DualNum>(self, x: &T) -> T {
+        match self {
+            Elementary::Cbrt => x.cbrt(),
+            Elementary::Exp => x.exp(),
+            Elementary::Exp2 => x.exp2(),
+            Elementary::ExpM1 => x.exp_m1(),
+            Elementary::Ln => x.ln(),
+            Elementary::Log2 => x.log2(),
+            Elementary::Log10 => x.log10(),
+            Elementary::Ln1p => x.ln_1p(),
+            Elementary::Tan => x.tan(),
+            Elementary::Asin => x.asin(),
+            Elementary::Atan => x.atan(),
+            Elementary::Sinh => x.sinh(),
+            Elementary::Cosh => x.cosh(),
+            Elementary::Tanh => x.tanh(),
+            Elementary::Asinh => x.asinh(),
+            Elementary::Acosh => x.acosh(),
+            Elementary::Atanh => x.atanh(),
+        }
+    }
+}
+
 /// Operators between `$type` and references or f64, all through the operator on two values.
 macro_rules! derivable_operator {
     ([$($generics:tt)*] $type:ty, $trait:ident, $method:ident, $assign_trait:ident, $assign:ident) => {

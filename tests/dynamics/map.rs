@@ -1,6 +1,10 @@
 //! `map` as a script sees it: each point is that of a sweep through it.
 
 use super::sweep::{Sheet, assert_refused, printed, run_with};
+use vibro_audit::impact::{Event, Kind, Simulation, Start};
+use vibro_audit::model::{Motion, Side};
+use vibro_audit::number::{Analytic, DoubleDouble, Sequence};
+use vibro_audit::orbit::{Attractor, OrbitOptions};
 
 /// `map SCENE --format csv` with these overrides.
 fn arguments<'a>(scene: &'a str, sets: &[&'a str]) -> Vec<&'a str> {
@@ -182,4 +186,68 @@ fn what_cannot_be_mapped_is_refused_before_anything_is_written() {
     assert_refused(&arguments("fig03", &both), "", &["not both g and incline"]);
     let text = "motion = { g = 0.1, r_t = 0.5 }\nstart = { phase = 1, velocity = 1 }\n";
     assert_refused(&["map", "-"], text, &["`map` requires map.x.over"]);
+}
+
+/// The word and the periods that a motion in 31 digits comes to within so many impacts.
+fn in_many_digits(motion: &Motion<f64>, start: &Start<f64>, impacts: usize) -> Option<(String, Option<i64>)> {
+    let wide = |value: &f64| DoubleDouble::from_f64(*value);
+    let motion = motion.convert(wide).expect("a motion");
+    let mut events: Vec<Event<f64>> = Vec::new();
+    let mut left = impacts;
+    for event in Simulation::new(&motion, &start.convert(wide)) {
+        events.push(event.convert(DoubleDouble::to_f64));
+        left -= usize::from(event.kind == Kind::Impact);
+        if left == 0 {
+            break;
+        }
+    }
+    let found = Attractor::of(&events, &OrbitOptions::DEFAULT)?;
+    Some((found.word, found.periods))
+}
+
+#[test]
+fn at_200_random_points_a_map_says_what_31_digits_say_wherever_it_claims_a_digit() {
+    let mut sequence = Sequence::new(18);
+    let (mut claimed, mut cycles) = (0, 0);
+    for _ in 0..5 {
+        let g = sequence.between(-0.4, 0.4);
+        let r_t = sequence.between(0.3, 0.8);
+        let [d, r_b] =
+            [0.08, 0.3].map(|low| [sequence.between(low, low + 0.1), sequence.between(low + 0.2, low + 0.5)]);
+        let scene = format!(
+            "motion = {{ g = {g}, r_t = {r_t} }}\nstart = {{ phase = 6.18, velocity = 0.5293 }}\n\
+             [map]\nimpacts = 500\nwant = [\"word\", \"lyapunov\"]\n\
+             x = {{ over = \"d\", from = {}, to = {}, points = 10 }}\n\
+             y = {{ over = \"r_b\", from = {}, to = {}, points = 4 }}\n",
+            d[0], d[1], r_b[0], r_b[1]
+        );
+        let output = run_with(&["map", "-", "--format", "csv"], &scene, None);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let map = Sheet::of(&String::from_utf8(output.stdout).expect("text"));
+        assert_eq!(map.rows.len(), 40);
+        for row in 0..40 {
+            let [d, r_b] = ["x", "y"].map(|column| map.numbers(column)[row]);
+            let motion = Motion::new(g, d, r_b, r_t).expect("a motion");
+            let start = Start {
+                side: Side::Bottom,
+                phase: 6.18,
+                velocity: 0.5293,
+            };
+            if map.texts("digits")[row] == "0" {
+                continue;
+            }
+            claimed += 1;
+            let word = map.texts("word")[row];
+            let exact = in_many_digits(&motion, &start, 500);
+            // a cycle through a rest is looked for farther than within these impacts
+            if word.contains('*') || exact.as_ref().is_some_and(|(word, _)| word.contains('*')) {
+                continue;
+            }
+            let periods = map.texts("periods")[row].parse().ok();
+            let told = (!word.is_empty()).then(|| (word.to_owned(), periods));
+            assert_eq!(told, exact, "g {g} d {d} r {r_b} {r_t}");
+            cycles += usize::from(told.is_some());
+        }
+    }
+    assert!(claimed > 60 && cycles > 20, "{claimed} {cycles}");
 }

@@ -85,7 +85,7 @@ impl DoubleDouble {
     }
 
     pub(crate) fn elementary(&self, function: Elementary) -> Self {
-        let rough = super::Counted(self.high).elementary(function).0;
+        let rough = function.of(&self.high);
         if self.high == 0.0 || !self.high.is_finite() {
             return Self::from_parts(rough, 0.0);
         }
