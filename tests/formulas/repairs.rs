@@ -376,7 +376,7 @@ fn a_forgotten_chain_rule_a_digit_bars_and_a_logarithm_are_mended_first() {
 fn what_is_missing_beside_sums_series_moduli_determinants_and_a_turned_relation_are_mended_first() {
     let cases = [
         (r"\sum_{j = 1}^{n} j = \frac{n n}{2}", "n n + n"),
-        (r"\sum_{j = 1}^{n} j^2 = \frac{n (2 n + 1)}{6}", "(n + 1)"),
+        (r"\sum_{j = 1}^{n} j^2 = \frac{n (2 n + 1)}{6}", "(1 + n)"),
         (r"e^{-a x} = -a x + O(x^2)", "= 1 - a x"),
         (r"\left| 1 - x e^{i a} \right|^2 = 1 - 2 x \cos a", "+ x^2"),
         (
