@@ -381,7 +381,7 @@ fn what_is_missing_beside_sums_series_moduli_determinants_and_a_turned_relation_
         (r"\left| 1 - x e^{i a} \right|^2 = 1 - 2 x \cos a", "+ x^2"),
         (
             r"\det \begin{pmatrix} 1 - x & 1 \\ a & L - x \end{pmatrix} = -(1 + L) x + L - a",
-            "x^2",
+            "(1 + L - x) x",
         ),
         (r"k^2 + m^2 \le 2 k m", r"\ge"),
     ];
