@@ -240,7 +240,7 @@ impl RunningMeans<'_> {
         }
         self.impacts += 1;
         self.taken += 1;
-        if self.impacts % BETWEEN_STOPS == 0 && !stop::goes_on() {
+        if self.impacts.is_multiple_of(BETWEEN_STOPS) && !stop::goes_on() {
             return false;
         }
         let averaging = self.averaging;
