@@ -2,8 +2,9 @@
 
 /// How far searches go, and what is taken for the same. A scene sets each by its name under `[options]`.
 ///
-/// None of them decides what is right: what is proved is proved under any of them, and what a limit cuts off is told as
-/// open. More effort leaves less open and costs more time.
+/// None of them decides what is proved: that is proved under any of them, and what a limit cuts off is told as open. More
+/// effort leaves less open and costs more time. What is taken for a cycle of a simulated motion, which nobody proves, is
+/// said here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrbitOptions {
     /// 1-1 motions: cells narrower than this in T_1 and psi are not halved again. Two motions nearer to each other than

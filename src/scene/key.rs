@@ -24,7 +24,7 @@ pub(super) enum Allowed {
     NotNegative,
     Positive,
     /// Above 0 and at most 1.
-    Restitution,
+    Part,
     /// An integer from 1 to this.
     Count(u32),
     /// A list of starts.
@@ -75,8 +75,8 @@ keys! {
     CAPSULE_LENGTH = "device" "capsule_length" Allowed::Positive, "the distance that the ball has between the walls, m, which box.forcing_amplitude leaves as it is";
     G = "motion" "g" Allowed::Finite, "gravity along the capsule in units of the forcing; [device] gives it too";
     D = "motion" "d" Allowed::Positive, "the gap between the walls, without unit";
-    R_B = "motion" "r_b" Allowed::Restitution, "the restitution of the bottom";
-    R_T = "motion" "r_t" Allowed::Restitution, "the restitution of the top";
+    R_B = "motion" "r_b" Allowed::Part, "the restitution of the bottom";
+    R_T = "motion" "r_t" Allowed::Part, "the restitution of the top";
     BALL_MASS = "membrane" "ball_mass" Allowed::Positive, "the mass of the ball, kg";
     STIFFNESS = "membrane" "stiffness" Allowed::Positive, "K of the elastic force K delta^exponent, N/m^exponent";
     EXPONENT = "membrane" "exponent" Allowed::Positive, "the exponent of the elastic force";
@@ -132,18 +132,18 @@ keys! {
     BOX_FORCING_AMPLITUDE = "box" "forcing_amplitude" Allowed::Range, "the range of the amplitude of the force, N";
     BOX_MARGIN = "box" "margin" Allowed::NotNegative, "what 1 + Det - |Tr| is at least";
     BOX_CLEARANCE = "box" "clearance" Allowed::NotNegative, "the least clearance";
-    FINEST_CELL = "options" "finest_cell" Allowed::Positive, "1-1 motions: the width of the finest cells in T_1 and psi";
+    FINEST_CELL = "options" "finest_cell" Allowed::Part, "1-1 motions: the width of the finest cells in T_1 and psi";
     MOST_CELLS = "options" "most_cells" Allowed::Count(MOST_POINTS), "1-1 motions: the most cells at one value, for each forcing period";
     MOST_COVER_CELLS = "options" "most_cover_cells" Allowed::Count(MOST_CELLS_OF_A_COVER), "1-1 motions over a range: the most cells of their cover";
     MOST_COVERS = "options" "most_covers" Allowed::Count(MOST_TIMES), "1-1 motions over a range: how often what is undecided is covered again";
     WORD_STARTS = "options" "word_starts" Allowed::Count(MOST_POINTS), "other words: the starts at one value, for each impact and forcing period";
     BRANCH_VALUES = "options" "branch_values" Allowed::Count(MOST_TIMES), "other words over a range: the values at which motions are searched for";
     BRANCH_STARTS = "options" "branch_starts" Allowed::Count(MOST_POINTS), "other words over a range: the starts at each, for each impact and forcing period";
-    LONGEST_STEP = "options" "longest_step" Allowed::Positive, "continuation: the longest step, in radians and ranges of the parameter";
-    SHORTEST_STEP = "options" "shortest_step" Allowed::Positive, "continuation: the step below which a branch is left";
+    LONGEST_STEP = "options" "longest_step" Allowed::Part, "continuation: the longest step, in radians and ranges of the parameter";
+    SHORTEST_STEP = "options" "shortest_step" Allowed::Part, "continuation: the step below which a branch is left";
     MOST_STEPS = "options" "most_steps" Allowed::Count(MOST_POINTS), "continuation: the most steps in one direction";
     LONGEST_WORD = "options" "longest_word" Allowed::Count(MOST_SYMBOLS), "long runs: the most symbols of a word that is looked for";
-    SETTLED = "options" "settled" Allowed::Positive, "long runs: how far impacts a cycle apart may differ, in phase, rad, and in velocity";
+    SETTLED = "options" "settled" Allowed::Part, "long runs: how far impacts a cycle apart may differ, in phase, rad, and in velocity";
     SETTLING_IMPACTS = "options" "settling_impacts" Allowed::Count(IMPACTS_AT_MOST), "long runs: the most impacts for which a cycle is followed on";
     RESTING_DIGITS = "options" "resting_digits" Allowed::Count(MOST_RESTING_DIGITS), "long runs: the digits that may be spent on a cycle through a rest";
 }

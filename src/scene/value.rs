@@ -124,7 +124,7 @@ pub(super) fn allowed_number(allowed: Allowed, value: &Quantity) -> Option<&'sta
     let (is_right, words) = match allowed {
         Allowed::Positive => (sign == Ordering::Greater, "above 0"),
         Allowed::NotNegative => (sign != Ordering::Less, "not below 0"),
-        Allowed::Restitution => (
+        Allowed::Part => (
             sign == Ordering::Greater && value.compared_with_one() != Ordering::Greater,
             "above 0 and at most 1",
         ),

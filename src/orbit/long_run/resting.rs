@@ -43,12 +43,13 @@ const HELD: usize = 20_000;
 
 impl RestingCycle {
     /// The cycle on which the ball is released from `side`; `None` where it does not come back within `most` impacts, or
-    /// no number of up to `digits` digits can tell.
+    /// neither f64 nor a wider number of up to `digits` digits can tell.
     ///
     /// # Errors
     /// A parameter out of its range.
     pub fn find(parameters: &impl Parameters, side: Side, most: u64, digits: u32) -> Result<Option<Self>, MotionError> {
-        for number in Rung::Double.and_wider().filter(|number| number.digits() <= digits) {
+        let may_be_spent = |number: &Rung| *number == Rung::Double || number.digits() <= digits;
+        for number in Rung::Double.and_wider().filter(may_be_spent) {
             let cycle = Self {
                 side,
                 number,
