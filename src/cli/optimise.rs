@@ -103,7 +103,10 @@ pub(super) fn joined(parts: &[Vec<Vec<String>>]) -> Option<Table> {
     let is_bounded = parts.iter().all(|part| number(part, 0, 2).is_some());
     let most = largest(0, 2).filter(|_| is_bounded);
     let (low, rate) = (number(best, 0, 1), number(best, 0, 3));
-    let reached = low.zip(most).map(|(low, most)| gap_of(low, most));
+    let reached = most.and_then(|most| {
+        let (boxes, best) = (0, low);
+        OptimumProgress { boxes, best, most }.gap()
+    });
     let attained = match (all(4, "true"), all(4, "false")) {
         (true, _) => Cell::from(true),
         (_, true) => Cell::from(false),
@@ -157,11 +160,6 @@ pub(super) fn joined(parts: &[Vec<Vec<String>>]) -> Option<Table> {
             .ok()?;
     }
     Some(table)
-}
-
-/// By which part of the bound `most` the value `best` may be below it.
-fn gap_of(best: f64, most: f64) -> f64 {
-    ((most - best) / most).max(0.0)
 }
 
 /// The table of a scene, to the usual gap.

@@ -230,7 +230,7 @@ fn chosen(need: &Need, advice: &[Advice]) -> Result<Vec<String>, Failure> {
     let mut lines = Vec::new();
     if need.of_statistics {
         lines.push(format!(
-            "`sweep.error = {}` follows motions one by one until their own standard error says so: lanes do not follow how distances grow",
+            "`sweep.error = {}` follows each motion until its own standard error says so, in lanes where there are eight values or more",
             measured(10_f64.powf(-need.digits))
         ));
         return Ok(lines);

@@ -1,6 +1,6 @@
 //! The formulas of a claim as one graph, and what becomes of the two sides when single nodes take other values.
 
-use super::leaves::{Leaves, Sized, agree};
+use super::leaves::{Leaves, SizedValue, agree};
 use super::path::{Path, parts};
 use super::value::{Arithmetic, Number, Op, Value, real};
 use crate::tex::{Equation, Name, Tree};
@@ -253,7 +253,7 @@ impl Graph {
 
     /// Whether an equation holds at a point but for rounding.
     pub fn holds(&self, sides: [usize; 2], point: usize, overlay: &Overlay) -> bool {
-        let [left, right] = sides.map(|side| Sized {
+        let [left, right] = sides.map(|side| SizedValue {
             value: self.seen(side, point, overlay),
             size: self.size(side, point, overlay),
         });

@@ -31,13 +31,13 @@ const WORK: u64 = 40_000_000;
 
 /// A value, and the sum of the sizes of the terms that it is the sum of.
 #[derive(Clone, Debug)]
-pub struct Sized {
+pub struct SizedValue {
     pub value: Value,
     pub size: f64,
 }
 
 /// Whether two sides are equal but for rounding.
-pub fn agree(left: &Sized, right: &Sized) -> bool {
+pub fn agree(left: &SizedValue, right: &SizedValue) -> bool {
     super::value::agree(&left.value, &right.value, left.size + right.size)
 }
 
@@ -115,46 +115,37 @@ fn standing(leaf: &Tree, letter: &Name, stands: Stands) -> Option<Tree> {
 /// is a function of the time.
 pub fn take_standing(tree: &Tree, running: Option<&Name>, runs: &dyn Fn(&Tree) -> bool, into: &mut Vec<Tree>) {
     if let Tree::Operation(operation, _) = tree {
-        let (of, letter, places): (_, _, Vec<Stands>) = match &**operation {
+        let binds: Option<(_, _, Vec<Stands>)> = match &**operation {
             Operation::Integral {
                 of,
                 by,
                 limits: Some((low, high)),
             } => {
                 let parts = (-STEPS..=STEPS).map(|n| Stands::Between(low, high, abscissa(n, 1)[0]));
-                (of, by, parts.collect())
+                Some((of, by, parts.collect()))
             }
             Operation::Derivative { of, by, order: 1, at } => {
                 let near = differences().flat_map(|step| [Stands::Near(at, step), Stands::Near(at, -step)]);
-                (of, by, near.collect())
+                Some((of, by, near.collect()))
             }
-            _ => (tree, &NO_NAME, Vec::new()),
+            _ => None,
         };
-        let mut leaves = Vec::new();
-        if !places.is_empty() {
+        if let Some((of, letter, places)) = binds {
+            let mut leaves = Vec::new();
             take_leaves(of, &HashSet::new(), &mut leaves);
-        }
-        for leaf in leaves {
-            let moves = match &leaf {
-                Tree::Symbol(name, _) => name != letter && running == Some(letter) && runs(&leaf),
+            leaves.retain(|leaf| match leaf {
+                Tree::Symbol(name, _) => name != letter && running == Some(letter) && runs(leaf),
                 other => other.has_free(letter),
-            };
-            let places = places.iter().filter(|_| moves);
-            into.extend(places.filter_map(|place| standing(&leaf, letter, *place)));
+            });
+            for leaf in leaves {
+                into.extend(places.iter().filter_map(|place| standing(&leaf, letter, *place)));
+            }
         }
     }
     parts(tree)
         .iter()
         .for_each(|part| take_standing(part, running, runs, into));
 }
-
-static NO_NAME: Name = Name {
-    base: String::new(),
-    accents: Vec::new(),
-    subscript: String::new(),
-    mark: String::new(),
-    primes: 0,
-};
 
 fn differences() -> impl Iterator<Item = f64> {
     (0..HALVINGS).map(|n| DIFFERENCE / f64::from(1 << n))
@@ -268,10 +259,10 @@ impl Leaves {
     }
 
     /// The values of a tree at all points, each with the size of its terms.
-    pub fn sized(&self, tree: &Tree, definitions: &HashMap<Name, Tree>) -> Vec<Sized> {
+    pub fn sized(&self, tree: &Tree, definitions: &HashMap<Name, Tree>) -> Vec<SizedValue> {
         let points = 0..self.points;
         points
-            .map(|point| Sized {
+            .map(|point| SizedValue {
                 value: self.value(tree, point, definitions),
                 size: self.size(tree, point, definitions),
             })

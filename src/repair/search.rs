@@ -5,7 +5,7 @@ use super::context::Context;
 use super::dictionary::{Dictionaries, Wanted, number_of};
 use super::edit::{self, edits, missing_factor, missing_term, times};
 use super::graph::{Graph, Overlay};
-use super::leaves::{Leaves, Sized, agree};
+use super::leaves::{Leaves, SizedValue, agree};
 use super::matrices;
 use super::path::{Path, node, replaced, size, walk};
 use super::points;
@@ -356,7 +356,7 @@ impl<'a> Search<'a> {
         for found in found {
             let mended = found.mended(&self.formulas);
             let (equations, definitions) = with(&self.formulas, &mended, &bench.locals);
-            let gaps = |leaves: &Leaves, definitions: &HashMap<Name, Tree>| -> Vec<Vec<[Sized; 2]>> {
+            let gaps = |leaves: &Leaves, definitions: &HashMap<Name, Tree>| -> Vec<Vec<[SizedValue; 2]>> {
                 let each = equations.iter();
                 each.map(|equation| {
                     let sides = [&equation.left, &equation.right].map(|side| leaves.sized(side, definitions));
@@ -369,7 +369,7 @@ impl<'a> Search<'a> {
                 .collect()
             };
             let own = gaps(&bench.leaves, &definitions);
-            let is_met = |gaps: &[[Sized; 2]], point: usize| {
+            let is_met = |gaps: &[[SizedValue; 2]], point: usize| {
                 let sides = gaps.get(point);
                 sides.is_some_and(|[left, right]| agree(left, right))
             };
@@ -379,7 +379,7 @@ impl<'a> Search<'a> {
             }
             let is_literal =
                 |equation: &Equation| [&equation.left, &equation.right].map(|side| *side == edit::number(0));
-            let is_nothing = |(gaps, equation): (&Vec<[Sized; 2]>, &Equation)| {
+            let is_nothing = |(gaps, equation): (&Vec<[SizedValue; 2]>, &Equation)| {
                 gaps.iter().flatten().all(|side| side.value.size() < NOTHING) && !is_literal(equation).contains(&true)
             };
             // a factor that is 0 makes everything true
@@ -391,7 +391,7 @@ impl<'a> Search<'a> {
                 continue;
             };
             let gaps = gaps(free, &with(&self.formulas, &mended, &HashMap::new()).1);
-            let is_identity = |gaps: &[[Sized; 2]]| gaps.iter().all(|[left, right]| agree(left, right));
+            let is_identity = |gaps: &[[SizedValue; 2]]| gaps.iter().all(|[left, right]| agree(left, right));
             let changed = |n: usize| {
                 let mut sides = bench.failing.iter().filter_map(|side| bench.graph.sides.get(*side));
                 sides.any(|(formula, _)| {
@@ -400,11 +400,12 @@ impl<'a> Search<'a> {
                 })
             };
             let is_slip = !found.may_balance() && self.speaks_of_the_same(&mended);
-            let is_independent = |(n, gaps): (usize, &Vec<[Sized; 2]>)| changed(n) && is_identity(gaps);
+            let is_independent = |(n, gaps): (usize, &Vec<[SizedValue; 2]>)| changed(n) && is_identity(gaps);
             if !is_slip && gaps.iter().enumerate().any(is_independent) {
                 continue;
             }
-            let difference = |[left, right]: &[Sized; 2]| left.value.clone().plus(right.value.clone().negated()).told();
+            let difference =
+                |[left, right]: &[SizedValue; 2]| left.value.clone().plus(right.value.clone().negated()).told();
             let differences: Vec<Vec<Number>> = gaps.iter().map(|gaps| gaps.iter().map(difference).collect()).collect();
             if known.iter().any(|other| proportional(other, &differences)) {
                 continue;

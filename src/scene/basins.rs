@@ -1,6 +1,6 @@
 //! Which attractor each of a grid of starts comes to, at one device.
 
-use super::following::{Depth, Flown, Followed, Following, follow};
+use super::following::{Depth, Execution, Followed, Following, follow};
 use super::pace::Pace;
 use super::sweep::Diagram;
 use super::{Quantity, Scene, SceneError, Setting, Want};
@@ -152,7 +152,7 @@ impl Scene {
             true => Some((self.membrane()?, self.scales::<f64>()?.velocity)),
             false => None,
         };
-        let flown = Flown::of(grid.starts(), &grid.diagram);
+        let execution = Execution::of(grid.starts(), &grid.diagram);
         Ok(BasinPoints {
             scene: self.clone(),
             motion: self.motion()?,
@@ -160,7 +160,7 @@ impl Scene {
             membrane,
             left: 0..grid.starts(),
             grid,
-            pace: Pace::new(flown.together()),
+            pace: Pace::new(execution.together()),
             block: Vec::new().into_iter(),
             known: Vec::new(),
         })
@@ -216,7 +216,7 @@ impl BasinPoints {
         };
         let motions = starts.iter();
         let motions = motions.map(|start| (following(), Widening::new(&self.motion, &start.start())));
-        let followed = follow(motions.collect(), self.flown());
+        let followed = follow(motions.collect(), self.execution());
         let reached = |(start, reached): (_, Result<_, _>)| match reached {
             Ok(reached) => Ok((start, reached)),
             Err(error) => Err(self.scene.error(None, error)),
@@ -224,8 +224,8 @@ impl BasinPoints {
         starts.into_iter().zip(followed).map(reached).collect()
     }
 
-    fn flown(&self) -> Flown {
-        Flown::of(self.grid.starts(), &self.grid.diagram)
+    fn execution(&self) -> Execution {
+        Execution::of(self.grid.starts(), &self.grid.diagram)
     }
 
     /// Where a motion leads: to a cycle that is known, or to one that is proved now if it can be.
@@ -291,10 +291,10 @@ impl BasinPoints {
     fn fill(&mut self) {
         let token = Token::current();
         let mut pace = self.pace;
-        let flown = self.flown();
-        let most = flown.most(&self.grid.diagram);
+        let execution = self.execution();
+        let most = execution.most(&self.grid.diagram);
         let block: Vec<_> = pace.block(most.min(self.left.end - self.left.start), |size| {
-            let numbers = flown.parts(self.left.start..(self.left.start + size).min(self.left.end));
+            let numbers = execution.parts(self.left.start..(self.left.start + size).min(self.left.end));
             let simulated = numbers.into_par_iter();
             let simulated = simulated.flat_map_iter(|part| token.during(|| self.simulated(part)));
             simulated.collect()

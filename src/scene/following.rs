@@ -85,7 +85,7 @@ const BLOCK: u64 = 1024;
 
 /// How motions are flown: what they come to is the same but for rounding, and for chaos, which makes all of rounding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Flown {
+pub(super) enum Execution {
     /// One after the other.
     Alone,
     /// In lanes: faster from ten on.
@@ -105,7 +105,7 @@ const MOST_TOGETHER: u64 = 128;
 const HELD: u64 = 100_000;
 const LONGEST: u32 = 1_000_000;
 
-impl Flown {
+impl Execution {
     /// How so many motions are flown. What comes out must not depend on the parts in which they are computed, so that it
     /// goes by all of them.
     pub fn of(motions: u64, diagram: &Diagram) -> Self {
@@ -175,14 +175,14 @@ impl Flown {
 /// Follows motions from their first events on.
 pub(super) fn follow<P: Parameters>(
     motions: Vec<(Following<P>, Widening)>,
-    flown: Flown,
+    execution: Execution,
 ) -> Vec<Result<Followed, MotionError>> {
     let (motions, events): (Vec<_>, Vec<_>) = motions.into_iter().unzip();
     let with_growth = motions.iter().any(|motion| motion.depth == Depth::Reliable);
     let begun = motions.iter().zip(events).enumerate();
     let begun = begun.map(|(index, (motion, events))| (motion.tracked(events), (index, motion.settling())));
     let mut settled = Vec::with_capacity(motions.len());
-    flown.along(
+    execution.along(
         begun,
         with_growth,
         |(_, settling), event, _| settling.take(event),
@@ -230,7 +230,7 @@ pub(super) fn follow<P: Parameters>(
     let begun = open
         .iter()
         .map(|(index, end, averaging)| (averaging.events_after(end), (*index, averaging.begin(end))));
-    flown.along(
+    execution.along(
         begun,
         with_growth,
         |(_, means), event, grown| means.take(event, grown),

@@ -1,6 +1,6 @@
 //! The points of a sweep: at each value the motion, its last impacts, what it has come to, and their voltage.
 
-use super::following::{Depth, Flown, Followed, Following, Means, follow};
+use super::following::{Depth, Execution, Followed, Following, Means, follow};
 use super::pace::Pace;
 use super::setting::At;
 use super::sweep::{Begin, Diagram, Map, MapWant, Over, Sweep};
@@ -78,10 +78,10 @@ impl Scene {
         let setting = self.swept_setting()?;
         let membrane = wants.contains(&Want::Voltage).then(|| self.membrane()).transpose()?;
         let (sweep, diagram) = (self.sweep()?, self.diagram()?);
-        let flown = Flown::of(u64::from(sweep.points), &diagram);
+        let execution = Execution::of(u64::from(sweep.points), &diagram);
         Ok(Points {
             diagram,
-            flown,
+            execution,
             setting: setting.over_number(),
             typed: setting,
             start: self.start()?.start(),
@@ -91,7 +91,7 @@ impl Scene {
             beside: None,
             left: 0..sweep.points,
             sweep,
-            pace: Pace::new(flown.together()),
+            pace: Pace::new(execution.together()),
             block: Vec::new().into_iter(),
             before: None,
         })
@@ -134,7 +134,7 @@ pub struct Points {
     start: Start<f64>,
     membrane: Option<Membrane<f64>>,
     depth: Depth,
-    flown: Flown,
+    execution: Execution,
     /// What else stands in the place of a key.
     beside: Option<(Over, Quantity)>,
     /// The numbers of the values that are still to come.
@@ -218,7 +218,7 @@ impl Points {
         };
         let motions = prepared.iter().flatten();
         let motions = motions.map(|prepared| (self.following(prepared), events(&prepared.motion)));
-        let mut followed = follow(motions.collect(), self.flown).into_iter();
+        let mut followed = follow(motions.collect(), self.execution).into_iter();
         let point = |prepared: Result<Prepared, SceneError>| {
             let Prepared { value, motion, .. } = match prepared {
                 Ok(prepared) => prepared,
@@ -239,12 +239,14 @@ impl Points {
         let left = self.left.end - self.left.start;
         let block = match self.diagram.start {
             Begin::Each => {
-                let most = self.flown.most(&self.diagram).min(u64::from(left));
+                let most = self.execution.most(&self.diagram).min(u64::from(left));
                 let token = Token::current();
                 let mut pace = self.pace;
                 let block = pace.block(most, |size| {
                     let start = u64::from(self.left.start);
-                    let parts = self.flown.parts(start..(start + size).min(u64::from(self.left.end)));
+                    let parts = self
+                        .execution
+                        .parts(start..(start + size).min(u64::from(self.left.end)));
                     let points = parts.into_par_iter().flat_map_iter(|part| {
                         let part = part.start as u32..part.end as u32;
                         token.during(|| self.at(part, None))
@@ -345,12 +347,12 @@ impl MapPoints {
         let starts = self.map.starts.len() as u64;
         let (y, start) = (self.map.y.value((row / starts) as u32), (row % starts) as usize);
         let typed = self.setting.clone().with(self.map.y.over, &y);
-        let flown = Flown::of(u64::from(self.map.x.points), &self.map.diagram);
+        let execution = Execution::of(u64::from(self.map.x.points), &self.map.diagram);
         let points = Points {
             scene: self.scene.clone(),
             sweep: self.map.x.clone(),
             diagram: self.map.diagram,
-            flown,
+            execution,
             setting: typed.over_number(),
             typed,
             start: self.map.starts[start].start(),
@@ -358,7 +360,7 @@ impl MapPoints {
             depth: self.depth,
             beside: Some((self.map.y.over, y.clone())),
             left: first..self.map.x.points,
-            pace: Pace::new(flown.together()),
+            pace: Pace::new(execution.together()),
             block: Vec::new().into_iter(),
             before: None,
         };

@@ -1,6 +1,6 @@
 //! The rules of the house, held by tests: who may use whom, where no circle of imports may be, and that no golden file lies
 //! about unused. Each rule is a function that is itself shown sources that break it. That nothing panics by its own word is
-//! clippy's to say: `src/lib.rs` and `src/main.rs` deny it.
+//! clippy's to say: `src/lib.rs` denies it.
 
 mod golden;
 mod imports;

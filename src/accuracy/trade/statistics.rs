@@ -270,7 +270,7 @@ struct Way {
 impl Way {
     fn all_for(quantity: Quantity) -> Vec<Self> {
         let hows: &[How] = match quantity {
-            // lanes do not follow how distances grow
+            // [`Batch`], which is measured here, does not follow how distances grow
             Quantity::Lyapunov => &[How::OneByOne],
             _ => &[How::OneByOne, How::Lanes],
         };

@@ -110,7 +110,7 @@ fn follow<M, const GROWTH: bool>(
         beside,
         turns: 0,
     });
-    let mut air = Air {
+    let mut tracked = TrackedLanes {
         lanes: Lanes::idle(),
         growths: Growths::none(),
     };
@@ -119,12 +119,12 @@ fn follow<M, const GROWTH: bool>(
     loop {
         let mut is_over = true;
         for (lane, place) in balls.iter_mut().enumerate() {
-            is_over &= !air.goes_on::<M, GROWTH>(place, lane, &mut waiting, &mut each, &mut ended);
+            is_over &= !tracked.goes_on::<M, GROWTH>(place, lane, &mut waiting, &mut each, &mut ended);
         }
         if is_over {
             return;
         }
-        available.step::<GROWTH>(&mut air.lanes, &mut flights, &mut air.growths);
+        available.step::<GROWTH>(&mut tracked.lanes, &mut flights, &mut tracked.growths);
     }
 }
 
@@ -143,7 +143,7 @@ impl Grown<'_> {
 }
 
 /// All lanes, with what is known of their errors.
-struct Air {
+struct TrackedLanes {
     lanes: Lanes,
     growths: Growths,
 }
@@ -157,7 +157,7 @@ struct Ball<M> {
     turns: i64,
 }
 
-impl Air {
+impl TrackedLanes {
     /// Brings a lane to its next ordinary flight: of its ball, or, where that motion is over, of one that waits; `false`
     /// where there is none.
     #[inline]
@@ -417,6 +417,7 @@ mod tests {
                     continue;
                 }
                 held += 1;
+                // a rounding of the motion itself grows to some 1e-6 of it by then, and a wrong term would show as a part of 1
                 for ((event, stretch), (same, alone)) in told.iter().zip(&alone) {
                     assert_eq!(event.kind, same.kind);
                     assert!(
