@@ -76,6 +76,35 @@ impl<'a, T: Analytic> Flight<'a, T> {
         }
     }
 
+    /// What the same flight in f64 says, where the number is a wider one: what f64 can tell need not be computed in that.
+    pub fn in_f64<R>(&self, ask: impl FnOnce(&Flight<f64>) -> R) -> Option<R> {
+        let scaled = self.scaled.narrow.as_deref()?;
+        let [phase, sin, cos, speed] =
+            [&self.from.phase, &self.from.sin, &self.from.cos, &self.from.speed].map(T::to_f64);
+        let from = Departure {
+            side: self.from.side,
+            phase,
+            sin,
+            cos,
+            speed,
+            released: self.from.released,
+        };
+        let [y, w, push, sin, cos] = [
+            &self.start.y,
+            &self.start.w,
+            &self.start.push,
+            &self.start.sin,
+            &self.start.cos,
+        ]
+        .map(T::to_f64);
+        Some(ask(&Flight {
+            scaled,
+            from: &from,
+            start: Expansion { y, w, push, sin, cos },
+            g: self.g.to_f64(),
+        }))
+    }
+
     /// The next contact. `recent` proposes the angle at which a flight between the two walls ends.
     #[inline]
     pub fn arrival(&self, recent: &[[f64; 2]; 2]) -> Result<Arrival<T>, Stop> {
@@ -275,8 +304,20 @@ impl<'a, T: Analytic> Flight<'a, T> {
         if bound > self.noise(high) {
             return Ok(Dip::Clear(bound));
         }
-        let (angle, bottom) = meeting.bottom(wall, low, high);
-        let noise = self.noise(angle);
+        // the phase, rounded, may move the dip by as much again
+        let told = self.in_f64(|flight| {
+            let (angle, bottom) = Meeting {
+                flight,
+                recent: meeting.recent,
+            }
+            .bottom(wall, low, high);
+            (angle, bottom, 2.0 * flight.noise(angle))
+        });
+        let told = told.filter(|(_, bottom, noise)| bottom.abs() > *noise);
+        let (angle, bottom, noise) = told.unwrap_or_else(|| {
+            let (angle, bottom) = meeting.bottom(wall, low, high);
+            (angle, bottom, self.noise(angle))
+        });
         if bottom > noise {
             return Ok(Dip::Clear(bottom));
         }

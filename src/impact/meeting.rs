@@ -180,9 +180,16 @@ impl<T: Analytic> Meeting<'_, T> {
         (leap, 14.0 * size * bent.powi(4))
     }
 
-    /// An angle of the stretch to start from: that of a late flight, or by a cubic through both ends.
+    /// An angle of the stretch to start from: the contact in f64, that of a late flight, or by a cubic through both ends.
     #[inline]
     fn proposal(&self, stretch: &Stretch) -> f64 {
+        let recent = self.recent;
+        let told = self
+            .flight
+            .in_f64(|flight| Meeting { flight, recent }.arrival(stretch, 0.0).angle);
+        if let Some(angle) = told.filter(|angle| stretch.low < *angle && *angle < stretch.high) {
+            return angle;
+        }
         let start = &self.flight.start;
         if stretch.low == 0.0 && stretch.wall == self.flight.from.side {
             // a short hop, under a push that hardly changes

@@ -20,6 +20,8 @@ pub(super) struct Scaled<T> {
     pub inverse_pi: T,
     /// Of the number; a wide one is slow to tell it.
     pub epsilon: f64,
+    /// The same in f64, where the number is a wider one.
+    pub narrow: Option<Box<Scaled<f64>>>,
 }
 
 /// cos(angle) = -g, angle in (0, pi): f + g > 0 before it, and again after 2 pi - angle.
@@ -38,15 +40,37 @@ impl<T: Analytic> Scaled<T> {
             angle: (-g.clone()).acos(),
             sin: room.sqrt(),
         });
-        Self {
+        let mut scaled = Self {
             gap: pi.clone() * pi.clone() * motion.d().clone(),
             restitution: [Side::Bottom, Side::Top].map(|side| motion.restitution(side).clone()),
             turn,
             circle: pi.clone() + pi.clone(),
             inverse_pi: T::one() / pi.clone(),
             epsilon: T::epsilon().to_f64(),
+            narrow: None,
             pi,
             g,
+        };
+        if scaled.epsilon < f64::EPSILON {
+            scaled.narrow = Some(Box::new(scaled.in_f64()));
+        }
+        scaled
+    }
+
+    fn in_f64(&self) -> Scaled<f64> {
+        Scaled {
+            g: self.g.to_f64(),
+            gap: self.gap.to_f64(),
+            restitution: [0, 1].map(|side| self.restitution[side].to_f64()),
+            turn: self.turn.as_ref().map(|turn| Turn {
+                angle: turn.angle.to_f64(),
+                sin: turn.sin.to_f64(),
+            }),
+            pi: self.pi.to_f64(),
+            circle: self.circle.to_f64(),
+            inverse_pi: self.inverse_pi.to_f64(),
+            epsilon: f64::EPSILON,
+            narrow: None,
         }
     }
 

@@ -78,14 +78,17 @@ fn tail<T: Analytic>(z: &T, n: i64, epsilon: f64) -> T {
             terms::<T, 7>(z, n)
         };
     }
-    let (mut sum, mut term) = (T::one(), T::one());
+    // how large the terms are is told by f64, which a wide number is slow to be read into
+    let (mut sum, mut term, mut left) = (T::one(), T::one(), 1.0);
     let smallest = epsilon / 8.0;
     for pair in 0_i64.. {
         let first = n + 2 * pair;
-        term = -(term * z.clone()) / T::from_integer(first * (first + 1));
+        let divisor = first * (first + 1);
+        term = -(term * z.clone()) / T::from_integer(divisor);
         sum += term.clone();
+        left *= size / divisor as f64;
         // NaN ends it as well
-        if term.to_f64().abs() > smallest {
+        if left > smallest {
             continue;
         }
         break;

@@ -9,6 +9,7 @@ use super::derivable::Elementary;
 use super::{Analytic, Field};
 use dashu_float::round::mode::HalfEven;
 use dashu_float::{ConstCache, Context, FBig, Repr};
+use dashu_int::{Sign, Word};
 use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
 use std::fmt;
@@ -313,8 +314,29 @@ impl<const DIGITS: usize> Analytic for Wide<DIGITS> {
     }
 
     fn to_f64(&self) -> f64 {
-        self.0.as_ref().map_or(f64::NAN, |big| big.to_f64().value())
+        let nearest = |big: &Big| nearest_normal(big.repr()).unwrap_or_else(|| big.to_f64().value());
+        self.0.as_ref().map_or(f64::NAN, nearest)
     }
+}
+
+/// The nearest f64, where it is no subnormal one and no infinity: from the two leading words, in a tenth of the time of the
+/// general way.
+fn nearest_normal(repr: &Repr<2>) -> Option<f64> {
+    let (sign, words) = repr.significand().as_sign_words();
+    let (below, leading) = words.split_at(words.len().saturating_sub(2));
+    let leading = leading
+        .iter()
+        .rev()
+        .fold(0, |sum, word| sum << Word::BITS | u128::from(*word));
+    // what is cut off tells on which side of a tie it was
+    let leading = leading | u128::from(below.iter().any(|word| *word != 0));
+    let exponent = repr.exponent() + isize::try_from(below.len() * Word::BITS as usize).ok()?;
+    let power = u64::try_from(exponent + 1023)
+        .ok()
+        .filter(|biased| (1..2047).contains(biased))?;
+    let size = leading as f64 * f64::from_bits(power << 52);
+    let is_exact = size.is_finite() && size > 2.0 * f64::MIN_POSITIVE;
+    is_exact.then_some(if sign == Sign::Negative { -size } else { size })
 }
 
 #[cfg(test)]
@@ -357,6 +379,34 @@ mod tests {
     fn f64_passes_through_unchanged() {
         for value in [0.0, -0.0, 1.0, -0.1, 1e300, 5e-324, f64::MIN_POSITIVE, f64::MAX] {
             assert_eq!(Number::from_f64(value).to_f64(), value);
+        }
+    }
+
+    /// As dashu rounds, which takes its time; ties and what a far bit makes of them among the numbers.
+    #[test]
+    fn the_nearest_f64_is_found() {
+        let halves = [0u64, 1 << 10, 1 << 63, u64::MAX, 0x0123_4567_89ab_cdef];
+        for high in [
+            1u64,
+            (1 << 53) + 1,
+            (1 << 54) + 2,
+            (1 << 63) | (1 << 10),
+            (3 << 62) | (3 << 10),
+            u64::MAX,
+        ] {
+            for (middle, low) in halves.into_iter().flat_map(|middle| halves.map(|low| (middle, low))) {
+                for exponent in (-1300..1200).step_by(61).chain([-1150, -1149, -1148, 830, 831, 832]) {
+                    for words in [vec![high], vec![low, middle, high], vec![low, middle, low, high]] {
+                        let significand = dashu_int::UBig::from_words(&words);
+                        let repr = Repr::new(significand.into(), exponent);
+                        let big = Big::from_repr(repr.clone(), Context::new(0));
+                        let expected = big.to_f64().value();
+                        let found = Wide::<90>(Some(big.clone())).to_f64();
+                        assert_eq!(found, expected, "{words:?} 2^{exponent}");
+                        assert_eq!(Wide::<90>(Some(-big)).to_f64(), -expected);
+                    }
+                }
+            }
         }
     }
 
