@@ -204,6 +204,11 @@ impl Growth {
         !self.lost
     }
 
+    /// Whether the errors of phase and velocity of the latest event, some times those estimated, stay below `error`.
+    pub fn holds_to(&self, error: f64) -> bool {
+        !self.lost && self.error.iter().all(|estimate| SAFELY * estimate <= error)
+    }
+
     fn restart(&mut self, sides: [f64; 2]) {
         self.axes = [[1.0, 0.0], [0.0, 1.0]];
         self.sides = sides;

@@ -1,6 +1,6 @@
 //! Cycles through a rest: a release forgets what was before, so the second one from a wall closes a cycle.
 
-use crate::impact::{Event, Growth, Kind, Simulation};
+use crate::impact::{Event, Kind, Simulation};
 use crate::model::{MotionError, Parameters, Side};
 use crate::number::{Analytic, Digits, DoubleDouble, Rung, at_digits};
 use crate::stop;
@@ -24,7 +24,7 @@ impl Releases {
 /// A cycle through a rest: from a release to the next one from that wall.
 ///
 /// The release is known by itself to every digit, so all of the cycle is that of the exact parameters, in a number wide
-/// enough for errors not to take its impacts over.
+/// enough for the estimated errors of its events to stay below 1e-13.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RestingCycle {
     /// The wall that releases the ball.
@@ -37,6 +37,9 @@ pub struct RestingCycle {
     /// of more than [`HELD`] events.
     events: Vec<Event<f64>>,
 }
+
+/// The largest error of phase and velocity of an event of a cycle: nobody is told more digits than this leaves.
+const EXACT: f64 = 1e-13;
 
 /// The most events of a cycle that are kept.
 const HELD: usize = 20_000;
@@ -124,7 +127,7 @@ impl RestingCycle {
         let mut simulation = simulation.with_growth();
         let mut released = None;
         while let Some(event) = simulation.next() {
-            if !simulation.growth().is_some_and(Growth::holds) {
+            if !simulation.growth().is_some_and(|growth| growth.holds_to(EXACT)) {
                 break;
             }
             let event = event.convert(T::to_f64);
