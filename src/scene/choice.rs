@@ -22,7 +22,7 @@ pub struct BoxChoice {
 impl Scene {
     /// The parameters that have a range in the box.
     pub(super) fn chosen(&self) -> Vec<Over> {
-        let is_given = |over: &Over| self.document.get(over.box_key()).is_some();
+        let is_given = |over: &Over| over.box_key().is_some_and(|key| self.document.get(key).is_some());
         Over::ALL.into_iter().filter(is_given).collect()
     }
 
@@ -37,7 +37,7 @@ impl Scene {
         let [low, high] = ends.as_slice() else {
             return Err(self.wrong(key, entry, RANGE.to_owned()));
         };
-        let over = Over::ALL.into_iter().find(|over| over.box_key() == key);
+        let over = Over::ALL.into_iter().find(|over| over.box_key() == Some(key));
         let end = |end| {
             let value = self.number_in(key, end)?;
             match over.and_then(|over| Some((over, allowed_number(over.key().allowed, &value)?))) {
@@ -55,7 +55,8 @@ impl Scene {
     /// The range of a parameter in the box; where it has none, the value that it has.
     fn chosen_range(&self, over: Over) -> Result<Range, SceneError> {
         let enclosed = |value: &Quantity| value.value::<Interval>();
-        Ok(match self.range_of(over.box_key())? {
+        let typed = over.box_key().map(|key| self.range_of(key)).transpose()?;
+        Ok(match typed.flatten() {
             Some([low, high]) => Range {
                 low: enclosed(&low),
                 high: enclosed(&high),
@@ -75,9 +76,8 @@ impl Scene {
             (Over::D, Over::ForcingAmplitude, "the capsule keeps its length"),
             (Over::G, Over::Incline, "g is given outright"),
         ] {
-            if has(one) && has(other) {
-                let key = one.box_key();
-                let allowed = format!("left out where {} is given, or that: {why}", other.box_key().path());
+            if let (true, true, Some(key), Some(other)) = (has(one), has(other), one.box_key(), other.box_key()) {
+                let allowed = format!("left out where {} is given, or that: {why}", other.path());
                 return Err(self.wrong(key, self.require(key, None)?, allowed));
             }
         }

@@ -81,11 +81,11 @@ impl Key {
 }
 
 impl Over {
-    /// The key whose place the sweep takes.
+    /// The key whose place the sweep takes; of both restitutions, the first.
     pub(super) fn key(self) -> &'static Key {
         match self {
             Self::D => &key::D,
-            Self::RB => &key::R_B,
+            Self::RB | Self::R => &key::R_B,
             Self::RT => &key::R_T,
             Self::Incline => &key::INCLINE,
             Self::G => &key::G,
@@ -93,15 +93,21 @@ impl Over {
         }
     }
 
-    /// The key of its range in a box.
-    pub(super) fn box_key(self) -> &'static Key {
+    /// Whether the sweep takes the place of a key.
+    pub(super) fn takes(self, key: &Key) -> bool {
+        self.key() == key || (self == Self::R && *key == key::R_T)
+    }
+
+    /// The key of its range in a box; none of both restitutions, which have a range each there.
+    pub(super) fn box_key(self) -> Option<&'static Key> {
         match self {
-            Self::D => &key::BOX_D,
-            Self::RB => &key::BOX_R_B,
-            Self::RT => &key::BOX_R_T,
-            Self::Incline => &key::BOX_INCLINE,
-            Self::G => &key::BOX_G,
-            Self::ForcingAmplitude => &key::BOX_FORCING_AMPLITUDE,
+            Self::D => Some(&key::BOX_D),
+            Self::RB => Some(&key::BOX_R_B),
+            Self::RT => Some(&key::BOX_R_T),
+            Self::R => None,
+            Self::Incline => Some(&key::BOX_INCLINE),
+            Self::G => Some(&key::BOX_G),
+            Self::ForcingAmplitude => Some(&key::BOX_FORCING_AMPLITUDE),
         }
     }
 }
@@ -182,7 +188,7 @@ impl Scene {
                 }
                 if self.wants_of_map()?.iter().any(|want| want.is_voltage()) {
                     required.extend(MEMBRANE);
-                    let replaced = |key: &&Key| swept.iter().any(|over| over.key() == *key);
+                    let replaced = |key: &&Key| swept.iter().any(|over| over.takes(key));
                     required.extend(SCALES.into_iter().filter(|key| !replaced(key)));
                 }
             }
@@ -201,7 +207,7 @@ impl Scene {
                 if swept.is_empty() {
                     required.push(&key::BOX_D);
                 }
-                optional.extend(Over::ALL.map(Over::box_key));
+                optional.extend(Over::ALL.into_iter().filter_map(Over::box_key));
                 optional.extend([&key::MAX_PERIODS, &key::BOX_MARGIN, &key::BOX_CLEARANCE]);
                 required.extend(MEMBRANE);
                 let is_free = |over: Over| swept.contains(&over);
@@ -245,7 +251,7 @@ impl Scene {
         walls
             .into_iter()
             .chain(gravity.iter().copied())
-            .filter(|&key| !swept.iter().any(|over| over.key() == key))
+            .filter(|&key| !swept.iter().any(|over| over.takes(key)))
             .collect()
     }
 

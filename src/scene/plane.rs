@@ -55,6 +55,7 @@ impl ParameterPlane for Plane {
     }
 
     fn is_symmetric(&self) -> bool {
-        Family::is_symmetric(&self.setting)
+        // a restitution that is a parameter by itself is not that of the other wall
+        ![self.x.over, self.y.over].contains(&Over::RB) && Family::is_symmetric(&self.setting)
     }
 }

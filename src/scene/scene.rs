@@ -191,7 +191,7 @@ impl Scene {
 
     /// The number of a key, or that of the sweep in its place.
     fn value_with<T: Analytic>(&self, key: &'static Key, swept: Swept) -> Result<T, SceneError> {
-        let Some(&(over, value)) = swept.iter().find(|(over, _)| over.key() == key) else {
+        let Some(&(over, value)) = swept.iter().find(|(over, _)| over.takes(key)) else {
             return Ok(self.number(key)?.value());
         };
         if allowed_number(key.allowed, value).is_some() {
@@ -409,8 +409,9 @@ impl Scene {
         (y, y_ends): (Over, [&Quantity; 2]),
     ) -> Result<(), SceneError> {
         let is_pair = |one, other| (x, y) == (one, other) || (x, y) == (other, one);
-        if x == y || is_pair(Over::G, Over::Incline) {
-            let allowed = format!("another parameter than {x}, and not both g and incline");
+        let is_twice = x == y || is_pair(Over::R, Over::RB) || is_pair(Over::R, Over::RT);
+        if is_twice || is_pair(Over::G, Over::Incline) {
+            let allowed = format!("another parameter than {x}, and not both g and incline, nor r with r_b or r_t");
             return Err(self.wrong(second, self.require(second, None)?, allowed));
         }
         // every parameter of the one goes with every parameter of the other
@@ -611,6 +612,9 @@ fn read_word(text: &str) -> Result<Word, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Side;
+    use crate::orbit::{Family, ParameterPlane};
+    use crate::scene::find;
 
     #[test]
     fn a_word_starts_at_a_bottom_impact_that_follows_a_top_one() {
@@ -626,6 +630,44 @@ mod tests {
             ("BTBTBTB", "at most 6"),
         ] {
             assert!(read_word(text).is_err_and(|allowed| allowed.contains(wanted)), "{text}");
+        }
+    }
+
+    fn changed(settings: &[&str]) -> Scene {
+        let mut scene = Scene::read(find("fig02").expect("a scene that is built in"), "fig02").expect("a scene");
+        for setting in settings {
+            scene.set(setting).expect("a setting");
+        }
+        scene
+    }
+
+    #[test]
+    fn both_restitutions_are_swept_as_one() {
+        let over = ["sweep.over=r", "sweep.from=0.2", "sweep.to=0.7"];
+        let scene = changed(&over);
+        let setting = scene.swept_setting().expect("a sweep");
+        let motion = setting.over_number::<f64>().at(&0.35).expect("a motion");
+        assert_eq!(
+            [*motion.restitution(Side::Bottom), *motion.restitution(Side::Top)],
+            [0.35; 2]
+        );
+        assert!(!Family::is_symmetric(&setting));
+        let level = changed(&[&over[..], &["device.incline=0"]].concat());
+        assert!(Family::is_symmetric(&level.swept_setting().expect("a sweep")));
+    }
+
+    #[test]
+    fn a_plane_is_symmetric_where_both_restitutions_are_one_parameter_and_not_where_they_are_two() {
+        let plane = |x: &str, y: &str| {
+            let [x, y] = [("x", x), ("y", y)]
+                .map(|(axis, over)| format!("branch.{axis}={{over = \"{over}\", from = 0.3, to = 0.7}}"));
+            changed(&["device.incline=0", &x, &y]).plane()
+        };
+        let is_symmetric = |x: &str, y: &str| ParameterPlane::is_symmetric(&plane(x, y).expect("a plane"));
+        assert!(is_symmetric("d", "r") && is_symmetric("r", "d"));
+        assert!(!is_symmetric("r_b", "r_t") && !is_symmetric("d", "r_b") && !is_symmetric("d", "r_t"));
+        for (x, y) in [("r", "r_b"), ("r_t", "r"), ("r", "r")] {
+            assert!(plane(x, y).is_err(), "{x} {y}");
         }
     }
 }

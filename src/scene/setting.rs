@@ -84,6 +84,9 @@ impl Scene {
 impl<Q: Clone> Setting<Q> {
     /// The same with a value for one parameter that is left open.
     pub(super) fn with(mut self, over: Over, value: &Q) -> Self {
+        if over == Over::R {
+            return self.with(Over::RB, value).with(Over::RT, value);
+        }
         let place = match (over, &mut self.gravity) {
             (Over::D, _) => &mut self.d,
             (Over::RB, _) => &mut self.r_b,
@@ -91,8 +94,8 @@ impl<Q: Clone> Setting<Q> {
             (Over::G, Gravity::Component(g)) => g,
             (Over::Incline, Gravity::Device { incline, .. }) => incline,
             (Over::ForcingAmplitude, Gravity::Device { forcing_amplitude, .. }) => forcing_amplitude,
-            // not read where g is given
-            (Over::G | Over::Incline | Over::ForcingAmplitude, _) => return self,
+            // both walls above; not read where g is given
+            (Over::R | Over::G | Over::Incline | Over::ForcingAmplitude, _) => return self,
         };
         *place = Some(value.clone());
         self
@@ -188,10 +191,9 @@ impl Family for Setting {
     }
 
     fn is_symmetric(&self) -> bool {
-        let (Some(r_b), Some(r_t)) = (&self.r_b, &self.r_t) else {
-            return false;
-        };
-        r_b == r_t && (self.is_weightless() || r_b.compared_with_one() == Ordering::Equal)
+        // what is left open has one value
+        let is_one = |r: &Quantity| r.compared_with_one() == Ordering::Equal;
+        self.r_b == self.r_t && (self.is_weightless() || self.r_b.as_ref().is_some_and(is_one))
     }
 }
 

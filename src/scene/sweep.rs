@@ -15,6 +15,8 @@ pub enum Over {
     RB,
     /// The restitution of the top.
     RT,
+    /// The restitution of both, one value for the two.
+    R,
     /// The angle of the device against the horizontal; needs `[device]`.
     Incline,
     /// Gravity along the capsule over the forcing; whatever else gives it is not read.
@@ -25,10 +27,11 @@ pub enum Over {
 
 impl Over {
     /// Everything that can be swept.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::D,
         Self::RB,
         Self::RT,
+        Self::R,
         Self::Incline,
         Self::G,
         Self::ForcingAmplitude,
@@ -40,6 +43,7 @@ impl Over {
             Self::D => "d",
             Self::RB => "r_b",
             Self::RT => "r_t",
+            Self::R => "r",
             Self::Incline => "incline",
             Self::G => "g",
             Self::ForcingAmplitude => "forcing_amplitude",

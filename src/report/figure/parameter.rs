@@ -21,6 +21,7 @@ impl Parameter {
             "d" => "gap d  [A\u{3c0}\u{b2}/(M\u{3c9}\u{b2})]",
             "r_b" => "restitution of the bottom, r_B",
             "r_t" => "restitution of the top, r_T",
+            "r" => "restitution of both membranes, r",
             "incline" => "incline \u{3b2}  [rad]",
             "g" => "gravity along the capsule  [A/M]",
             "forcing_amplitude" => "forcing amplitude A  [N]",
