@@ -24,10 +24,12 @@ mod modelled;
 mod optimise;
 mod options;
 mod orbits;
+mod part;
 mod plot;
 mod problems;
 mod progress;
 mod resume;
+mod rows;
 mod run;
 mod scene;
 mod scenes;
@@ -43,12 +45,13 @@ mod trajectory;
 mod verdicts;
 mod voltage;
 
-pub use answer::{Answer, Content, Rows};
+pub use answer::{Answer, Content};
 pub use caller::{Input, Reply, ask};
 pub use columns::{COLUMNS_VERSION, Description, described, described_commands, schema};
 pub use exit::Exit;
 pub use failure::Failure;
 pub use options::{Asked, Options};
+pub use rows::Rows;
 pub use scene::SceneArguments;
 pub use source::{Source, SourceError, SourceProblem};
 
