@@ -98,7 +98,7 @@ impl Figure {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Colour, Dash, Form, Mark, Marker, Point, Shape, Stroke};
+    use super::super::{Axis, Colour, Dash, Form, Mark, Marker, Point, Series, Shape, Stroke};
     use super::*;
 
     const THIN: Stroke = Stroke {
