@@ -1,6 +1,6 @@
-//! The values of formulas, and of the functions of time that a law gives: y^(n) = G(t, y, ..., y^(n-1)), from its values at one time to any other, by
-//! Taylor series from step to step (Moore, Interval Analysis, 1966, chapter 11). With n = 0 nothing is left to solve;
-//! where G names no y, this is an integral.
+//! The values of formulas, and those of functions of time that a law gives: y^(n) = G(t, y, ..., y^(n-1)), from its
+//! values at one time to any other, by Taylor series from step to step (Moore, Interval Analysis, 1966, chapter 11). With
+//! n = 0 nothing is left to solve; where G names no y, this is an integral.
 
 use super::formula::{Flow, Formula, Formulas, Inputs, Op, Program, price};
 use super::value::{Function, Value, undefined};

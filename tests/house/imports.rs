@@ -136,7 +136,7 @@ fn uses(file: &File) -> Vec<(usize, Vec<String>)> {
     found
 }
 
-/// What the `mod.rs` of a folder takes from the files of it, under the names by which others find it there.
+/// What the `mod.rs` of a folder takes from what lies in it, under the names by which others find it there.
 fn exports(file: &File) -> impl Iterator<Item = (String, Vec<String>)> {
     let (text, module) = (code(file), module(file));
     let mut found = Vec::new();
@@ -185,7 +185,13 @@ pub fn circles(sources: &[File]) -> Vec<String> {
     let name = |file: &File| module(file).join("/");
     let (folders, files): (Vec<&File>, Vec<&File>) = sources.iter().partition(|file| is_mod(file));
     let names: BTreeSet<String> = files.iter().map(|file| name(file)).collect();
-    let exports: BTreeMap<String, Vec<String>> = folders.into_iter().flat_map(exports).collect();
+    let modules: BTreeSet<String> = sources.iter().map(name).collect();
+    let exports = folders.into_iter().flat_map(exports).filter(|(name, path)| {
+        let child = path.iter().take(name.split('/').count());
+        // of a module and what is called like it, a path names the module
+        !modules.contains(name) && modules.contains(&child.cloned().collect::<Vec<_>>().join("/"))
+    });
+    let exports: BTreeMap<String, Vec<String>> = exports.collect();
     let used_by = |file: &File| -> BTreeSet<String> {
         let own = name(file);
         let used = uses(file)
@@ -214,18 +220,16 @@ pub fn circles(sources: &[File]) -> Vec<String> {
         .collect()
 }
 
-/// The file in which a path ends, by way of what a `mod.rs` takes from others.
+/// The file in which a path ends, by way of what a `mod.rs` takes from what lies in its folder.
 fn file_of(mut path: Vec<String>, names: &BTreeSet<String>, exports: &BTreeMap<String, Vec<String>>) -> Option<String> {
-    // no name leads over more files than there are
-    for _ in 0..=names.len() {
+    loop {
         let mut starts = (1..=path.len()).rev().map(|end| (end, path[..end].join("/")));
         let (end, start) = starts.find(|(_, start)| names.contains(start) || exports.contains_key(start))?;
         match exports.get(&start) {
-            Some(from) if !names.contains(&start) => path = [from, &path[end..]].concat(),
-            _ => return Some(start),
+            Some(from) => path = [from, &path[end..]].concat(),
+            None => return Some(start),
         }
     }
-    None
 }
 
 /// The modules left where those that use none of the rest, or of which none of the rest makes use, are taken away, again and
