@@ -3,7 +3,7 @@
 use super::circle::circle;
 use super::definition::{Local, circular, inlined};
 use super::fault::Fault;
-use super::substitute::any;
+use super::nodes::any;
 use super::vocabulary::{Map, Vocabulary};
 use crate::tex::{Name, Tree};
 use std::collections::HashMap;

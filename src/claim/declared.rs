@@ -1,8 +1,8 @@
 //! Which names are declared, and the first name of a formula that is not.
 
-use super::definition::{Local, pair_of};
+use super::definition::{base_alone, is_constant, pair_of};
 use super::nearest::nearest;
-use super::substitute::{any, any_side};
+use super::nodes::{any, any_side};
 use super::vocabulary::{Map, Vocabulary, index_of};
 use crate::tex::{Name, Tree};
 use std::collections::{BTreeSet, HashSet};
@@ -401,21 +401,4 @@ impl Vocabulary {
         let mark = if unchanged { String::new() } else { name.mark.clone() };
         Name { mark, ..name.clone() }
     }
-}
-
-/// Whether a name stands for a number that everybody knows: `\pi`, `e`, `i`.
-pub(super) fn is_constant(name: &Name) -> bool {
-    matches!(name.base.as_str(), r"\pi" | "e" | "i") && *name == base_alone(name)
-}
-
-fn base_alone(name: &Name) -> Name {
-    Name {
-        base: name.base.clone(),
-        ..Name::default()
-    }
-}
-
-/// Whether one of the definitions has this name.
-pub(super) fn is_defined(name: &Name, locals: &[Local]) -> bool {
-    locals.iter().any(|local| local.name == *name)
 }

@@ -1,8 +1,8 @@
 //! Symbols that a formula defines for itself.
 
 use super::circle::circle;
-use super::declared::{is_constant, is_defined};
-use super::substitute::{any, nodes_of, put_in};
+use super::nodes::{any, nodes_of, speaks_of};
+use super::substitute::put_in;
 use super::vocabulary::Vocabulary;
 use crate::tex::{Equation, Name, Relation, Tree};
 use std::collections::HashMap;
@@ -20,6 +20,32 @@ pub fn pair_of(name: &Name) -> Option<Name> {
         subscript: String::new(),
         ..name.clone()
     })
+}
+
+/// Whether a name stands for a number that everybody knows: `\pi`, `e`, `i`.
+pub(super) fn is_constant(name: &Name) -> bool {
+    matches!(name.base.as_str(), r"\pi" | "e" | "i") && *name == base_alone(name)
+}
+
+/// The name with nothing but its letter or command.
+pub(super) fn base_alone(name: &Name) -> Name {
+    Name {
+        base: name.base.clone(),
+        ..Name::default()
+    }
+}
+
+/// The pub(super) constant of integration, where nothing else has its name.
+pub(super) const CONSTANT_OF_INTEGRATION: &str = "C";
+
+/// Whether an undeclared name is the constant of integration.
+pub(super) fn is_constant_of_integration(name: &Name) -> bool {
+    name.base == CONSTANT_OF_INTEGRATION && *name == base_alone(name)
+}
+
+/// Whether one of the definitions has this name.
+pub(super) fn is_defined(name: &Name, locals: &[Local]) -> bool {
+    locals.iter().any(|local| local.name == *name)
 }
 
 /// `x_{1,2} = a \pm b` of two declared symbols as the two equations x_1 = a + b and x_2 = a - b, where neither x nor the
@@ -105,15 +131,6 @@ pub(super) fn circular(locals: &[Local]) -> Option<&Name> {
     };
     let uses: Vec<Vec<usize>> = locals.iter().map(used).collect();
     circle(&uses).and_then(|n| locals.get(n)).map(|local| &local.name)
-}
-
-/// Whether a name stands anywhere in a tree.
-pub(super) fn speaks_of(tree: &Tree, name: &Name) -> bool {
-    any(tree, &mut |node| match node {
-        Tree::Symbol(other, _) => other == name,
-        Tree::Partial { of, by, .. } => of == name || by == name,
-        _ => false,
-    })
 }
 
 /// Whether two trees are the same once definitions are put in.

@@ -1,7 +1,7 @@
 //! One `[[equation]]` of a sheet: what it states, what it defines, and whether it can be read.
 
-use super::declared::{is_constant, is_defined};
-use super::definition::{Local, circular, inlined_in, speaks_of, two_of_pair};
+use super::definition::is_constant_of_integration;
+use super::definition::{Local, circular, inlined_in, is_constant, is_defined, two_of_pair};
 use super::fault::{Fault, Source, Text};
 use super::function::Given;
 use super::implication::{
@@ -9,8 +9,9 @@ use super::implication::{
     signs_go_together, stated_of, unseen,
 };
 use super::nearest::nearest;
-use super::reduce::{holds_indefinite, is_constant_of_integration};
-use super::substitute::{any, any_side, flies, number_of, rewrite, tree_runs};
+use super::nodes::holds_indefinite;
+use super::nodes::{any, any_side, speaks_of};
+use super::substitute::{flies, number_of, rewrite, tree_runs};
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::number::{Field, Rational};

@@ -2,8 +2,9 @@
 //! what definitions give.
 
 use super::circle::circle;
-use super::definition::{Local, speaks_of};
-use super::substitute::{any, mapped, nodes_of, rewrite};
+use super::definition::Local;
+use super::nodes::{any, nodes_of, speaks_of};
+use super::substitute::{mapped, rewrite};
 use super::vocabulary::{Vocabulary, index_of};
 use crate::tex::{At, Equation, Name, Operation, Relation, Tree, functions_given};
 use std::cell::RefCell;

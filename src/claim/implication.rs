@@ -1,9 +1,8 @@
 //! What formulas say of formulas: `A \Rightarrow B`, `A \Leftrightarrow B`, "A or B".
 
-use super::declared::is_constant;
-use super::definition::{has_sign, with_sign};
+use super::definition::{has_sign, is_constant, with_sign};
 use super::fault::{Fault, Source};
-use super::substitute::any;
+use super::nodes::any;
 use super::vocabulary::Vocabulary;
 use crate::number::{Field, Rational};
 use crate::tex::{Condition, Display, Equation, Name, Names, ReadError, Relation, Tree, read_conditions, read_display};

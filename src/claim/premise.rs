@@ -1,14 +1,14 @@
 //! What a claim rests on: its premises with their substitutions made, and its definitions.
 
-use super::declared::is_defined;
-use super::definition::{Local, circular, clash, inlined, inlined_in, joined, means_the_same, speaks_of};
+use super::definition::{Local, circular, clash, inlined_in, is_defined, joined};
 use super::entry::{Entry, Role};
 use super::fault::{Fault, Source};
-use super::sheet::Sheet;
-use super::substitute::{any, any_side, flies, rewrite_alone, rewrite_condition, runs, tree_runs};
+use super::nodes::{any, any_side, speaks_of};
+use super::sheet::{RENAME, Sheet};
+use super::substitute::{flies, rewrite_alone, rewrite_condition, runs, tree_runs};
 use super::vocabulary::{Map, Vocabulary, index_of};
 use crate::tex::{At, Condition, Equation, Name, Tree};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 /// One equation that is taken as true.
 #[derive(Clone, Debug)]
@@ -147,7 +147,7 @@ impl Statements {
             return Err(fault.clone());
         }
         let mut found = Self::default();
-        let shared = shared(sheet, claim)?;
+        let shared = sheet.shared(claim)?;
         for entry in claim.follows_from.iter().filter_map(|&n| sheet.entries.get(n)) {
             found.rest_on(sheet, entry, claim, &shared)?;
         }
@@ -200,7 +200,7 @@ impl Statements {
             );
             return Err(claim.tex.fault(0, problem).of(&claim.label));
         }
-        let brought = self::shared(sheet, entry)?;
+        let brought = sheet.shared(entry)?;
         for (name, at) in &entry.borrowed {
             if !is_defined(name, shared) && !is_defined(name, &brought) {
                 let definition = sheet.definition_of(name).unwrap_or_default();
@@ -446,9 +446,6 @@ impl Statements {
     }
 }
 
-/// What to do where one name has two meanings.
-const RENAME: &str = "give one of them another name";
-
 impl Entry {
     /// What `with` puts in for something of which these definitions speak: outside this entry they stand for something else.
     fn put_into(&self, definitions: &[Local], vocabulary: &Vocabulary) -> Option<&(Equation, Source)> {
@@ -475,73 +472,4 @@ impl Entry {
         let mut others = others.iter().filter(|other| !is_defined(&other.name, known));
         others.any(|other| said.iter().any(|tree| speaks_of(tree, &other.name)))
     }
-}
-
-/// Refuses a name of an entry's own that means something else in a definition that the entry follows from.
-///
-/// # Errors
-/// The [`Fault`] with the label of that definition.
-pub(super) fn refuse_two_meanings(sheet: &Sheet, entry: &Entry, shared: &[Local]) -> Result<(), Fault> {
-    let Some(name) = clash(&entry.own, shared) else {
-        return Ok(());
-    };
-    let below = sheet.definitions_below(entry);
-    let gives = below.iter().find(|below| is_defined(name, &below.own));
-    let uses = || {
-        let speaks = |below: &&&Entry| below.own.iter().any(|local| speaks_of(&local.tree, name));
-        below.iter().find(speaks)
-    };
-    let other = gives.or_else(uses).map(|below| below.label.clone()).unwrap_or_default();
-    let problem = format!(
-        "`{name}` means one thing in ({}) and another in ({other}): {RENAME}",
-        entry.label
-    );
-    Err(entry.tex.fault(0, problem).of(&entry.label))
-}
-
-/// The definitions that an entry may use because it follows from them, each with what its own `where` defines put in.
-///
-/// # Errors
-/// The [`Fault`] of two definitions that give one name different meanings, or of one that is too large.
-pub(super) fn shared(sheet: &Sheet, entry: &Entry) -> Result<Vec<Local>, Fault> {
-    let mut found: Vec<Local> = Vec::new();
-    let (mut givers, mut again) = (HashMap::new(), Vec::new());
-    for definition in sheet.definitions_below(entry) {
-        let beside: Vec<Name> = definition
-            .local
-            .iter()
-            .filter_map(|(e, _)| Some(sheet.vocabulary.local(e)?.name))
-            .collect();
-        let (own, new): (Vec<Local>, Vec<Local>) = definition
-            .own
-            .iter()
-            .cloned()
-            .partition(|local| beside.contains(&local.name));
-        for local in new {
-            let Some(tree) = inlined(&local.tree, &own) else {
-                let problem = format!("`{}` is too large once its definitions are put in", local.name);
-                return Err(definition.tex.fault(0, problem).of(&definition.label));
-            };
-            let local = Local { tree, ..local };
-            match givers.get(&local.name) {
-                Some(_) => again.push((local, definition)),
-                None => {
-                    givers.insert(local.name.clone(), definition);
-                    found.push(local);
-                }
-            }
-        }
-    }
-    for (local, definition) in again {
-        let first = found.iter().find(|first| first.name == local.name);
-        if first.is_some_and(|first| !means_the_same(&first.tree, &local.tree, &found)) {
-            let first = givers.get(&local.name).map_or("", |first| first.label.as_str());
-            let problem = format!(
-                "`{}` means one thing in ({first}) and another in ({}): {RENAME}",
-                local.name, definition.label
-            );
-            return Err(entry.tex.fault(0, problem).of(&entry.label));
-        }
-    }
-    Ok(found)
 }

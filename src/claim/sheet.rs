@@ -1,12 +1,11 @@
 //! Audit sheets: what a person wrote down of a paper, read and checked for sense before anything is decided.
 
 use super::circle::circle;
-use super::declared::is_defined;
-use super::definition::speaks_of;
+use super::definition::{Local, clash, inlined, is_defined, means_the_same};
 use super::entry::{Entry, RawEntry, Role, read_entry};
 use super::fault::{Fault, Source, Text};
 use super::function::{Given, names_given};
-use super::premise::{refuse_two_meanings, shared};
+use super::nodes::speaks_of;
 use super::spelling::{
     note_constants_of_motion, refuse_alternative_matrices, refuse_constants_of_solutions, refuse_indexed_parameters,
     refuse_products_of_vectors, refuse_two_spellings,
@@ -17,6 +16,9 @@ use crate::tex::{Equation, Name, Tree};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use toml::Spanned;
+
+/// What to do where one name has two meanings.
+pub(super) const RENAME: &str = "give one of them another name";
 
 /// A sheet, every formula read that can be.
 #[derive(Clone, Debug)]
@@ -152,7 +154,7 @@ impl Sheet {
                 let shared = if definitions {
                     Ok(Vec::new())
                 } else {
-                    shared(self, entry)
+                    self.shared(entry)
                 };
                 let vocabulary = &self.vocabulary;
                 if let Some(entry) = self.entries.get_mut(position) {
@@ -175,8 +177,8 @@ impl Sheet {
             if entry.unread.is_some() || below.iter().any(|definition| definition.unread.is_some()) {
                 continue;
             }
-            let shared = shared(self, entry);
-            let shared = shared.and_then(|shared| refuse_two_meanings(self, entry, &shared).map(|()| shared));
+            let shared = self.shared(entry);
+            let shared = shared.and_then(|shared| self.refuse_two_meanings(entry, &shared).map(|()| shared));
             let vocabulary = &self.vocabulary;
             if let Some(entry) = self.entries.get_mut(position) {
                 let checked = shared.and_then(|shared| entry.check(vocabulary, &shared, &elsewhere));
@@ -200,12 +202,12 @@ impl Sheet {
         let Some(entry) = self.entries.get(position) else {
             return;
         };
-        let shared = shared(self, entry);
+        let shared = self.shared(entry);
         let vocabulary = &self.vocabulary;
         let mut entry = entry.clone();
         let checked = shared.and_then(|shared| {
             entry.part(vocabulary, &shared)?;
-            refuse_two_meanings(self, &entry, &shared)?;
+            self.refuse_two_meanings(&entry, &shared)?;
             entry.check(vocabulary, &shared, &elsewhere)
         });
         entry.unread = checked.err();
@@ -247,6 +249,75 @@ impl Sheet {
             }
         }
         found
+    }
+
+    /// The definitions that an entry may use because it follows from them, each with what its own `where` defines put in.
+    ///
+    /// # Errors
+    /// The [`Fault`] of two definitions that give one name different meanings, or of one that is too large.
+    pub(super) fn shared(&self, entry: &Entry) -> Result<Vec<Local>, Fault> {
+        let mut found: Vec<Local> = Vec::new();
+        let (mut givers, mut again) = (HashMap::new(), Vec::new());
+        for definition in self.definitions_below(entry) {
+            let beside: Vec<Name> = definition
+                .local
+                .iter()
+                .filter_map(|(e, _)| Some(self.vocabulary.local(e)?.name))
+                .collect();
+            let (own, new): (Vec<Local>, Vec<Local>) = definition
+                .own
+                .iter()
+                .cloned()
+                .partition(|local| beside.contains(&local.name));
+            for local in new {
+                let Some(tree) = inlined(&local.tree, &own) else {
+                    let problem = format!("`{}` is too large once its definitions are put in", local.name);
+                    return Err(definition.tex.fault(0, problem).of(&definition.label));
+                };
+                let local = Local { tree, ..local };
+                match givers.get(&local.name) {
+                    Some(_) => again.push((local, definition)),
+                    None => {
+                        givers.insert(local.name.clone(), definition);
+                        found.push(local);
+                    }
+                }
+            }
+        }
+        for (local, definition) in again {
+            let first = found.iter().find(|first| first.name == local.name);
+            if first.is_some_and(|first| !means_the_same(&first.tree, &local.tree, &found)) {
+                let first = givers.get(&local.name).map_or("", |first| first.label.as_str());
+                let problem = format!(
+                    "`{}` means one thing in ({first}) and another in ({}): {RENAME}",
+                    local.name, definition.label
+                );
+                return Err(entry.tex.fault(0, problem).of(&entry.label));
+            }
+        }
+        Ok(found)
+    }
+
+    /// Refuses a name of an entry's own that means something else in a definition that the entry follows from.
+    ///
+    /// # Errors
+    /// The [`Fault`] with the label of that definition.
+    fn refuse_two_meanings(&self, entry: &Entry, shared: &[Local]) -> Result<(), Fault> {
+        let Some(name) = clash(&entry.own, shared) else {
+            return Ok(());
+        };
+        let below = self.definitions_below(entry);
+        let gives = below.iter().find(|below| is_defined(name, &below.own));
+        let uses = || {
+            let speaks = |below: &&&Entry| below.own.iter().any(|local| speaks_of(&local.tree, name));
+            below.iter().find(speaks)
+        };
+        let other = gives.or_else(uses).map(|below| below.label.clone()).unwrap_or_default();
+        let problem = format!(
+            "`{name}` means one thing in ({}) and another in ({other}): {RENAME}",
+            entry.label
+        );
+        Err(entry.tex.fault(0, problem).of(&entry.label))
     }
 
     /// The positions of the entries by their labels.

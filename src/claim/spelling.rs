@@ -2,7 +2,7 @@
 //! constants of solutions.
 
 use super::entry::{Entry, RawEntry, Role};
-use super::substitute::{any, any_side};
+use super::nodes::{any, any_side};
 use super::vocabulary::Vocabulary;
 use crate::tex::{Condition, Equation, Name, Operation, Tree, letters};
 use std::collections::{BTreeMap, BTreeSet, HashSet};

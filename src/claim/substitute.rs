@@ -1,5 +1,6 @@
-//! Substitutions in a tree, and what a tree mentions.
+//! Substitutions in a tree, and what an equation is said of.
 
+use super::nodes::{any, any_side};
 use super::vocabulary::{Vocabulary, index_of, subscript_of};
 use crate::number::{Field, Rational};
 use crate::tex::{At, Condition, Equation, Name, Operation, Tree, evaluate};
@@ -106,29 +107,9 @@ pub fn rewrite_equation(equation: &Equation, new: &dyn Fn(&Name) -> Option<Tree>
     }
 }
 
-/// Whether any node of the tree passes the test.
-pub fn any(tree: &Tree, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
-    test(tree) || tree.find_below(&mut |part| any(part, test).then_some(())).is_some()
-}
-
 /// The value of a tree that is written with numbers alone.
 pub fn number_of(tree: &Tree) -> Option<Rational> {
     evaluate(tree, &mut BTreeMap::<Name, Rational>::new()).ok()
-}
-
-/// Whether any node of either side passes the test.
-pub fn any_side(equation: &Equation, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
-    any(&equation.left, test) || any(&equation.right, test)
-}
-
-/// The number of nodes of a tree.
-pub(super) fn nodes_of(tree: &Tree) -> usize {
-    let mut count = 0;
-    any(tree, &mut |_| {
-        count += 1;
-        false
-    });
-    count
 }
 
 /// The condition with what stands in it rewritten, as sides of an equation.
@@ -164,7 +145,7 @@ pub fn flies(equation: &Equation, vocabulary: &Vocabulary) -> bool {
         Tree::Symbol(name, _) => name.subscript.is_empty() && is_state(name),
         _ => false,
     };
-    any(&equation.left, &mut test) || any(&equation.right, &mut test)
+    any_side(equation, &mut test)
 }
 
 /// Whether a formula is said of a running time.

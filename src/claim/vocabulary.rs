@@ -1,7 +1,7 @@
 //! What the names of a sheet stand for: its `[symbols]`.
 
-use super::definition::speaks_of;
 use super::fault::Fault;
+use super::nodes::speaks_of;
 use super::symbols::{MapEntry, Symbols};
 use crate::tex::{At, Equation, Name, Names, Relation, Tree, read, read_expression};
 use std::collections::{BTreeMap, HashSet};

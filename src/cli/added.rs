@@ -1,7 +1,8 @@
 //! `vibro-audit check DIR --add ID ...`: a row of golden values from the command line.
 
+use super::options::create_directory;
 use super::source::TOML_AT_MOST;
-use super::{Failure, Options, Source, golden, note, run};
+use super::{Failure, Options, Source, golden, note};
 use crate::reference::{Directory, Fault, Outcome, PRINTED, PRINTED_COLUMNS, Printed, Verdict, check_row};
 use crate::scene;
 use std::collections::BTreeMap;
@@ -93,7 +94,7 @@ impl RowToAdd {
         // the row last: no row stands without its scene
         for (name, text) in files.iter().rev() {
             let place = path.join(name);
-            run::create(place.parent().unwrap_or(path))?;
+            create_directory(place.parent().unwrap_or(path))?;
             outputs.push((options.beside(Some(&place))?, text));
         }
         for (output, text) in outputs {

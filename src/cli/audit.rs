@@ -1,15 +1,13 @@
 //! `vibro-audit audit [SHEET] [--explain LABEL] [--effort N] [--template]`.
 
+use super::decide::{decide, decide_sheet};
 use super::mended::{self, Comment};
 use super::source::{ANSWERS_AT_MOST, DOCUMENT_AT_MOST, TOML_AT_MOST};
-use super::verdicts::{Audited, Row, compare, exit, explained, table};
+use super::verdicts::{Audited, Row, compare, exit, explained};
 use super::{Answer, Content, Exit, Failure, Options, Source, document};
-use crate::claim::{self, Fault, Sheet, Verdict};
-use crate::evidence::witness_near;
-use crate::prove::{self, mention_refuted};
-use crate::repair::repairs;
-use crate::report::{Baseline, Format, OutputError, OutputProblem, Table};
-use crate::stop::Token;
+use crate::claim::{self, Fault, Sheet};
+use crate::prove;
+use crate::report::{Baseline, OutputError, OutputProblem};
 use rayon::prelude::*;
 use std::fs::OpenOptions;
 use std::io::Write;
@@ -68,12 +66,6 @@ Exit status: 0 all as expected; 1 a verdict is not, or evidence speaks against o
 
 /// A sheet to start from.
 const TEMPLATE: &str = include_str!("../../golden/template.toml");
-
-/// Formulas that cannot be read of which a message tells.
-const MOST_NOTES: usize = 10;
-
-/// Random points at which each claim is tried; fewer where one costs much.
-const POINTS: usize = 24;
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
@@ -182,7 +174,7 @@ fn write_proofs(sheet: &Sheet, directory: &Path, options: &prove::Options) -> Re
         .par_iter()
         .flat_map_iter(|&position| prove::scripts(sheet, position, options))
         .collect();
-    super::run::create(directory)?;
+    super::options::create_directory(directory)?;
     for (name, script) in &scripts {
         let path = directory.join(name);
         // nothing that is there is written over
@@ -204,79 +196,11 @@ fn write_proofs(sheet: &Sheet, directory: &Path, options: &prove::Options) -> Re
     Ok(())
 }
 
-/// The table of the sheet with this text, which errors call `name`.
-pub(super) fn verdicts(text: &str, name: &str) -> Result<Table, Failure> {
-    let in_sheet = |fault: Fault| Failure::Sheet {
-        name: name.to_owned(),
-        fault: Box::new(fault),
-    };
-    let vocabulary = claim::vocabulary().map_err(in_sheet)?;
-    let sheet = Sheet::read(text, &vocabulary).map_err(in_sheet)?;
-    let rows = decide_sheet(&sheet, name, &prove::Options::default(), false)?;
-    table(&rows, &sheet, Format::Text)
-}
-
-fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair: bool) -> Result<Vec<Row>, Failure> {
-    let mut rows = decide_all(sheet, options, repair).map_err(|fault| Failure::Sheet {
-        name: name.to_owned(),
-        fault: Box::new(fault),
-    })?;
-    mention_refuted(sheet, rows.iter_mut().map(|row| &mut row.decision));
-    let unread = sheet.entries.iter().filter(|entry| entry.expect != Verdict::Unread);
-    let faults: Vec<&Fault> = unread.filter_map(|entry| entry.unread.as_ref()).collect();
-    for fault in faults.iter().take(MOST_NOTES) {
-        super::note(&format!("{name}: {fault}"));
-    }
-    if let Some(more) = faults.len().checked_sub(MOST_NOTES).filter(|more| *more > 0) {
-        super::note(&format!(
-            "{name}: {more} more formulas cannot be read; their rows say why"
-        ));
-    }
-    Ok(rows)
-}
-
 /// The text of the sheet or document with the first repair of each formula as a comment.
 fn with_repairs(text: &str, name: &str, sheet: &Sheet, rows: &[Row]) -> String {
     let repaired = sheet.rows().into_iter().zip(rows);
     let said = repaired.filter_map(|(position, row)| mended::said(sheet, position, row.repairs.first()?));
     mended::with_comments(text, Comment::of(name), &said.collect::<Vec<_>>())
-}
-
-/// Decides each claim, looks for witnesses and, where asked, for repairs, on all cores; in the order of the sheet.
-fn decide_all(sheet: &Sheet, options: &prove::Options, repair: bool) -> Result<Vec<Row>, Fault> {
-    let rows = sheet.rows();
-    let token = Token::current();
-    rows.par_iter()
-        .map(|&position| token.during(|| decide(sheet, position, options, repair)))
-        .collect()
-}
-
-fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: bool) -> Result<Row, Fault> {
-    let decision = prove::decide(sheet, position, options);
-    let read = decision.verdict != Verdict::Unread && sheet.unread_below(position).is_empty();
-    let evidence = read
-        .then(|| {
-            let counterexample = decision.counterexample.as_ref().map(|own| own.point.as_slice());
-            witness_near(
-                sheet,
-                position,
-                decision.verdict,
-                POINTS,
-                counterexample.unwrap_or_default(),
-            )
-        })
-        .transpose()?;
-    let repairs = match decision.verdict {
-        Verdict::Refuted if repair => repairs(sheet, position, options),
-        _ => Vec::new(),
-    };
-    Ok(Row {
-        position,
-        decision,
-        evidence,
-        repairs,
-        is_known: None,
-    })
 }
 
 fn explain(sheet: &Sheet, label: &str, options: &prove::Options) -> Result<Answer, Fault> {

@@ -1,8 +1,8 @@
 //! `vibro-audit branch SCENE`.
 
-use super::answer::Rows;
 use super::complete::{Complete, incomplete};
-use super::curves;
+use super::curves::{self, COLUMNS, GAP};
+use super::rows::Rows;
 use super::{Answer, Asked, Failure, Options, SceneArguments, note};
 use crate::number::{Decimals, Interval, Rung, Told};
 use crate::orbit::{
@@ -22,28 +22,6 @@ pub struct Arguments {
     #[command(flatten)]
     complete: Complete,
 }
-
-/// The columns that scripts rely on; where something other than d is swept, its name stands before d.
-pub(super) const COLUMNS: [&str; 15] = [
-    "kind",
-    "word",
-    "periods",
-    "d",
-    "phases",
-    "velocities",
-    "times",
-    "trace",
-    "clearance",
-    "admissible",
-    "error_bound",
-    "number",
-    "complete",
-    "low",
-    "high",
-];
-
-/// Where d stands.
-pub(super) const GAP: usize = 3;
 
 /// The values that are computed together.
 const BLOCK: u32 = 1024;

@@ -1,8 +1,9 @@
 //! `vibro-audit check [DIR] [--add ID ... | --bless]`.
 
 use super::caller::quietly;
+use super::outcomes::table;
 use super::{Answer, Content, Exit, Failure, Options, added, golden};
-use crate::reference::{Certified, Directory, Outcome, Verdict, bless, check};
+use crate::reference::{Certified, Directory, Outcome, bless, check};
 use crate::report::{Cell, Format, Output, Page, Part, Table, note_input};
 use std::path::PathBuf;
 
@@ -28,11 +29,6 @@ A directory of your own begins with its first row, which says what is printed wh
 `vibro-audit check golden/mine` then checks it. A quantity is a column of orbits, branch, simulate, sweep, summary (that
 of `sweep --summary`), trajectory, voltage or audit (its verdicts), as COMMAND.COLUMN, with [n] for an entry of a list,
 counted from 0; over several rows .min, .max, .spread, .trend or .count may follow.";
-
-/// The columns: those that scripts rely on, and the reason.
-const COLUMNS: [&str; 10] = [
-    "id", "place", "printed", "computed", "digits", "verdict", "expected", "rests_on", "reason", "picked",
-];
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
@@ -85,42 +81,6 @@ fn page(arguments: &Arguments, table: Table) -> Page {
         notes: Vec::new(),
         parts: vec![Part::Table("Values".to_owned(), said.to_owned(), table)],
     }
-}
-
-/// The table of what rows of golden values came to; where it is brief, without what nobody asks of a number that is right.
-pub(super) fn table(outcomes: &[Outcome], is_brief: bool) -> Result<Table, Failure> {
-    let mut table = Table::new(COLUMNS);
-    for outcome in outcomes {
-        let is_told = !is_brief || outcome.verdict != Verdict::Reproduced || !outcome.is_expected();
-        table.push(vec![
-            Cell::from(outcome.id.as_str()),
-            Cell::from(outcome.place.as_str()),
-            Cell::from(outcome.printed.as_str()),
-            computed(&outcome.computed),
-            Cell::from(outcome.digits.map(|digits| (digits * 10.0).round() / 10.0)),
-            Cell::from(outcome.verdict.name()),
-            Cell::from(outcome.expected.name()),
-            Cell::from(outcome.rests_on.as_str()),
-            Cell::from(outcome.reason.as_str()),
-            if is_told {
-                Cell::from(outcome.picked.as_str())
-            } else {
-                Cell::Empty
-            },
-        ])?;
-    }
-    Ok(table)
-}
-
-/// A number where the text is that of an f64, so that text rounds it as any other; else the text.
-fn computed(text: &str) -> Cell {
-    if text.is_empty() {
-        return Cell::Empty;
-    }
-    let number = text.parse::<f64>().ok().map(Cell::Number);
-    number
-        .filter(|cell| cell.plain() == text)
-        .unwrap_or_else(|| Cell::from(text))
 }
 
 /// Computes every reference file anew before any is written.

@@ -1,6 +1,6 @@
 //! Whether the rows are all there are: the columns `complete`, `low`, `high`, and `--require-complete`.
 
-use super::answer::Rows;
+use super::rows::Rows;
 use super::{Answer, Content, Exit};
 use crate::number::Interval;
 use crate::report::Cell;

@@ -1,13 +1,34 @@
 //! `vibro-audit branch SCENE` over the two parameters of `[branch]`: curves of bifurcations.
 
-use super::answer::Rows;
-use super::branch::{COLUMNS, GAP};
 use super::complete::incomplete;
+use super::rows::Rows;
 use super::{Asked, Failure, Options, note};
 use crate::number::Interval;
 use crate::orbit::{BifurcationKind, CurvePoint, OneOneCurves, OrbitOptions, Output, Word};
 use crate::report::{Cell, Column};
 use crate::scene::{Over, Plane, Scene};
+
+/// The columns of the command that scripts rely on; where something other than d is swept, its name stands before d.
+pub(super) const COLUMNS: [&str; 15] = [
+    "kind",
+    "word",
+    "periods",
+    "d",
+    "phases",
+    "velocities",
+    "times",
+    "trace",
+    "clearance",
+    "admissible",
+    "error_bound",
+    "number",
+    "complete",
+    "low",
+    "high",
+];
+
+/// Where d stands.
+pub(super) const GAP: usize = 3;
 
 /// The columns behind those of a sweep.
 const MORE: [&str; 3] = ["curve", "point", "joined"];

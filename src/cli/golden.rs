@@ -1,6 +1,6 @@
 //! What golden rows ask for, answered by the commands themselves.
 
-use super::{Failure, Options, audit, branch, optimise, orbits, simulate, sweep, trajectory, voltage};
+use super::{Failure, Options, branch, decide, optimise, orbits, simulate, sweep, trajectory, voltage};
 use crate::number::{Analytic, Decimals, Field, Wide};
 use crate::reference::{Computed, Directory, Made, Quantity, Request, Setting};
 use crate::report::{Cell, Table, note_input};
@@ -181,7 +181,7 @@ fn verdicts(directory: &Directory, request: &Request) -> Result<Table, Failure> 
         "" => "equations.toml",
         name => name,
     };
-    audit::verdicts(&read(directory, sheet)?, &directory.name(sheet))
+    decide::verdicts(&read(directory, sheet)?, &directory.name(sheet))
 }
 
 /// The scene's own numbers. What it does not give, such as units without a frequency, stays empty.

@@ -16,7 +16,7 @@ pub struct Arguments {
 /// Runs the command.
 pub fn run(arguments: &Arguments, mut line: clap::Command) -> Result<Answer, Failure> {
     line.build();
-    super::run::create(&arguments.directory)?;
+    super::options::create_directory(&arguments.directory)?;
     let mut table = Table::new(["file"]);
     let commands = line.get_subcommands().filter(|command| command.get_name() != "help");
     for page in std::iter::once(line.clone()).chain(commands.cloned()) {

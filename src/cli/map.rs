@@ -1,9 +1,10 @@
 //! `vibro-audit map SCENE`.
 
-use super::answer::Rows;
+use super::part::PartArguments;
 use super::progress::Progress;
 use super::resume::Unfinished;
-use super::shard::{Label, PartArguments};
+use super::rows::Rows;
+use super::shard::Label;
 use super::sweep::summarised;
 use super::{Answer, Exit, Failure, Options, SceneArguments};
 use crate::report::{Cell, Column};

@@ -1,8 +1,8 @@
 //! `vibro-audit optimise SCENE [--gap G] [--effort N]`.
 
-use super::answer::Rows;
 use super::complete::Complete;
 use super::progress::Status;
+use super::rows::Rows;
 use super::shard::{Label, Shard};
 use super::{Answer, Failure, Options, SceneArguments, note};
 use crate::number::Interval;

@@ -3,10 +3,11 @@
 use super::Failure;
 use crate::number::{Decimals, Doubles, FIGURES_OF_F64, Rung};
 use crate::orbit::{OutputPrecision, most_figures};
-use crate::report::{DEFAULT_DIGITS, Format, Output, is_same_file};
+use crate::report::{DEFAULT_DIGITS, Format, Output, OutputError, OutputProblem, is_same_file};
 use crate::scene::{MOST_DIGITS, Scene};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// How motions are wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,6 +102,17 @@ impl Options {
 /// Lists the formats in help and in errors, which a plain `FromStr` parser could not.
 fn format_parser() -> impl TypedValueParser<Value = Format> {
     PossibleValuesParser::new(Format::ALL.map(Format::name)).try_map(|name| name.parse::<Format>())
+}
+
+/// Makes a directory, and those that it lies in.
+pub(super) fn create_directory(directory: &Path) -> Result<(), OutputError> {
+    fs::create_dir_all(directory).map_err(|source| OutputError {
+        place: directory.display().to_string(),
+        problem: OutputProblem::System {
+            doing: "creating the directory",
+            source,
+        },
+    })
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Runs that can be stopped and gone on with: `--resume` writes rows beside the file that they become.
 
-use super::answer::Rows;
+use super::rows::Rows;
 use super::shard::{Label, Shard};
 use super::{Failure, Options};
 use crate::report::{Cell, Column, Format, Output, OutputError, OutputProblem, Stream, Table};

@@ -1,5 +1,6 @@
 //! `vibro-audit run SCENE [--explain] --out DIR`.
 
+use super::options::create_directory;
 use super::{
     Answer, Content, Exit, Failure, Options, SceneArguments, basins, branch, map, optimise, orbits, plot, simulate,
     sweep, trajectory,
@@ -194,7 +195,7 @@ fn run_with(served: &[Served], scene: &Scene, wants: &[Want], options: &Options)
         for Served { file, serve, .. } in files(served, want) {
             let directory = options.out.as_deref().ok_or(Failure::NoDirectory)?;
             let content = serve(scene, options)?;
-            create(directory)?;
+            create_directory(directory)?;
             let (format, extension) = match options.format {
                 Format::Text | Format::Csv | Format::Junit | Format::Html | Format::Sarif => (Format::Csv, "csv"),
                 Format::Json => (Format::Json, "json"),
@@ -221,16 +222,6 @@ fn run_with(served: &[Served], scene: &Scene, wants: &[Want], options: &Options)
     Ok(Answer {
         content: Content::Table(answer),
         exit: Exit::AsExpected,
-    })
-}
-
-pub(super) fn create(directory: &Path) -> Result<(), OutputError> {
-    fs::create_dir_all(directory).map_err(|source| OutputError {
-        place: directory.display().to_string(),
-        problem: OutputProblem::System {
-            doing: "creating the directory",
-            source,
-        },
     })
 }
 

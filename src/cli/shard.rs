@@ -1,8 +1,6 @@
-//! Parts of a long run: `--shard I/N` computes one of them, which says what it is, and `--resume` what is not there yet.
+//! One of several parts of a long run, which says what it is.
 
-use super::answer::Rows;
-use super::resume::Unfinished;
-use super::{Content, Failure, Options};
+use super::Failure;
 use crate::orbit::OptimumPart;
 use crate::report::fingerprint;
 use crate::scene::{Scene, Want};
@@ -16,47 +14,6 @@ pub struct Shard {
     /// From 1.
     number: u32,
     of: u32,
-}
-
-/// `--shard`.
-#[derive(Clone, Copy, Debug, clap::Args)]
-pub struct PartArguments {
-    /// Compute the I-th of N parts only, as CSV that says which part it is; `merge` joins them
-    #[arg(long, value_name = "I/N")]
-    pub shard: Option<Shard>,
-    /// Write the rows of --out FILE to FILE.part as they come, and go on behind those that are there
-    #[arg(long)]
-    pub resume: bool,
-}
-
-impl PartArguments {
-    /// What there is of a run that may be gone on with, where that is asked for; `follows`: whether each value follows the
-    /// one before.
-    pub fn unfinished(
-        &self,
-        options: &Options,
-        follows: bool,
-        label: impl FnOnce(Shard) -> Result<Label, Failure>,
-        columns: &[&str],
-    ) -> Result<Option<Unfinished>, Failure> {
-        if !self.resume {
-            return Ok(None);
-        }
-        if follows {
-            let problem = "each value follows the one before it (start = \"follow\"): such a run is not gone on with";
-            return Err(Failure::Usage(problem.to_owned()));
-        }
-        let label = label(self.shard.unwrap_or(Shard::WHOLE))?;
-        Unfinished::open(options, self.shard, label, columns).map(Some)
-    }
-
-    /// The rows as they are to be written.
-    pub fn content(rows: Rows, label: Option<Label>, unfinished: Option<Unfinished>) -> Content {
-        match unfinished {
-            Some(unfinished) => Content::Unfinished(unfinished, rows),
-            None => Content::Rows(rows.part(label)),
-        }
-    }
 }
 
 impl Shard {

@@ -1,6 +1,6 @@
 //! `vibro-audit simulate SCENE [--impacts N] [--until T] [--last N]`.
 
-use super::answer::Rows;
+use super::rows::Rows;
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
 use crate::impact::{self, Extent, Kind, Known, Row, rows, rows_in_decimals};
 use crate::model::{MotionError, Parameters};

@@ -1,9 +1,10 @@
 //! `vibro-audit sweep SCENE [--summary]`.
 
-use super::answer::Rows;
+use super::part::PartArguments;
 use super::progress::Progress;
 use super::resume::Unfinished;
-use super::shard::{Label, PartArguments, Shard};
+use super::rows::Rows;
+use super::shard::{Label, Shard};
 use super::{Answer, Exit, Failure, Options, SceneArguments, note};
 use crate::number::FIGURES_OF_F64;
 use crate::orbit::Estimate;

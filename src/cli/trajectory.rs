@@ -1,6 +1,6 @@
 //! `vibro-audit trajectory SCENE [--samples N] [--until T | --impacts N]`.
 
-use super::answer::Rows;
+use super::rows::Rows;
 use super::simulate::DIGITS;
 use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
 use crate::impact::{self, Event, Extent, Row, Snapshot, Trajectory, rows};

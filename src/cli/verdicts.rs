@@ -1,6 +1,6 @@
 //! What was decided of a sheet, as the user wants to see it: a table, a page, findings.
 
-use super::{Answer, Content, Exit, Failure, Options, check};
+use super::{Answer, Content, Exit, Failure, Options, outcomes};
 use crate::claim::{Sheet, Source, Verdict};
 use crate::evidence::Evidence;
 use crate::prove::{self, Counterexample, Decision};
@@ -233,7 +233,7 @@ impl Audited<'_> {
                 let verdicts = table(&self.rows, self.sheet, format)?;
                 match self.numbers.as_slice() {
                     [] => Content::Table(verdicts),
-                    numbers => Content::Tables(vec![verdicts, check::table(numbers, format == Format::Text)?]),
+                    numbers => Content::Tables(vec![verdicts, outcomes::table(numbers, format == Format::Text)?]),
                 }
             }
         };
@@ -254,7 +254,7 @@ impl Audited<'_> {
             parts.push(Part::Table(
                 "Numbers".to_owned(),
                 said,
-                check::table(&self.numbers, false)?,
+                outcomes::table(&self.numbers, false)?,
             ));
         }
         let title = self.sheet.title.clone().unwrap_or_else(|| self.name.to_owned());

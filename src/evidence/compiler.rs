@@ -1,6 +1,7 @@
 //! From trees to formulas: every name is resolved once.
 
 use super::formula::{Formula, Formulas, Op};
+use super::index::{index_runs, is_index, member};
 use super::maps::Maps;
 use super::space::{Slot, Space};
 use super::value::Function;
@@ -156,10 +157,10 @@ impl<'a> Compiler<'a> {
                     return self.unit(meaning);
                 }
                 let is_counted = |listed: &Name| {
-                    super::domain::index_runs(vocabulary) && bare(listed) == bare(name) && vocabulary.is_indexed(name)
+                    index_runs(vocabulary) && listed.bare() == name.bare() && vocabulary.is_indexed(name)
                 };
                 let is_listed = |listed: &Name| listed == name || is_counted(listed);
-                let is_whole = vocabulary.integers.iter().any(is_listed) || super::domain::is_index(vocabulary, name);
+                let is_whole = vocabulary.integers.iter().any(is_listed) || is_index(vocabulary, name);
                 return is_whole.then(Rational::one);
             }
             Tree::Negate(body) | Tree::PlusMinus(body) | Tree::MinusPlus(body) => of(body)?,
@@ -218,7 +219,7 @@ impl<'a> Compiler<'a> {
             let time = self.formulas.make(Op::Running);
             return Ok(self.formulas.make(Op::Value { course, level, time }));
         }
-        if super::domain::is_index(self.vocabulary, name) {
+        if is_index(self.vocabulary, name) {
             let slot = self.space.slot(Slot::Parameter(name.clone()));
             // the letter that numbers members moves with them as it is
             let is_moved = name.to_string() == self.vocabulary.index;
@@ -252,9 +253,9 @@ impl<'a> Compiler<'a> {
 
     /// The slot of an indexed time or state.
     pub fn quantity(&mut self, name: &Name) -> Option<usize> {
-        let member = || super::domain::member(self.vocabulary, name);
+        let member = || member(self.vocabulary, name);
         let (bare, index) = (
-            bare(name),
+            name.bare(),
             index_of(&name.subscript, &self.vocabulary.index).or_else(member)?,
         );
         if name.primes > 0 {
@@ -282,11 +283,11 @@ impl<'a> Compiler<'a> {
     }
 
     fn call(&mut self, function: &Name, argument: &Tree) -> Result<Formula, Unwitnessed> {
-        let state = bare(function);
+        let state = function.bare();
         if function.primes == 0
             && self.vocabulary.states.contains(&state)
             && let Tree::Symbol(time, _) = argument
-            && self.vocabulary.times.contains(&bare(time))
+            && self.vocabulary.times.contains(&time.bare())
             && let Some(index) = index_of(&time.subscript, &self.vocabulary.index)
         {
             let slot = self.state(state, index, function.mark == "+");
@@ -369,9 +370,9 @@ impl<'a> Compiler<'a> {
         let states = &self.vocabulary.states;
         let lowest = states
             .iter()
-            .filter(|s| !states.iter().any(|other| dotted(other) == **s));
+            .filter(|s| !states.iter().any(|other| other.dotted() == **s));
         lowest
-            .map(|s| vec![s.clone(), dotted(s), dotted(&dotted(s))])
+            .map(|s| vec![s.clone(), s.dotted(), s.dotted().dotted()])
             .find(|names| names.contains(name))
     }
 
@@ -460,24 +461,4 @@ fn fraction(value: &Rational) -> Option<(i32, u32)> {
         .filter(|power| power.abs() <= 10_000);
     let index = u32::try_from(value.0.denominator()).ok().filter(|index| *index <= 1000);
     power.zip(index)
-}
-
-/// The name without subscript, mark and primes.
-pub fn bare(name: &Name) -> Name {
-    Name {
-        base: name.base.clone(),
-        accents: name.accents.clone(),
-        ..Name::default()
-    }
-}
-
-/// The name of the derivative by time: one dot more.
-fn dotted(name: &Name) -> Name {
-    let mut name = name.clone();
-    match name.accents.last_mut() {
-        Some(last) if last == r"\dot" => *last = r"\ddot".to_string(),
-        Some(last) if last == r"\ddot" => *last = r"\dddot".to_string(),
-        _ => name.accents.push(r"\dot".to_string()),
-    }
-    name
 }

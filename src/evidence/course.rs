@@ -1,10 +1,9 @@
 //! Functions of time: which premise gives them, what stands for those that none gives, and flights between impacts.
 
 use super::compiler::{Unwitnessed, chains};
-use super::flow::Law;
-use super::formula::{Formula, Formulas, Op};
+use super::formula::{Formula, Formulas, Law, Op};
 use super::space::Slot;
-use super::system::System;
+use super::system::{Forcing, System};
 use super::value::Function;
 use crate::claim::{Statements, Vocabulary};
 use crate::tex::Name;
@@ -24,15 +23,6 @@ const TIMES: [f64; 12] = [0.71, 1.37, 2.31, 0.07, 0.39, 1.03, 1.67, 1.99, 2.63, 
 const FEW_TIMES: usize = 3;
 /// The time from which functions with laws for their derivatives start.
 const START: f64 = 0.4;
-
-/// Which forcing stands for a function that no premise gives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Forcing {
-    /// One of many harmonics, for any function.
-    Any,
-    /// cos(pi t + phi).
-    Cosine,
-}
 
 impl System {
     /// The period that an equation `f(t) = f(t + T)`, or `f(t + T) - f(t) = 0`, declares.

@@ -3,7 +3,7 @@
 use super::formula::{Formula, Op, Program};
 use super::newton::{Unknown, least, norm};
 use super::space::Slot;
-use super::system::System;
+use super::system::{StepRows, System};
 use super::tolerance::{CORNER, DEPENDENT, SLOPE, SLOPE_WIDE};
 use super::value::{Function, Numbers, Real, Reals, Value};
 use crate::number::{Analytic, Dual};
@@ -15,14 +15,6 @@ struct Found<T> {
     partials: Vec<(usize, T)>,
     /// Whether the premises determine them.
     determined: bool,
-}
-
-/// The rows of a map, in the order in which they are asked, and the slots that move in all and in each of them.
-#[derive(Debug)]
-pub struct StepRows {
-    all: Vec<usize>,
-    each: Vec<Vec<usize>>,
-    program: Program,
 }
 
 /// The rows that determine a map, and the slots that move along with it.

@@ -1,7 +1,8 @@
 //! Where symbols may lie: what their lists in the vocabulary and the conditions of sheet and claim allow.
 
-use super::compiler::{Compiler, Unwitnessed, bare};
+use super::compiler::{Compiler, Unwitnessed};
 use super::formula::{Formula, Op};
+use super::index::{index_runs, is_index};
 use super::space::{Slot, Space};
 use crate::claim::{Vocabulary, index_of};
 use crate::tex::{At, Name, Relation, Tree};
@@ -43,32 +44,6 @@ pub struct Kind {
     pub generic: bool,
 }
 
-/// Whether the name numbers impacts or members of a sequence, standing for itself.
-pub fn is_index(vocabulary: &Vocabulary, name: &Name) -> bool {
-    name.to_string() == vocabulary.index || vocabulary.indices.contains(name)
-}
-
-/// The value of an index that runs: premises and claim are read at it.
-pub const INDEX: i32 = 4;
-
-/// Whether the letter that numbers impacts or members of a sequence runs.
-pub fn index_runs(vocabulary: &Vocabulary) -> bool {
-    vocabulary
-        .indices
-        .iter()
-        .any(|index| index.to_string() == vocabulary.index)
-}
-
-/// The place of a member of a sequence that is numbered outright, as x_0, beside the running index.
-pub fn member(vocabulary: &Vocabulary, name: &Name) -> Option<i32> {
-    let known = vocabulary.states.contains(&bare(name)) && index_runs(vocabulary);
-    name.subscript
-        .parse::<i32>()
-        .ok()
-        .filter(|_| known)
-        .map(|number| number.saturating_sub(INDEX))
-}
-
 /// What each slot may hold.
 pub fn kinds(vocabulary: &Vocabulary, space: &Space) -> Vec<Kind> {
     let kind = |(slot, what): (usize, &Slot)| {
@@ -84,7 +59,7 @@ pub fn kinds(vocabulary: &Vocabulary, space: &Space) -> Vec<Kind> {
             Slot::State { state, after, .. } => vocabulary.continuous.contains(state) || *after == (known.mark == "+"),
             _ => true,
         };
-        let indexed = |known: &Name| index.is_some() && bare(known) == *name && at(known) && is_side(known);
+        let indexed = |known: &Name| index.is_some() && known.bare() == *name && at(known) && is_side(known);
         let listed = |list: &[Name]| list.iter().any(|known| known == name || indexed(known));
         Kind {
             positive: listed(&vocabulary.positive),

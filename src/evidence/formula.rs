@@ -1,8 +1,7 @@
 //! Formulas with their names resolved to slots: equal parts are kept once, and a program evaluates them in one pass.
 
-use super::flow::{Flow, Law};
-use super::value::{Function, Value, undefined};
-use crate::number::{Analytic, Rational};
+use super::value::{Function, Value};
+use crate::number::Rational;
 use std::cell::Cell;
 use std::collections::HashMap;
 
@@ -92,6 +91,33 @@ impl Op {
             leaf => leaf,
         }
     }
+}
+
+/// A law for one function.
+#[derive(Clone, Debug)]
+pub struct Law {
+    /// The order of the derivative that the law gives.
+    pub order: usize,
+    /// The time at which the lower derivatives are those of `initial`.
+    pub start: Formula,
+    pub initial: Vec<usize>,
+    /// The derivative, at the running time.
+    pub body: Formula,
+}
+
+/// The laws that flow together with one, as a program over power series.
+#[derive(Clone, Debug, Default)]
+pub struct Flow {
+    pub(super) laws: Vec<usize>,
+    pub(super) ops: Vec<Op>,
+    /// For each function the position of its derivative by its argument.
+    pub(super) slopes: Vec<Option<usize>>,
+    /// How many coefficients a series has before only zeros follow; more than any order where it does not end.
+    pub(super) lengths: Vec<usize>,
+    /// The position of the law's derivative, for each law.
+    pub(super) bodies: Vec<usize>,
+    /// Operations of one step in f64, and in many digits.
+    pub(super) costs: [usize; 2],
 }
 
 /// All formulas of a claim, and the laws by which functions of time flow.
@@ -460,19 +486,6 @@ const NOISE: f64 = 1e-11;
 const LOST: f64 = 1e3;
 
 impl Program {
-    /// The values of all parts.
-    pub fn run<V: Value>(&self, inputs: &Inputs<V>) -> Vec<V> {
-        let mut values: Vec<V> = Vec::with_capacity(self.ops.len());
-        if !inputs.work.take(self.ops.len() * price::<V>()) {
-            return vec![V::real(undefined()); self.ops.len()];
-        }
-        for op in &self.ops {
-            let value = evaluate(*op, inputs, |formula: Formula| &values[formula.position()]);
-            values.push(value);
-        }
-        values
-    }
-
     /// The values of the outputs.
     pub fn outputs<V: Value>(&self, values: &[V]) -> Vec<V> {
         self.outputs.iter().filter_map(|&n| values.get(n).cloned()).collect()
@@ -547,43 +560,6 @@ fn slope_size<V: Value>(function: Function, u: &V, value: f64) -> f64 {
         Function::Arcosh => 1.0 / (square - one()).size().sqrt(),
         Function::Artanh => 1.0 / (one() - square).size(),
         Function::Sgn => 0.0,
-    }
-}
-
-/// The value of one operation.
-pub fn evaluate<'v, V: Value + 'v>(op: Op, inputs: &Inputs<V>, at: impl Fn(Formula) -> &'v V) -> V {
-    let none = || V::real(undefined());
-    match op {
-        Op::Ratio(above, 1) => V::integer(above),
-        Op::Ratio(above, below) => V::real(crate::number::Field::from_ratio(above, below)),
-        Op::Float(bits) => V::float(f64::from_bits(bits)),
-        Op::Rational(n) => inputs
-            .formulas
-            .rationals
-            .get(n)
-            .and_then(Rational::embed)
-            .map_or_else(none, V::real),
-        Op::Pi => V::real(Analytic::pi()),
-        Op::Imaginary => V::new(num_traits::Zero::zero(), num_traits::One::one()),
-        Op::Slot(slot) => inputs.slots.get(slot).cloned().unwrap_or_else(none),
-        Op::Running => inputs.running.cloned().unwrap_or_else(none),
-        Op::Value { .. } => none(),
-        Op::Flow { law, level, time } => super::flow::value(law, level, at(time), inputs),
-        Op::Add(a, b) => at(a).clone() + at(b).clone(),
-        Op::Multiply(a, b) => at(a).clone() * at(b).clone(),
-        Op::Divide(a, b) => at(a).over(at(b)),
-        Op::Negate(a) => -at(a).clone(),
-        Op::Power(a, n) => at(a).integer_power(n),
-        Op::Root(a, n) => at(a).root(n),
-        Op::RealPower(a, b) => at(a).power(at(b)),
-        Op::IntegerPower(a, b) => {
-            let exponent = at(b).parts()[0].to_f64();
-            match exponent.round() {
-                whole if (whole - exponent).abs() < 1e-9 && whole.abs() < 1e6 => at(a).integer_power(whole as i32),
-                _ => at(a).power(at(b)),
-            }
-        }
-        Op::Apply(function, a) => at(a).apply(function),
     }
 }
 

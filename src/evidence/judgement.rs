@@ -1,18 +1,19 @@
 //! What the points say of a verdict.
 
 use super::compiler::Unwitnessed;
-use super::course::Forcing;
 use super::formula::{Formula, Op};
 use super::gap::Gap;
 use super::motion::Flown;
 use super::point::{Miss, Point, Style};
 use super::space::Slot;
-use super::system::{System, any};
+use super::system::{Forcing, System};
 use super::tolerance::{
     APART_EXACT, APART_WIDE, DOUBTFUL_PROOF, DOUBTFUL_REFUTATION, EQUAL_WIDE, ROUNDED_AWAY, STEADY,
 };
 use super::value::{Complexes, Function, Numbers, Real, Reals, Value};
-use crate::claim::{Fault, Goal, Sheet, Statements, Verdict, Vocabulary, along_a_sequence, number_of, reduced};
+use crate::claim::{
+    Fault, Goal, Sheet, Statements, Verdict, Vocabulary, along_a_sequence, any_side, number_of, reduced,
+};
 use crate::number::{Sequence, Wide};
 use crate::tex::{Equation, Names, Relation, Tree, read_expression};
 use std::collections::BTreeMap;
@@ -632,7 +633,7 @@ impl Witness<'_> {
             )
         };
         let mut premises = self.statements.premises.iter();
-        premises.any(|premise| any(&premise.equation, &is_partial))
+        premises.any(|premise| any_side(&premise.equation, &mut |tree| is_partial(tree)))
     }
 
     /// Whether the claim holds, to the precision of f64, where the forcing is a cosine of period 2.
@@ -683,7 +684,7 @@ const LONGEST_NUMBER: usize = 9;
 const HIGHEST_POWER: u32 = 8;
 
 fn is_extreme(equation: &Equation) -> bool {
-    any(equation, &|tree| match tree {
+    any_side(equation, &mut |tree| match tree {
         Tree::Number(value) => value.to_string().len() > LONGEST_NUMBER,
         Tree::Power(_, exponent, _) => exponent.unsigned_abs() > HIGHEST_POWER,
         _ => false,

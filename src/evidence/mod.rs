@@ -2,7 +2,7 @@
 //!
 //! A witness shares no code with the proof. Premises and claim become programs over slots (`formula`), evaluated over
 //! the reals or the complex numbers (`value`), in f64, in duals and in 40 digits. Random points are moved onto the
-//! premises by Gauss-Newton steps (`newton`, `point`); functions of time flow by their laws (`flow`), or are
+//! premises by Gauss-Newton steps (`newton`, `point`); functions of time flow by their laws (`evaluation`), or are
 //! trigonometric polynomials where no premise gives them; derivatives of maps come by implicit differentiation
 //! (`derivative`). There the sides of the claim are compared (`judgement`). No elimination, no polynomial, no closed
 //! form.
@@ -11,9 +11,10 @@ mod compiler;
 mod course;
 mod derivative;
 mod domain;
-mod flow;
+mod evaluation;
 mod formula;
 mod gap;
+mod index;
 mod judgement;
 mod maps;
 mod motion;
@@ -21,6 +22,7 @@ mod newton;
 mod point;
 mod samples;
 mod space;
+mod stated_maps;
 mod system;
 mod tolerance;
 mod value;

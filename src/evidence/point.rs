@@ -327,7 +327,7 @@ impl System {
                 return *clock;
             }
             Some(Slot::Slack(_)) => return random.between(0.2, 1.5),
-            _ if kind.index => return f64::from(super::domain::INDEX),
+            _ if kind.index => return f64::from(super::index::INDEX),
             _ if kind.integer && moderate => random.between(-3.5, 6.5).round(),
             _ if kind.integer => random.between(-8.5, 9.5).round(),
             Some(Slot::Coefficient { .. }) => return random.between(-1.0, 1.0),

@@ -1,8 +1,7 @@
 //! Values of formulas at points where the premises of a claim hold.
 
-use super::course::Forcing;
 use super::point::Style;
-use super::system::System;
+use super::system::{Forcing, System};
 use super::value::{Complexes, Numbers, Reals, Value};
 use crate::claim::{Statements, Vocabulary};
 use crate::tex::Tree;

@@ -1,14 +1,14 @@
 //! The premises of a claim as equations over slots, and the claim as questions.
 
 use super::compiler::{Compiler, Unwitnessed};
-use super::course::Forcing;
-use super::derivative::StepRows;
 use super::domain::{self, Condition, Kind};
 use super::formula::{Formula, Formulas, Op, Program, Work};
-use super::maps::{Maps, Step, read_maps};
+use super::index::{index_runs, member};
+use super::maps::{Maps, Step};
 use super::space::{Slot, Space};
+use super::stated_maps::read_maps;
 use super::value::Function;
-use crate::claim::{Local, Premise, Statements, Vocabulary, flies, tree_runs};
+use crate::claim::{Local, Premise, Statements, Vocabulary, any_side, flies, tree_runs};
 use crate::tex::{At, Condition as Assumption, Equation, Invariant, Name, Relation, Tree};
 use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
@@ -22,6 +22,23 @@ pub struct Question {
     /// The slot of a symbol whose two values are meant, as in `\lambda_{1,2}`.
     pub pair: Option<usize>,
     pub program: Program,
+}
+
+/// Which forcing stands for a function that no premise gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Forcing {
+    /// One of many harmonics, for any function.
+    Any,
+    /// cos(pi t + phi).
+    Cosine,
+}
+
+/// The rows of a map, in the order in which they are asked, and the slots that move in all and in each of them.
+#[derive(Debug)]
+pub struct StepRows {
+    pub(super) all: Vec<usize>,
+    pub(super) each: Vec<Vec<usize>>,
+    pub(super) program: Program,
 }
 
 /// All that bears on one claim, over slots.
@@ -163,7 +180,10 @@ impl System {
         written.sort_by_key(|(of, by)| vocabulary.impact(of).unwrap_or(0) - vocabulary.impact(by).unwrap_or(0));
         for (of, by) in written {
             let is_of = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if *name == of);
-            let said = statements.premises.iter().any(|premise| any(&premise.equation, &is_of));
+            let said = statements
+                .premises
+                .iter()
+                .any(|premise| any_side(&premise.equation, &mut |tree| is_of(tree)));
             maps.add_step(&of, &by, said, &mut self.compiler(vocabulary, &[]));
         }
         self.maps = maps;
@@ -299,7 +319,7 @@ impl System {
         first: Option<i32>,
         flight: i32,
     ) -> Result<Vec<(Formula, Formula)>, Unwitnessed> {
-        let signed = any(equation, &|tree| {
+        let signed = any_side(equation, &mut |tree| {
             matches!(tree, Tree::PlusMinus(_) | Tree::MinusPlus(_))
         });
         let left = match &equation.left {
@@ -692,16 +712,16 @@ impl System {
 /// The derivatives written out in premises and claim: of what, by what.
 fn partials(statements: &Statements) -> Vec<(Name, Name)> {
     let premises = statements.premises.iter().map(|premise| &premise.equation);
-    let found = std::cell::RefCell::new(Vec::new());
+    let mut found = Vec::new();
     for equation in premises.chain(&statements.claims) {
-        any(equation, &|tree| {
+        any_side(equation, &mut |tree| {
             if let Tree::Partial { of, by, .. } = tree {
-                found.borrow_mut().push((of.clone(), by.clone()));
+                found.push((of.clone(), by.clone()));
             }
             false
         });
     }
-    found.into_inner()
+    found
 }
 
 /// Why nothing is said of a claim that spans many impacts.
@@ -711,7 +731,7 @@ const TOO_FAR: &str = "what the claim names lies more impacts or indices apart t
 /// claim name. `None` where these are too many.
 fn said(statements: &Statements, vocabulary: &Vocabulary) -> Option<Vec<(Premise, i32)>> {
     let premises = statements.said(vocabulary)?;
-    if !domain::index_runs(vocabulary) {
+    if !index_runs(vocabulary) {
         return Some(premises.into_iter().map(|premise| (premise, 0)).collect());
     }
     let equations = premises
@@ -721,10 +741,9 @@ fn said(statements: &Statements, vocabulary: &Vocabulary) -> Option<Vec<(Premise
     let mut all = BTreeSet::from([0]);
     for equation in equations {
         all.extend(vocabulary.impacts(equation));
-        let members = std::cell::RefCell::new(&mut all);
-        any(equation, &|tree| {
+        any_side(equation, &mut |tree| {
             if let Tree::Symbol(name, _) = tree {
-                members.borrow_mut().extend(domain::member(vocabulary, name));
+                all.extend(member(vocabulary, name));
             }
             false
         });
@@ -771,17 +790,17 @@ fn beside(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Premise> {
         _ => false,
     };
     let named = |equation: &Equation| {
-        let found = std::cell::RefCell::new(BTreeSet::new());
-        any(equation, &|tree| {
+        let mut found = BTreeSet::new();
+        any_side(equation, &mut |tree| {
             if let Tree::Symbol(name, _) = tree
                 && is_state(name)
                 && !name.subscript.is_empty()
             {
-                found.borrow_mut().insert(name.clone());
+                found.insert(name.clone());
             }
             false
         });
-        found.into_inner().len()
+        found.len()
     };
     let restricts = |premise: &&Premise| {
         gives_a_state(&premise.equation.left)
@@ -799,9 +818,9 @@ fn beside(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Premise> {
 const MOST_INSTANCES: usize = 16;
 
 fn speaks_of_index(equation: &Equation, vocabulary: &Vocabulary) -> bool {
-    any(
+    any_side(
         equation,
-        &|tree| matches!(tree, Tree::Symbol(name, _) if vocabulary.indices.contains(name)),
+        &mut |tree| matches!(tree, Tree::Symbol(name, _) if vocabulary.indices.contains(name)),
     )
 }
 
@@ -819,12 +838,5 @@ fn single(name: &Name) -> Name {
 
 /// Whether a trace or a determinant stands in an equation.
 fn speaks_of_matrix(equation: &Equation) -> bool {
-    any(equation, &|tree| matches!(tree, Tree::Invariant { .. }))
-}
-
-/// Whether any node of an equation passes the test.
-pub fn any(equation: &Equation, test: &dyn Fn(&Tree) -> bool) -> bool {
-    [&equation.left, &equation.right]
-        .into_iter()
-        .any(|side| crate::claim::any(side, &mut |node| test(node)))
+    any_side(equation, &mut |tree| matches!(tree, Tree::Invariant { .. }))
 }

@@ -3,6 +3,9 @@
 use super::expansion::Expansion;
 use crate::number::Analytic;
 
+/// Impacts of a chatter that completes are listed down to this velocity.
+pub const LISTED: f64 = 1e-6;
+
 /// The angle after which a chatter is complete, for a ball that leaves a wall with velocity `start.w` and is pressed
 /// back to it, with restitution `r`; `None` where that is not yet known to the precision of the number, or where the
 /// chatter may not complete at all.

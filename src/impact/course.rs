@@ -1,11 +1,10 @@
 //! The motion step by step: flight and impact, the end of a chatter, rest and release.
 
-use super::chatter;
+use super::chatter::{self, LISTED};
 use super::event::{Event, Kind};
 use super::expansion::Expansion;
 use super::flight::{Arrival, Flight, Stop};
 use super::scaled::{Departure, Scaled};
-use super::simulation::LISTED;
 use super::start::Start;
 use crate::model::{Motion, Side};
 use crate::number::Analytic;

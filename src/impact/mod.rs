@@ -4,6 +4,7 @@
 
 pub mod batch;
 mod chatter;
+mod contact;
 mod course;
 mod enclosure;
 mod event;
@@ -20,11 +21,12 @@ mod trajectory;
 mod widening;
 
 pub use batch::{Batch, Grown, Instructions, in_lanes};
+pub use chatter::LISTED;
 pub use enclosure::Enclosure;
 pub use event::{Event, Kind};
 pub use growth::Growth;
 pub use history::{Extent, History, Known, Row, Rows, history, history_in_decimals, rows, rows_in_decimals};
-pub use simulation::{LISTED, Simulation};
+pub use simulation::Simulation;
 pub use start::{Origin, Start};
 pub use trajectory::{Snapshot, Trajectory};
 pub use widening::Widening;

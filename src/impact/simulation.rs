@@ -1,5 +1,6 @@
 //! The events of a motion, one after the other, as they are listed.
 
+use super::chatter::LISTED;
 use super::course::Course;
 use super::event::{Event, Kind};
 use super::growth::Growth;
@@ -9,9 +10,6 @@ use super::start::Start;
 use crate::model::calls::{self, Call};
 use crate::model::{Motion, Side};
 use crate::number::Analytic;
-
-/// Impacts of a chatter that completes are listed down to this velocity.
-pub const LISTED: f64 = 1e-6;
 
 /// A chatter of more impacts below [`LISTED`] than this is not completed but listed, as one that never ends.
 const MOST_HIDDEN: usize = 100_000_000;

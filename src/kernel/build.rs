@@ -1,6 +1,10 @@
 //! The statement of a claim built from its trees: what each name stands for, what is given, what is to be shown.
 
-use super::statement::{FunctionOf, Given, Law, Property, Quantity, Statement, Step};
+use super::implicit::{determinant, determining, slope_determinant};
+use super::statement::{
+    ASSUMPTIONS, CLAIM_DOMAIN, DERIVATIVES_EXIST, FunctionOf, Given, Law, Property, Quantity, Statement, Step,
+    is_letter,
+};
 use super::term::{Elementary, Node, Symbol, Term};
 use crate::claim::{Local, Map, Statements, Vocabulary, index_of, pair_of};
 use crate::number::Rational;
@@ -1611,7 +1615,7 @@ impl<'a> Builder<'a> {
             self.real_only |= step.real_only;
             match rival {
                 _ if step.equations.is_empty() => {
-                    step.equations = super::implicit::determining(&mut self.statement, &step);
+                    step.equations = determining(&mut self.statement, &step);
                 }
                 None => {
                     for (label, term) in step.equations.clone() {
@@ -1653,7 +1657,7 @@ impl<'a> Builder<'a> {
         for step in self.statement.steps.clone() {
             let is_determined = step.equations.len() == step.of.len();
             if is_determined && step.of.iter().any(|of| partials.contains(of)) {
-                let term = super::implicit::slope_determinant(&mut self.statement, &step);
+                let term = slope_determinant(&mut self.statement, &step);
                 let names: Vec<&str> = step.of.iter().map(|of| self.statement.terms.symbol_name(*of)).collect();
                 let label = format!("{DERIVATIVES_EXIST} {}", names.join(", "));
                 self.push(&label, Property::Nonzero, term, None);
@@ -1688,46 +1692,12 @@ fn own_label(label: &str) -> String {
 /// Products of terms for the equation of which a claim states the solutions.
 const MOST_ROOT_STEPS: u64 = 100_000;
 
-/// The label of what must hold for the claim to be defined.
-pub const CLAIM_DOMAIN: &str = "the domain of the claim";
-
 /// The symbol that a condition says to be an integer.
 fn assumed_integer(condition: &Condition) -> Option<Name> {
     match condition {
         Condition::Integer(Tree::Symbol(name, _)) => Some(name.clone()),
         _ => None,
     }
-}
-
-/// The label of what is assumed of the claim.
-pub const ASSUMPTIONS: &str = "the assumptions";
-
-/// How the given begins that derivatives along a map exist: what a proof excludes.
-pub const DERIVATIVES_EXIST: &str = "derivatives exist of";
-
-/// The determinant of a square matrix, by its first row.
-pub fn determinant(statement: &mut Statement, matrix: &[Vec<Term>]) -> Term {
-    let Some((first, rest)) = matrix.split_first() else {
-        return statement.terms.integer(1);
-    };
-    let mut sum = Vec::new();
-    for (column, entry) in first.iter().enumerate() {
-        let without = |row: &Vec<Term>| {
-            row.iter()
-                .enumerate()
-                .filter(|(n, _)| *n != column)
-                .map(|(_, t)| *t)
-                .collect()
-        };
-        let minor: Vec<Vec<Term>> = rest.iter().map(without).collect();
-        let minor = determinant(statement, &minor);
-        let product = statement.terms.product(vec![*entry, minor]);
-        sum.push(match column % 2 {
-            0 => product,
-            _ => statement.terms.negative(product),
-        });
-    }
-    statement.terms.sum(sum)
 }
 
 /// The x of `d x` or `d x^2`, which may print a derivative.
@@ -1755,14 +1725,6 @@ fn begins_with_d(tree: &Tree) -> bool {
         Tree::Product(parts) => parts.first().is_some_and(begins_with_d),
         _ => false,
     }
-}
-
-pub fn is_letter(name: &Name, letter: &str) -> bool {
-    *name
-        == Name {
-            base: letter.to_string(),
-            ..Name::default()
-        }
 }
 
 /// A state without its dots, and their number.

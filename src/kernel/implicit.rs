@@ -2,7 +2,7 @@
 
 use super::expand::Expansion;
 use super::polynomial::Polynomial;
-use super::statement::{Property, Quantity, Statement, Step};
+use super::statement::{ASSUMPTIONS, Property, Quantity, Statement, Step};
 use super::term::{Symbol, Term};
 use std::collections::BTreeSet;
 
@@ -20,7 +20,7 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
         let given = statement.givens[number].clone();
         // what is assumed of the claim is said of the point, and a law that holds at times only of these
         let everywhere = given.law.as_ref().is_none_or(|law| law.conditions.is_empty());
-        if given.property != Property::Zero || given.label == super::build::ASSUMPTIONS || !everywhere {
+        if given.property != Property::Zero || given.label == ASSUMPTIONS || !everywhere {
             continue;
         }
         match &given.law {
@@ -145,7 +145,32 @@ pub fn slope_determinant(statement: &mut Statement, step: &Step) -> Term {
         .iter()
         .map(|(_, term)| step.of.iter().map(|&of| statement.derivative(*term, of)).collect())
         .collect();
-    super::build::determinant(statement, &matrix)
+    determinant(statement, &matrix)
+}
+
+/// The determinant of a square matrix, by its first row.
+pub fn determinant(statement: &mut Statement, matrix: &[Vec<Term>]) -> Term {
+    let Some((first, rest)) = matrix.split_first() else {
+        return statement.terms.integer(1);
+    };
+    let mut sum = Vec::new();
+    for (column, entry) in first.iter().enumerate() {
+        let without = |row: &Vec<Term>| {
+            row.iter()
+                .enumerate()
+                .filter(|(n, _)| *n != column)
+                .map(|(_, t)| *t)
+                .collect()
+        };
+        let minor: Vec<Vec<Term>> = rest.iter().map(without).collect();
+        let minor = determinant(statement, &minor);
+        let product = statement.terms.product(vec![*entry, minor]);
+        sum.push(match column % 2 {
+            0 => product,
+            _ => statement.terms.negative(product),
+        });
+    }
+    statement.terms.sum(sum)
 }
 
 fn slope_at_random(statement: &mut Statement, term: Term, of: Symbol) -> Option<u128> {

@@ -17,13 +17,15 @@ mod term;
 mod verdict;
 mod witness;
 
-pub use build::{CLAIM_DOMAIN, DERIVATIVES_EXIST, Question, Unreadable, questions};
+pub use build::{Question, Unreadable, questions};
 pub use certificate::{Axiom, Certificate, Inference, LawSource, Summand};
 pub use check::{Checker, Fact};
 pub use enclosure::{enclose, sign, term_value};
 pub use expand::{Expansion, Quotient, Refusal, vanishes};
 pub use polynomial::{Monomial, Polynomial, product};
-pub use statement::{FunctionOf, Given, Instance, Law, Property, Quantity, Statement, Step};
+pub use statement::{
+    CLAIM_DOMAIN, DERIVATIVES_EXIST, FunctionOf, Given, Instance, Law, Property, Quantity, Statement, Step,
+};
 pub use term::{Elementary, Function, Node, Symbol, Term, Terms};
 pub use verdict::{
     EFFORT, Evaluated, Point, Proved, Refuted, With, contradicts, evaluate, follows, prove, refute, refute_nowhere,

@@ -5,6 +5,15 @@ use super::term::{Elementary, Function, Node, Symbol, Term, Terms};
 use crate::tex::{Invariant, Name};
 use std::collections::BTreeMap;
 
+/// The label of what must hold for the claim to be defined.
+pub const CLAIM_DOMAIN: &str = "the domain of the claim";
+
+/// The label of what is assumed of the claim.
+pub const ASSUMPTIONS: &str = "the assumptions";
+
+/// How the given begins that derivatives along a map exist: what a proof excludes.
+pub const DERIVATIVES_EXIST: &str = "derivatives exist of";
+
 /// A property of the value of a term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Property {
@@ -245,9 +254,7 @@ impl Statement {
     /// The statement without what must hold for the claim to be defined, and without the claim.
     pub fn premises(&self) -> Self {
         let mut premises = self.clone();
-        premises
-            .givens
-            .retain(|given| given.label != super::build::CLAIM_DOMAIN);
+        premises.givens.retain(|given| given.label != CLAIM_DOMAIN);
         premises.goal.clear();
         premises.identity = 0;
         premises
@@ -495,7 +502,7 @@ impl Statement {
                         return Some(terms.symbol(partial));
                     }
                     // the index itself
-                    Quantity::Parameter(name) if super::build::is_letter(name, &self.letter) => {
+                    Quantity::Parameter(name) if is_letter(name, &self.letter) => {
                         let (number, by) = (terms.symbol(*symbol), terms.integer(i64::from(shift)));
                         return Some(terms.sum(vec![number, by]));
                     }
@@ -745,4 +752,13 @@ fn domain_of(terms: &mut Terms, term: Term, complex: bool) -> Vec<(Property, Ter
         }
         _ => Vec::new(),
     }
+}
+
+/// Whether a name is this letter, without marks.
+pub fn is_letter(name: &Name, letter: &str) -> bool {
+    *name
+        == Name {
+            base: letter.to_string(),
+            ..Name::default()
+        }
 }

@@ -1,10 +1,9 @@
 //! The two verdicts that the kernel gives. Their fields are private: nothing else can make one.
 
-use super::build::DERIVATIVES_EXIST;
 use super::certificate::Certificate;
 use super::check::Checker;
 use super::expand::Refusal;
-use super::statement::{Property, Statement};
+use super::statement::{DERIVATIVES_EXIST, Property, Statement};
 use super::term::Term;
 use super::witness::{At, Witness};
 use std::collections::BTreeSet;

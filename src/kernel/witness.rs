@@ -537,7 +537,7 @@ impl<'a> At<'a> {
                 ..step.clone()
             };
             let given = Given {
-                label: super::build::DERIVATIVES_EXIST.to_string(),
+                label: super::statement::DERIVATIVES_EXIST.to_string(),
                 property: Property::Nonzero,
                 term: super::implicit::slope_determinant(self.statement, &minor),
                 law: None,
@@ -1172,7 +1172,7 @@ impl<'a> At<'a> {
             let slope = self.statement.derivative(given.term, end);
             let closed = self.property(Property::Nonzero, slope)?;
             let runs = |symbol: &Symbol| match self.statement.quantity(*symbol) {
-                Some(Quantity::Parameter(name)) => super::build::is_letter(name, &self.statement.letter),
+                Some(Quantity::Parameter(name)) => super::statement::is_letter(name, &self.statement.letter),
                 Some(Quantity::State { .. } | Quantity::Time { .. }) => true,
                 _ => false,
             };

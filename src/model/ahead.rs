@@ -1,6 +1,5 @@
 //! The forcing from one instant onwards: its integrals over a flight, and when f + g changes sign.
 
-use super::forcing::Forced;
 use crate::number::Analytic;
 use smallvec::SmallVec;
 
@@ -21,6 +20,17 @@ pub(super) struct Wave<T> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ahead<T> {
     waves: SmallVec<[Wave<T>; 1]>,
+}
+
+/// f, F_1 and F_2 at one time; the integrals are those with zero mean (F_2' = F_1, F_1' = f).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Forced<T> {
+    /// f(t).
+    pub f: T,
+    /// F_1(t); sin(pi t + phi)/pi for the paper's forcing.
+    pub f1: T,
+    /// F_2(t); -cos(pi t + phi)/pi² for the paper's forcing.
+    pub f2: T,
 }
 
 /// The times after an instant at which f + g changes sign.

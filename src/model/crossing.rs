@@ -4,14 +4,10 @@
 //! extremum there, and each rise or fall crosses a wall once or not at all.
 
 use super::ahead::Turnings;
-use super::flight::{Flight, FlightError, State};
+use super::flight::{Flight, FlightError, LONGEST_FLIGHT, State};
 use super::motion::Side;
 use super::root::{Bracket, Sample, root};
 use crate::number::Analytic;
-
-/// Flights are followed for this many forcing periods. Where gravity is not 0 a flight ends by itself; without
-/// gravity a ball may float for ever, and 10,000 periods of an event-free flight tell nothing more.
-pub const LONGEST_FLIGHT: i64 = 10_000;
 
 /// Under several harmonics a flight advances by steps that are proved not to pass a wall; a flight that needs
 /// more than this many of them grazes closer than the number can tell.

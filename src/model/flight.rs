@@ -1,11 +1,24 @@
 //! A flight between impacts, equations (3) and (4).
 
 use super::ahead::Ahead;
-use super::crossing::LONGEST_FLIGHT;
 use super::forcing::Forcing;
-use super::map::Impact;
 use super::motion::{Motion, Side};
 use crate::number::Analytic;
+
+/// Flights are followed for this many forcing periods. Where gravity is not 0 a flight ends by itself; without
+/// gravity a ball may float for ever, and 10,000 periods of an event-free flight tell nothing more.
+pub const LONGEST_FLIGHT: i64 = 10_000;
+
+/// An impact: where, when and how fast.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Impact<T> {
+    /// The wall.
+    pub side: Side,
+    /// t_k; only its phase in the forcing period matters.
+    pub time: T,
+    /// Zdot_k just before the impact: positive at the bottom, negative at the top.
+    pub velocity: T,
+}
 
 /// Position, velocity and acceleration of the ball against the capsule.
 #[derive(Clone, Debug, PartialEq)]

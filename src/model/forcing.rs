@@ -1,6 +1,6 @@
 //! The forcing: a finite sum of harmonics with zero mean, its integrals, and the view from one instant onwards.
 
-use super::ahead::{Ahead, Wave};
+use super::ahead::{Ahead, Forced, Wave};
 use crate::number::Analytic;
 use smallvec::SmallVec;
 
@@ -24,17 +24,6 @@ struct Harmonic<T> {
 pub struct Forcing<T> {
     period: T,
     harmonics: SmallVec<[Harmonic<T>; 1]>,
-}
-
-/// f, F_1 and F_2 at one time; the integrals are those with zero mean (F_2' = F_1, F_1' = f).
-#[derive(Clone, Debug, PartialEq)]
-pub struct Forced<T> {
-    /// f(t).
-    pub f: T,
-    /// F_1(t); sin(pi t + phi)/pi for the paper's forcing.
-    pub f1: T,
-    /// F_2(t); -cos(pi t + phi)/pi² for the paper's forcing.
-    pub f2: T,
 }
 
 /// A forcing that is none.

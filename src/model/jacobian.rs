@@ -2,9 +2,9 @@
 //!
 //! The three ways share the flight and nothing else: the closed form is never seen by the other two.
 
+use super::flight::Impact;
 use super::flight::{Flight, FlightError, State};
 use super::forcing::Forcing;
-use super::map::Impact;
 use super::motion::{Motion, MotionError};
 use crate::number::{Analytic, Dual, seeded};
 use nalgebra::Matrix2;

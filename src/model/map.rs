@@ -1,21 +1,10 @@
 //! The one-impact maps P_1 to P_4 of equation (8).
 
 use super::crossing::Watch;
-use super::flight::{Flight, FlightError};
+use super::flight::{Flight, FlightError, Impact};
 use super::forcing::Forcing;
 use super::motion::{Motion, Side};
 use crate::number::Analytic;
-
-/// An impact: where, when and how fast.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Impact<T> {
-    /// The wall.
-    pub side: Side,
-    /// t_k; only its phase in the forcing period matters.
-    pub time: T,
-    /// Zdot_k just before the impact: positive at the bottom, negative at the top.
-    pub velocity: T,
-}
 
 /// One flight with the impacts at both ends.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,9 @@
 //! The derivative DP = DP_2 DP_1 of the pair of maps, its trace (22) and its determinant (23).
 
-use super::forcing::{Forced, Forcing};
+use super::ahead::Forced;
+use super::flight::Impact;
+use super::forcing::Forcing;
 use super::jacobian::{JacobianError, Passage, not_zero};
-use super::map::Impact;
 use super::motion::{Motion, Side};
 use crate::number::Analytic;
 use nalgebra::Matrix2;

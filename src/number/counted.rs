@@ -1,8 +1,7 @@
 //! A number that counts what is done with it: the cost of a method, whatever the machine.
 
 use super::derivable::Elementary;
-use super::{Analytic, DoubleDouble, Endpoint, Field, Rung, Wide};
-use num_dual::DualNum;
+use super::{Analytic, Endpoint, Field, Machine, Rung, Wide};
 use std::cell::Cell;
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Rem, Sub};
@@ -86,36 +85,6 @@ fn count(one_more: impl FnOnce(&mut Counts)) {
 /// A number whose operations are counted; its values are those of `T`, bit for bit.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Counted<T>(pub T);
-
-/// The numbers that means are compared in: each can be counted, can end an interval, and can be judged.
-pub trait Machine: Endpoint + DualNum {
-    /// The value in more digits: exactly, where `DIGITS` are as many as the type has.
-    fn to_wide<const DIGITS: usize>(&self) -> Wide<DIGITS>;
-}
-
-impl Machine for f32 {
-    fn to_wide<const DIGITS: usize>(&self) -> Wide<DIGITS> {
-        Analytic::from_f64(f64::from(*self))
-    }
-}
-
-impl Machine for f64 {
-    fn to_wide<const DIGITS: usize>(&self) -> Wide<DIGITS> {
-        Analytic::from_f64(*self)
-    }
-}
-
-impl Machine for DoubleDouble {
-    fn to_wide<const DIGITS: usize>(&self) -> Wide<DIGITS> {
-        DoubleDouble::to_wide(self)
-    }
-}
-
-impl<const OWN: usize> Machine for Wide<OWN> {
-    fn to_wide<const DIGITS: usize>(&self) -> Wide<DIGITS> {
-        self.convert()
-    }
-}
 
 impl<T: Machine> Machine for Counted<T> {
     fn to_wide<const DIGITS: usize>(&self) -> Wide<DIGITS> {

@@ -1,6 +1,5 @@
 //! The number types that means are compared and chosen in, from the narrowest to the widest.
 
-use super::{Digits, DoubleDouble, Machine, at_digits};
 use std::fmt;
 
 /// A number type.
@@ -75,46 +74,9 @@ impl fmt::Display for Rung {
     }
 }
 
-/// A computation that can be done in any of the number types.
-pub trait AtRung {
-    /// What is computed: nothing that has the number in its type.
-    type Output;
-    /// The computation in `T`.
-    fn run<T: Machine>(self) -> Self::Output;
-}
-
-impl Rung {
-    /// The computation in this number.
-    pub fn at<C: AtRung>(self, computation: C) -> C::Output {
-        match self {
-            Self::Single => computation.run::<f32>(),
-            Self::Double => computation.run::<f64>(),
-            Self::DoubleDouble => computation.run::<DoubleDouble>(),
-            Self::Wide(digits) => at_digits(digits, || computation.run::<Digits>()),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::Analytic;
     use super::*;
-
-    struct Rounding;
-    impl AtRung for Rounding {
-        type Output = f64;
-        fn run<T: Machine>(self) -> f64 {
-            <T as Analytic>::epsilon().to_f64()
-        }
-    }
-
-    #[test]
-    fn every_rung_rounds_as_its_digits_say() {
-        for rung in Rung::ALL {
-            let digits = -(0.5 * rung.at(Rounding)).log10();
-            assert!(digits > f64::from(rung.digits()) - 0.1, "{rung} {digits}");
-        }
-    }
 
     #[test]
     fn rungs_are_in_order_and_have_names_and_the_digits_of_their_types() {

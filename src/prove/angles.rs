@@ -4,7 +4,7 @@
 //! whole combination of basis arguments, so that u/2, u and 3u share one; multiples of pi are algebraic numbers.
 
 use super::session::Session;
-use crate::kernel::{Axiom, Elementary, Inference, Monomial, Node, Polynomial, Term, Terms};
+use crate::kernel::{Axiom, Elementary, Inference, Monomial, Node, Polynomial, Term};
 use crate::number::{Field, Rational};
 use dashu_int::ops::Gcd;
 use dashu_int::{IBig, UBig};
@@ -184,14 +184,14 @@ fn imaginary(session: &mut Session, family: Family, atom: &Atom, base: Term) -> 
             // base = i angle
             let angle = polynomial.times(&Polynomial::generator(unit)).negated();
             let angle = session.normal_form(&angle)?;
-            let angle = polynomial_term(session, &angle);
+            let angle = session.polynomial_term(&angle);
             session.axiom(Axiom::ExpOfImaginary(angle))?;
             let product = session.terms().product(vec![unit, angle]);
             congruent(session, family, base, product);
         }
         Family::Circular => {
             for angle in [polynomial.clone(), polynomial.negated()] {
-                let angle = polynomial_term(session, &angle);
+                let angle = session.polynomial_term(&angle);
                 session.axiom(Axiom::ExpOfImaginary(angle));
             }
         }
@@ -244,7 +244,7 @@ fn atom_term(session: &mut Session, atom: &Atom) -> Term {
     }
     let mut below = Vec::new();
     for (polynomial, power) in &atom.1 {
-        let term = polynomial_term(session, polynomial);
+        let term = session.polynomial_term(polynomial);
         let exponent = i32::try_from(*power).unwrap_or(i32::MAX);
         below.push(if *power == 1 {
             term
@@ -254,32 +254,6 @@ fn atom_term(session: &mut Session, atom: &Atom) -> Term {
     }
     let below = session.terms().product(below);
     session.terms().quotient(above, below)
-}
-
-/// A polynomial as a term.
-pub fn polynomial_term(session: &mut Session, polynomial: &Polynomial) -> Term {
-    term_of(session.terms(), polynomial)
-}
-
-/// A polynomial as a sum of products of its generators.
-pub fn term_of(terms: &mut Terms, polynomial: &Polynomial) -> Term {
-    let mut parts = Vec::new();
-    for (monomial, value) in polynomial.terms() {
-        let mut factors = Vec::new();
-        if *value != RBig::ONE || monomial.is_empty() {
-            factors.push(terms.number(Rational(value.clone())));
-        }
-        for &(term, power) in monomial {
-            let exponent = i32::try_from(power).unwrap_or(i32::MAX);
-            factors.push(if power == 1 {
-                term
-            } else {
-                terms.add(Node::Power(term, exponent))
-            });
-        }
-        parts.push(terms.product(factors));
-    }
-    terms.sum(parts)
 }
 
 fn functions(family: Family) -> &'static [Elementary] {

@@ -4,7 +4,6 @@
 //! that satisfy a homogeneous linear differential equation of order 1 or 2 whose coefficients are constant and whose
 //! characteristic polynomial splits, over the complex numbers, into factors with polynomial coefficients.
 
-use super::angles::polynomial_term;
 use super::session::Session;
 use super::values;
 use crate::algebra::{coefficients_in, square_root};
@@ -148,14 +147,14 @@ fn constants_of(
 ) -> Option<Vec<Term>> {
     let exponential = |session: &mut Session, rate: &Polynomial| {
         let rate = rate.times(&Polynomial::generator(time));
-        let rate = polynomial_term(session, &rate);
+        let rate = session.polynomial_term(&rate);
         session.terms().elementary(Elementary::Exp, rate)
     };
     let polynomial = |of: Term| Polynomial::generator(of);
     let x = polynomial(chain[0]);
     if let [rate] = coefficients {
         let factor = exponential(session, &rate.negated());
-        return Some(vec![polynomial_term(session, &x.times(&polynomial(factor)))]);
+        return Some(vec![session.polynomial_term(&x.times(&polynomial(factor)))]);
     }
     let [b, a] = coefficients else { return None };
     let half = a.scaled(&(Rational::from_integer(1) / Rational::from_integer(2)));
@@ -173,7 +172,7 @@ fn constants_of(
     let constants = if discriminant.is_zero() {
         vec![y.clone(), x.minus(&y.times(&polynomial(time)))]
     } else if let Some(w) = root(session, &discriminant.negated()) {
-        let angle = polynomial_term(session, &w.times(&polynomial(time)));
+        let angle = session.polynomial_term(&w.times(&polynomial(time)));
         let [sine, cosine] =
             [Elementary::Sin, Elementary::Cos].map(|f| polynomial(session.terms().elementary(f, angle)));
         let wx = w.times(&x);
@@ -193,7 +192,7 @@ fn constants_of(
     Some(
         constants
             .iter()
-            .map(|constant| polynomial_term(session, &constant.times(&decay)))
+            .map(|constant| session.polynomial_term(&constant.times(&decay)))
             .collect(),
     )
 }

@@ -1,9 +1,9 @@
 //! The proof or the counterexample of a claim, for readers: what the kernel accepted, in the names of the sheet.
 
-use super::angles::term_of;
 use super::counterexample::Values;
 use super::print::tex;
 use super::script::Found;
+use super::session::term_of;
 use super::{Decision, Options, decided};
 use crate::algebra::{coefficients_in, degree_in};
 use crate::claim::Sheet;

@@ -4,7 +4,6 @@
 //! arguments, and whose size is below a full turn by their ranges and signs.
 
 use super::angles;
-use super::angles::polynomial_term;
 use super::roots;
 use super::session::Session;
 use crate::kernel::{Axiom, Elementary, Inference, Node, Polynomial, Property, Term};
@@ -212,7 +211,7 @@ pub fn show_angle(session: &mut Session, goal: &Polynomial) -> Option<usize> {
     let turn = Polynomial::generator(pi).scaled(&Rational::from_integer(2));
     session.show_sign(&turn.minus(&whole), true)?;
     session.show_sign(&turn.plus(&whole), true)?;
-    let angle = polynomial_term(session, &whole);
+    let angle = session.polynomial_term(&whole);
     let zero = session.terms().integer(0);
     session.axiom(Axiom::SineOfZero(zero));
     session.axiom(Axiom::CosineOfZero(zero));

@@ -4,7 +4,6 @@
 //! have equal exponents.
 
 use super::angles;
-use super::angles::polynomial_term;
 use super::roots::{self, Form};
 use super::session::Session;
 use crate::kernel::{Axiom, Elementary, Inference, Node, Polynomial, Property, Term};
@@ -63,7 +62,7 @@ fn principal(session: &mut Session, term: Term) -> Option<()> {
     } else {
         let opposite = argument.negated();
         session.show_sign(&opposite, true)?;
-        let opposite = polynomial_term(session, &opposite);
+        let opposite = session.polynomial_term(&opposite);
         session.axiom(Axiom::LnOfNegative(opposite))?;
         let negative = session.terms().negative(opposite);
         session.terms().elementary(Elementary::Ln, negative)
@@ -96,7 +95,7 @@ fn logarithm(session: &mut Session, form: &Form) -> Option<Term> {
             continue;
         } else {
             // of the absolute value
-            let base = polynomial_term(session, factor);
+            let base = session.polynomial_term(factor);
             let square = session.terms().add(Node::Power(base, 2));
             let absolute = session.terms().elementary(Elementary::Root(2), square);
             session.describe_roots(absolute);
@@ -128,7 +127,7 @@ fn of_positive(session: &mut Session, polynomial: &Polynomial) -> Term {
     {
         return of;
     }
-    let base = polynomial_term(session, polynomial);
+    let base = session.polynomial_term(polynomial);
     session.axiom(Axiom::ExpOfLn(base));
     session.terms().elementary(Elementary::Ln, base)
 }

@@ -9,6 +9,7 @@ mod explanation;
 mod float;
 mod formula;
 mod inverse;
+mod laws;
 mod logarithms;
 mod point;
 mod print;

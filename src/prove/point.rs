@@ -4,11 +4,11 @@
 //! function of it can be undone for; what is left is met by small numbers and by multiples of pi. Where a coefficient
 //! may vanish, the case that it does is a point of its own.
 
-use super::angles::polynomial_term;
 use super::float::{Complex, Program, Sized};
+use super::laws::Usable;
 use super::proof;
 use super::session::Session;
-use super::values::{self, Usable};
+use super::values;
 use crate::algebra::{Steps, coefficients_in, degree_in, factors, primitive, rational_root, square_root};
 use crate::kernel::{
     CLAIM_DOMAIN, Certificate, Elementary, Expansion, Function, FunctionOf, Inference, Law, Node, Polynomial, Property,
@@ -289,7 +289,7 @@ fn equations(statement: &mut Statement) -> (Vec<Term>, Vec<Usable>) {
         {
             let polynomial = session.polynomial(fact);
             if !polynomial.is_zero() {
-                found.push(polynomial_term(&mut session, &polynomial));
+                found.push(session.polynomial_term(&polynomial));
             }
         }
         fact += 1;
@@ -560,7 +560,7 @@ fn integral(statement: &mut Statement, term: Term, time: Symbol) -> Option<Term>
     let mut session = Session::new(statement, Vec::new(), 1000);
     let mut integral = values::antiderivative_of(&mut session, &quotient.numerator, time)?;
     for (divisor, power) in &quotient.divisors {
-        let below = polynomial_term(&mut session, divisor);
+        let below = session.polynomial_term(divisor);
         if session.checker.statement.terms().holds(below, time) {
             return None;
         }
@@ -886,10 +886,7 @@ impl Search<'_> {
         }
         let mut statement = std::mem::take(&mut self.statement);
         let mut session = Session::new(&mut statement, Vec::new(), 1000);
-        let parts = found
-            .factors
-            .iter()
-            .map(|(factor, _)| polynomial_term(&mut session, factor));
+        let parts = found.factors.iter().map(|(factor, _)| session.polynomial_term(factor));
         let parts = parts.collect();
         self.statement = statement;
         Some(parts)
@@ -1013,7 +1010,7 @@ impl Search<'_> {
             Node::Symbol(symbol) => {
                 let lead = coefficients.last().cloned().unwrap_or_default();
                 if lead.as_constant().is_none() {
-                    leads.push(polynomial_term(&mut session, &lead));
+                    leads.push(session.polynomial_term(&lead));
                 }
                 let is_complex = session.checker.statement.complex_symbols().contains(&symbol);
                 let found = match coefficients.as_slice() {
@@ -1023,8 +1020,8 @@ impl Search<'_> {
                         let four = Rational::from_ratio(4, 1);
                         let radicand = b.times(b).minus(&a.times(c).scaled(&four));
                         let root = root_term(&mut session, &radicand, &Polynomial::integer(1), 2);
-                        let b = polynomial_term(&mut session, b);
-                        let below = polynomial_term(&mut session, &a.scaled(&Rational::from_ratio(2, 1)));
+                        let b = session.polynomial_term(b);
+                        let below = session.polynomial_term(&a.scaled(&Rational::from_ratio(2, 1)));
                         let terms = session.terms();
                         let other = terms.negative(root);
                         [root, other]
@@ -1069,7 +1066,7 @@ impl Search<'_> {
             Node::Elementary(function, of) => {
                 let wanted = ratio_term(&mut session, &coefficients[0].negated(), &coefficients[1]);
                 if coefficients[1].as_constant().is_none() {
-                    leads.push(polynomial_term(&mut session, &coefficients[1]));
+                    leads.push(session.polynomial_term(&coefficients[1]));
                 }
                 self.statement = std::mem::take(session.checker.statement);
                 let alone = |symbol: Symbol| {
@@ -1127,7 +1124,7 @@ impl Search<'_> {
         let form = self.without_imaginary_squares(&quotient.numerator);
         let mut statement = std::mem::take(&mut self.statement);
         let mut session = Session::new(&mut statement, Vec::new(), 1000);
-        let term = polynomial_term(&mut session, &form);
+        let term = session.polynomial_term(&form);
         self.statement = statement;
         (!holds_unit(term, self.statement.terms())).then_some(term)
     }
@@ -1888,9 +1885,9 @@ fn ratio_term(session: &mut Session, above: &Polynomial, below: &Polynomial) -> 
     if let Some(number) = below.as_constant()
         && !number.is_zero()
     {
-        return polynomial_term(session, &above.scaled(&(Rational::from_ratio(1, 1) / number)));
+        return session.polynomial_term(&above.scaled(&(Rational::from_ratio(1, 1) / number)));
     }
-    let (above, below) = (polynomial_term(session, above), polynomial_term(session, below));
+    let (above, below) = (session.polynomial_term(above), session.polynomial_term(below));
     session.terms().quotient(above, below)
 }
 
@@ -1907,7 +1904,7 @@ fn root_term(session: &mut Session, above: &Polynomial, below: &Polynomial, inde
         && *below == Polynomial::integer(1)
         && let Ok(Some(root)) = square_root(above, &mut Steps::new(20_000))
     {
-        return polynomial_term(session, &root);
+        return session.polynomial_term(&root);
     }
     if index == 2 && session.checker.statement.is_complex() {
         let negative = below.as_constant().is_some_and(|below| below > Rational::zero())

@@ -3,6 +3,7 @@
 use super::angles;
 use super::constants;
 use super::inverse;
+use super::laws::Usable;
 use super::logarithms;
 use super::roots;
 use super::session::Session;
@@ -307,7 +308,7 @@ pub fn prepare(session: &mut Session, goals: &[Polynomial]) -> Option<()> {
 }
 
 /// Brings in what premises and laws say, and nothing of elementary functions. Gives the laws.
-pub fn prepare_premises(session: &mut Session, goals: &[Polynomial]) -> Vec<values::Usable> {
+pub fn prepare_premises(session: &mut Session, goals: &[Polynomial]) -> Vec<Usable> {
     bring_in(session, goals);
     session.triangulate_all();
     let mut laws = Vec::new();

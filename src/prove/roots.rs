@@ -4,7 +4,6 @@
 //! out with the sign that is known of its base, or with the root of its square where none is known; numbers split
 //! into primes. Products of odd roots whose radicands multiply to a perfect power, too.
 
-use super::angles::polynomial_term;
 use super::session::Session;
 use crate::algebra::{Factors, coefficients_in, degree_in, factors};
 use crate::kernel::{Axiom, Elementary, Inference, Node, Polynomial, Term};
@@ -95,7 +94,7 @@ pub fn as_claimed(session: &mut Session, polynomial: &Polynomial) -> Option<()> 
         {
             continue;
         }
-        let value = polynomial_term(session, &value);
+        let value = session.polynomial_term(&value);
         session.unique_root(generator, value)?;
         return Some(());
     }
@@ -117,7 +116,7 @@ fn principal(session: &mut Session, root: Term) -> Option<()> {
     }
     let opposite = radicand.negated();
     session.show_sign(&opposite, false)?;
-    let opposite = polynomial_term(session, &opposite);
+    let opposite = session.polynomial_term(&opposite);
     session.axiom(Axiom::RootOfNegative(opposite))?;
     let negative = session.terms().negative(opposite);
     let right = session.terms().elementary(Elementary::Root(2), negative);
@@ -145,7 +144,7 @@ fn product_of_odd(session: &mut Session, index: u32, roots: [Term; 2], radicand:
     }
     let (radicand, form) = found?;
     let value = value(session, index, &form)?;
-    let radicand = polynomial_term(session, &radicand);
+    let radicand = session.polynomial_term(&radicand);
     let root = session.terms().elementary(Elementary::Root(index), radicand);
     let product = session.terms().product(roots.to_vec());
     session.unique_root(root, value)?;
@@ -304,7 +303,7 @@ fn value(session: &mut Session, index: u32, form: &Form) -> Option<Term> {
         }
         let (mut outside, mut inside) = (exponent.div_euclid(count), exponent.rem_euclid(count));
         if index % 2 == 1 {
-            let base = polynomial_term(session, factor);
+            let base = session.polynomial_term(factor);
             if let Some(constant) = factor.as_constant()
                 && constant.is_one()
             {
@@ -325,10 +324,10 @@ fn value(session: &mut Session, index: u32, form: &Form) -> Option<Term> {
             None
         };
         let base = match known {
-            Some(1) => polynomial_term(session, factor),
+            Some(1) => session.polynomial_term(factor),
             Some(_) => {
                 negative ^= exponent % 2 != 0;
-                polynomial_term(session, &factor.negated())
+                session.polynomial_term(&factor.negated())
             }
             None => {
                 // the absolute value of what stands outside; what stands inside an odd number of times stays together
@@ -337,7 +336,7 @@ fn value(session: &mut Session, index: u32, form: &Form) -> Option<Term> {
                     let even = exponent - 1;
                     (outside, inside) = (even.div_euclid(count), even.rem_euclid(count));
                 }
-                let base = polynomial_term(session, factor);
+                let base = session.polynomial_term(factor);
                 let square = session.terms().add(Node::Power(base, 2));
                 session.terms().elementary(Elementary::Root(2), square)
             }
@@ -354,7 +353,7 @@ fn value(session: &mut Session, index: u32, form: &Form) -> Option<Term> {
         }
         if together != Polynomial::integer(1) {
             session.show_sign(&together, false)?;
-            let base = polynomial_term(session, &together);
+            let base = session.polynomial_term(&together);
             let root = session.terms().elementary(Elementary::Root(index), base);
             push(&mut pieces, root, 1);
         }

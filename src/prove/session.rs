@@ -1,5 +1,6 @@
 //! A proof in the making: the steps so far, and the facts that the kernel makes of them.
 
+use super::laws::Laws;
 use crate::algebra::{
     Order, QuotientAlgebra, Steps, coefficients_in, degree_in, exact_quotient, pseudo_divide, radical_member,
 };
@@ -8,6 +9,7 @@ use crate::kernel::{
     Summand, Symbol, Term, Terms, sign,
 };
 use crate::number::{Field, Rational};
+use dashu_ratio::RBig;
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
@@ -27,7 +29,7 @@ const MOST_TERMS: usize = 4000;
 /// A proof in the making.
 pub struct Session<'a> {
     /// The laws found so far.
-    pub laws: super::values::Laws,
+    pub laws: Laws,
     pub checker: Checker<'a>,
     pub steps: Vec<Inference>,
     pub budget: Steps,
@@ -57,7 +59,7 @@ pub struct Session<'a> {
 
 /// What a session knows besides the facts, to be returned to after a case.
 struct Snapshot {
-    laws: super::values::Laws,
+    laws: Laws,
     mark: (usize, usize, bool),
     triangle: Vec<Pivot>,
     taken: BTreeSet<String>,
@@ -102,7 +104,7 @@ impl<'a> Session<'a> {
         };
         Self {
             checker: Checker::new(statement, &certificate, budget.saturating_mul(KERNEL_STEPS)),
-            laws: super::values::Laws::default(),
+            laws: Laws::default(),
             steps: Vec::new(),
             budget: Steps::new(budget),
             triangle: Vec::new(),
@@ -131,6 +133,11 @@ impl<'a> Session<'a> {
         true
     }
 
+    /// A polynomial as a term.
+    pub fn polynomial_term(&mut self, polynomial: &Polynomial) -> Term {
+        term_of(self.terms(), polynomial)
+    }
+
     /// A fact that a polynomial in generic symbols is not 0, where such are excluded.
     pub fn generic_fact(&mut self, polynomial: &Polynomial) -> Option<usize> {
         let mut nodes = polynomial.generators().into_iter().map(|term| self.node(term));
@@ -139,7 +146,7 @@ impl<'a> Session<'a> {
         if !self.excludes || !nodes.all(fits) {
             return None;
         }
-        let term = super::angles::polynomial_term(self, polynomial);
+        let term = self.polynomial_term(polynomial);
         self.step(Inference::Generic(term)).ok()
     }
 
@@ -1173,4 +1180,25 @@ impl<'a> Session<'a> {
     pub fn node(&self, term: Term) -> Node {
         self.checker.statement.terms().node(term).clone()
     }
+}
+
+/// A polynomial as a sum of products of its generators.
+pub fn term_of(terms: &mut Terms, polynomial: &Polynomial) -> Term {
+    let mut parts = Vec::new();
+    for (monomial, value) in polynomial.terms() {
+        let mut factors = Vec::new();
+        if *value != RBig::ONE || monomial.is_empty() {
+            factors.push(terms.number(Rational(value.clone())));
+        }
+        for &(term, power) in monomial {
+            let exponent = i32::try_from(power).unwrap_or(i32::MAX);
+            factors.push(if power == 1 {
+                term
+            } else {
+                terms.add(Node::Power(term, exponent))
+            });
+        }
+        parts.push(terms.product(factors));
+    }
+    terms.sum(parts)
 }

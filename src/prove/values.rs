@@ -1,6 +1,7 @@
 //! Values of unknown functions: instances of laws, equal arguments, whole periods, integrals of laws.
 
-use super::angles::{self, polynomial_term};
+use super::angles;
+use super::laws::Usable;
 use super::session::Session;
 use crate::algebra::{coefficients_in, degree_in};
 use crate::kernel::{
@@ -18,73 +19,6 @@ const MOST_TURNS: [i64; 3] = [8, 6, 2];
 /// How often a law is integrated, and differentiated: a motion has two integrals, its forcing two more.
 const MOST_INTEGRALS: u8 = 4;
 const MOST_DERIVATIVES: u8 = 3;
-
-/// The laws found so far, and which of them were differentiated and integrated.
-#[derive(Clone, Default)]
-pub struct Laws {
-    all: Vec<Usable>,
-    differentiated: BTreeSet<usize>,
-    integrated: BTreeSet<usize>,
-    taken: BTreeSet<(i32, usize)>,
-    /// The impacts that the goals and premises speak of.
-    spoken: BTreeSet<i32>,
-    /// Whether constants of motion were looked for.
-    pub constants: bool,
-}
-
-impl Laws {
-    pub fn all(&self) -> &[Usable] {
-        &self.all
-    }
-
-    pub fn push(&mut self, law: Usable) {
-        self.all.push(law);
-    }
-}
-
-/// A law that can be taken at a time.
-#[derive(Clone)]
-pub struct Usable {
-    source: LawSource,
-    time: Symbol,
-    term: Term,
-    flight: Option<i32>,
-    /// How many times it was differentiated, and integrated, to be what it is.
-    derivatives: u8,
-    integrals: u8,
-}
-
-impl Usable {
-    /// A law that a step derived.
-    pub fn derived(source: LawSource, time: Symbol, term: Term, flight: Option<i32>) -> Self {
-        Self {
-            source,
-            time,
-            term,
-            flight,
-            derivatives: 0,
-            integrals: 0,
-        }
-    }
-
-    pub fn term(&self) -> Term {
-        self.term
-    }
-
-    pub fn time(&self) -> Symbol {
-        self.time
-    }
-
-    /// Whether it is a law of a flight.
-    pub fn flies(&self) -> bool {
-        self.flight.is_some()
-    }
-
-    /// Whether it is a premise, rather than derived.
-    pub fn is_given(&self) -> bool {
-        matches!(self.source, LawSource::Given { .. })
-    }
-}
 
 /// The values of unknown functions in a term.
 pub fn values_of(statement: &Statement, term: Term) -> Vec<(Function, u32, Term)> {
@@ -429,11 +363,11 @@ fn solved(session: &mut Session, inner: Term, time: Symbol, at: Term) -> Option<
     {
         return None;
     }
-    let rest = polynomial_term(session, &coefficients[0]);
+    let rest = session.polynomial_term(&coefficients[0]);
     let difference = session.terms().difference(at, rest);
     // simplified, so that t + T at t_k - T is t_k
     let simple = polynomial(session, difference)?.scaled(&(<Rational as Field>::from_integer(1) / slope));
-    Some(polynomial_term(session, &simple))
+    Some(session.polynomial_term(&simple))
 }
 
 /// Laws for the derivatives of functions that a law says something of, where these are spoken of.
@@ -638,7 +572,7 @@ fn chains(session: &mut Session, of: (Function, u32), recurrences: &[Recurrence]
                 at = if *forward { at.plus(apart) } else { at.minus(apart) };
                 let to = match step + 1 == steps.len() {
                     true => *a,
-                    false => polynomial_term(session, &at),
+                    false => session.polynomial_term(&at),
                 };
                 let high = if *forward { to } else { from };
                 if let Some(time) = solved(session, *later, law.time, high) {
@@ -729,7 +663,7 @@ fn integral(session: &mut Session, law: &Usable, goals: &[Polynomial]) -> Option
             times(session, factor, formula)
         }
         None => {
-            let lead = polynomial_term(session, &lead);
+            let lead = session.polynomial_term(&lead);
             session.terms().quotient(formula, lead)
         }
     };
@@ -800,7 +734,7 @@ pub fn antiderivative_of(session: &mut Session, form: &Polynomial, time: Symbol)
             .copied()
             .partition(|(term, _)| session.checker.statement.terms().holds(*term, time));
         let constant = Polynomial::from_terms([(fixed, value.clone())]);
-        let constant = polynomial_term(session, &constant);
+        let constant = session.polynomial_term(&constant);
         let power = moving
             .iter()
             .find(|(term, _)| *term == of_time)
@@ -863,7 +797,7 @@ fn sum_of_products(session: &mut Session, factors: &[Term]) -> Option<Vec<(Ratio
                     }
                     continue;
                 }
-                let angle = polynomial_term(session, &angle);
+                let angle = session.polynomial_term(&angle);
                 next.push((number, Some(session.terms().elementary(outer, angle))));
             }
         }

@@ -1,8 +1,8 @@
 //! What is asked of several rows at once.
 
-use super::computed::Value;
 use super::figures::{Figures, rounded};
 use super::quantity::Across;
+use super::value::Value;
 use crate::number::Rational;
 use num_traits::Zero;
 

@@ -1,9 +1,9 @@
 //! `reference/*.csv`: values with 30 digits, made by one means and confirmed by another.
 
 use super::compare::{Comparison, certified_against};
-use super::computed::Value;
 use super::outcome::{Outcome, unexpected};
 use super::request::{Asked, Request};
+use super::value::Value;
 use super::{Fault, Figures, Quantity, Setting, Verdict, records, records::Record};
 
 /// The columns of a reference file.

@@ -1,9 +1,9 @@
 //! A printed value against a computed one.
 
 use super::Verdict;
-use super::computed::Value;
-use super::figures::{Figures, agreeing, power_of_ten, rounded, size};
+use super::figures::{Figures, LEGIBLE, agreeing, power_of_ten, rounded, size};
 use super::range::Range;
+use super::value::Value;
 use crate::number::{Field, Rational};
 use num_traits::Zero;
 
@@ -22,7 +22,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    pub(super) fn new(verdict: Verdict, digits: Option<f64>, reason: String) -> Self {
+    fn new(verdict: Verdict, digits: Option<f64>, reason: String) -> Self {
         Self {
             verdict,
             digits,
@@ -54,7 +54,7 @@ pub fn compare(printed: &str, computed: &Value) -> Result<Comparison, String> {
     let is_number = number.is_some() || computed.text.parse::<f64>().is_ok();
     match (Printed::read(printed), number) {
         (Printed::Number(printed), Some(number)) => Ok(numbers(&printed, &number.value, computed)),
-        (Printed::Range(range), Some(number)) => Ok(range.compare(&number.value, computed)),
+        (Printed::Range(range), Some(number)) => Ok(within(&range, &number.value, computed)),
         (Printed::Number(_) | Printed::Range(_), None) if is_number => {
             let reason = format!("printed {printed}, computed {}", computed.text);
             Ok(Comparison::new(Verdict::Wrong, Some(0.0), reason))
@@ -173,8 +173,7 @@ fn numbers(printed: &Figures, number: &Rational, computed: &Value) -> Comparison
         agreeing(&difference, number)
     };
     let both = format!(
-        "printed {}, computed {}",
-        plain(printed),
+        "printed {printed}, computed {}",
         shown(number, printed.places, computed)
     );
     if !computed.text.contains(['.', 'e', 'E']) {
@@ -222,21 +221,31 @@ fn numbers(printed: &Figures, number: &Rational, computed: &Value) -> Comparison
     Comparison::new(verdict, Some(digits), reason)
 }
 
-/// Decimals of no more characters than this are shown in full.
-const LEGIBLE: usize = 40;
-
-/// What is printed, in full or with a power of ten.
-pub(super) fn plain(figures: &Figures) -> String {
-    let decimal = rounded(&figures.value, figures.places.max(0));
-    if decimal.len() <= LEGIBLE {
-        return decimal;
+/// `reproduced` where the number lies strictly within, whatever its bound leaves open, `wrong` where it does not.
+fn within(range: &Range, number: &Rational, computed: &Value) -> Comparison {
+    let places = range.ends().map(|end| end.places).max().unwrap_or(0);
+    let shown = shown(number, places, computed);
+    let Some(bound) = &computed.bound else {
+        let reason = format!("no bound of the computed value is certified: nothing is decided; computed {shown}");
+        return Comparison::new(Verdict::Undecided, None, reason);
+    };
+    let (least, most) = (number.clone() - bound.clone(), number.clone() + bound.clone());
+    let from = range.from.as_ref().map(|end| &end.value);
+    let to = range.to.as_ref().map(|end| &end.value);
+    if from.is_none_or(|from| *from < least) && to.is_none_or(|to| most < *to) {
+        return Comparison::new(Verdict::Reproduced, None, String::new());
     }
-    let mantissa = rounded(&(figures.value.clone() * power_of_ten(figures.places)), 0);
-    format!("{mantissa}e{}", -figures.places)
+    if from.is_some_and(|from| most <= *from) || to.is_some_and(|to| *to <= least) {
+        let which = if range.ends().count() > 1 { "outside" } else { "not" };
+        let reason = format!("computed {shown}, which is {which} {range}");
+        return Comparison::new(Verdict::Wrong, None, reason);
+    }
+    let reason = format!("computed {shown}, too near an end of {range} to tell");
+    Comparison::new(Verdict::Undecided, None, reason)
 }
 
 /// A computed number to some places beyond the printed ones; as it is written where that is long, or shows nothing of it.
-pub(super) fn shown(number: &Rational, places: i32, computed: &Value) -> String {
+fn shown(number: &Rational, places: i32, computed: &Value) -> String {
     let decimal = rounded(number, places.max(0) + PLACES_BEYOND);
     let is_lost = decimal == "0" && !number.is_zero();
     if is_lost || decimal.len() > LEGIBLE {
@@ -368,6 +377,17 @@ mod tests {
         assert_eq!(verdict("BBT", "BTT", "0"), Some(Verdict::Wrong));
         assert_eq!(verdict("0.1", "inf", "0"), Some(Verdict::Wrong));
         assert_eq!(verdict("0.1", "NaN", "0"), Some(Verdict::Wrong));
+    }
+
+    #[test]
+    fn a_range_open_to_a_side_has_one_end() {
+        assert_eq!(verdict("< 60000", "58670.78", "1e-3"), Some(Verdict::Reproduced));
+        let found = compare("<60000", &value("61152.5", "1e-3")).unwrap();
+        assert_eq!(found.verdict, Verdict::Wrong);
+        assert!(found.reason.ends_with("which is not < 60000"), "{}", found.reason);
+        assert_eq!(verdict("> 0", "-0.5", "1e-3"), Some(Verdict::Wrong));
+        assert_eq!(verdict("> 0", "1e-4", "1e-3"), Some(Verdict::Undecided));
+        assert_eq!(verdict("> 0", "0.5", ""), Some(Verdict::Undecided));
     }
 
     #[test]

@@ -1,9 +1,10 @@
 //! A command's table as golden values see it: every field as CSV prints it, and the row that is meant.
 
 use super::across::across;
-use super::figures::{Figures, power_of_ten, rounded, size};
+use super::figures::{Figures, rounded, size};
 use super::quantity::{FieldName, Quantity};
 use super::setting::{Selector, Setting, Wanted};
+use super::value::{Value, bound};
 use crate::number::{Field, Rational};
 use num_traits::Zero;
 
@@ -20,15 +21,6 @@ pub struct Computed {
     pub swept: Option<(String, Rational)>,
 }
 
-/// A computed value.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Value {
-    /// As CSV prints it; empty where it is not known.
-    pub text: String,
-    /// How far the true value may be from the text; `None` where nothing is certified. Words and counts are exact.
-    pub bound: Option<Rational>,
-}
-
 /// The columns that tell the rows of a table apart, in the order in which errors list them.
 const TELLING: [&str; 9] = [
     "label",
@@ -41,9 +33,6 @@ const TELLING: [&str; 9] = [
     "admissible",
     "verdict",
 ];
-
-/// More digits than any row has.
-const MOST_DIGITS: f64 = 1e4;
 
 /// The places after the point in which distances are told.
 const PLACES: i32 = 9;
@@ -265,34 +254,6 @@ impl Computed {
         };
         format!("there are: {}{more}", rows.join("; "))
     }
-}
-
-/// How far the true value may be from `text`: the certified bound of its row or, where there is none, what the digits
-/// of the row leave open; and what printing it costs. Words are exact, and so are counts, which CSV prints without a
-/// point.
-fn bound(text: &str, certified: &str, digits: &str) -> Option<Rational> {
-    let Some(figures) = Figures::read(text) else {
-        return Some(Rational::zero());
-    };
-    if !text.contains(['.', 'e', 'E']) {
-        return Some(Rational::zero());
-    }
-    let known = Figures::read(certified).filter(|bound| bound.value >= Rational::zero());
-    let certified = match known {
-        Some(bound) => bound.value,
-        // Where not even one digit holds, nothing is claimed.
-        None => {
-            let digits: f64 = digits.parse().ok().filter(|&digits: &f64| digits >= 1.0)?;
-            size(figures.value.clone()) * power_of_ten(-(digits.min(MOST_DIGITS) as i32))
-        }
-    };
-    // Up to 17 figures it is an f64 in its shortest form, which is within half a unit in its last place of it.
-    let of_text = if figures.count <= 17 {
-        size(figures.value) * Rational::from_integer(2).to_power(-53)
-    } else {
-        power_of_ten(-figures.places) / Rational::from_integer(2)
-    };
-    Some(certified + of_text)
 }
 
 #[cfg(test)]

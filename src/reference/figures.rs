@@ -4,9 +4,13 @@ use crate::number::{Field, Rational};
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 use num_traits::{One, Zero};
+use std::fmt;
 
 /// Powers of ten beyond this are a slip of the keyboard, and would cost memory.
 const LARGEST_POWER: i32 = 400;
+
+/// Decimals of no more characters than this are shown in full.
+pub const LEGIBLE: usize = 40;
 
 /// A decimal as printed, exact.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -67,6 +71,18 @@ impl Figures {
             unit /= Rational::from_integer(10);
         }
         self.count + 1
+    }
+}
+
+/// In full, or with a power of ten where that is long.
+impl fmt::Display for Figures {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let decimal = rounded(&self.value, self.places.max(0));
+        if decimal.len() <= LEGIBLE {
+            return f.write_str(&decimal);
+        }
+        let mantissa = rounded(&(self.value.clone() * power_of_ten(self.places)), 0);
+        write!(f, "{mantissa}e{}", -self.places)
     }
 }
 

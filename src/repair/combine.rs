@@ -1,8 +1,8 @@
 //! Several edits at once: what each adds to the difference of the sides is looked up among what the others leave.
 
+use super::candidate::{Candidate, Valued};
 use super::graph::{Graph, Overlay};
 use super::leaves::Leaves;
-use super::search::{Candidate, Valued};
 use super::value::{Number, Value};
 use std::collections::BTreeMap;
 

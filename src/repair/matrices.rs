@@ -1,11 +1,11 @@
 //! Matrices that may be missing as factors.
 
+use super::candidate::Candidate;
 use super::context::{Context, with_symbol};
 use super::edit::{self, missing_factor, product};
 use super::graph::{Graph, Node};
 use super::leaves::Leaves;
 use super::path::{size, walk};
-use super::search::Candidate;
 use super::value::Value;
 use crate::tex::{Name, Tree};
 use std::collections::HashMap;

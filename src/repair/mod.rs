@@ -5,6 +5,7 @@
 //! at points where the premises hold sieve what is to be proved (`points`, `leaves`, `graph`, `search`); several edits are matched by
 //! what each adds to the difference of the sides (`combine`).
 
+mod candidate;
 mod combine;
 mod context;
 mod dictionary;

@@ -1,5 +1,6 @@
 //! Edits of a claim after which its sides agree at points where the premises hold.
 
+use super::candidate::{Candidate, Valued};
 use super::combine;
 use super::context::Context;
 use super::dictionary::{Dictionaries, Wanted, number_of};
@@ -74,22 +75,6 @@ impl Formula {
     fn has_operation(&self) -> bool {
         any_side(&self.equation, &mut |node| matches!(node, Tree::Operation(..)))
     }
-}
-
-/// An edit of a place.
-#[derive(Clone, Debug)]
-pub struct Candidate {
-    pub formula: usize,
-    pub path: Path,
-    pub edit: edit::Edit,
-}
-
-/// An edit with what it makes of a node of the graph.
-#[derive(Clone, Debug)]
-pub struct Valued {
-    pub candidate: Candidate,
-    pub node: usize,
-    pub values: Vec<Value>,
 }
 
 /// Edits after which the claim may be true.

@@ -1,11 +1,27 @@
 //! A table as CSV.
 
 use super::figures::{whole, whole_list};
-use super::stream::Printer;
+use super::printer::Printer;
 use super::{Cell, Table};
 use crate::number::Decimal;
 use std::borrow::Cow;
 use std::io::{self, Write};
+
+impl Cell {
+    /// The value as CSV has it, without quoting: a number so that it reads back, a count without a point.
+    pub fn plain(&self) -> Cow<'_, str> {
+        match self {
+            Self::Text(text) | Self::Values(text, _) => Cow::Borrowed(text),
+            Self::Number(number) => Cow::Owned(whole(*number)),
+            Self::Numbers(numbers) => Cow::Owned(whole_list(numbers)),
+            Self::Decimal(decimal) => Cow::Borrowed(decimal.as_str()),
+            Self::Decimals(decimals) => Cow::Owned(texts(decimals).join(";")),
+            Self::Integer(integer) => Cow::Owned(integer.to_string()),
+            Self::Flag(flag) => Cow::Borrowed(if *flag { "true" } else { "false" }),
+            Self::Empty => Cow::Borrowed(""),
+        }
+    }
+}
 
 /// One record per row.
 pub struct Records;
@@ -38,7 +54,7 @@ impl Printer for Records {
 /// another program or is a sum of numbers and cells; a number alone and TeX after a sign are none.
 fn harmless(cell: &Cell) -> Cow<'_, str> {
     let (Cell::Text(text) | Cell::Values(text, _)) = cell else {
-        return field(cell);
+        return cell.plain();
     };
     let is_executed = match text.chars().next() {
         Some('=' | '\u{ff1d}' | '@' | '\u{ff20}' | '\t' | '\r' | '\n') => true,
@@ -66,20 +82,6 @@ fn calls(text: &str) -> bool {
         let name = before.trim_end_matches(|c: char| c.is_ascii_alphanumeric() || c == '.' || c == '_');
         before.len() - name.len() >= 3 && !name.ends_with('\\')
     })
-}
-
-/// The cell without any quoting.
-pub fn field(cell: &Cell) -> Cow<'_, str> {
-    match cell {
-        Cell::Text(text) | Cell::Values(text, _) => Cow::Borrowed(text),
-        Cell::Number(number) => Cow::Owned(whole(*number)),
-        Cell::Numbers(numbers) => Cow::Owned(whole_list(numbers)),
-        Cell::Decimal(decimal) => Cow::Borrowed(decimal.as_str()),
-        Cell::Decimals(decimals) => Cow::Owned(texts(decimals).join(";")),
-        Cell::Integer(integer) => Cow::Owned(integer.to_string()),
-        Cell::Flag(flag) => Cow::Borrowed(if *flag { "true" } else { "false" }),
-        Cell::Empty => Cow::Borrowed(""),
-    }
 }
 
 /// The texts of decimals.

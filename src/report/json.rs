@@ -2,7 +2,7 @@
 
 use super::csv::texts;
 use super::figures::whole;
-use super::stream::Printer;
+use super::printer::Printer;
 use super::{Cell, Column, Table};
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 use std::io::{self, Write};

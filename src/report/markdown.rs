@@ -1,7 +1,6 @@
 //! A table as Markdown.
 
-use super::csv::field;
-use super::stream::Printer;
+use super::printer::Printer;
 use super::{Cell, Table};
 use std::io::{self, Write};
 
@@ -22,7 +21,7 @@ pub fn begin(head: &Table, to: &mut dyn Write) -> io::Result<Lines> {
 impl Printer for Lines {
     fn rows(&mut self, rows: &[Vec<Cell>], to: &mut dyn Write) -> io::Result<()> {
         for row in rows {
-            write_line(to, row.iter().map(|cell| escape(&field(cell))))?;
+            write_line(to, row.iter().map(|cell| escape(&cell.plain())))?;
         }
         Ok(())
     }

@@ -28,6 +28,7 @@ mod markdown;
 mod output;
 mod page;
 pub mod plot;
+mod printer;
 mod sarif;
 mod stream;
 mod table;

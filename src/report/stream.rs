@@ -1,25 +1,15 @@
-//! Rows as they come, in memory that does not grow with their number.
+//! A table in a format, whole or row by row as it comes, in memory that does not grow with the number of rows.
 
-use super::{Cell, Column, Format, Table, csv, json, markdown, text};
+use super::printer::Printer;
+use super::{Cell, Column, Format, Table, csv, json, junit, markdown, text};
 use std::io::{self, Write};
 
 /// The rows that are written at once. The first of these decide the layout: in text the widths of the columns, in text
 /// and Markdown which of them hold numbers.
 const HEAD: usize = 1000;
 
-/// A format that prints row by row.
-pub(super) trait Printer {
-    /// Prints rows.
-    fn rows(&mut self, rows: &[Vec<Cell>], to: &mut dyn Write) -> io::Result<()>;
-
-    /// Prints what follows the last row.
-    fn end(&mut self, _to: &mut dyn Write) -> io::Result<()> {
-        Ok(())
-    }
-}
-
 /// Prints what stands before the rows; `head` decides the layout. A format that needs all rows at once has none.
-pub(super) fn begin(head: &Table, format: Format, digits: usize, to: &mut dyn Write) -> io::Result<Box<dyn Printer>> {
+fn begin(head: &Table, format: Format, digits: usize, to: &mut dyn Write) -> io::Result<Box<dyn Printer>> {
     Ok(match format {
         Format::Text => Box::new(text::begin(head, digits, to)?),
         Format::Csv => Box::new(csv::begin(head, to)?),
@@ -31,6 +21,20 @@ pub(super) fn begin(head: &Table, format: Format, digits: usize, to: &mut dyn Wr
             return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
         }
     })
+}
+
+impl Table {
+    /// Writes the table. `digits` is the number of significant figures in text, at least 1; the other formats
+    /// print every number whole. JUnit needs a table of verdicts ([`Table::has_verdicts`]); a page and findings are no
+    /// tables.
+    pub fn write(&self, to: &mut dyn Write, format: Format, digits: usize) -> io::Result<()> {
+        if format == Format::Junit {
+            return junit::write(&[self], to);
+        }
+        let mut printer = begin(self, format, digits, to)?;
+        printer.rows(self.rows(), to)?;
+        printer.end(to)
+    }
 }
 
 /// A table that is written while it is made.

@@ -1,9 +1,6 @@
 //! A table: what a command has to say, before any layout.
 
-use super::{Format, csv, junit, stream};
 use crate::number::Decimal;
-use std::borrow::Cow;
-use std::io::{self, Write};
 
 /// One value of a row.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -28,13 +25,6 @@ pub enum Cell {
     /// Nothing is known or nothing applies: an empty field, in JSON `null`.
     #[default]
     Empty,
-}
-
-impl Cell {
-    /// The value as CSV has it, without quoting: a number so that it reads back, a count without a point.
-    pub fn plain(&self) -> Cow<'_, str> {
-        csv::field(self)
-    }
 }
 
 impl From<&str> for Cell {
@@ -188,18 +178,6 @@ impl Table {
     /// Where the column of this name stands.
     pub fn position(&self, name: &str) -> Option<usize> {
         self.columns.iter().position(|column| column.name == name)
-    }
-
-    /// Writes the table. `digits` is the number of significant figures in text, at least 1; the other formats
-    /// print every number whole. JUnit needs a table of verdicts ([`Table::has_verdicts`]); a page and findings are no
-    /// tables.
-    pub fn write(&self, to: &mut dyn Write, format: Format, digits: usize) -> io::Result<()> {
-        if format == Format::Junit {
-            return junit::write(&[self], to);
-        }
-        let mut printer = stream::begin(self, format, digits, to)?;
-        printer.rows(&self.rows, to)?;
-        printer.end(to)
     }
 }
 

@@ -6,7 +6,7 @@
 
 use super::csv::texts;
 use super::figures::rounded;
-use super::stream::Printer;
+use super::printer::Printer;
 use super::{Cell, Table};
 use std::io::{self, Write};
 

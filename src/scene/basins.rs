@@ -2,7 +2,7 @@
 
 use super::following::{Depth, Execution, Followed, Following, follow};
 use super::pace::Pace;
-use super::sweep::Diagram;
+use super::sweep::StartGrid;
 use super::{Quantity, Scene, SceneError, Setting, Want};
 use crate::impact::{Origin, Widening};
 use crate::model::{Membrane, Motion};
@@ -16,42 +16,6 @@ use std::vec::IntoIter;
 /// Cycles of one word and as many periods of which an impact is no farther than this from one of the other, in phase and
 /// in velocity, are one: a cycle that still settles is farther from where it ends than by rounding.
 const SAME: f64 = 1e-6;
-
-/// Evenly spaced numbers, both ends among them.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Spaced {
-    /// The first.
-    pub from: Quantity,
-    /// The last.
-    pub to: Quantity,
-    /// How many, at least 1.
-    pub points: u32,
-}
-
-impl Spaced {
-    /// Number `index`, from 0.
-    pub fn value(&self, index: u32) -> Quantity {
-        self.from.towards(&self.to, index, self.points.saturating_sub(1))
-    }
-}
-
-/// A grid of starts at the bottom.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StartGrid {
-    /// The phases of the forcing at the first impact, rad, which change first.
-    pub phase: Spaced,
-    /// The velocities just before it, not negative.
-    pub velocity: Spaced,
-    /// How each motion is followed.
-    pub diagram: Diagram,
-}
-
-impl StartGrid {
-    /// How many starts there are.
-    pub fn starts(&self) -> u64 {
-        u64::from(self.phase.points) * u64::from(self.velocity.points)
-    }
-}
 
 /// What some motions of one device come to.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,8 +2,7 @@
 
 use super::document::Value;
 use super::error::SceneError;
-use super::key::{self, Key};
-use super::value::allowed_number;
+use super::key::{self, Key, allowed_number};
 use super::{Over, Quantity, Scene};
 use crate::model::DeviceError;
 use crate::number::{Analytic, Interval};

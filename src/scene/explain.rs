@@ -2,8 +2,8 @@
 
 use super::document::Entry;
 use super::key::{self, Allowed, Key, RangeKeys};
-use super::plane::{Extent, Plane};
-use super::{Map, Over, Scene, SceneError, Want};
+use super::plane::Plane;
+use super::{Extent, Map, Over, Scene, SceneError, Want};
 use crate::orbit::Word;
 use std::fmt::Write;
 

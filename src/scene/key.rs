@@ -1,6 +1,8 @@
 //! The keys a scene may have: one table of names, ranges and meanings.
 
+use super::Quantity;
 use crate::claim::nearest;
+use std::cmp::Ordering;
 
 /// A key of a scene.
 #[derive(Debug, PartialEq)]
@@ -347,6 +349,32 @@ pub(super) fn instead_of_section(name: &str) -> String {
 /// `did you mean X? `, where there is one.
 pub(super) fn did_you_mean(meant: Option<&str>) -> String {
     meant.map(|meant| format!("did you mean {meant}? ")).unwrap_or_default()
+}
+
+/// What is allowed, where `value` is not.
+pub(super) fn allowed_number(allowed: Allowed, value: &Quantity) -> Option<&'static str> {
+    let sign = value.sign();
+    let (is_right, words) = match allowed {
+        Allowed::Positive => (sign == Ordering::Greater, "above 0"),
+        Allowed::NotNegative => (sign != Ordering::Less, "not below 0"),
+        Allowed::Part => (
+            sign == Ordering::Greater && value.compared_with_one() != Ordering::Greater,
+            "above 0 and at most 1",
+        ),
+        _ => (true, ""),
+    };
+    (!is_right).then_some(words)
+}
+
+/// `one of a, b`, with the nearest first where one is near.
+pub(super) fn one_of(found: &str, known: &[&str]) -> String {
+    let meant = nearest(found, known.iter().copied());
+    let hint = did_you_mean(meant);
+    let list = known.join(", ");
+    match hint.trim_end() {
+        "" => format!("one of {list}"),
+        hint => format!("one of {list} ({hint})"),
+    }
 }
 
 #[cfg(test)]

@@ -33,21 +33,23 @@ mod quantity;
 #[allow(clippy::module_inception)]
 mod scene;
 mod setting;
+mod start;
 mod sweep;
 mod value;
 mod want;
 
-pub use basins::{BasinPoint, BasinPoints, ReachedAttractor, ReachedAttractors, Spaced, StartGrid};
+pub use basins::{BasinPoint, BasinPoints, ReachedAttractor, ReachedAttractors};
 pub use builtin::{BUILT_IN, built_in, find};
 pub use choice::BoxChoice;
 pub use error::{Origin, SceneError, SceneProblem};
 pub use following::{MeanOver, Means};
 pub use key::MOST_DIGITS;
 pub use need::Note;
-pub use plane::{Extent, Plane};
+pub use plane::Plane;
 pub use points::{MapPoint, MapPoints, Point, Points};
 pub use quantity::{Quantity, QuantityError};
-pub use scene::{Scene, Start};
+pub use scene::Scene;
 pub use setting::Setting;
-pub use sweep::{Begin, Diagram, Map, MapWant, Over, Sweep};
+pub use start::Start;
+pub use sweep::{Begin, Diagram, Extent, Map, MapWant, Over, Spaced, StartGrid, Sweep};
 pub use want::Want;

@@ -1,25 +1,15 @@
 //! The two parameters of `[branch]`, and the motions over them.
 
-use super::Quantity;
+use super::key::{self, ExtentKeys};
 use super::setting::Setting;
-use super::sweep::Over;
+use super::sweep::{Extent, Over};
+use super::{Quantity, Scene, SceneError};
 use crate::model::{Motion, MotionError};
 use crate::number::{Analytic, Interval};
-use crate::orbit::{Family, ParameterPlane};
+use crate::orbit::{Family, ParameterPlane, Word};
 
 /// Into how many parts the lines on which curves are looked for divide each side, where the scene does not say.
-pub(super) const LINES: u32 = 8;
-
-/// A parameter and the ends of its range, which may be in either order.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Extent {
-    /// The parameter.
-    pub over: Over,
-    /// One end.
-    pub from: Quantity,
-    /// The other end.
-    pub to: Quantity,
-}
+const LINES: u32 = 8;
 
 /// The motions over the two parameters of `[branch]`, and where curves are looked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,6 +21,39 @@ pub struct Plane {
     pub y: Extent,
     /// Into how many parts the lines on which curves are looked for divide each side.
     pub lines: u32,
+}
+
+impl Scene {
+    /// The two parameters of `[branch]`, and the motions there.
+    ///
+    /// # Errors
+    /// A key of `[branch]` that is lacking or out of its range, x and y that are one parameter or of which one leaves the
+    /// other unread, a range of one value, other words than BT.
+    pub fn plane(&self) -> Result<Plane, SceneError> {
+        let [x, y] = [self.extent(ExtentKeys::X)?, self.extent(ExtentKeys::Y)?];
+        for (keys, Extent { from, to, .. }) in [(ExtentKeys::X, &x), (ExtentKeys::Y, &y)] {
+            if from == to {
+                let allowed = format!("other than {}", keys.from.path());
+                return Err(self.wrong(keys.to, self.require(keys.to, None)?, allowed));
+            }
+        }
+        self.check_pair(
+            ExtentKeys::Y.over,
+            (x.over, [&x.from, &x.to]),
+            (y.over, [&y.from, &y.to]),
+        )?;
+        if self.words()? != [Word::pair()] {
+            let allowed = "BT alone, where branch goes over two parameters".to_owned();
+            return Err(self.wrong(&key::WORDS, self.require(&key::WORDS, None)?, allowed));
+        }
+        let setting = self.setting_without(&[x.over, y.over])?;
+        Ok(Plane {
+            setting,
+            x,
+            y,
+            lines: self.count_or(&key::LINES, LINES)?,
+        })
+    }
 }
 
 impl ParameterPlane for Plane {

@@ -1,13 +1,10 @@
 //! A scene, read key by key as it is asked.
 
-use super::basins::{Spaced, StartGrid};
 use super::document::{Document, Entry, Value};
 use super::error::{Origin, SceneError, SceneProblem};
-use super::key::{self, DiagramKeys, ExtentKeys, Key, RangeKeys, SpacedKeys};
-use super::plane::{Extent, LINES, Plane};
-use super::sweep::{Begin, Diagram, Map, MapWant, Over, Sweep};
-use super::value::{allowed_number, one_of};
-use super::{Quantity, Want};
+use super::key::{self, DiagramKeys, ExtentKeys, Key, RangeKeys, SpacedKeys, allowed_number, one_of};
+use super::sweep::{Begin, Diagram, Extent, Map, MapWant, Over, Spaced, StartGrid, Sweep};
+use super::{Quantity, Start, Want};
 use crate::model::{Device, Membrane, MembraneError, Motion, Scales, gravity_component};
 use crate::number::Analytic;
 use crate::orbit::{OrbitOptions, Word, WordError};
@@ -22,15 +19,6 @@ const FOR_AN_ERROR: u32 = 1_000_000;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     pub(super) document: Document,
-}
-
-/// The impact that a motion starts with: at the bottom.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Start {
-    /// The phase of the forcing, rad, as typed (not reduced).
-    pub phase: Quantity,
-    /// The velocity just before the impact, non-dimensional, not negative.
-    pub velocity: Quantity,
 }
 
 /// What stands in the place of keys along a sweep, or at a point of a map.
@@ -287,7 +275,7 @@ impl Scene {
         Ok(Sweep { over, from, to, points })
     }
 
-    fn extent(&self, keys: ExtentKeys) -> Result<Extent, SceneError> {
+    pub(super) fn extent(&self, keys: ExtentKeys) -> Result<Extent, SceneError> {
         let over = self.over(keys.over, None)?;
         Ok(Extent {
             over,
@@ -402,7 +390,7 @@ impl Scene {
     }
 
     /// That two parameters can go together, with what is typed for their ends.
-    fn check_pair(
+    pub(super) fn check_pair(
         &self,
         second: &'static Key,
         (x, x_ends): (Over, [&Quantity; 2]),
@@ -424,37 +412,6 @@ impl Scene {
     /// Whether `branch` goes over the two parameters of `[branch]`, not along `[sweep]`.
     pub fn branches_over_two(&self) -> bool {
         self.document.has_section("branch")
-    }
-
-    /// The two parameters of `[branch]`, and the motions there.
-    ///
-    /// # Errors
-    /// A key of `[branch]` that is lacking or out of its range, x and y that are one parameter or of which one leaves the
-    /// other unread, a range of one value, other words than BT.
-    pub fn plane(&self) -> Result<Plane, SceneError> {
-        let [x, y] = [self.extent(ExtentKeys::X)?, self.extent(ExtentKeys::Y)?];
-        for (keys, Extent { from, to, .. }) in [(ExtentKeys::X, &x), (ExtentKeys::Y, &y)] {
-            if from == to {
-                let allowed = format!("other than {}", keys.from.path());
-                return Err(self.wrong(keys.to, self.require(keys.to, None)?, allowed));
-            }
-        }
-        self.check_pair(
-            ExtentKeys::Y.over,
-            (x.over, [&x.from, &x.to]),
-            (y.over, [&y.from, &y.to]),
-        )?;
-        if self.words()? != [Word::pair()] {
-            let allowed = "BT alone, where branch goes over two parameters".to_owned();
-            return Err(self.wrong(&key::WORDS, self.require(&key::WORDS, None)?, allowed));
-        }
-        let setting = self.setting_without(&[x.over, y.over])?;
-        Ok(Plane {
-            setting,
-            x,
-            y,
-            lines: self.count_or(&key::LINES, LINES)?,
-        })
     }
 
     /// The starts of `[basins]`, and how their motions are followed.

@@ -3,9 +3,8 @@
 use super::error::SceneError;
 use super::key;
 use super::sweep::Over;
-use super::{Quantity, Scene, Start};
-use crate::impact;
-use crate::model::{Exact, Motion, MotionError, Parameters, Side, gravity_component};
+use super::{Quantity, Scene};
+use crate::model::{Exact, Motion, MotionError, Parameters, gravity_component};
 use crate::number::Analytic;
 use crate::orbit::Family;
 use std::cmp::Ordering;
@@ -165,16 +164,6 @@ impl<T: Analytic> Setting<T> {
 impl Exact for Quantity {
     fn value<T: Analytic>(&self) -> T {
         Self::value(self)
-    }
-}
-
-impl impact::Origin for Start {
-    fn start<T: Analytic>(&self) -> impact::Start<T> {
-        impact::Start {
-            side: Side::Bottom,
-            phase: self.phase.angle(),
-            velocity: self.velocity.value(),
-        }
     }
 }
 

@@ -90,6 +90,17 @@ impl Sweep {
     }
 }
 
+/// A parameter and the ends of its range, which may be in either order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Extent {
+    /// The parameter.
+    pub over: Over,
+    /// One end.
+    pub from: Quantity,
+    /// The other end.
+    pub to: Quantity,
+}
+
 /// Where the motion at each value of a sweep starts from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Begin {
@@ -176,6 +187,42 @@ pub struct Map {
     pub starts: Vec<Start>,
     /// What is wanted at each point, at least one thing.
     pub wants: Vec<MapWant>,
+}
+
+/// Evenly spaced numbers, both ends among them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spaced {
+    /// The first.
+    pub from: Quantity,
+    /// The last.
+    pub to: Quantity,
+    /// How many, at least 1.
+    pub points: u32,
+}
+
+impl Spaced {
+    /// Number `index`, from 0.
+    pub fn value(&self, index: u32) -> Quantity {
+        self.from.towards(&self.to, index, self.points.saturating_sub(1))
+    }
+}
+
+/// A grid of starts at the bottom.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StartGrid {
+    /// The phases of the forcing at the first impact, rad, which change first.
+    pub phase: Spaced,
+    /// The velocities just before it, not negative.
+    pub velocity: Spaced,
+    /// How each motion is followed.
+    pub diagram: Diagram,
+}
+
+impl StartGrid {
+    /// How many starts there are.
+    pub fn starts(&self) -> u64 {
+        u64::from(self.phase.points) * u64::from(self.velocity.points)
+    }
 }
 
 #[cfg(test)]

@@ -2,10 +2,8 @@
 
 use super::document::{Entry, Value};
 use super::error::{SceneError, SceneProblem};
-use super::key::{self, Allowed, Key, did_you_mean};
+use super::key::{self, Allowed, Key, allowed_number};
 use super::{Quantity, QuantityError, Scene, Want};
-use crate::claim::nearest;
-use std::cmp::Ordering;
 
 impl Scene {
     /// What was typed for a key that `by` cannot do without.
@@ -115,31 +113,5 @@ impl Scene {
             allowed,
         };
         self.error(Some(entry.origin.clone()), problem)
-    }
-}
-
-/// What is allowed, where `value` is not.
-pub(super) fn allowed_number(allowed: Allowed, value: &Quantity) -> Option<&'static str> {
-    let sign = value.sign();
-    let (is_right, words) = match allowed {
-        Allowed::Positive => (sign == Ordering::Greater, "above 0"),
-        Allowed::NotNegative => (sign != Ordering::Less, "not below 0"),
-        Allowed::Part => (
-            sign == Ordering::Greater && value.compared_with_one() != Ordering::Greater,
-            "above 0 and at most 1",
-        ),
-        _ => (true, ""),
-    };
-    (!is_right).then_some(words)
-}
-
-/// `one of a, b`, with the nearest first where one is near.
-pub(super) fn one_of(found: &str, known: &[&str]) -> String {
-    let meant = nearest(found, known.iter().copied());
-    let hint = did_you_mean(meant);
-    let list = known.join(", ");
-    match hint.trim_end() {
-        "" => format!("one of {list}"),
-        hint => format!("one of {list} ({hint})"),
     }
 }

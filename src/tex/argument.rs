@@ -74,6 +74,35 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Refuses a factor, begun by `token` or by the sign of a product before it, that may belong to the argument in which
+    /// `before` ends: `\cos\frac{\pi}{2} \cos\theta`, `\ln 2 \cos x`, `\sin 2 \cdot x`, and `\sin(n + 1) x`.
+    pub(super) fn parted(before: Option<&Tree>, form: Form, next: &Tree, token: Token<'_>) -> Result<(), Fault> {
+        let Some((before, (function, argument))) = before.and_then(|tree| Some((tree, last_call(tree)?))) else {
+            return Ok(());
+        };
+        let dotted = matches!(token.kind, Kind::Times | Kind::Star);
+        let calls = last_call(next).is_some();
+        let unclear = match form {
+            Form::Bare if dotted && calls => false,
+            Form::Bare => {
+                let grows = match function.base.as_str() {
+                    "\\exp" => !dotted,
+                    "\\ln" | "\\log" => matches!(argument, Tree::Product(_) | Tree::Number(_)),
+                    _ => false,
+                };
+                grows
+                    || (matches!(argument, Tree::Number(_)) && !calls)
+                    || (is_constant(argument) && !is_constant(next) && !is_in_degrees(argument))
+                    || (last_call(argument).is_some() && !matches!(argument, Tree::Quotient(..)))
+            }
+            _ => !dotted && !token.spaced && may_scale(before, next),
+        };
+        match unclear {
+            true => Err(two_arguments(before, next, token)),
+            false => Ok(()),
+        }
+    }
+
     /// The factor or divisor that follows an argument without brackets, and the token that it begins with; a function
     /// does not.
     fn more_of_argument(&mut self) -> Result<Option<(Tree, Token<'a>)>, Fault> {
@@ -212,35 +241,6 @@ fn two_arguments(tree: &Tree, next: &Tree, token: Token<'_>) -> Fault {
     let [outside, inside] = [join(tree), with_last_argument(tree, &join)];
     let found = "what follows an argument without brackets";
     Fault::two_readings(token.at, found, &outside.to_string(), &inside.to_string())
-}
-
-/// Refuses a factor, begun by `token` or by the sign of a product before it, that may belong to the argument in which
-/// `before` ends: `\cos\frac{\pi}{2} \cos\theta`, `\ln 2 \cos x`, `\sin 2 \cdot x`, and `\sin(n + 1) x`.
-pub(super) fn parted(before: Option<&Tree>, form: Form, next: &Tree, token: Token<'_>) -> Result<(), Fault> {
-    let Some((before, (function, argument))) = before.and_then(|tree| Some((tree, last_call(tree)?))) else {
-        return Ok(());
-    };
-    let dotted = matches!(token.kind, Kind::Times | Kind::Star);
-    let calls = last_call(next).is_some();
-    let unclear = match form {
-        Form::Bare if dotted && calls => false,
-        Form::Bare => {
-            let grows = match function.base.as_str() {
-                "\\exp" => !dotted,
-                "\\ln" | "\\log" => matches!(argument, Tree::Product(_) | Tree::Number(_)),
-                _ => false,
-            };
-            grows
-                || (matches!(argument, Tree::Number(_)) && !calls)
-                || (is_constant(argument) && !is_constant(next) && !is_in_degrees(argument))
-                || (last_call(argument).is_some() && !matches!(argument, Tree::Quotient(..)))
-        }
-        _ => !dotted && !token.spaced && may_scale(before, next),
-    };
-    match unclear {
-        true => Err(two_arguments(before, next, token)),
-        false => Ok(()),
-    }
 }
 
 /// Whether `next` right behind the function's value `before` may belong to its argument, as in `\sin(n + 1) x`: a

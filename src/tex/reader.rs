@@ -1,7 +1,6 @@
 //! TeX -> tree: sums and products. Where TeX authors mean different things by one spelling, reading
 //! fails and says what to write instead; nothing is guessed.
 
-use super::argument::parted;
 use super::error::{Fault, Reason};
 use super::part::{Form, Part, readable, starts_factor};
 use super::token::{Bracket, Kind, Token};
@@ -218,7 +217,7 @@ impl<'a> Reader<'a> {
                 readable(form, &factor, printed.unwrap_or(token))?;
             }
             if token.kind != Kind::Slash {
-                parted(factors.last(), form, &factor.tree, token)?;
+                Self::parted(factors.last(), form, &factor.tree, token)?;
             }
             let by = factor.form;
             let tree = self.beside(factor)?;

@@ -1,7 +1,6 @@
-//! Who may use whom: two stacks that meet once, and no circles within a folder.
+//! Who may use whom: two stacks that meet once, and no circles of files.
 //!
-//! The files are read as text, up to their tests: a path that begins with `crate::` or `super::` is a use. Both are written
-//! so that this suffices: never `use crate::{...}`.
+//! The files are read as text, up to their tests: a path that begins with `crate::` or `super::` is a use.
 
 use super::File;
 use std::collections::{BTreeMap, BTreeSet};
@@ -59,48 +58,95 @@ const LATER: [&str; 14] = [
     "report",
 ];
 
-/// The code of a file without its comments and its tests, with the number of each line.
-fn code(file: &File) -> impl Iterator<Item = (usize, &str)> {
+/// The code of a file without its comments and its tests.
+fn code(file: &File) -> String {
     let tests = file.text.find("\n#[cfg(test)]\nmod ").unwrap_or(file.text.len());
-    let lines = file.text[..tests].lines().enumerate();
-    lines.map(|(index, line)| (index + 1, line.split("//").next().unwrap_or(line)))
+    let lines = file.text[..tests].lines();
+    let code: Vec<&str> = lines.map(|line| line.split("//").next().unwrap_or(line)).collect();
+    code.join("\n")
+}
+
+/// The names of the modules that lead to a file or a `mod.rs`.
+fn module(file: &File) -> Vec<String> {
+    let path = file.path.trim_start_matches("src/").trim_end_matches(".rs");
+    path.trim_end_matches("/mod").split('/').map(str::to_owned).collect()
+}
+
+fn is_mod(file: &File) -> bool {
+    file.path.ends_with("/mod.rs")
+}
+
+/// Adds the paths behind `path` of a tree such as `a::{b, c::d as e}`, each with the name that it has from there on; what
+/// follows the tree.
+fn read_tree<'t>(mut text: &'t str, mut path: Vec<String>, found: &mut Vec<(Vec<String>, String)>) -> &'t str {
+    let name = |text: &'t str| {
+        let end = text.find(|c: char| !c.is_alphanumeric() && c != '_');
+        text.split_at(end.unwrap_or(text.len()))
+    };
+    loop {
+        if let Some(inner) = text.strip_prefix('{') {
+            text = inner.trim_start();
+            while !text.is_empty() && !text.starts_with('}') {
+                let rest = read_tree(text, path.clone(), found);
+                text = rest[rest.find([',', '}']).unwrap_or(rest.len())..]
+                    .trim_start_matches(|c: char| c == ',' || c.is_whitespace());
+            }
+            return text.strip_prefix('}').unwrap_or(text);
+        }
+        let (next, rest) = name(text);
+        path.extend((!next.is_empty()).then(|| next.to_owned()));
+        match rest.strip_prefix("::") {
+            Some(rest) if !next.is_empty() => text = rest,
+            _ => {
+                let renamed = rest.strip_prefix(" as ").map(|rest| name(rest).0);
+                found.push((path, renamed.unwrap_or(next).to_owned()));
+                return rest;
+            }
+        }
+    }
 }
 
 /// The paths from the crate that a file uses, with their lines.
 fn uses(file: &File) -> Vec<(usize, Vec<String>)> {
-    let path = file.path.trim_start_matches("src/").trim_end_matches(".rs");
-    let module: Vec<&str> = path.trim_end_matches("/mod").split('/').collect();
+    let (text, module) = (code(file), module(file));
     let mut found = Vec::new();
-    for (line, text) in code(file) {
-        let starts = text.match_indices("crate::").map(|(at, _)| (at, 0));
-        // of `super::super::x` the last one counts, with those before it
-        let supers = text
-            .match_indices("super::")
-            .filter(|(at, _)| !text[at + 7..].starts_with("super::"));
-        let supers = supers.map(|(at, _)| (at, 1 + text[..at].matches("super::").count()));
-        for (at, ups) in starts.chain(supers) {
-            if text[..at].ends_with('$') {
-                continue;
-            }
-            let rest = &text[at + 7..];
-            let names = rest.split("::").map_while(|part| {
-                let end = part.find(|c: char| !c.is_alphanumeric() && c != '_');
-                let name = &part[..end.unwrap_or(part.len())];
-                (!name.is_empty()).then(|| (name.to_owned(), end.is_some()))
-            });
-            let mut ended = false;
-            let names = names
-                .take_while(|(_, ends)| !std::mem::replace(&mut ended, *ends))
-                .map(|(name, _)| name);
-            let base = match ups {
-                0 => &[],
-                ups => &module[..module.len().saturating_sub(ups)],
-            };
-            let base = base.iter().map(|part| (*part).to_owned());
-            found.push((line, base.chain(names).collect()));
+    let starts = text.match_indices("crate::").map(|(at, _)| (at, 0));
+    // of `super::super::x` the last one counts, with those before it
+    let supers = text
+        .match_indices("super::")
+        .filter(|(at, _)| !text[at + 7..].starts_with("super::"));
+    let supers = supers.map(|(at, _)| {
+        let before = &text[..at];
+        let apart = before.trim_end_matches("super::");
+        (at, 1 + (before.len() - apart.len()) / "super::".len())
+    });
+    for (at, ups) in starts.chain(supers) {
+        if text[..at].ends_with('$') {
+            continue;
         }
+        let base = match ups {
+            0 => &[],
+            ups => &module[..module.len().saturating_sub(ups)],
+        };
+        let mut paths = Vec::new();
+        read_tree(&text[at + 7..], base.to_vec(), &mut paths);
+        let line = 1 + text[..at].matches('\n').count();
+        found.extend(paths.into_iter().map(|(path, _)| (line, path)));
     }
     found
+}
+
+/// What the `mod.rs` of a folder takes from what lies in it, under the names by which others find it there.
+fn exports(file: &File) -> impl Iterator<Item = (String, Vec<String>)> {
+    let (text, module) = (code(file), module(file));
+    let mut found = Vec::new();
+    for (at, word) in text.match_indices("use ") {
+        read_tree(&text[at + word.len()..], module.clone(), &mut found);
+    }
+    let folder = module.join("/");
+    found
+        .into_iter()
+        .map(move |(path, name)| (format!("{folder}/{name}"), path))
 }
 
 /// What is wrong with what files use of other folders.
@@ -133,52 +179,70 @@ pub fn against_the_stack(sources: &[File]) -> Vec<String> {
     complaints
 }
 
-/// Files, and sub-folders, of a folder that use each other in circles; the files left where those that use none of the
-/// rest are taken away, again and again. What a file takes from a `mod.rs` says of no file that it is used.
-pub fn circles(sources: &[File], folder: &str) -> Vec<String> {
-    let root = format!("src/{folder}/");
-    let inside = || {
-        sources
-            .iter()
-            .filter(|file| file.path.starts_with(&root) && !file.path.ends_with("/mod.rs"))
+/// Files, and sub-folders of a folder, that use each other in circles. What a file takes from a `mod.rs` that has it from
+/// another file is used of that one; what stands in the `mod.rs` itself says of no file that it is used.
+pub fn circles(sources: &[File]) -> Vec<String> {
+    let name = |file: &File| module(file).join("/");
+    let (folders, files): (Vec<&File>, Vec<&File>) = sources.iter().partition(|file| is_mod(file));
+    let names: BTreeSet<String> = files.iter().map(|file| name(file)).collect();
+    let modules: BTreeSet<String> = sources.iter().map(name).collect();
+    let exports = folders.into_iter().flat_map(exports).filter(|(name, path)| {
+        let child = path.iter().take(name.split('/').count());
+        // of a module and what is called like it, a path names the module
+        !modules.contains(name) && modules.contains(&child.cloned().collect::<Vec<_>>().join("/"))
+    });
+    let exports: BTreeMap<String, Vec<String>> = exports.collect();
+    let used_by = |file: &File| -> BTreeSet<String> {
+        let own = name(file);
+        let used = uses(file)
+            .into_iter()
+            .filter_map(|(_, path)| file_of(path, &names, &exports));
+        used.filter(|used| *used != own).collect()
     };
-    let module = |file: &File| file.path["src/".len()..file.path.len() - ".rs".len()].to_owned();
-    let names: BTreeSet<String> = inside().map(module).collect();
-    let (mut files, mut folders) = (BTreeMap::new(), BTreeMap::new());
-    for file in inside() {
-        let name = module(file);
-        let used = uses(file).into_iter().filter_map(|(_, path)| {
-            let mut ends = (1..=path.len()).map(|end| path[..end].join("/"));
-            ends.find(|path| names.contains(path))
-        });
-        let used: BTreeSet<String> = used.filter(|used| *used != name).collect();
-        let sub_folder = |module: &str| module.rsplit_once('/').map(|(folder, _)| folder.to_owned());
-        for (here, there) in used
-            .iter()
-            .filter_map(|used| Some((sub_folder(&name)?, sub_folder(used)?)))
-        {
-            if here != there && here != folder && there != folder {
-                folders.entry(here).or_insert_with(BTreeSet::new).insert(there);
-            }
+    let files: BTreeMap<String, BTreeSet<String>> = files.iter().map(|file| (name(file), used_by(file))).collect();
+    // what lies right in a folder of `src` is in no sub-folder
+    let sub_folder = |module: &str| {
+        let (folder, _) = module.rsplit_once('/')?;
+        folder.contains('/').then(|| folder.to_owned())
+    };
+    let mut folders: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for (file, used) in &files {
+        let there = used.iter().filter_map(|used| sub_folder(used));
+        if let Some(here) = sub_folder(file) {
+            let others = there.filter(|there| *there != here);
+            folders.entry(here.clone()).or_default().extend(others);
         }
-        files.insert(name, used);
     }
-    let circle = |mut left: BTreeMap<String, BTreeSet<String>>| {
-        loop {
-            let before = left.len();
-            let names: BTreeSet<String> = left.keys().cloned().collect();
-            left.retain(|_, used| used.iter().any(|used| names.contains(used)));
-            if left.len() == before {
-                return names;
-            }
-        }
-    };
-    let circles = [circle(files), circle(folders)]
-        .into_iter()
-        .filter(|circle| !circle.is_empty());
+    let circles = [circle(files), circle(folders)].into_iter();
     circles
-        .map(|circle| format!("{circle:?} import each other in a circle"))
+        .filter(|circle| !circle.is_empty())
+        .map(|circle| format!("{circle:?} import each other in circles"))
         .collect()
+}
+
+/// The file in which a path ends, by way of what a `mod.rs` takes from what lies in its folder.
+fn file_of(mut path: Vec<String>, names: &BTreeSet<String>, exports: &BTreeMap<String, Vec<String>>) -> Option<String> {
+    loop {
+        let mut starts = (1..=path.len()).rev().map(|end| (end, path[..end].join("/")));
+        let (end, start) = starts.find(|(_, start)| names.contains(start) || exports.contains_key(start))?;
+        match exports.get(&start) {
+            Some(from) => path = [from, &path[end..]].concat(),
+            None => return Some(start),
+        }
+    }
+}
+
+/// The modules left where those that use none of the rest, or of which none of the rest makes use, are taken away, again and
+/// again.
+fn circle(mut left: BTreeMap<String, BTreeSet<String>>) -> BTreeSet<String> {
+    loop {
+        let names: BTreeSet<String> = left.keys().cloned().collect();
+        let used: BTreeSet<String> = left.values().flatten().cloned().collect();
+        left.retain(|name, uses| used.contains(name) && !uses.is_disjoint(&names));
+        if left.len() == names.len() {
+            return names;
+        }
+    }
 }
 
 fn complaints(path: &str, text: &str) -> Vec<String> {
@@ -230,7 +294,7 @@ fn a_use_along_the_stack_is_left_alone() {
 fn circles_of_files_and_of_folders_are_found_and_nothing_else_is() {
     let found = |files: &[(&str, &str)]| {
         let files: Vec<File> = files.iter().map(|(path, text)| File::new(path, text)).collect();
-        circles(&files, "orbit").len()
+        circles(&files).len()
     };
     assert_eq!(
         found(&[
@@ -248,6 +312,22 @@ fn circles_of_files_and_of_folders_are_found_and_nothing_else_is() {
         ]),
         1
     );
+    for text in [
+        "use super::Found;",
+        "use super::{Found, Other};",
+        "use crate::orbit::{self, Found as F};",
+    ] {
+        assert_eq!(
+            found(&[
+                ("src/orbit/mod.rs", "mod find;\npub use find::{\n    Find as Found,\n};"),
+                ("src/orbit/find.rs", "use super::solve::{\n    b,\n    a::{A, B},\n};"),
+                ("src/orbit/solve.rs", ""),
+                ("src/orbit/solve/a.rs", &text.replace("super::", "super::super::")),
+            ]),
+            1,
+            "{text}"
+        );
+    }
     assert_eq!(
         found(&[
             ("src/orbit/mod.rs", "mod find; pub use find::Found;"),

@@ -15,8 +15,8 @@ mod voltages;
 
 pub use certified::{Answer, Certified, ProblemError, all, certified};
 pub use list::list;
-pub use problem::{Kind, Level, Problem};
-pub use solve::{Means, solve};
+pub use problem::{Kind, Level, Means, Problem};
+pub use solve::solve;
 pub use values::Number;
 pub(super) use values::digits;
 

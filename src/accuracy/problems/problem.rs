@@ -40,6 +40,16 @@ impl Kind {
     }
 }
 
+/// How they are answered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Means {
+    /// As the commands do: parameters as typed, orbits and runs in a wider number wherever f64 does not hold its
+    /// digits; formulas in f64.
+    Default,
+    /// In f64 alone, parameters rounded to it.
+    Double,
+}
+
 /// How much a problem asks of a solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Level {

@@ -1,18 +1,8 @@
 //! The problems as this program itself answers them in f64.
 
-use super::problem::{Kind, Problem};
+use super::problem::{Kind, Means, Problem};
 use super::values::Values;
 use super::{Why, jacobians, orbits, runs, voltages};
-
-/// How they are answered.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Means {
-    /// As the commands do: parameters as typed, orbits and runs in a wider number wherever f64 does not hold its
-    /// digits; formulas in f64.
-    Default,
-    /// In f64 alone, parameters rounded to it.
-    Double,
-}
 
 /// The quantities of a problem in f64.
 ///

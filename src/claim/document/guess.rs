@@ -1,10 +1,9 @@
 //! What formulas are of which nobody says it: what stands for a symbol, a definition, a law, a claim.
 
-use super::super::declared::is_constant;
-use super::super::definition::pair_of;
+use super::super::definition::{is_constant, pair_of};
 use super::super::entry::Role;
 use super::super::implication;
-use super::super::substitute::{any, any_side};
+use super::super::nodes::{any, any_side};
 use super::super::symbols::{Pairs, Symbols};
 use super::super::vocabulary::Vocabulary;
 use super::scan::Formula;

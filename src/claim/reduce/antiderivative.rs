@@ -3,7 +3,8 @@
 //!
 //! Nothing rests on what is found: it is shown to be one.
 
-use super::super::substitute::{any, number_of};
+use super::super::nodes::any;
+use super::super::substitute::number_of;
 use super::super::vocabulary::Vocabulary;
 use super::build::{
     call, difference, integer, is_zero, negative, plain, power, product, quotient, real_power, root, sum, symbol,

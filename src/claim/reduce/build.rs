@@ -1,7 +1,7 @@
 //! Trees built with the least that is needed: nothing is simplified but zeros and ones.
 
 use crate::number::{Field, Rational};
-use crate::tex::{At, Name, Tree};
+use crate::tex::{At, Name, Operation, Tree};
 
 pub(super) fn integer(value: i64) -> Tree {
     match value < 0 {
@@ -28,6 +28,15 @@ fn is_number(tree: &Tree, value: i64) -> bool {
 
 pub(super) fn is_zero(tree: &Tree) -> bool {
     is_number(tree, 0)
+}
+
+/// Whether a tree is infinity, and whether it is that above all numbers.
+pub(super) fn infinity(tree: &Tree) -> Option<bool> {
+    match tree {
+        Tree::Operation(operation, _) => matches!(**operation, Operation::Infinity).then_some(true),
+        Tree::Negate(inner) => infinity(inner).map(|is_above| !is_above),
+        _ => None,
+    }
 }
 
 pub(super) fn sum(terms: Vec<Tree>) -> Tree {

@@ -1,12 +1,13 @@
 //! Values by cases: one goal for each choice of cases, under the conditions of these.
 
 use super::super::definition::pair_of;
+use super::super::nodes::{any, holds};
 use super::super::premise::Statements;
-use super::super::substitute::{any, mapped, runs, tree_runs};
+use super::super::substitute::{mapped, runs, tree_runs};
 use super::super::vocabulary::{Vocabulary, index_of};
 use super::build::{integer, negative};
 use super::derivative::mentions;
-use super::{Goal, holds, rewritten, trees};
+use super::{Goal, rewritten, trees};
 use crate::tex::{Case, Condition, Equation, Name, Operation, Relation, Tree};
 
 /// The most choices of cases.

@@ -7,8 +7,9 @@
 //! the real one.
 
 use super::super::definition::pair_of;
+use super::super::nodes::{any, any_side, nodes_of};
 use super::super::premise::{Premise, Statements};
-use super::super::substitute::{any, any_side, nodes_of, number_of, rewrite};
+use super::super::substitute::{number_of, rewrite};
 use super::super::vocabulary::{Map, Vocabulary};
 use super::build::{
     call, difference, integer, is_zero, negative, plain, power, product, quotient, real_power, root, sum, symbol,

@@ -1,6 +1,7 @@
 //! What vanishes faster than each power of what is small: exponentials that decay, times what grows like a power at most.
 
-use super::super::substitute::{any, number_of};
+use super::super::nodes::any;
+use super::super::substitute::number_of;
 use super::build::plain;
 use super::derivative::mentions;
 use super::evaluate::may_be_undefined;

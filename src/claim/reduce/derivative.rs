@@ -1,6 +1,7 @@
 //! Derivatives by the rules of differentiation: a value where each rule gives one.
 
-use super::super::substitute::{any, nodes_of, rewrite};
+use super::super::nodes::{any, nodes_of};
+use super::super::substitute::rewrite;
 use super::super::vocabulary::Vocabulary;
 use super::build::{
     call, difference, integer, is_zero, negative, plain, power, product, quotient, real_power, root, sum, symbol,

@@ -1,13 +1,14 @@
 //! Operations whose value is written out at once: matrices, derivatives, sums and products of known length.
 
+use super::super::nodes::{any, nodes_of};
 use super::super::premise::Statements;
-use super::super::substitute::{any, nodes_of, number_of, rewrite};
+use super::super::substitute::{number_of, rewrite};
 use super::super::vocabulary::{Vocabulary, index_of};
 use super::build::{integer, sum, symbol};
 use super::derivative::By;
+use super::factorial;
+use super::integers::{integers, whole};
 use super::matrix::{self, Value};
-use super::{factorial, instances};
-use crate::number::Rational;
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
 
 /// The most terms of a sum that is written out, and the largest tree.
@@ -160,7 +161,7 @@ impl<'a> Over<'a> {
     fn binomial(&mut self, of: &Tree, chosen: &Tree) -> Result<Tree, String> {
         let written = factorial::binomial(of, chosen)?;
         if whole(chosen).is_none() {
-            let integers = instances::integers(self.statements, self.vocabulary);
+            let integers = integers(self.statements, self.vocabulary);
             if !factorial::is_linear_in(of, &integers) {
                 return Err(format!("a binomial coefficient of {of} over a symbol"));
             }
@@ -403,11 +404,6 @@ fn name_of(kind: Series) -> &'static str {
         Series::Sum => "sum",
         Series::Product => "product",
     }
-}
-
-/// The integer that a tree of numbers is.
-pub(super) fn whole(tree: &Tree) -> Option<i64> {
-    number_of(tree).and_then(|value: Rational| value.to_integer())
 }
 
 /// A term of a sum: its index a number, also where it numbers a name.

@@ -1,11 +1,12 @@
 //! Factorials and binomial coefficients: of numbers their values, of letters positive quantities of which n! = n (n - 1)! is
 //! known.
 
+use super::super::nodes::any;
 use super::super::premise::Statements;
-use super::super::substitute::{any, mapped, number_of};
+use super::super::substitute::{mapped, number_of};
 use super::super::vocabulary::Vocabulary;
 use super::build::{call, difference, integer, product, quotient, real_power, sum, symbol};
-use super::evaluate::whole;
+use super::integers::whole;
 use super::{fresh, rewritten, trees};
 use crate::number::{Field, Rational};
 use crate::tex::{Condition, Equation, Name, Relation, Tree};

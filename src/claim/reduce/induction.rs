@@ -1,13 +1,15 @@
 //! Sums and products of symbolic length by induction over an integer: the first value, the step, and that everything
 //! has a value at each.
 
+use super::super::nodes::{any, any_side, holds};
 use super::super::premise::{Premise, Statements};
-use super::super::substitute::{any, any_side, mapped, rewrite};
+use super::super::substitute::{mapped, rewrite};
 use super::super::vocabulary::{Vocabulary, index_of, subscript_of};
 use super::build::{difference, integer, product, sum, symbol};
 use super::derivative::mentions;
-use super::evaluate::{WithFactorials, but_factorials, whole};
-use super::{Goal, defined, factorial, fresh, holds, instances, rewritten, telescope};
+use super::evaluate::{WithFactorials, but_factorials};
+use super::integers::{free_integers, whole};
+use super::{Goal, defined, factorial, fresh, instances, rewritten, telescope};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
 
 /// A sum or product whose limits move with the integer.
@@ -44,7 +46,7 @@ pub(super) fn goals(statements: &Statements, vocabulary: &Vocabulary) -> Result<
     {
         return Err("sums of complex numbers have no induction here".to_owned());
     }
-    let letters = instances::free_integers(statements, vocabulary);
+    let letters = free_integers(statements, vocabulary);
     let mut reason = "the length of a sum is no integer".to_owned();
     for letter in &letters {
         match over(statements, vocabulary, letter) {

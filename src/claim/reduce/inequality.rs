@@ -6,8 +6,9 @@
 //! (Whittaker and Watson, A Course of Modern Analysis, section 5.4); likewise below c with alternating signs. A function
 //! that is concave on an interval is at least the smaller of its values at the ends.
 
+use super::super::nodes::{any, nodes_of};
 use super::super::premise::Statements;
-use super::super::substitute::{any, mapped, nodes_of, number_of, rewrite};
+use super::super::substitute::{mapped, number_of, rewrite};
 use super::super::vocabulary::Vocabulary;
 use super::build::{difference, integer, negative, product, sum, symbol};
 use super::derivative::{By, mentions};
@@ -85,7 +86,7 @@ pub fn ways(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Vec<Vec<Goa
 
 /// The letters by which a claim may be differentiated.
 fn letters(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Name> {
-    let integers = super::instances::integers(statements, vocabulary);
+    let integers = super::integers::integers(statements, vocabulary);
     let is_met = |name: &Name| {
         let mut sides = statements.claims.iter().flat_map(|claim| [&claim.left, &claim.right]);
         sides.any(|side| mentions(side, name))

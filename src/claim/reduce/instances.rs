@@ -1,11 +1,12 @@
 //! A claim over integers at numbers: what must hold if the claim does.
 
+use super::super::nodes::any;
 use super::super::premise::Statements;
-use super::super::substitute::{any, mapped, number_of, rewrite};
+use super::super::substitute::{mapped, number_of, rewrite};
 use super::super::vocabulary::Vocabulary;
 use super::build::integer;
-use super::derivative::mentions;
 use super::evaluate::evaluated;
+use super::integers::free_integers;
 use super::integral::by_antiderivatives;
 use super::{Goal, Reduced, rewritten, trees};
 use crate::number::Rational;
@@ -16,29 +17,6 @@ const HIGHEST: i64 = 7;
 const MOST_LETTERS: usize = 3;
 const MOST_GOALS: usize = 8;
 const MOST_WITH_INTEGRALS: usize = 4;
-
-/// The letters that are integers and stand in the statements.
-pub(super) fn integers(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Name> {
-    let said = statements.assume.iter().filter_map(|condition| match condition {
-        Condition::Integer(Tree::Symbol(name, _)) => Some(name.clone()),
-        _ => None,
-    });
-    let mut found: Vec<Name> = Vec::new();
-    for name in vocabulary.integers.iter().cloned().chain(said) {
-        let is_met = trees(statements).into_iter().any(|tree| mentions(tree, &name));
-        if is_met && !found.contains(&name) && !vocabulary.is_indexed(&name) && !vocabulary.indices.contains(&name) {
-            found.push(name);
-        }
-    }
-    found
-}
-
-/// Those of them that stand where no operation binds them.
-pub(super) fn free_integers(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Name> {
-    let mut letters = integers(statements, vocabulary);
-    letters.retain(|letter| trees(statements).into_iter().any(|tree| tree.has_free(letter)));
-    letters
-}
 
 /// The claim at small numbers for its integers, in all the places where they stand.
 pub(super) fn of(statements: &Statements, vocabulary: &Vocabulary) -> Vec<Goal> {
@@ -177,7 +155,7 @@ fn folded(tree: &Tree) -> Tree {
     }
     mapped(tree, &|node| match node {
         Tree::RealPower(base, exponent, at) => {
-            let exponent = i32::try_from(super::evaluate::whole(exponent)?).ok()?;
+            let exponent = i32::try_from(super::integers::whole(exponent)?).ok()?;
             Some(Tree::Power(Box::new(folded(base)), exponent, *at))
         }
         _ => None,

@@ -1,34 +1,23 @@
 //! Integrals: indefinite ones by differentiation, definite ones by an antiderivative whose own claims are lemmas.
 
+use super::super::definition::CONSTANT_OF_INTEGRATION;
+use super::super::nodes::{any, any_side, holds, holds_indefinite};
 use super::super::premise::Statements;
-use super::super::substitute::{any, any_side, mapped, rewrite};
+use super::super::substitute::{mapped, rewrite};
 use super::super::vocabulary::Vocabulary;
 use super::antiderivative::{antiderivative, quadratic_exponential};
-use super::build::{call, difference, integer, is_zero, negative, plain, power, product, quotient, root, sum, symbol};
+use super::build::{
+    call, difference, infinity, integer, is_zero, negative, plain, power, product, quotient, root, sum, symbol,
+};
 use super::derivative::By;
 use super::evaluate::evaluated;
-use super::limit::{as_goals, infinity, of_limit};
-use super::{Goal, Reduced, defined, fresh, holds};
+use super::limit::{as_goals, of_limit};
+use super::{Goal, Reduced, defined, fresh};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
-
-/// The constant of integration, where nothing else has its name.
-const CONSTANT: &str = "C";
-
-/// Whether an undeclared name is the constant of integration.
-pub fn is_constant_of_integration(name: &Name) -> bool {
-    *name == plain(CONSTANT)
-}
 
 /// Whether a claim holds an integral without limits.
 pub(super) fn is_indefinite(statements: &Statements) -> bool {
     statements.claims.iter().any(holds_indefinite)
-}
-
-/// Whether an equation holds an integral without limits.
-pub fn holds_indefinite(equation: &Equation) -> bool {
-    holds(equation, &|operation| {
-        matches!(operation, Operation::Integral { limits: None, .. })
-    })
 }
 
 /// The claims about indefinite integrals with both sides differentiated: these are equal up to a constant on each
@@ -69,7 +58,7 @@ pub(super) fn differentiated(statements: &Statements, vocabulary: &Vocabulary) -
             return Err(format!("premises speak of `{by}`, which the integral is by"));
         }
         super::is_continuous(statements, vocabulary, &by)?;
-        let constant = plain(CONSTANT);
+        let constant = plain(CONSTANT_OF_INTEGRATION);
         let is_free = !vocabulary.knows(&constant);
         let mut sides = Vec::new();
         for own in slopes {
@@ -80,7 +69,7 @@ pub(super) fn differentiated(statements: &Statements, vocabulary: &Vocabulary) -
                     None if is_free && matches!(&term, Tree::Symbol(name, _) if *name == constant) => integer(0),
                     None if is_free && term.has_free(&constant) => {
                         return Err(format!(
-                            "the constant {CONSTANT} stands elsewhere than added: declare it"
+                            "the constant {CONSTANT_OF_INTEGRATION} stands elsewhere than added: declare it"
                         ));
                     }
                     None => {

@@ -1,7 +1,8 @@
 //! Functions that a premise gives by a formula, at every value of the running symbol: `p(x) = a x^2 + b`, `y = \\cos t`.
 
+use super::super::nodes::{any, any_side, nodes_of};
 use super::super::premise::{Premise, Statements};
-use super::super::substitute::{any, any_side, mapped, nodes_of, rewrite};
+use super::super::substitute::{mapped, rewrite};
 use super::super::vocabulary::Vocabulary;
 use super::defined;
 use super::derivative::By;

@@ -1,13 +1,14 @@
 //! Limits, and what is of the order of a power, by power series in what tends to 0.
 
+use super::super::nodes::{any, holds};
 use super::super::premise::Statements;
-use super::super::substitute::{any, mapped, rewrite};
+use super::super::substitute::{mapped, rewrite};
 use super::super::vocabulary::Vocabulary;
-use super::build::{difference, integer, sum};
+use super::build::{difference, infinity, integer, is_zero, sum};
 use super::derivative::mentions;
-use super::evaluate::whole;
+use super::integers::whole;
 use super::series::{Series, Small, is_likely_zero, with_factorials};
-use super::{Goal, holds, is_spoken_of, rewritten, trees};
+use super::{Goal, is_spoken_of, rewritten, trees};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
 
 /// The terms of a series of a limit, and those that are taken beyond an order.
@@ -160,15 +161,6 @@ pub(super) fn as_goals(statements: &Statements, vocabulary: &Vocabulary, needed:
     needed.into_iter().map(goal).collect()
 }
 
-/// Whether a tree is infinity, and whether it is that above all numbers.
-pub(super) fn infinity(tree: &Tree) -> Option<bool> {
-    match tree {
-        Tree::Operation(operation, _) => matches!(**operation, Operation::Infinity).then_some(true),
-        Tree::Negate(inner) => infinity(inner).map(|is_above| !is_above),
-        _ => None,
-    }
-}
-
 /// A series in what tends to 0 when `by` tends to `to`.
 fn small<'a>(
     statements: &Statements,
@@ -202,7 +194,7 @@ fn small<'a>(
         }
         None => {
             let sign = integer(if side == Some(false) { -1 } else { 1 });
-            let mut value = match super::build::is_zero(to) {
+            let mut value = match is_zero(to) {
                 true => Series::small(1, length),
                 false => Series::constant(to.clone(), length),
             };
@@ -265,7 +257,7 @@ pub(super) fn of_limit(
         if !is_likely_zero(&term) {
             return Err("this limit does not exist, as far as it is followed".to_owned());
         }
-        if !super::build::is_zero(&term) {
+        if !is_zero(&term) {
             needed.push(Equation::between(term, integer(0)));
         }
     }
@@ -325,11 +317,7 @@ fn of_order(
     for order in orders {
         let mut small = small(statements, vocabulary, by, to, 3)?;
         let series = small.of(&order)?;
-        let mut powers = series
-            .terms
-            .iter()
-            .enumerate()
-            .filter(|(_, term)| !super::build::is_zero(term));
+        let mut powers = series.terms.iter().enumerate().filter(|(_, term)| !is_zero(term));
         let (Some((place, term)), None) = (powers.next(), powers.next()) else {
             return Err(format!("the order {order} is no power of {by}"));
         };

@@ -16,6 +16,7 @@ mod factorial;
 mod induction;
 mod inequality;
 mod instances;
+mod integers;
 mod integral;
 mod law;
 mod limit;
@@ -29,11 +30,11 @@ mod telescope;
 mod thin;
 
 use super::definition::{Local, inlined};
+use super::nodes::any;
 use super::premise::Statements;
-use super::substitute::{any, put_in};
+use super::substitute::put_in;
 use super::vocabulary::{Map, Vocabulary};
 pub use inequality::ways as other_ways;
-pub(super) use integral::{holds_indefinite, is_constant_of_integration};
 pub use thin::{thin_domains, values};
 
 use crate::tex::{Condition, Equation, Name, Operation, Tree};
@@ -302,16 +303,6 @@ fn written_out(statements: &Statements, vocabulary: &Vocabulary) -> Result<State
     }))
 }
 
-/// Whether an equation holds an operation that passes the test.
-fn holds(equation: &Equation, test: &dyn Fn(&Operation) -> bool) -> bool {
-    [&equation.left, &equation.right].into_iter().any(|side| {
-        any(
-            side,
-            &mut |node| matches!(node, Tree::Operation(operation, _) if test(operation)),
-        )
-    })
-}
-
 /// The statements with each formula of claims, premises and assumptions rewritten.
 fn rewritten(statements: &Statements, new: &dyn Fn(&Tree) -> Tree) -> Statements {
     let equation = |equation: &Equation| Equation {
@@ -404,7 +395,7 @@ fn stands_in_symbols(vocabulary: &Vocabulary, name: &Name) -> bool {
 
 /// That a symbol may be differentiated by: it is no integer.
 fn is_continuous(statements: &Statements, vocabulary: &Vocabulary, name: &Name) -> Result<(), String> {
-    let is_integer = instances::integers(statements, vocabulary).contains(name) || vocabulary.integers.contains(name);
+    let is_integer = integers::integers(statements, vocabulary).contains(name) || vocabulary.integers.contains(name);
     match is_integer {
         true => Err(format!("`{name}` is an integer: nothing is differentiated by it")),
         false => Ok(()),

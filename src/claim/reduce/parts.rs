@@ -2,7 +2,8 @@
 //!
 //! Nothing rests on what is found: it is shown to be an antiderivative.
 
-use super::super::substitute::{any, mapped, number_of};
+use super::super::nodes::any;
+use super::super::substitute::{mapped, number_of};
 use super::super::vocabulary::Vocabulary;
 use super::build::{integer, power, product, quotient, sum};
 use super::derivative::{By, mentions};

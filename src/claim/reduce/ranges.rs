@@ -2,8 +2,8 @@
 //! value of `\arccos a` is the number from 0 to pi whose cosine is a, that of a square root of a the number that is not
 //! negative and whose square is a.
 
+use super::super::nodes::any;
 use super::super::premise::Statements;
-use super::super::substitute::any;
 use super::super::vocabulary::Vocabulary;
 use super::Goal;
 use super::build::{call, integer, negative, plain, power, product, quotient, sum, symbol};

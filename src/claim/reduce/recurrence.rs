@@ -8,8 +8,9 @@
 //! or says nothing of it; and downwards, where r is linear in its earliest member with a factor that is not 0 and does not
 //! run, or where the window begins with the recurrence. Only such windows count as points of the premises.
 
+use super::super::nodes::{any, holds};
 use super::super::premise::{Premise, Statements};
-use super::super::substitute::{any, mapped, number_of, rewrite};
+use super::super::substitute::{mapped, number_of, rewrite};
 use super::super::vocabulary::{Vocabulary, index_of, subscript_of};
 use super::build::{integer, negative, product, quotient, sum, symbol};
 use super::derivative::mentions;
@@ -17,7 +18,7 @@ use super::evaluate::{at_index, only_factorials};
 use super::induction::{self, Moving};
 use super::instances::{self, relation_holds};
 use super::series::is_zero;
-use super::{Goal, Reduced, defined, factorial, holds, rewritten, trees};
+use super::{Goal, Reduced, defined, factorial, rewritten, trees};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
 use std::collections::BTreeSet;
 

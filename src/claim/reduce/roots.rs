@@ -1,8 +1,9 @@
 //! Roots whose index is a symbol: `\sqrt[n]{x}` is `x^{1/n}` where x is not negative, which is to be shown; whether there is
 //! a root of a negative number depends on the index.
 
+use super::super::nodes::any;
 use super::super::premise::Statements;
-use super::super::substitute::{any, mapped};
+use super::super::substitute::mapped;
 use super::super::vocabulary::Vocabulary;
 use super::build::{integer, quotient, real_power};
 use super::derivative::mentions;

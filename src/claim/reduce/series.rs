@@ -3,9 +3,10 @@
 //!
 //! A series holds where what it needs does: each division, logarithm and root says so.
 
-use super::super::substitute::{any, mapped, number_of};
+use super::super::nodes::any;
+use super::super::substitute::{mapped, number_of};
 use super::super::vocabulary::Vocabulary;
-use super::build::{call, integer, negative, power, product, quotient, real_power, root, sum, symbol};
+use super::build::{call, infinity, integer, negative, power, product, quotient, real_power, root, sum, symbol};
 use super::derivative::{By, mentions};
 use super::factorial;
 use crate::number::{Field, Rational};
@@ -407,7 +408,7 @@ impl Small<'_> {
 
     /// A power whose exponent does not move.
     fn raised(&mut self, series: &Series, exponent: &Tree) -> Found {
-        let whole = super::evaluate::whole(exponent);
+        let whole = super::integers::whole(exponent);
         if let Some(times) = whole.and_then(|whole| usize::try_from(whole).ok())
             && times <= 40
         {
@@ -541,7 +542,7 @@ impl Small<'_> {
 
     /// A sum of known length.
     fn of_sum(&mut self, of: &Tree, index: &Name, from: &Tree, to: &Tree) -> Found {
-        let (Some(from), Some(to)) = (super::evaluate::whole(from), super::evaluate::whole(to)) else {
+        let (Some(from), Some(to)) = (super::integers::whole(from), super::integers::whole(to)) else {
             return Err("a sum of unknown length within a limit".to_owned());
         };
         let mut total = Series::constant(integer(0), self.length);
@@ -665,10 +666,7 @@ impl Small<'_> {
 
     /// An integral over an interval that shrinks to a point.
     fn of_integral(&mut self, of: &Tree, by: &Name, low: &Tree, high: &Tree) -> Found {
-        if [low, high]
-            .into_iter()
-            .any(|limit| super::limit::infinity(limit).is_some())
-        {
+        if [low, high].into_iter().any(|limit| infinity(limit).is_some()) {
             return Err("an improper integral within a limit".to_owned());
         }
         let (low, high) = (self.of(low)?, self.of(high)?);
@@ -720,7 +718,7 @@ impl Small<'_> {
 /// `first` to a power that is a number or a tree.
 fn power_of(first: Tree, exponent: &Tree) -> Tree {
     let half = number_of(exponent);
-    match super::evaluate::whole(exponent).and_then(|whole| i32::try_from(whole).ok()) {
+    match super::integers::whole(exponent).and_then(|whole| i32::try_from(whole).ok()) {
         Some(whole) if whole >= 0 => power(first, whole),
         Some(whole) => quotient(integer(1), power(first, -whole)),
         None if half == Some(Rational::from_ratio(1, 2)) => root(first),

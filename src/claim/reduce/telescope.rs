@@ -58,7 +58,7 @@ impl<'a> Sum<'a> {
             } if mentions(of, letter) => Some(Self {
                 of,
                 index,
-                from: super::evaluate::whole(from)?,
+                from: super::integers::whole(from)?,
                 to,
                 letter,
             }),
@@ -182,7 +182,7 @@ impl<'a> Sum<'a> {
                     name if name == self.index => Some(integer(index)),
                     _ => None,
                 };
-                super::evaluate::whole(&rewrite(tree, &put_in))
+                super::integers::whole(&rewrite(tree, &put_in))
             };
             value(self.of, &known, &whole)
         };
@@ -228,7 +228,7 @@ fn tidy(tree: &Tree) -> Tree {
         },
         Tree::RealPower(base, exponent, at) => {
             let (base, exponent) = (tidy(base), factorial::added_up(exponent)?);
-            let whole = super::evaluate::whole(&exponent).and_then(|whole| i32::try_from(whole).ok());
+            let whole = super::integers::whole(&exponent).and_then(|whole| i32::try_from(whole).ok());
             Some(match whole {
                 Some(whole) => power(base, whole),
                 None => Tree::RealPower(Box::new(base), Box::new(exponent), *at),

@@ -1,6 +1,7 @@
 //! Where a claim has a value: on a thin set alone, where what stands under a root cannot be above 0, or wherever what is given holds.
 
-use super::super::substitute::{any, number_of};
+use super::super::nodes::any;
+use super::super::substitute::number_of;
 use super::build::{integer, power, product};
 use super::defined::conditions;
 use super::{Goal, trees};

@@ -78,7 +78,7 @@ pub(super) fn of(scene: &Scene) -> Result<Option<Figure>, Failure> {
 /// Every figure of the paper; files are written once all are drawn.
 fn all(arguments: &Arguments, directory: &Path, claims: &Claims) -> Result<Table, Failure> {
     let scenes = scenes(arguments)?;
-    super::run::create(directory)?;
+    super::options::create_directory(directory)?;
     let swept = paper::swept(&scenes)?;
     let drawn: Result<Vec<(String, String)>, Failure> = scenes
         .par_iter()

@@ -11,8 +11,8 @@ pub mod step;
 
 pub use instructions::Instructions;
 
+use super::chatter::LISTED;
 use super::event::{Event, Kind};
-use super::simulation::LISTED;
 use super::start::Start;
 use super::widening::Widening;
 use crate::model::Motion;

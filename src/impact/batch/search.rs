@@ -1,6 +1,6 @@
 //! Between which angles an ordinary flight meets which wall, one lane of it, without a branch.
 //!
-//! The same pieces between zeros of f + g as in flight.rs. What is close is not decided here.
+//! The same pieces between zeros of f + g as in contact.rs. What is close is not decided here.
 
 use super::angle::pick;
 use std::f64::consts::{PI, TAU};

@@ -6,7 +6,7 @@ use super::growth::Growths;
 use super::lanes::{Lanes, Row, WIDTH, either_wall};
 use super::near::Near;
 use super::search::{Leaving, Stretch};
-use crate::impact::simulation::LISTED;
+use crate::impact::chatter::LISTED;
 use crate::impact::swing::REACH;
 use std::f64::consts::{FRAC_1_PI, PI, TAU};
 

@@ -5,8 +5,8 @@ mod set;
 
 use self::flight::{Contact, Flight};
 use self::set::Set;
+use super::chatter::LISTED;
 use super::event::{Event, Kind};
-use super::simulation::LISTED;
 use super::start::Start;
 use crate::model::{Motion, Side};
 use crate::number::{Analytic, Endpoint, Field, Interval};

@@ -1,59 +1,9 @@
 //! Branches of periodic motions as lines, and their bifurcations as marks.
 
-use super::diagram::Quantity;
+use super::step::{Course, Quantity, Step};
 use super::strand::strands;
 use crate::orbit::BifurcationKind;
-use crate::report::plot::{Colour, Dash, Form, Mark, Marker, Point, Series, Stroke};
-
-/// How a motion goes on when it is disturbed, if it can be at all.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Course {
-    Stable,
-    Unstable,
-    /// It would pass through a wall.
-    Inadmissible,
-}
-
-impl Course {
-    /// From what a table says of a motion.
-    pub const fn of(stable: bool, admissible: bool) -> Self {
-        match (admissible, stable) {
-            (false, _) => Self::Inadmissible,
-            (true, true) => Self::Stable,
-            (true, false) => Self::Unstable,
-        }
-    }
-
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Stable => "stable",
-            Self::Unstable => "unstable",
-            Self::Inadmissible => "through a wall, grey as its marks",
-        }
-    }
-
-    const fn dash(self) -> Dash {
-        match self {
-            Self::Stable => Dash::Solid,
-            Self::Unstable => Dash::Dashed,
-            Self::Inadmissible => Dash::Dotted,
-        }
-    }
-}
-
-/// A motion at one value of the parameter.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Step {
-    /// The value.
-    pub at: f64,
-    /// Its word, and its periods where they are more than one.
-    pub name: String,
-    /// Of its impacts, in [0, 2 pi).
-    pub phases: Vec<f64>,
-    /// Just before each: positive at the bottom, negative at the top.
-    pub velocities: Vec<f64>,
-    pub course: Course,
-}
+use crate::report::plot::{Colour, Form, Mark, Marker, Point, Series, Stroke};
 
 /// What happens to a motion at a value of the parameter.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,10 +1,10 @@
 //! A bifurcation diagram: simulated impacts under the branches of periodic motions.
 
-use super::branch::{self, Bifurcation, Step};
+use super::branch::{self, Bifurcation};
 use super::claim::{self, Claim};
 use super::parameter::Parameter;
-use crate::report::plot::{Axis, Colour, Form, Marker, Panel, Point, Series};
-use std::f64::consts::{PI, TAU};
+use super::step::{Quantity, Step};
+use crate::report::plot::{Colour, Form, Marker, Panel, Point, Series};
 
 /// An impact at a value of the parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,13 +17,6 @@ pub struct Impact {
     pub velocity: f64,
 }
 
-/// What of the impacts is shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Quantity {
-    Velocity,
-    Phase,
-}
-
 /// All that a bifurcation diagram shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagram {
@@ -34,42 +27,6 @@ pub struct Diagram {
     pub steps: Option<Vec<Step>>,
     /// What happens to them.
     pub bifurcations: Vec<Bifurcation>,
-}
-
-impl Quantity {
-    const fn label(self) -> &'static str {
-        match self {
-            Self::Velocity => "velocity before impact, \u{17b}  [A\u{3c0}/(M\u{3c9})]",
-            Self::Phase => "phase of impact, \u{3c6}  [rad]",
-        }
-    }
-
-    const fn heading(self) -> &'static str {
-        match self {
-            Self::Velocity => "Impact velocity",
-            Self::Phase => "Phase of the impacts",
-        }
-    }
-
-    pub(super) fn of(self, step: &Step, impact: usize) -> f64 {
-        let values = match self {
-            Self::Velocity => &step.velocities,
-            Self::Phase => &step.phases,
-        };
-        values.get(impact).copied().unwrap_or(f64::NAN)
-    }
-
-    /// Whether a line from one value to the next goes over the cut of the circle.
-    pub(super) fn is_broken(one: f64, other: f64) -> bool {
-        (one - other).abs() > PI
-    }
-
-    fn axis(self) -> Axis {
-        match self {
-            Self::Velocity => Axis::new(self.label()),
-            Self::Phase => Axis::over(self.label(), (-0.02 * TAU, 1.02 * TAU)),
-        }
-    }
 }
 
 /// The looks of simulated impacts, at the bottom and at the top.
@@ -112,7 +69,7 @@ impl Diagram {
 
 #[cfg(test)]
 mod tests {
-    use super::super::branch::Course;
+    use super::super::step::Course;
     use super::*;
     use crate::report::plot::Shape;
 

@@ -1,6 +1,6 @@
 //! Which motions at neighbouring values of a parameter are one branch.
 
-use super::branch::Step;
+use super::step::Step;
 use std::f64::consts::TAU;
 
 /// Motions farther apart than this, in phase or velocity, are no neighbours on a branch.
@@ -90,7 +90,7 @@ fn distance(one: &Step, other: &Step) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::branch::Course;
+    use super::super::step::Course;
     use super::*;
 
     fn step(at: f64, phase: f64) -> Step {

@@ -2,13 +2,13 @@
 
 use super::TENTHS;
 use super::clip;
-use super::figure::{Panel, PlotError};
 use super::label::{Rect, Room};
 use super::legend::line;
 use super::marker::Marker;
-use super::paper::{Area, Drawn};
+use super::panel::Panel;
+use super::paper::{Area, Drawn, PlotError};
 use super::scale::Scale;
-use super::series::{Mark, Point, Shape, Stroke};
+use super::series::{Mark, Point, SHADE, Shape, Stroke};
 use super::span::Span;
 use super::text::{fitting, width};
 use super::ticks::Ticks;
@@ -17,9 +17,6 @@ use plotters::element::{PathElement, Rectangle};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{BLACK, Color, FontDesc, FontStyle, IntoFont, RGBColor, WHITE};
 use std::collections::HashSet;
-
-/// How much of its colour a band has.
-pub(super) const SHADE: f64 = 0.25;
 
 /// Fonts in pixels.
 const TICK_FONT: f64 = 12.5;

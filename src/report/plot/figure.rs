@@ -3,64 +3,14 @@
 use super::TENTHS;
 use super::draw;
 use super::legend::Legend;
-use super::paper::Paper;
-use super::series::Series;
+use super::panel::Panel;
+use super::paper::{Paper, PlotError};
 use super::text::fitting;
 #[cfg(test)]
 use crate::model::calls::{self, Call};
-use plotters::drawing::{DrawingAreaErrorKind, IntoDrawingArea};
+use plotters::drawing::IntoDrawingArea;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{BLACK, FontDesc, FontStyle, IntoFont};
-use std::convert::Infallible;
-
-/// An axis.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Axis {
-    /// What it measures, with the unit.
-    pub label: String,
-    /// From where to where; around all points with a small margin where nothing is said.
-    pub range: Option<(f64, f64)>,
-}
-
-impl Axis {
-    /// An axis around all points.
-    pub fn new(label: impl Into<String>) -> Self {
-        Self {
-            label: label.into(),
-            range: None,
-        }
-    }
-
-    /// An axis with ends of its own.
-    pub fn over(label: impl Into<String>, range: (f64, f64)) -> Self {
-        Self {
-            label: label.into(),
-            range: Some(range),
-        }
-    }
-}
-
-/// Axes, and what stands between them, in the order in which it is drawn.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Panel {
-    /// Above the frame; may be empty.
-    pub heading: String,
-    pub x: Axis,
-    pub y: Axis,
-    pub series: Vec<Series>,
-}
-
-impl Panel {
-    /// Empty axes.
-    pub const fn new(x: Axis, y: Axis) -> Self {
-        Self {
-            heading: String::new(),
-            x,
-            y,
-            series: Vec::new(),
-        }
-    }
-}
 
 /// Panels under one title.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,17 +21,6 @@ pub struct Figure {
     pub panels: Vec<Panel>,
     /// Width and height of a panel with its labels, in pixels; the legend stands below all.
     pub panel_size: (f64, f64),
-}
-
-/// A figure that cannot be laid out.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the figure cannot be drawn: {0}")]
-pub struct PlotError(String);
-
-impl From<DrawingAreaErrorKind<Infallible>> for PlotError {
-    fn from(error: DrawingAreaErrorKind<Infallible>) -> Self {
-        Self(error.to_string())
-    }
 }
 
 /// Heights in pixels.
@@ -159,7 +98,7 @@ impl Figure {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Colour, Dash, Form, Mark, Marker, Point, Shape, Stroke};
+    use super::super::{Axis, Colour, Dash, Form, Mark, Marker, Point, Series, Shape, Stroke};
     use super::*;
 
     const THIN: Stroke = Stroke {

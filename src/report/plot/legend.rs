@@ -3,7 +3,7 @@
 use super::TENTHS;
 use super::marker::Marker;
 use super::paper::{Area, Drawn};
-use super::series::{Series, Shape, Stroke};
+use super::series::{SHADE, Series, Shape, Stroke};
 use super::text::width;
 use plotters::element::{PathElement, Rectangle};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -101,7 +101,7 @@ fn sample(area: &Area, shape: &Shape, (left, middle): (i32, i32)) -> Drawn {
         }
         Shape::Bands { colour, .. } => {
             let corners = [(left, middle - 45), (left + wide, middle + 45)];
-            area.draw(&Rectangle::new(corners, colour.pen().mix(super::draw::SHADE).filled()))
+            area.draw(&Rectangle::new(corners, colour.pen().mix(SHADE).filled()))
         }
         Shape::Cells { colour, .. } => {
             let corners = [(left, middle - 45), (left + wide, middle + 45)];

@@ -22,6 +22,7 @@ mod figure;
 mod label;
 mod legend;
 mod marker;
+mod panel;
 mod paper;
 mod scale;
 mod series;
@@ -31,8 +32,10 @@ mod ticks;
 
 pub use colour::Colour;
 pub use dash::Dash;
-pub use figure::{Axis, Figure, Panel, PlotError};
+pub use figure::Figure;
 pub use marker::{Form, Marker};
+pub use panel::{Axis, Panel};
+pub use paper::PlotError;
 pub use series::{Mark, Point, Series, Shape, Stroke};
 pub(super) use text::pieces;
 

@@ -19,6 +19,17 @@ use std::fmt::Write;
 pub(super) type Area<'a> = DrawingArea<Paper<'a>, Shift>;
 pub(super) type Drawn = Result<(), DrawingAreaErrorKind<Infallible>>;
 
+/// A figure that cannot be laid out.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the figure cannot be drawn: {0}")]
+pub struct PlotError(pub(super) String);
+
+impl From<DrawingAreaErrorKind<Infallible>> for PlotError {
+    fn from(error: DrawingAreaErrorKind<Infallible>) -> Self {
+        Self(error.to_string())
+    }
+}
+
 type Done = Result<(), DrawingErrorKind<Infallible>>;
 
 /// The family that all text is in.

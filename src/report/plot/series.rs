@@ -34,6 +34,9 @@ pub struct Series {
     pub shape: Shape,
 }
 
+/// How much of its colour a band has.
+pub(super) const SHADE: f64 = 0.25;
+
 /// What is drawn. Points that are not finite are left out and break lines.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {

@@ -1,37 +1,10 @@
-//! Functions of time that a law gives: y^(n) = G(t, y, ..., y^(n-1)), from its values at one time to any other, by
-//! Taylor series from step to step (Moore, Interval Analysis, 1966, chapter 11). With n = 0 nothing is left to solve;
-//! where G names no y, this is an integral.
+//! The values of formulas, and those of functions of time that a law gives: y^(n) = G(t, y, ..., y^(n-1)), from its
+//! values at one time to any other, by Taylor series from step to step (Moore, Interval Analysis, 1966, chapter 11). With
+//! n = 0 nothing is left to solve; where G names no y, this is an integral.
 
-use super::formula::{Formula, Formulas, Inputs, Op, evaluate, price};
+use super::formula::{Flow, Formula, Formulas, Inputs, Op, Program, price};
 use super::value::{Function, Value, undefined};
-use crate::number::Analytic;
-
-/// A law for one function.
-#[derive(Clone, Debug)]
-pub struct Law {
-    /// The order of the derivative that the law gives.
-    pub order: usize,
-    /// The time at which the lower derivatives are those of `initial`.
-    pub start: Formula,
-    pub initial: Vec<usize>,
-    /// The derivative, at the running time.
-    pub body: Formula,
-}
-
-/// The laws that flow together with one, as a program over power series.
-#[derive(Clone, Debug, Default)]
-pub struct Flow {
-    laws: Vec<usize>,
-    ops: Vec<Op>,
-    /// For each function the position of its derivative by its argument.
-    slopes: Vec<Option<usize>>,
-    /// How many coefficients a series has before only zeros follow; more than any order where it does not end.
-    lengths: Vec<usize>,
-    /// The position of the law's derivative, for each law.
-    bodies: Vec<usize>,
-    /// Operations of one step in f64, and in many digits.
-    costs: [usize; 2],
-}
+use crate::number::{Analytic, Field, Rational};
 
 /// A series that does not end.
 const ENDLESS: usize = 1 << 16;
@@ -163,8 +136,60 @@ impl Formulas {
     }
 }
 
+impl Program {
+    /// The values of all parts.
+    pub fn run<V: Value>(&self, inputs: &Inputs<V>) -> Vec<V> {
+        let mut values: Vec<V> = Vec::with_capacity(self.ops.len());
+        if !inputs.work.take(self.ops.len() * price::<V>()) {
+            return vec![V::real(undefined()); self.ops.len()];
+        }
+        for op in &self.ops {
+            let value = evaluate(*op, inputs, |formula: Formula| &values[formula.position()]);
+            values.push(value);
+        }
+        values
+    }
+}
+
+/// The value of one operation.
+fn evaluate<'v, V: Value + 'v>(op: Op, inputs: &Inputs<V>, at: impl Fn(Formula) -> &'v V) -> V {
+    let none = || V::real(undefined());
+    match op {
+        Op::Ratio(above, 1) => V::integer(above),
+        Op::Ratio(above, below) => V::real(Field::from_ratio(above, below)),
+        Op::Float(bits) => V::float(f64::from_bits(bits)),
+        Op::Rational(n) => inputs
+            .formulas
+            .rationals
+            .get(n)
+            .and_then(Rational::embed)
+            .map_or_else(none, V::real),
+        Op::Pi => V::real(Analytic::pi()),
+        Op::Imaginary => V::new(num_traits::Zero::zero(), num_traits::One::one()),
+        Op::Slot(slot) => inputs.slots.get(slot).cloned().unwrap_or_else(none),
+        Op::Running => inputs.running.cloned().unwrap_or_else(none),
+        Op::Value { .. } => none(),
+        Op::Flow { law, level, time } => flown(law, level, at(time), inputs),
+        Op::Add(a, b) => at(a).clone() + at(b).clone(),
+        Op::Multiply(a, b) => at(a).clone() * at(b).clone(),
+        Op::Divide(a, b) => at(a).over(at(b)),
+        Op::Negate(a) => -at(a).clone(),
+        Op::Power(a, n) => at(a).integer_power(n),
+        Op::Root(a, n) => at(a).root(n),
+        Op::RealPower(a, b) => at(a).power(at(b)),
+        Op::IntegerPower(a, b) => {
+            let exponent = at(b).parts()[0].to_f64();
+            match exponent.round() {
+                whole if (whole - exponent).abs() < 1e-9 && whole.abs() < 1e6 => at(a).integer_power(whole as i32),
+                _ => at(a).power(at(b)),
+            }
+        }
+        Op::Apply(function, a) => at(a).apply(function),
+    }
+}
+
 /// The derivative of order `level` below that of the law, at a time; NaN where the series do not reach it.
-pub fn value<V: Value>(law: usize, level: usize, time: &V, inputs: &Inputs<V>) -> V {
+fn flown<V: Value>(law: usize, level: usize, time: &V, inputs: &Inputs<V>) -> V {
     let none = || V::real(undefined());
     let formulas = inputs.formulas;
     let (Some(flow), true) = (formulas.flows.get(law), inputs.depth < DEEPEST) else {
@@ -195,7 +220,7 @@ pub fn value<V: Value>(law: usize, level: usize, time: &V, inputs: &Inputs<V>) -
                 .collect()
         } else {
             (0..known.order)
-                .map(|level| value(other, level, &now, &inner))
+                .map(|level| flown(other, level, &now, &inner))
                 .collect()
         });
     }
@@ -407,7 +432,7 @@ impl Flow {
 
 #[cfg(test)]
 mod tests {
-    use super::super::formula::Work;
+    use super::super::formula::{Law, Work};
     use super::*;
     use crate::number::{Dual, Wide, seeded};
 
@@ -420,7 +445,7 @@ mod tests {
             work: &work,
             depth: 0,
         };
-        value(0, level, &time, &inputs)
+        flown(0, level, &time, &inputs)
     }
 
     /// y'' = -y from t = 1/2.

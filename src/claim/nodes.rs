@@ -1,0 +1,47 @@
+//! What stands in a tree.
+
+use crate::tex::{Equation, Name, Operation, Tree};
+
+/// Whether any node of the tree passes the test.
+pub fn any(tree: &Tree, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
+    test(tree) || tree.find_below(&mut |part| any(part, test).then_some(())).is_some()
+}
+
+/// Whether any node of either side passes the test.
+pub fn any_side(equation: &Equation, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
+    any(&equation.left, test) || any(&equation.right, test)
+}
+
+/// The number of nodes of a tree.
+pub(super) fn nodes_of(tree: &Tree) -> usize {
+    let mut count = 0;
+    any(tree, &mut |_| {
+        count += 1;
+        false
+    });
+    count
+}
+
+/// Whether a name stands anywhere in a tree.
+pub(super) fn speaks_of(tree: &Tree, name: &Name) -> bool {
+    any(tree, &mut |node| match node {
+        Tree::Symbol(other, _) => other == name,
+        Tree::Partial { of, by, .. } => of == name || by == name,
+        _ => false,
+    })
+}
+
+/// Whether an equation holds an operation that passes the test.
+pub(super) fn holds(equation: &Equation, test: &dyn Fn(&Operation) -> bool) -> bool {
+    any_side(
+        equation,
+        &mut |node| matches!(node, Tree::Operation(operation, _) if test(operation)),
+    )
+}
+
+/// Whether an equation holds an integral without limits.
+pub(super) fn holds_indefinite(equation: &Equation) -> bool {
+    holds(equation, &|operation| {
+        matches!(operation, Operation::Integral { limits: None, .. })
+    })
+}

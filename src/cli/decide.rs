@@ -1,0 +1,87 @@
+//! Decides the claims of a sheet: proofs, witnesses and repairs.
+
+use super::verdicts::{Row, table};
+use super::{Failure, note};
+use crate::claim::{self, Fault, Sheet, Verdict};
+use crate::evidence::witness_near;
+use crate::prove::{self, mention_refuted};
+use crate::repair::repairs;
+use crate::report::{Format, Table};
+use crate::stop::Token;
+use rayon::prelude::*;
+
+/// Formulas that cannot be read of which a message tells.
+const MOST_NOTES: usize = 10;
+
+/// Random points at which each claim is tried; fewer where one costs much.
+const POINTS: usize = 24;
+
+/// The table of the sheet with this text, which errors call `name`.
+pub fn verdicts(text: &str, name: &str) -> Result<Table, Failure> {
+    let in_sheet = |fault: Fault| Failure::Sheet {
+        name: name.to_owned(),
+        fault: Box::new(fault),
+    };
+    let vocabulary = claim::vocabulary().map_err(in_sheet)?;
+    let sheet = Sheet::read(text, &vocabulary).map_err(in_sheet)?;
+    let rows = decide_sheet(&sheet, name, &prove::Options::default(), false)?;
+    table(&rows, &sheet, Format::Text)
+}
+
+/// Decides each claim of the sheet that errors call `name`, and says what of it cannot be read.
+pub fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair: bool) -> Result<Vec<Row>, Failure> {
+    let mut rows = decide_all(sheet, options, repair).map_err(|fault| Failure::Sheet {
+        name: name.to_owned(),
+        fault: Box::new(fault),
+    })?;
+    mention_refuted(sheet, rows.iter_mut().map(|row| &mut row.decision));
+    let unread = sheet.entries.iter().filter(|entry| entry.expect != Verdict::Unread);
+    let faults: Vec<&Fault> = unread.filter_map(|entry| entry.unread.as_ref()).collect();
+    for fault in faults.iter().take(MOST_NOTES) {
+        note(&format!("{name}: {fault}"));
+    }
+    if let Some(more) = faults.len().checked_sub(MOST_NOTES).filter(|more| *more > 0) {
+        note(&format!(
+            "{name}: {more} more formulas cannot be read; their rows say why"
+        ));
+    }
+    Ok(rows)
+}
+
+/// Decides each claim, looks for witnesses and, where asked, for repairs, on all cores; in the order of the sheet.
+fn decide_all(sheet: &Sheet, options: &prove::Options, repair: bool) -> Result<Vec<Row>, Fault> {
+    let rows = sheet.rows();
+    let token = Token::current();
+    rows.par_iter()
+        .map(|&position| token.during(|| decide(sheet, position, options, repair)))
+        .collect()
+}
+
+/// Decides the claim at a position of a sheet.
+pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: bool) -> Result<Row, Fault> {
+    let decision = prove::decide(sheet, position, options);
+    let read = decision.verdict != Verdict::Unread && sheet.unread_below(position).is_empty();
+    let evidence = read
+        .then(|| {
+            let counterexample = decision.counterexample.as_ref().map(|own| own.point.as_slice());
+            witness_near(
+                sheet,
+                position,
+                decision.verdict,
+                POINTS,
+                counterexample.unwrap_or_default(),
+            )
+        })
+        .transpose()?;
+    let repairs = match decision.verdict {
+        Verdict::Refuted if repair => repairs(sheet, position, options),
+        _ => Vec::new(),
+    };
+    Ok(Row {
+        position,
+        decision,
+        evidence,
+        repairs,
+        is_known: None,
+    })
+}
