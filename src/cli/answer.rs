@@ -27,6 +27,8 @@ pub enum Content {
     Rows(Rows),
     /// Rows of which some may stand in a file already, and those that do not.
     Unfinished(Unfinished, Rows),
+    /// What a search has found whose record stands in a file meanwhile.
+    Recorded(Unfinished, Rows),
     /// A page for a reader.
     Page(Page),
     /// Bytes that have one form only, made while they are printed; how many rows they are.
@@ -67,6 +69,7 @@ impl Content {
             }
             Self::Rows(rows) => rows.write(output, format, figures),
             Self::Unfinished(unfinished, rows) => unfinished.write(rows, output),
+            Self::Recorded(unfinished, rows) => unfinished.end(rows, output, figures),
             Self::Copied(Copied(copy)) => {
                 let mut rows = 0;
                 output.write(|to| {

@@ -74,6 +74,12 @@ pub fn rows(scene: &Scene, options: &Options) -> Result<Rows, Failure> {
     Ok(rows_of(points, ReachedAttractors::default(), starts, options))
 }
 
+/// A row for each attractor.
+pub fn attractors(scene: &Scene, options: &Options) -> Result<Table, Failure> {
+    let table = rows(scene, options)?.following()?;
+    Ok(table.unwrap_or_else(|| Table::new(ATTRACTORS)))
+}
+
 /// The attractors of the rows that are there, whose first start has this number: each found anew from the first start that
 /// led to it.
 fn known(unfinished: &Unfinished, points: &mut BasinPoints, first: u64) -> Result<ReachedAttractors, Failure> {

@@ -143,7 +143,7 @@ fn reply(line: &Line) -> Result<Reply, Failure> {
                 }
             }
         }
-        Content::Unfinished(..) => {
+        Content::Unfinished(..) | Content::Recorded(..) => {
             return Err(Failure::Usage(
                 "--resume writes to a file, on a command line".to_owned(),
             ));

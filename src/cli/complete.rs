@@ -16,13 +16,17 @@ pub struct Complete {
 impl Complete {
     /// The rows, and whether they are as is asked.
     pub fn answer(&self, rows: impl Into<Rows>) -> Answer {
-        let rows = rows.into();
         Answer {
-            content: Content::Rows(match self.require_complete {
-                true => rows.requiring("complete"),
-                false => rows,
-            }),
+            content: Content::Rows(self.required(rows.into())),
             exit: Exit::AsExpected,
+        }
+    }
+
+    /// The rows, which are to be complete where that is asked.
+    pub fn required(&self, rows: Rows) -> Rows {
+        match self.require_complete {
+            true => rows.requiring("complete"),
+            false => rows,
         }
     }
 }

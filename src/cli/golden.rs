@@ -1,6 +1,6 @@
 //! What golden rows ask for, answered by the commands themselves.
 
-use super::{Failure, Options, branch, decide, optimise, orbits, simulate, sweep, trajectory, voltage};
+use super::{Failure, Options, basins, branch, decide, map, optimise, orbits, simulate, sweep, trajectory, voltage};
 use crate::number::{Analytic, Decimals, Field, Wide};
 use crate::reference::{Computed, Directory, Made, Quantity, Request, Setting};
 use crate::report::{Cell, Table, note_input};
@@ -9,11 +9,13 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
 /// The commands whose columns a golden row may name. `motion` is the scene's own: its parameters and units; `summary` is
-/// `sweep --summary`; `voltage` are the certified orbits along the sweep with their voltages.
-const KNOWN: [&str; 11] = [
+/// `sweep --summary`; `basins` has the attractors; `voltage` are the certified orbits along the sweep with their voltages.
+const KNOWN: [&str; 13] = [
     "audit",
+    "basins",
     "branch",
     "inferred",
+    "map",
     "motion",
     "optimise",
     "orbits",
@@ -66,6 +68,8 @@ pub fn answer(directory: &Directory, request: &Request, options: &Options) -> Re
         "audit" => verdicts(directory, request)?,
         "motion" => motion(&scene(directory, request)?)?,
         "orbits" => orbits::table(&scene(directory, request)?, options)?,
+        "basins" => basins::attractors(&scene(directory, request)?, options)?,
+        "map" => map::rows(&scene(directory, request)?, options)?.table()?,
         "optimise" => optimise::table(&scene(directory, request)?)?,
         "branch" => branch::rows(&scene(directory, request)?, options)?.table()?,
         "sweep" => sweep::table(&scene(directory, request)?, options)?,

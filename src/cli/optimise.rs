@@ -1,13 +1,14 @@
-//! `vibro-audit optimise SCENE [--gap G] [--effort N]`.
+//! `vibro-audit optimise SCENE [--gap G] [--effort N] [--resume]`.
 
 use super::complete::Complete;
 use super::progress::Status;
+use super::resume::{RECORD, Unfinished};
 use super::rows::Rows;
 use super::shard::{Label, Shard};
-use super::{Answer, Failure, Options, SceneArguments, note};
+use super::{Answer, Content, Exit, Failure, Options, SceneArguments, note};
 use crate::number::Interval;
-use crate::orbit::{Active, Optimum, OptimumLimits, OptimumPart, OptimumProgress, optimum};
-use crate::report::{Cell, Column, Table};
+use crate::orbit::{Active, Optimum, OptimumLimits, OptimumPart, OptimumProgress, SearchRecord, optimum_recorded};
+use crate::report::{Cell, Table};
 use crate::scene::{BoxChoice, Over, Scene, Want};
 
 /// The device of a box whose stable and admissible 1-1 motion gives the largest voltage, proved
@@ -24,6 +25,9 @@ pub struct Arguments {
     /// Search the I-th of N parts of the motions only, as CSV that says which part it is; `merge` joins them
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
+    /// Keep what is found in FILE.part beside --out FILE, and go on from what is there
+    #[arg(long)]
+    resume: bool,
     #[command(flatten)]
     complete: Complete,
 }
@@ -33,6 +37,13 @@ const GAP: f64 = 1e-4;
 
 /// The usual limit in boxes: seconds.
 const BOXES: u64 = 500_000;
+
+/// The usual limits.
+const USUAL: OptimumLimits = OptimumLimits {
+    gap: GAP,
+    most_boxes: BOXES,
+    part: OptimumPart::WHOLE,
+};
 
 /// The largest `--effort`: a box takes some hundred bytes.
 const MOST_EFFORT: u64 = 1000;
@@ -58,22 +69,38 @@ fn gap(text: &str) -> Result<f64, String> {
 }
 
 /// Runs the command.
-pub fn run(arguments: &Arguments, _options: &Options) -> Result<Answer, Failure> {
+pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let scene = arguments.scene.load_for(&[Want::Optimum])?;
+    let shard = arguments.shard;
     let limits = OptimumLimits {
         gap: arguments.gap,
         most_boxes: BOXES * arguments.effort,
-        part: arguments.shard.map_or(OptimumPart::WHOLE, Shard::part),
+        part: shard.map_or(OptimumPart::WHOLE, Shard::part),
     };
-    let table = table_within(&scene, limits)?;
-    let Some(shard) = arguments.shard else {
-        return Ok(arguments.complete.answer(table));
+    let label = |shard| {
+        let label = Label::new(shard, COMMAND, &scene, &[Want::Optimum])?;
+        let run = format!("{} gap {} effort {}", label.run, arguments.gap, arguments.effort);
+        Ok::<_, Failure>(Label { run, ..label })
     };
-    let mut label = Label::new(shard, COMMAND, &scene, &[Want::Optimum])?;
-    label.run = format!("{} gap {} effort {}", label.run, arguments.gap, arguments.effort);
-    let rows = table.rows().to_vec().into_iter().map(Ok);
-    let rows = Rows::new(COLUMNS.map(Column::from).to_vec(), rows).part(Some(label));
-    Ok(arguments.complete.answer(rows))
+    let part = shard.map(label).transpose()?;
+    let unfinished = arguments.resume.then(|| {
+        let label = label(shard.unwrap_or(Shard::WHOLE))?;
+        Unfinished::open(options, shard, label, &RECORD)
+    });
+    let asked = scene.choice()?;
+    let Some(unfinished) = unfinished.transpose()? else {
+        let Ok(found) = search(&asked, limits, &mut ());
+        let table = table_of(&asked, &found, limits)?;
+        return Ok(arguments.complete.answer(Rows::from(table).part(part)));
+    };
+    let mut record = unfinished.record()?;
+    let found = search(&asked, limits, &mut record)?;
+    record.end()?;
+    let rows = Rows::from(table_of(&asked, &found, limits)?).part(part);
+    Ok(Answer {
+        content: Content::Recorded(unfinished, arguments.complete.required(rows)),
+        exit: Exit::AsExpected,
+    })
 }
 
 /// The name of the command, which its parts say.
@@ -167,27 +194,32 @@ pub(super) fn joined(parts: &[Vec<Vec<String>>]) -> Option<Table> {
 /// # Errors
 /// As [`Scene::choice`].
 pub fn table(scene: &Scene) -> Result<Table, Failure> {
-    let limits = OptimumLimits {
-        gap: GAP,
-        most_boxes: BOXES,
-        part: OptimumPart::WHOLE,
-    };
-    table_within(scene, limits)
+    let asked = scene.choice()?;
+    table_of(&asked, &usual(&asked), USUAL)
 }
 
-fn table_within(scene: &Scene, limits: OptimumLimits) -> Result<Table, Failure> {
-    let asked = scene.choice()?;
+/// The best device, to the usual gap.
+pub(super) fn usual(asked: &BoxChoice) -> Optimum {
+    let Ok(found) = search(asked, USUAL, &mut ());
+    found
+}
+
+/// The search, which shows how far it is.
+fn search<R: SearchRecord>(asked: &BoxChoice, limits: OptimumLimits, record: &mut R) -> Result<Optimum, R::Error> {
     let mut status = Status::new();
-    let found = optimum(&asked.choice, limits, |progress| status.show(|| line(progress)));
-    drop(status);
-    say(&asked, &found, limits);
+    let show = |progress: &OptimumProgress| status.show(|| line(progress));
+    optimum_recorded(&asked.choice, limits, record, show)
+}
+
+fn table_of(asked: &BoxChoice, found: &Optimum, limits: OptimumLimits) -> Result<Table, Failure> {
+    say(asked, found, limits);
     let mut table = Table::new(COLUMNS);
     if found.is_complete && found.device.is_none() {
         return Ok(table);
     }
-    table.push(objective(&asked, &found))?;
+    table.push(objective(asked, found))?;
     for index in 0..asked.parameters.len() {
-        table.push(parameter(&asked, &found, index))?;
+        table.push(parameter(asked, found, index))?;
     }
     Ok(table)
 }

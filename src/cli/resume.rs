@@ -3,7 +3,8 @@
 use super::rows::Rows;
 use super::shard::{Label, Shard};
 use super::{Failure, Options};
-use crate::report::{Cell, Column, Format, Output, OutputError, OutputProblem, Stream, Table};
+use crate::orbit::{SearchBatch, SearchOutcomes, SearchRecord};
+use crate::report::{Cell, Column, Format, Output, OutputError, OutputProblem, Stream, Table, fingerprint};
 use crate::stop::Token;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, BufWriter, Seek, SeekFrom, Write};
@@ -158,15 +159,7 @@ impl Unfinished {
     /// they are as is required.
     pub fn write(self, rows: Rows, output: &Output) -> Result<(usize, bool), Failure> {
         let failed = system(&self.path, "writing");
-        let mut file = &self.file;
-        file.rewind().map_err(&failed)?;
-        if self.kept.rows == 0 {
-            file.write_all((self.head().join("\n") + "\n").as_bytes())
-                .map_err(&failed)?;
-        }
-        file.set_len(self.kept.bytes).map_err(&failed)?;
-        file.seek(SeekFrom::End(0)).map_err(&failed)?;
-        let mut writer = BufWriter::new(file);
+        let mut writer = self.behind()?;
         let token = Token::current();
         let mut count = self.kept.rows as usize;
         let mut stream = Stream::continued(self.columns.clone(), &mut writer);
@@ -199,6 +192,59 @@ impl Unfinished {
         Ok((count, is_met))
     }
 
+    /// Writes behind the rows that are there.
+    fn behind(&self) -> Result<BufWriter<&File>, Failure> {
+        let failed = system(&self.path, "writing");
+        let mut file = &self.file;
+        file.rewind().map_err(&failed)?;
+        if self.kept.rows == 0 {
+            file.write_all((self.head().join("\n") + "\n").as_bytes())
+                .map_err(&failed)?;
+        }
+        file.set_len(self.kept.bytes).map_err(&failed)?;
+        file.seek(SeekFrom::End(0)).map_err(&failed)?;
+        Ok(BufWriter::new(file))
+    }
+
+    /// The rows as the record of a search.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn record(&self) -> Result<Record<'_>, Failure> {
+        let failed = system(&self.path, "reading what there is of the run");
+        (&self.file).rewind().map_err(&failed)?;
+        let mut reader = BufReader::new(&self.file);
+        if self.kept.rows > 0 {
+            let mut head = String::new();
+            for _ in self.head() {
+                reader.read_line(&mut head).map_err(&failed)?;
+            }
+        }
+        Ok(Record {
+            of: self,
+            reader,
+            line: 0,
+            sum: String::new(),
+            writer: None,
+            written: Instant::now(),
+        })
+    }
+
+    /// Writes what a search that is over has found, which its record is not needed for any more; as [`Unfinished::write`].
+    pub fn end(self, found: Rows, output: &Output, figures: usize) -> Result<(usize, bool), Failure> {
+        if Token::current().is_stopped() {
+            let path = self.path.display();
+            super::say(
+                "note",
+                &format!("what the search has found is in {path}: the same command goes on from there"),
+            );
+            return Ok((0, true));
+        }
+        let told = found.write(output, Format::Csv, figures)?;
+        fs::remove_file(&self.path).map_err(system(&self.path, "removing"))?;
+        Ok(told)
+    }
+
     /// Copies the rows to where they belong.
     fn finish(&self, to: &mut dyn Write, rows: usize, following: Option<&Table>) -> io::Result<()> {
         (&self.file).rewind()?;
@@ -215,6 +261,81 @@ impl Unfinished {
         }
         match self.is_part {
             true => writeln!(to, "{}", self.label.tail(rows)),
+            false => Ok(()),
+        }
+    }
+}
+
+/// The record of a search: a row for each batch of boxes, which has what became of them and a sum over that, the boxes, and
+/// all rows before. A row that was changed, or is of other boxes, is not believed.
+pub struct Record<'a> {
+    of: &'a Unfinished,
+    reader: BufReader<&'a File>,
+    /// The rows that are read or written.
+    line: u64,
+    /// The sum of the last of them.
+    sum: String,
+    /// Where more are written, once all were read.
+    writer: Option<BufWriter<&'a File>>,
+    written: Instant,
+}
+
+/// The column of a record.
+pub const RECORD: [&str; 1] = ["outcomes"];
+
+impl Record<'_> {
+    /// Writes what is not written yet.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn end(mut self) -> Result<(), Failure> {
+        self.flush()
+    }
+
+    fn flush(&mut self) -> Result<(), Failure> {
+        self.written = Instant::now();
+        let flushed = self.writer.as_mut().map_or(Ok(()), Write::flush);
+        flushed.map_err(system(&self.of.path, "writing"))
+    }
+
+    fn sum(&self, batch: &SearchBatch<'_>, outcomes: &str) -> String {
+        fingerprint(&self.sum, &batch.to_string(), outcomes)
+    }
+}
+
+impl SearchRecord for Record<'_> {
+    type Error = Failure;
+
+    fn known(&mut self, batch: &SearchBatch<'_>) -> Result<Option<SearchOutcomes>, Failure> {
+        if self.line == self.of.kept.rows || self.writer.is_some() {
+            return Ok(None);
+        }
+        let mut line = String::new();
+        let failed = system(&self.of.path, "reading what there is of the run");
+        self.reader.read_line(&mut line).map_err(failed)?;
+        self.line += 1;
+        let read = line.trim_end().rsplit_once(' ').and_then(|(outcomes, sum)| {
+            self.sum = self.sum(batch, outcomes);
+            batch.read(outcomes).filter(|_| sum == self.sum)
+        });
+        let (path, line) = (self.of.path.display(), self.line + 2);
+        let wrong = || {
+            let problem = "it is not what this search has written there: remove the file";
+            Failure::Usage(format!("{path}:{line}: {problem}"))
+        };
+        read.map(Some).ok_or_else(wrong)
+    }
+
+    fn keep(&mut self, batch: &SearchBatch<'_>, outcomes: &SearchOutcomes) -> Result<(), Failure> {
+        let outcomes = outcomes.to_string();
+        self.sum = self.sum(batch, &outcomes);
+        let writer = match &mut self.writer {
+            Some(writer) => writer,
+            none => none.insert(self.of.behind()?),
+        };
+        writeln!(writer, "{outcomes} {}", self.sum).map_err(system(&self.of.path, "writing"))?;
+        match self.written.elapsed() > PAUSE {
+            true => self.flush(),
             false => Ok(()),
         }
     }

@@ -358,6 +358,118 @@ fn a_kill_leaves_the_rows_and_nothing_else() {
     assert!(!here.0.join("rows.csv.part").exists());
 }
 
+/// A search of some seconds.
+const SEARCH: [&str; 6] = [
+    "optimise",
+    "fig03",
+    "--gap",
+    "1e-3",
+    "--set",
+    r#"box={d = [0.1, 0.5], r_b = [0.3, 0.7], r_t = [0.3, 0.7], incline = [0, "pi/2"]}"#,
+];
+
+#[cfg(unix)]
+#[test]
+fn a_search_that_was_stopped_goes_on_to_the_same_bytes_from_what_it_had_written() {
+    let here = Parts::new("resume-search");
+    let whole = here.printed(&[&SEARCH[..], &["--format", "csv"]].concat());
+    let to = ["--format", "csv", "--resume", "--out", "best.csv"];
+    let command = [&SEARCH[..], &to].concat();
+    let [file, part] = ["best.csv", "best.csv.part"].map(|name| here.0.join(name));
+    let lines = || fs::read_to_string(&part).map_or(0, |text| text.lines().count());
+    let mut stopped = 0;
+    for signal in ["INT", "KILL", "KILL"] {
+        let mut program = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
+        let program = program.current_dir(&here.0).args(&command);
+        let mut running = program.stderr(std::process::Stdio::null()).spawn().unwrap();
+        let before = lines();
+        let start = std::time::Instant::now();
+        while lines() <= before && running.try_wait().unwrap().is_none() && start.elapsed().as_secs() < 60 {
+            std::thread::sleep(std::time::Duration::from_millis(10));
+        }
+        let id = running.id().to_string();
+        Command::new("kill")
+            .args([&format!("-{signal}"), &id])
+            .status()
+            .unwrap();
+        if !running.wait().unwrap().success() {
+            stopped += 1;
+            let names: Vec<_> = fs::read_dir(&here.0)
+                .unwrap()
+                .map(|entry| entry.unwrap().file_name())
+                .collect();
+            assert_eq!(names, ["best.csv.part"], "{signal}");
+            assert!(lines() > before, "{signal}");
+        }
+    }
+    assert!(stopped > 0, "the searches were over before they could be stopped");
+    // what is there is not searched again, and is refused where it was changed or is of another search
+    let text = fs::read_to_string(&part).unwrap();
+    let end = text.rfind('\n').unwrap() + 1;
+    let rows: Vec<&str> = text[..end].lines().collect();
+    let with = |change: &dyn Fn(&mut Vec<String>)| {
+        let mut rows: Vec<String> = rows.iter().map(|row| (*row).to_owned()).collect();
+        change(&mut rows);
+        rows.join("\n") + "\n"
+    };
+    let middle = rows.len() / 2;
+    let digit = rows[middle].find(",0.").unwrap() + 3;
+    for (changed, word) in [
+        (
+            with(&|rows| rows[middle].replace_range(digit..=digit, "")),
+            "is not what this search",
+        ),
+        (
+            with(&|rows| {
+                // a box that is left is said to be dropped
+                let left = rows[middle].find(|c: char| c.is_ascii_digit()).unwrap();
+                let ends = rows[middle][left..].find([';', ' ']).unwrap() + left;
+                rows[middle].replace_range(left..ends, "");
+            }),
+            "is not what this search",
+        ),
+        (with(&|rows| rows.swap(middle, middle + 1)), "is not what this search"),
+        (with(&|rows| drop(rows.remove(middle))), "is not what this search"),
+        (with(&|rows| rows[2] = String::new()), "is not what this search"),
+        (
+            with(&|rows| rows[0] = rows[0].replace("gap 0.001", "gap 0.01")),
+            "of another run",
+        ),
+    ] {
+        fs::write(&part, &changed).unwrap();
+        let output = here.run(&command);
+        let error = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{error}");
+        assert!(error.contains(word) && !file.exists(), "{error}");
+        assert_eq!(fs::read_to_string(&part).unwrap(), changed);
+    }
+    // cut anywhere it goes on
+    for cut in [5, end / 2] {
+        fs::write(&part, &text[..cut]).unwrap();
+        here.printed(&command);
+        assert!(fs::read(&file).unwrap() == whole, "cut at {cut} of {end}");
+        assert!(!part.exists());
+        fs::remove_file(&file).unwrap();
+    }
+}
+
+#[test]
+fn a_part_of_a_search_goes_on_too() {
+    let here = Parts::new("resume-search-part");
+    let command = [
+        "optimise", "fig03", "--gap", "1e-3", "--format", "csv", "--shard", "2/3",
+    ];
+    let command = [
+        &command[..],
+        &["--set", "box={d = [0.3, 0.5], r_b = [0.5, 0.7], r_t = [0.3, 0.7]}"],
+    ]
+    .concat();
+    let whole = here.printed(&command);
+    here.printed(&[&command[..], &["--resume", "--out", "2.csv"]].concat());
+    assert!(fs::read(here.0.join("2.csv")).unwrap() == whole);
+    assert_eq!(fs::read_dir(&here.0).unwrap().count(), 1);
+}
+
 #[test]
 fn what_cannot_go_on_is_refused_and_the_rows_stay() {
     let here = Parts::new("resume-refused");

@@ -246,6 +246,39 @@ fn curves_over_two_parameters_are_drawn_over_their_map_and_alone() {
 }
 
 #[test]
+fn the_best_device_of_a_box_is_drawn_among_the_others() {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/optimum.toml");
+    let frame = "where the best device is";
+    let several = texts("three parameters", &plotted(&[scene]));
+    assert_says(
+        "three parameters",
+        &several,
+        &[
+            "The best device of a box",
+            ": 0.24",
+            "d: 0.6000",
+            "no stable motion",
+            "best device, 143907 V",
+        ],
+    );
+    // the best one is known to less than a ring
+    assert!(!several.iter().any(|text| text == frame), "{several:?}");
+    let fig03 = |name: &str, set: &str| {
+        let sets = ["fig03", "--set", "want=['optimum']", "--set", set];
+        texts(name, &plotted(&sets))
+    };
+    let one = fig03("one parameter", "box={d = [0.1, 0.6]}");
+    assert_says(
+        "one parameter",
+        &one,
+        &["voltage per forcing period  [kV]", "best device, 138335 V"],
+    );
+    let none = fig03("nothing", "box={d = [0.21, 0.23], r_b = [0.6, 0.6001]}");
+    assert_says("nothing", &none, &["no stable motion"]);
+    assert!(!none.iter().any(|text| text.starts_with("best device")), "{none:?}");
+}
+
+#[test]
 fn what_cannot_be_drawn_or_written_is_refused_by_name() {
     let scratch = Scratch::new("refused");
     let file = scratch.path("file");

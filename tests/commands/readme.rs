@@ -8,13 +8,14 @@ use std::process::Command;
 use super::check;
 
 const README: &str = include_str!("../../README.md");
-const GUIDE: [(&str, &str); 11] = [
+const GUIDE: [(&str, &str); 12] = [
     ("first", include_str!("../../doc/first.md")),
     ("sheets", include_str!("../../doc/sheets.md")),
     ("numbers", include_str!("../../doc/numbers.md")),
     ("golden", include_str!("../../doc/golden.md")),
     ("orbits", include_str!("../../doc/orbits.md")),
     ("simulation", include_str!("../../doc/simulation.md")),
+    ("restitution", include_str!("../../doc/restitution.md")),
     ("scenes", include_str!("../../doc/scenes.md")),
     ("accuracy", include_str!("../../doc/accuracy.md")),
     ("solvers", include_str!("../../doc/solvers.md")),

@@ -201,3 +201,12 @@ fn what_is_no_grid_of_starts_is_refused() {
     let text = "motion = { g = 0.1, d = 0.3, r_b = 0.5, r_t = 0.5 }\n";
     assert_refused(&["basins", "-"], text, &["`basins` requires basins.phase.from"]);
 }
+
+#[test]
+fn the_attractors_of_some_devices_are_as_they_are_written_down() {
+    let output = run_with(&["check", "golden/basins", "--format", "csv"], "", None);
+    let text = String::from_utf8_lossy(&output.stdout);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{text}\n{message}");
+    assert!(text.lines().count() > 18, "{text}");
+}

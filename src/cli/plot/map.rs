@@ -99,5 +99,6 @@ fn values(means: &[Option<Means>], name: &str, unit: &str, of: fn(&Means) -> Opt
             .iter()
             .map(|means| means.as_ref().and_then(of).unwrap_or(f64::NAN))
             .collect(),
+        ends: None,
     }
 }

@@ -4,6 +4,7 @@ mod claims;
 mod curves;
 mod map;
 mod motion;
+mod optimum;
 mod paper;
 mod swept;
 
@@ -19,7 +20,8 @@ use std::path::Path;
 ///
 /// `branch` and `sweep` give a bifurcation diagram, `voltage` an energy diagram beside it (without it the phase of the
 /// impacts), `trajectory` a phase portrait and the displacements, `map` a map in colours of each thing that it wants,
-/// `basins` the starts in the colours of their attractors, `branch` over two parameters its curves, over a map of the
+/// `basins` the starts in the colours of their attractors, `optimum` the best device of the box and what the devices
+/// around it are worth, two parameters at a time, `branch` over two parameters its curves, over a map of the
 /// same two where the scene wants that too. What the paper prints is marked on its own figures: a ring is
 /// reproduced, a cross is wrong.
 #[derive(Debug, clap::Args)]
@@ -145,6 +147,9 @@ fn one(scene: &Scene, swept: Option<&swept::Swept>, claims: &Claims) -> Result<F
     panels.extend(curves.filter(|_| !is_drawn).map(|curves| curves.panel()));
     if scene.want()?.contains(&Want::Basins) {
         panels.extend(map::basins(scene)?);
+    }
+    if scene.want()?.contains(&Want::Optimum) {
+        panels.extend(optimum::panels(scene)?);
     }
     if panels.is_empty() {
         return Err(Failure::NothingDrawn(scene.name().to_owned()));

@@ -4,6 +4,7 @@ pub mod cell;
 pub mod design;
 pub mod explicit;
 pub mod incumbent;
+pub mod record;
 pub mod search;
 pub mod sensitivity;
 pub mod supremum;

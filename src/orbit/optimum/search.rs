@@ -10,11 +10,11 @@ use crate::orbit::interval_box::width;
 use crate::orbit::optimum::cell::{Cell, Constraint, Examined, Form, Formulas, Outcome, UNKNOWNS};
 use crate::orbit::optimum::design::Choice;
 use crate::orbit::optimum::incumbent::{Candidate, LocalSearch, ProvedDevice};
+use crate::orbit::optimum::record::{Left, SearchBatch, SearchOutcomes, SearchRecord, Start};
 use crate::orbit::optimum::sensitivity::sensitivities;
 use crate::orbit::optimum::supremum::{Active, active, is_attained};
 use crate::orbit::parallel::each;
-use crate::stop;
-use std::cmp::Ordering;
+use crate::stop::{self, Token};
 use std::collections::BinaryHeap;
 
 /// How far a search for the optimum goes.
@@ -72,9 +72,6 @@ impl OptimumPart {
             .collect()
     }
 }
-
-/// A box to examine: where, over how many periods, and the bound of what it is part of.
-type Start = (Cell, u32, f64);
 
 /// The boxes that each part of a search begins with, at least.
 const BOXES_OF_A_PART: usize = 64;
@@ -135,49 +132,11 @@ impl Optimum {
     }
 }
 
-/// A box that is left.
-#[derive(Clone, Debug)]
-struct Left {
-    most: f64,
-    periods: u32,
-    cell: Cell,
-    direction: usize,
-}
-
-impl Left {
-    /// Both halves, with the bound of the whole.
-    fn halves(&self) -> [Start; 2] {
-        let (low, high) = self.cell[self.direction].halves();
-        [low, high].map(|half| {
-            let mut cell = self.cell;
-            cell[self.direction] = half;
-            (cell, self.periods, self.most)
-        })
-    }
-}
-
-impl PartialEq for Left {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Left {}
-
-impl PartialOrd for Left {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Left {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.most.total_cmp(&other.most)
-    }
-}
-
 /// Boxes that are halved before any of their halves is: so many can be examined at once.
 const BATCH: usize = 32;
+
+/// So many boxes are examined before it is looked whether the search is to stop.
+const LARGEST_BATCH: usize = 1024;
 
 /// Sides shorter than this part of their unit are not halved.
 const FINEST: f64 = 1e-12;
@@ -191,7 +150,21 @@ const LOOKED_AT: u64 = 4;
 /// The best device of a choice, with the proof that none is better by more than the gap.
 ///
 /// The same answer however many threads examine boxes. `progress` is called from time to time.
-pub fn optimum(choice: &Choice, limits: OptimumLimits, mut progress: impl FnMut(&OptimumProgress)) -> Optimum {
+pub fn optimum(choice: &Choice, limits: OptimumLimits, progress: impl FnMut(&OptimumProgress)) -> Optimum {
+    let Ok(found) = optimum_recorded(choice, limits, &mut (), progress);
+    found
+}
+
+/// The same as [`optimum`], with the outcomes that stand in a record already and those that are put down in it.
+///
+/// # Errors
+/// What the record says.
+pub fn optimum_recorded<R: SearchRecord>(
+    choice: &Choice,
+    limits: OptimumLimits,
+    record: &mut R,
+    mut progress: impl FnMut(&OptimumProgress),
+) -> Result<Optimum, R::Error> {
     let formulas: Vec<Formulas> = (1..=choice.max_periods).map(|n| Formulas::new(choice, n)).collect();
     let mut local = LocalSearch::new(choice);
     let mut search = Search {
@@ -201,16 +174,17 @@ pub fn optimum(choice: &Choice, limits: OptimumLimits, mut progress: impl FnMut(
         left: BinaryHeap::new(),
         fine: Vec::new(),
         boxes: 0,
+        record,
     };
     if nothing_attracts(choice) {
-        return search.optimum(limits.gap);
+        return Ok(search.optimum(limits.gap));
     }
     if let Some(candidate) = local.best() {
         search.take(&candidate);
     }
     let everything = formulas.iter().zip(1..);
     let everything = everything.map(|(formulas, periods)| (formulas.everything(), periods, f64::INFINITY));
-    search.examine(limits.part.own(everything.collect()));
+    search.examine(&limits.part.own(everything.collect()))?;
     let mut rounds = 0;
     while !search.is_within(limits.gap) && search.boxes < limits.most_boxes && stop::goes_on() {
         if search.left.is_empty() {
@@ -220,14 +194,14 @@ pub fn optimum(choice: &Choice, limits: OptimumLimits, mut progress: impl FnMut(
             search.look(&mut local);
         }
         rounds += 1;
-        search.halve();
+        search.halve()?;
         progress(&search.progress());
     }
     let is_complete = search.is_within(limits.gap);
     if is_complete {
-        search.narrow_place(limits.most_boxes, &mut local);
+        search.narrow_place(limits.most_boxes, &mut local)?;
     }
-    search.optimum(limits.gap)
+    Ok(search.optimum(limits.gap))
 }
 
 /// Where both restitutions are 1, Det is 1 and nothing attracts.
@@ -236,7 +210,7 @@ fn nothing_attracts(choice: &Choice) -> bool {
     [r_b, r_t].iter().all(|range| range.low.low() >= 1.0)
 }
 
-struct Search<'a> {
+struct Search<'a, R> {
     choice: &'a Choice,
     formulas: &'a [Formulas<'a>],
     best: Option<ProvedDevice>,
@@ -244,9 +218,10 @@ struct Search<'a> {
     /// Boxes that are not halved again.
     fine: Vec<Left>,
     boxes: u64,
+    record: &'a mut R,
 }
 
-impl Search<'_> {
+impl<R: SearchRecord> Search<'_, R> {
     /// Volts per forcing period of the best device.
     fn best(&self) -> Option<f64> {
         self.best.as_ref().map(|device| device.rate.low())
@@ -313,25 +288,51 @@ impl Search<'_> {
     }
 
     /// Halves the boxes of the largest bounds.
-    fn halve(&mut self) {
+    fn halve(&mut self) -> Result<(), R::Error> {
         let mut halves = Vec::new();
         while halves.len() < 2 * BATCH {
             let Some(left) = self.left.pop() else { break };
             halves.extend(left.halves());
         }
-        self.examine(halves);
+        self.examine(&halves)
     }
 
-    /// Examines boxes, and keeps what is left of them.
-    fn examine(&mut self, cells: Vec<Start>) {
-        self.boxes += cells.len() as u64;
-        let best = self.best();
-        let outcomes = each(&cells, |(cell, periods, most)| {
+    /// Examines boxes, and keeps what is left of them: all of those that a stop leaves out.
+    fn examine(&mut self, boxes: &[Start]) -> Result<(), R::Error> {
+        let (best, token) = (self.best(), Token::current());
+        for boxes in boxes.chunks(LARGEST_BATCH) {
+            if token.is_stopped() {
+                let whole = |(cell, periods, most): &Start| left(Outcome::Unbounded(*cell), *periods, *most);
+                self.put(boxes.iter().filter_map(whole));
+                continue;
+            }
+            let batch = SearchBatch { boxes, best };
+            let outcomes = match self.record.known(&batch)? {
+                Some(outcomes) => outcomes,
+                None => {
+                    let outcomes = self.outcomes(&batch);
+                    self.record.keep(&batch, &outcomes)?;
+                    outcomes
+                }
+            };
+            self.boxes += boxes.len() as u64;
+            self.put(outcomes.0.into_iter().flatten());
+        }
+        Ok(())
+    }
+
+    /// What becomes of boxes.
+    fn outcomes(&self, batch: &SearchBatch<'_>) -> SearchOutcomes {
+        let (formulas, best) = (self.formulas, batch.best);
+        SearchOutcomes(each(batch.boxes, |(cell, periods, most)| {
             let at_least = best.map_or(f64::NEG_INFINITY, |best| (best * f64::from(*periods)).next_down());
-            let outcome = self.formulas[*periods as usize - 1].examine(*cell, at_least);
+            let outcome = formulas[*periods as usize - 1].examine(*cell, at_least);
             left(outcome, *periods, *most)
-        });
-        for left in outcomes.into_iter().flatten() {
+        }))
+    }
+
+    fn put(&mut self, found: impl Iterator<Item = Left>) {
+        for left in found {
             let side = &left.cell[left.direction];
             let scale = side.magnitude().max(1.0);
             if width(side) > FINEST * scale {
@@ -344,13 +345,15 @@ impl Search<'_> {
 
     /// Halves every box that is left, again and again, for as many boxes as the gap took: where the optimum may be is
     /// narrower then.
-    fn narrow_place(&mut self, most_boxes: u64, local: &mut LocalSearch) {
+    fn narrow_place(&mut self, most_boxes: u64, local: &mut LocalSearch) -> Result<(), R::Error> {
         let end = (self.boxes + self.boxes.max(PLACE_BOXES)).min(most_boxes);
         while self.boxes < end && !self.left.is_empty() && stop::goes_on() {
             self.look(local);
             let left = std::mem::take(&mut self.left);
-            self.examine(left.into_iter().flat_map(|left| left.halves()).collect());
+            let halves: Vec<Start> = left.into_iter().flat_map(|left| left.halves()).collect();
+            self.examine(&halves)?;
         }
+        Ok(())
     }
 
     fn optimum(mut self, gap: f64) -> Optimum {

@@ -23,6 +23,8 @@ pub enum Layer {
         name: String,
         unit: String,
         values: Vec<f64>,
+        /// The least and the largest value of the colours; of the values themselves where nothing is said.
+        ends: Option<(f64, f64)>,
     },
     /// A word; empty where there is none.
     Words { name: String, words: Vec<String> },
@@ -41,7 +43,8 @@ impl HeatMap {
         self.layers.iter().map(|layer| self.panel(layer)).collect()
     }
 
-    fn panel(&self, layer: &Layer) -> Panel {
+    /// The panel of a layer.
+    pub(super) fn panel(&self, layer: &Layer) -> Panel {
         let axis = |parameter: &Parameter, count| {
             let ends = [0, count].map(|at| edge(parameter, count, at));
             Axis::over(parameter.label.clone(), (ends[0].min(ends[1]), ends[0].max(ends[1])))
@@ -49,8 +52,16 @@ impl HeatMap {
         let [columns, rows] = self.points;
         let mut panel = Panel::new(axis(&self.x, columns), axis(&self.y, rows));
         let (name, classes) = match layer {
-            Layer::Values { name, unit, values } => {
-                let scale = Scale::of(values);
+            Layer::Values {
+                name,
+                unit,
+                values,
+                ends,
+            } => {
+                let scale = match ends {
+                    Some((low, high)) => Scale::of(&[*low, *high]),
+                    None => Scale::of(values),
+                };
                 let colours = scale.edges.iter().skip(1).zip(0..).map(|(_, step)| Colour::Level(step));
                 panel.series.push(Series {
                     name: scale.told(name, unit),
@@ -74,7 +85,7 @@ impl HeatMap {
     }
 
     /// The cells of a class: neighbours along x as one.
-    fn cells(&self, is_in: &[bool]) -> Vec<[Point; 2]> {
+    pub(super) fn cells(&self, is_in: &[bool]) -> Vec<[Point; 2]> {
         let [columns, _] = self.points;
         let mut cells = Vec::new();
         for (row, own) in is_in.chunks(columns.max(1)).enumerate() {
@@ -241,6 +252,7 @@ mod tests {
             name: "rate".to_owned(),
             unit: "V".to_owned(),
             values: values.clone(),
+            ends: None,
         };
         let classes = Scale::of(&values).classes(&values);
         for (point, value) in values.iter().enumerate() {
