@@ -1,5 +1,5 @@
-//! The rules of the house, held by tests: who may use whom, where no circle of imports may be, and that no golden file lies
-//! about unused. Each rule is a function that is itself shown sources that break it. That nothing panics by its own word is
+//! The rules of the house, held by tests: who may use whom, that no files import each other in circles, and that no golden
+//! file lies about unused. Each rule is a function that is itself shown sources that break it. That nothing panics by its own word is
 //! clippy's to say: `src/lib.rs` denies it.
 
 mod golden;
