@@ -134,7 +134,15 @@ pub(super) fn joined(parts: &[Vec<Vec<String>>]) -> Option<Table> {
         let (boxes, best) = (0, low);
         OptimumProgress { boxes, best, most }.gap()
     });
-    let attained = match (all(4, "true"), all(4, "false")) {
+    // what one part says holds of all, where those that say something else have no motion that is worth as much
+    let says = |word: &str| {
+        let is_said = |part: &&&Vec<Vec<String>>| part[0].get(4).is_some_and(|cell| cell == word);
+        parts.iter().filter(is_said).any(|one| {
+            let mut others = parts.iter().filter(|part| !is_said(part));
+            others.all(|part| matches!((number(part, 0, 2), number(one, 0, 1)), (Some(most), Some(low)) if most < low))
+        })
+    };
+    let attained = match (says("true"), says("false")) {
         (true, _) => Cell::from(true),
         (_, true) => Cell::from(false),
         _ => Cell::Empty,
@@ -328,6 +336,32 @@ fn name(asked: &BoxChoice, active: Active) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// What all parts say of `attained`, of which each has its bounds and says this.
+    fn told(parts: &[([f64; 2], &str)]) -> Cell {
+        let part = |([low, high], attained): &([f64; 2], &str)| {
+            let row = format!("voltage_rate,{low},{high},{low},{attained},d,,0,10,true,0");
+            vec![row.split(',').map(str::to_owned).collect()]
+        };
+        let parts: Vec<Vec<Vec<String>>> = parts.iter().map(part).collect();
+        joined(&parts).unwrap().rows()[0][4].clone()
+    }
+
+    #[test]
+    fn the_best_parts_say_whether_the_supremum_is_attained() {
+        let (whole, [low, high]) = ([3.0, 3.1], [[1.0, 2.0], [2.0, 3.0]]);
+        for (word, other) in [("true", "false"), ("false", "true")] {
+            let said = Cell::from(word == "true");
+            assert_eq!(told(&[(whole, word)]), said);
+            assert_eq!(told(&[(whole, word), (whole, word)]), said);
+            for lesser in [other, ""] {
+                assert_eq!(told(&[(low, lesser), (whole, word)]), said);
+                // it may have one that is worth as much
+                assert_eq!(told(&[(whole, word), (high, lesser)]), Cell::Empty);
+            }
+            assert_eq!(told(&[(whole, ""), (low, word)]), Cell::Empty);
+        }
+    }
 
     #[test]
     fn a_gap_is_a_part() {

@@ -37,7 +37,7 @@ impl BestValue {
 /// What the figure of an optimum calls things.
 const NAME: &str = "voltage per forcing period";
 const UNIT: &str = "V";
-const NOTHING: &str = "no stable motion";
+const NOTHING: &str = "no stable motion as asked";
 const PROVED: &str = "where the best device is";
 
 const EDGE: Stroke = Stroke {
