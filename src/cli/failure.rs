@@ -109,7 +109,9 @@ pub enum Failure {
     #[error("`plot all` writes a file for each figure: name a directory by --out DIR")]
     NoFigures,
     /// There is nothing to draw.
-    #[error("nothing of what {0} wants can be drawn; want branch, sweep, voltage or trajectory")]
+    #[error(
+        "nothing of what {0} wants can be drawn; want branch, sweep, voltage, trajectory, map, basins, or the optimum of a box with a range"
+    )]
     NothingDrawn(String),
     /// More than a drawing shows, and memory should hold.
     #[error("{count} {what} are more than a figure shows: {most} at most; lower sweep.points or {other}")]

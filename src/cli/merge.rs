@@ -4,7 +4,7 @@ use super::answer::Copied;
 use super::shard::Label;
 use super::{Answer, Content, Exit, Failure, Options, basins, optimise};
 use crate::orbit::Estimate;
-use crate::report::{Format, note_input};
+use crate::report::{Checksum, Format, note_input};
 use crate::scene::{ReachedAttractor, ReachedAttractors};
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
@@ -25,6 +25,8 @@ struct Part {
     /// The names of the columns.
     columns: String,
     rows: u64,
+    /// The last line.
+    tail: String,
     /// Where the parts are of basins, what its starts come to.
     attractors: ReachedAttractors,
 }
@@ -58,9 +60,12 @@ impl Part {
         let label = label.ok_or_else(|| wrong("it is no part of a run: --shard writes them".to_owned()))?;
         let columns = next()?.unwrap_or_default();
         let (mut rows, mut following, mut last) = (0, None, None::<String>);
+        let mut sum = Checksum::default();
+        sum.add_line(&columns);
         // how often each attractor is named; nothing where one is that cannot be
         let mut named: Option<Vec<u64>> = Some(Vec::new());
         while let Some(line) = next()? {
+            last.iter().for_each(|line| sum.add_line(line));
             match (last.replace(line), &mut following) {
                 (None, _) => {}
                 (Some(line), None) if line.is_empty() => following = Some(String::new()),
@@ -76,8 +81,10 @@ impl Part {
                 }
             }
         }
-        if last != Some(label.tail(rows)) {
-            let problem = "it is cut short: its last line does not say that it is whole, with as many rows as it has";
+        let tail = label.tail(rows, sum);
+        if last.as_ref() != Some(&tail) {
+            let problem =
+                "it is cut short, or was changed: its last line does not say that it is whole, with these rows";
             return Err(wrong(problem.to_owned()));
         }
         let attractors = read_attractors(&following.unwrap_or_default());
@@ -88,6 +95,7 @@ impl Part {
             label,
             columns,
             rows: rows as u64,
+            tail,
             attractors: attractors.ok_or_else(|| wrong("its attractors are not those of its rows".to_owned()))?,
         })
     }
@@ -205,7 +213,7 @@ fn copy(part: &Part, numbers: &[i64], to: &mut dyn Write) -> io::Result<usize> {
         }
         rows += 1;
     }
-    match last == Some(part.label.tail(rows)) {
+    match last.as_ref() == Some(&part.tail) {
         true => Ok(rows),
         false => Err(changed()),
     }

@@ -4,7 +4,9 @@ use super::rows::Rows;
 use super::shard::{Label, Shard};
 use super::{Failure, Options};
 use crate::orbit::{SearchBatch, SearchOutcomes, SearchRecord};
-use crate::report::{Cell, Column, Format, Output, OutputError, OutputProblem, Stream, Table, fingerprint};
+use crate::report::{
+    Cell, Checksum, Column, Format, Output, OutputError, OutputProblem, Stream, Summed, SummedLines, Table, fingerprint,
+};
 use crate::stop::Token;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, BufWriter, Seek, SeekFrom, Write};
@@ -14,7 +16,7 @@ use std::time::{Duration, Instant};
 /// Rows are written at least so often: what a kill may lose.
 const PAUSE: Duration = Duration::from_millis(300);
 
-/// A run whose rows stand in a file of their own until all of them are there.
+/// A run whose rows stand in a file of their own until all of them are there, each with a sum over all up to it.
 #[derive(Debug)]
 pub struct Unfinished {
     /// The file of the rows, which nobody else writes meanwhile.
@@ -35,6 +37,8 @@ pub struct Unfinished {
 struct Place {
     rows: u64,
     bytes: u64,
+    /// Over the rows.
+    sum: Checksum,
 }
 
 fn system(path: &Path, doing: &'static str) -> impl Fn(io::Error) -> Failure {
@@ -91,6 +95,12 @@ impl Unfinished {
         let mut place = Place {
             rows: 0,
             bytes: (head.len() + columns.len() + 2) as u64,
+            sum: Checksum::default(),
+        };
+        let sums = if unfinished.is_record() {
+            0
+        } else {
+            1 + Checksum::LETTERS
         };
         let mut last: Option<(String, Place)> = None;
         unfinished.each(|line| {
@@ -99,10 +109,16 @@ impl Unfinished {
                 last = Some((first.to_owned(), place));
             }
             place.rows += 1;
-            place.bytes += line.len() as u64 + 1;
+            place.bytes += (line.len() + sums) as u64 + 1;
+            place.sum.add_line(line);
         })?;
         (unfinished.kept, unfinished.last) = (place, last);
         Ok(unfinished)
+    }
+
+    /// Whether its rows are those of a search, which have sums of their own.
+    fn is_record(&self) -> bool {
+        self.columns.iter().map(|column| column.name.as_str()).eq(RECORD)
     }
 
     fn head(&self) -> [String; 2] {
@@ -137,10 +153,21 @@ impl Unfinished {
                 }
             }
         }
+        let (mut sum, mut number) = (Checksum::default(), 2);
         while let Some(line) = next()? {
-            look(&line);
+            number += 1;
+            let row = match self.is_record() {
+                true => Some(line.as_str()),
+                false => SummedLines::read(&line, &mut sum),
+            };
+            look(row.ok_or_else(|| self.changed(number))?);
         }
         Ok(())
+    }
+
+    fn changed(&self, line: u64) -> Failure {
+        let problem = "it is not what this run has written there: remove the file, or give another --out";
+        Failure::Usage(format!("{}:{line}: {problem}", self.path.display()))
     }
 
     /// How many rows are there.
@@ -162,7 +189,8 @@ impl Unfinished {
         let mut writer = self.behind()?;
         let token = Token::current();
         let mut count = self.kept.rows as usize;
-        let mut stream = Stream::continued(self.columns.clone(), &mut writer);
+        let mut lines = SummedLines::behind(&mut writer, self.kept.sum);
+        let mut stream = Stream::continued(self.columns.clone(), &mut lines);
         let mut written = Instant::now();
         let (is_met, following) = rows.each(|row: Vec<Cell>| {
             // a row that was stopped on its way is none
@@ -254,13 +282,19 @@ impl Unfinished {
         if self.is_part {
             to.write_all(head.as_bytes())?;
         }
-        io::copy(&mut lines, to)?;
+        let mut to = Summed::new(to);
+        for (number, line) in lines.lines().enumerate() {
+            let line = line?;
+            // the columns have no sum
+            let end = line.len() - if number == 0 { 0 } else { 1 + Checksum::LETTERS };
+            writeln!(to, "{}", line.get(..end).unwrap_or_default())?;
+        }
         if let Some(table) = following {
             writeln!(to)?;
-            table.write(to, Format::Csv, 0)?;
+            table.write(&mut to, Format::Csv, 0)?;
         }
         match self.is_part {
-            true => writeln!(to, "{}", self.label.tail(rows)),
+            true => writeln!(to.to, "{}", self.label.tail(rows, to.sum)),
             false => Ok(()),
         }
     }
@@ -318,12 +352,7 @@ impl SearchRecord for Record<'_> {
             self.sum = self.sum(batch, outcomes);
             batch.read(outcomes).filter(|_| sum == self.sum)
         });
-        let (path, line) = (self.of.path.display(), self.line + 2);
-        let wrong = || {
-            let problem = "it is not what this search has written there: remove the file";
-            Failure::Usage(format!("{path}:{line}: {problem}"))
-        };
-        read.map(Some).ok_or_else(wrong)
+        read.map(Some).ok_or_else(|| self.of.changed(self.line + 2))
     }
 
     fn keep(&mut self, batch: &SearchBatch<'_>, outcomes: &SearchOutcomes) -> Result<(), Failure> {

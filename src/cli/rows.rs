@@ -2,10 +2,10 @@
 
 use super::Failure;
 use super::shard::Label;
-use crate::report::{Cell, Column, Format, Output, Stream, Table};
+use crate::report::{Cell, Column, Format, Output, Stream, Summed, Table};
 use crate::stop::Token;
 use std::fmt;
-use std::io;
+use std::io::{self, Write};
 
 /// Rows of which only a few are held at a time.
 pub struct Rows {
@@ -118,7 +118,8 @@ impl Rows {
             if let Some(label) = &part {
                 writeln!(to, "{}", label.head())?;
             }
-            let mut stream = Stream::new(columns, format, figures, to);
+            let mut to = Summed::new(to);
+            let mut stream = Stream::new(columns, format, figures, &mut to);
             // a row that was stopped on its way is none
             for row in rows.take_while(|_| !token.is_stopped()) {
                 match row {
@@ -141,7 +142,7 @@ impl Rows {
                 match table() {
                     Ok(table) => {
                         writeln!(to)?;
-                        table.write(to, format, figures)?;
+                        table.write(&mut to, format, figures)?;
                     }
                     Err(failed) => {
                         failure = Some(failed);
@@ -151,7 +152,7 @@ impl Rows {
             }
             match &part {
                 // one that was stopped does not say that it is whole
-                Some(label) if !token.is_stopped() => writeln!(to, "{}", label.tail(count)),
+                Some(label) if !token.is_stopped() => writeln!(to.to, "{}", label.tail(count, to.sum)),
                 _ => Ok(()),
             }
         });

@@ -2,7 +2,7 @@
 
 use super::Failure;
 use crate::orbit::OptimumPart;
-use crate::report::fingerprint;
+use crate::report::{Checksum, fingerprint};
 use crate::scene::{Scene, Want};
 use std::fmt;
 use std::ops::Range;
@@ -55,7 +55,7 @@ impl fmt::Display for Shard {
     }
 }
 
-/// What a part says of itself: in its first line what it is part of, in its last how many rows it has.
+/// What a part says of itself: in its first line what it is part of, in its last how many rows it has, and a sum over them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
     pub number: u32,
@@ -91,9 +91,9 @@ impl Label {
         format!("{HEAD}{} of {}: {}", self.number, self.of, self.run)
     }
 
-    /// The last line of the part.
-    pub fn tail(&self, rows: usize) -> String {
-        format!("{TAIL}{} of {}: {rows} rows", self.number, self.of)
+    /// The last line of the part; `sum`: of what stands between it and the first.
+    pub fn tail(&self, rows: usize, sum: Checksum) -> String {
+        format!("{TAIL}{} of {}: {rows} rows, {sum}", self.number, self.of)
     }
 
     /// Reads the first line of a part.
@@ -156,7 +156,10 @@ mod tests {
             run: "map 0.1.0 0123".to_owned(),
         };
         assert_eq!(Label::read(&label.head()), Some(label.clone()));
-        assert_eq!(label.tail(7), "# end of part 3 of 16: 7 rows");
+        assert_eq!(
+            label.tail(7, Checksum::default()),
+            "# end of part 3 of 16: 7 rows, cbf29ce484222325"
+        );
         for line in [
             "",
             "x,y",

@@ -44,7 +44,6 @@ pub struct Growth {
     /// Of bottom and top.
     restitution: [f64; 2],
     lost: bool,
-    lost_since_release: bool,
 }
 
 impl Growth {
@@ -62,7 +61,6 @@ impl Growth {
                 .map_or(0.0, |turn| scaled.g.to_f64().abs() / turn.sin.to_f64()),
             restitution: [Side::Bottom, Side::Top].map(|side| scaled.restitution(side).to_f64()),
             lost: false,
-            lost_since_release: false,
         }
     }
 
@@ -85,15 +83,6 @@ impl Growth {
     /// velocity, absolute of the phase; none where nothing is claimed.
     pub fn digits(&self, velocity: f64) -> u32 {
         if self.lost {
-            return 0;
-        }
-        self.kept(velocity)
-    }
-
-    /// The same of an event after a release, taken from that: a release forgets what was before, so that digits come back
-    /// with it although the turns since the start may be lost. As [`Growth::digits`] where there was none.
-    pub fn digits_since_release(&self, velocity: f64) -> u32 {
-        if self.lost_since_release {
             return 0;
         }
         self.kept(velocity)
@@ -137,7 +126,6 @@ impl Growth {
                 self.axes = [[0.0, 1.0], [1.0, 0.0]];
                 self.sides.swap(0, 1);
                 self.since_release = 0.0;
-                self.lost_since_release = false;
                 self.stretch = f64::NEG_INFINITY;
             }
             Step::Undecided => self.lose(),
@@ -196,7 +184,7 @@ impl Growth {
 
     /// Claims nothing any more.
     pub(super) fn lose(&mut self) {
-        (self.lost, self.lost_since_release) = (true, true);
+        self.lost = true;
     }
 
     /// Whether anything is claimed; once it is not, it never is again.

@@ -1,17 +1,15 @@
 //! Findings that are known, by what they are about and not by where it stands.
 
+use super::checksum::Checksum;
 use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// What a finding is known by: its label, its verdict and the text of its formula, blanks aside. Lines may move.
 pub fn fingerprint(label: &str, verdict: &str, formula: &str) -> String {
     let formula: String = formula.split_whitespace().collect::<Vec<_>>().join(" ");
-    // FNV-1a, which is the same on every machine and in every version
-    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-    for byte in [label, verdict, &formula].join("\u{0}").bytes() {
-        hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-    }
-    format!("{hash:016x}")
+    let mut sum = Checksum::default();
+    sum.add([label, verdict, &formula].join("\u{0}").as_bytes());
+    sum.to_string()
 }
 
 /// The key of a fingerprint in SARIF.

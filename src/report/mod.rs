@@ -17,6 +17,7 @@
 //! ```
 
 mod baseline;
+mod checksum;
 mod csv;
 pub mod figure;
 mod figures;
@@ -36,6 +37,7 @@ mod text;
 
 pub use crate::markup::acts as acts_on_a_terminal;
 pub use baseline::{Baseline, BaselineError, fingerprint};
+pub use checksum::{Checksum, Summed, SummedLines};
 pub use format::{Format, UnknownFormat};
 pub use frame::{Form, Frame, Values};
 pub use junit::write as junit;

@@ -301,7 +301,7 @@ impl<P: Parameters> Following<'_, P> {
     fn settled(&self, settling: Settling, events: Widening) -> (SteadyState, Option<u32>) {
         let mut settled = settling.steady_state();
         let end = settled.end.as_ref();
-        let digits = end.map_or(0, |end| events.growth().digits_since_release(end.velocity));
+        let digits = end.map_or(0, |end| events.growth().digits(end.velocity));
         // on to rounding nobody asks what still holds
         let further = events.without_growth();
         settled.attractor = settled

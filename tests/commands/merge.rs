@@ -2,8 +2,10 @@
 //! same bytes.
 
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use vibro_audit::report::{Checksum, SummedLines};
 
 const MAP: &str = r#"map={impacts = 60, starts = [{phase = 6.18, velocity = 0.53}, {phase = 1, velocity = 2}], x = {over = "d", from = 0.1, to = 0.5, points = 5}, y = {over = "r_b", from = 0.3, to = 0.9, points = 4}}"#;
 
@@ -18,6 +20,25 @@ const SEVERAL: [&str; 6] = [
     "--set",
     "motion={d = 0.22, r_b = 0.8, r_t = 0.8}",
 ];
+
+/// Rows under two lines as a run writes them that may be gone on with: each with a sum behind it.
+fn summed(text: &str) -> String {
+    let rows = text.match_indices('\n').nth(1).map_or(text.len(), |(end, _)| end + 1);
+    let (head, rows) = text.split_at(rows);
+    let mut written = head.as_bytes().to_vec();
+    let mut lines = SummedLines::behind(&mut written, Checksum::default());
+    lines.write_all(rows.as_bytes()).unwrap();
+    String::from_utf8(written).unwrap()
+}
+
+/// A part that was changed, with the sum of what it is now.
+fn with_its_sum(part: &str) -> String {
+    let lines: Vec<&str> = part.lines().collect();
+    let (tail, rest) = lines.split_last().unwrap();
+    let mut sum = Checksum::default();
+    rest[1..].iter().for_each(|line| sum.add_line(line));
+    format!("{}\n{}, {sum}\n", rest.join("\n"), tail.rsplit_once(", ").unwrap().0)
+}
 
 struct Parts(PathBuf);
 
@@ -133,9 +154,13 @@ fn what_is_not_all_of_one_run_is_refused_and_nothing_is_written() {
     let (last, rest) = lines.split_last().unwrap();
     let without_one = [rest.split_last().unwrap().1, &[*last]].concat().join("\n") + "\n";
     for text in [whole.replacen(",1\n", ",9\n", 1), without_one] {
-        fs::write(here.0.join("2.csv"), text).unwrap();
+        fs::write(here.0.join("2.csv"), with_its_sum(&text)).unwrap();
         here.refused(&files, "its attractors are not those of its rows");
+        fs::write(here.0.join("2.csv"), text).unwrap();
+        here.refused(&files, "was changed");
     }
+    fs::write(here.0.join("2.csv"), with_its_sum(&whole)).unwrap();
+    assert!(here.merged(&files).status.success());
 }
 
 /// The numbers of some columns of each row, NaN where there is none.
@@ -269,6 +294,7 @@ fn a_run_that_was_stopped_goes_on_to_the_same_bytes_wherever_it_was_cut() {
             .unwrap()
             .to_owned()
             + "\n";
+        let rows = summed(&rows);
         let ends: Vec<usize> = rows.match_indices('\n').map(|(at, _)| at + 1).collect();
         let cuts = [
             0,
@@ -289,6 +315,26 @@ fn a_run_that_was_stopped_goes_on_to_the_same_bytes_wherever_it_was_cut() {
             assert!(found == whole, "{command:?} cut at {cut} of {}", rows.len());
             assert!(!part.exists());
         }
+        // a row that was changed, is missing, or was never written
+        let middle = ends[ends.len() / 2];
+        let next = ends[ends.len() / 2 + 1];
+        let changed = rows[middle..next].replacen(|c: char| c.is_ascii_digit(), "7", 3);
+        for text in [
+            [&rows[..middle], &changed, &rows[next..]].concat(),
+            [&rows[..middle], &rows[next..]].concat(),
+            format!("{rows}hello,world\n"),
+        ] {
+            let _ = fs::remove_file(&file);
+            fs::write(&part, &text).unwrap();
+            let output = here.run(&[&command[..], &to].concat());
+            let error = String::from_utf8_lossy(&output.stderr);
+            assert!(
+                output.status.code() == Some(2) && error.contains("rows.csv.part:"),
+                "{error}"
+            );
+            assert!(!file.exists() && fs::read_to_string(&part).unwrap() == text);
+        }
+        fs::remove_file(&part).unwrap();
     }
 }
 
@@ -303,7 +349,7 @@ fn parts_go_on_too_and_are_merged() {
             let shard = ["--shard", &shard];
             let written = String::from_utf8(here.printed(&[&command[..], &shard].concat())).unwrap();
             let some: String = written.lines().take(4).map(|line| format!("{line}\n")).collect();
-            fs::write(here.0.join(format!("{file}.part")), some).unwrap();
+            fs::write(here.0.join(format!("{file}.part")), summed(&some)).unwrap();
             here.printed(&[&command[..], &shard, &["--resume", "--out", &file]].concat());
             assert_eq!(fs::read_to_string(here.0.join(&file)).unwrap(), written);
             file
@@ -417,7 +463,7 @@ fn a_search_that_was_stopped_goes_on_to_the_same_bytes_from_what_it_had_written(
     for (changed, word) in [
         (
             with(&|rows| rows[middle].replace_range(digit..=digit, "")),
-            "is not what this search",
+            "is not what this run",
         ),
         (
             with(&|rows| {
@@ -426,11 +472,11 @@ fn a_search_that_was_stopped_goes_on_to_the_same_bytes_from_what_it_had_written(
                 let ends = rows[middle][left..].find([';', ' ']).unwrap() + left;
                 rows[middle].replace_range(left..ends, "");
             }),
-            "is not what this search",
+            "is not what this run",
         ),
-        (with(&|rows| rows.swap(middle, middle + 1)), "is not what this search"),
-        (with(&|rows| drop(rows.remove(middle))), "is not what this search"),
-        (with(&|rows| rows[2] = String::new()), "is not what this search"),
+        (with(&|rows| rows.swap(middle, middle + 1)), "is not what this run"),
+        (with(&|rows| drop(rows.remove(middle))), "is not what this run"),
+        (with(&|rows| rows[2] = String::new()), "is not what this run"),
         (
             with(&|rows| rows[0] = rows[0].replace("gap 0.001", "gap 0.01")),
             "of another run",

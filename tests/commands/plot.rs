@@ -293,7 +293,7 @@ fn what_cannot_be_drawn_or_written_is_refused_by_name() {
     assert_refused(&["fig99"], &["fig99"]);
     assert_refused(
         &["fig02", "--set", "want=['orbits']"],
-        &["fig02", "branch, sweep, voltage or trajectory"],
+        &["fig02", "branch, sweep, voltage, trajectory, map, basins"],
     );
     assert_refused(
         &["fig12", "--out", &scratch.path("none/figure.svg")],

@@ -239,9 +239,12 @@ fn at_200_random_points_a_map_says_what_31_digits_say_wherever_it_claims_a_digit
             claimed += 1;
             let word = map.texts("word")[row];
             let exact = in_many_digits(&motion, &start, 500);
-            // a cycle through a rest is looked for farther than within these impacts
-            if word.contains('*') || exact.as_ref().is_some_and(|(word, _)| word.contains('*')) {
-                continue;
+            // a cycle through a rest is looked for farther than within these impacts; what comes to one comes to no other
+            let rests = |word: &str| word.contains('*');
+            match &exact {
+                None if rests(word) => continue,
+                Some((exact, _)) if rests(exact) && rests(word) => continue,
+                _ => {}
             }
             let periods = map.texts("periods")[row].parse().ok();
             let told = (!word.is_empty()).then(|| (word.to_owned(), periods));
@@ -250,4 +253,17 @@ fn at_200_random_points_a_map_says_what_31_digits_say_wherever_it_claims_a_digit
         }
     }
     assert!(claimed > 60 && cycles > 20, "{claimed} {cycles}");
+}
+
+#[test]
+fn no_digit_is_claimed_of_a_rest_that_a_motion_has_come_to_after_errors_had_made_all_of_it() {
+    // by 40 digits it settles on BT; in f64 it drifts into a rest, which forgets what was before
+    let scene = "motion = { g = -0.6696425720858179, r_t = 0.827 }\nstart = { phase = 4.485, velocity = 1.382 }\n\
+                 [map]\nimpacts = 1000\nwant = [\"word\", \"lyapunov\"]\n\
+                 x = { over = \"d\", from = 0.455, to = 0.456, points = 1 }\n\
+                 y = { over = \"r_b\", from = 0.605, to = 0.606, points = 1 }\n";
+    let output = run_with(&["map", "-", "--format", "csv"], scene, None);
+    let map = Sheet::of(&String::from_utf8(output.stdout).expect("text"));
+    let told = (map.texts("word")[0], map.texts("digits")[0]);
+    assert!(told.0 == "BT" || told.1 == "0", "{told:?}");
 }

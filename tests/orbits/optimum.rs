@@ -341,3 +341,14 @@ fn the_worked_examples_are_as_they_are_printed() {
         assert!(text.lines().count() > rows, "{text}");
     }
 }
+
+#[test]
+fn a_box_of_one_device_has_that_or_none() {
+    for d in ["0.1", "0.15", "0.3"] {
+        let fixed = format!("box={{d = [{d}, {d}], r_b = [0.5, 0.5], r_t = [0.5, 0.5]}}");
+        let found = best(&scene(&[&fixed]), 1e-6);
+        let sets = [format!("motion={{d = {d}, r_b = 0.5, r_t = 0.5}}")];
+        let alone = rate(&scene(&[]), &sets);
+        assert_eq!(found.device.is_some(), alone.is_some(), "{d}: {found:?} {alone:?}");
+    }
+}

@@ -158,6 +158,9 @@ impl<'a> LocalSearch<'a> {
             if lacking.is_empty() {
                 return Some((parameters, at));
             }
+            if free.is_empty() {
+                return None;
+            }
             let mut slopes = DMatrix::zeros(lacking.len(), free.len());
             for (column, &index) in free.iter().enumerate() {
                 let range = &self.choice.ranges[index];
