@@ -180,13 +180,20 @@ impl<T: Analytic> Meeting<'_, T> {
         (leap, 14.0 * size * bent.powi(4))
     }
 
+    /// The contact in f64, where the number is a wider one; out of the way of f64, which has none narrower.
+    #[cold]
+    #[inline(never)]
+    fn in_f64(&self, stretch: &Stretch) -> Option<f64> {
+        let recent = self.recent;
+        self.flight
+            .in_f64(|flight| Meeting { flight, recent }.arrival(stretch, 0.0).angle)
+    }
+
     /// An angle of the stretch to start from: the contact in f64, that of a late flight, or by a cubic through both ends.
     #[inline]
     fn proposal(&self, stretch: &Stretch) -> f64 {
-        let recent = self.recent;
-        let told = self
-            .flight
-            .in_f64(|flight| Meeting { flight, recent }.arrival(stretch, 0.0).angle);
+        let is_wide = self.flight.scaled.narrow.is_some();
+        let told = is_wide.then(|| self.in_f64(stretch)).flatten();
         if let Some(angle) = told.filter(|angle| stretch.low < *angle && *angle < stretch.high) {
             return angle;
         }
