@@ -5,7 +5,7 @@ use super::shard::{Label, Shard};
 use super::{Failure, Options};
 use crate::orbit::{SearchBatch, SearchOutcomes, SearchRecord};
 use crate::report::{
-    Cell, Checksum, Column, Format, Output, OutputError, OutputProblem, Stream, Summed, SummedLines, Table, fingerprint,
+    Cell, Checksum, Column, Format, Output, OutputError, OutputProblem, Stream, Summed, SummedLines, Table,
 };
 use crate::stop::Token;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -252,7 +252,7 @@ impl Unfinished {
             of: self,
             reader,
             line: 0,
-            sum: String::new(),
+            sum: Checksum::default(),
             writer: None,
             written: Instant::now(),
         })
@@ -283,11 +283,14 @@ impl Unfinished {
             to.write_all(head.as_bytes())?;
         }
         let mut to = Summed::new(to);
-        for (number, line) in lines.lines().enumerate() {
+        let (mut lines, mut sum) = (lines.lines(), Checksum::default());
+        if let Some(columns) = lines.next().transpose()? {
+            writeln!(to, "{columns}")?;
+        }
+        for line in lines {
+            let changed = || io::Error::other(format!("{} was changed meanwhile", self.path.display()));
             let line = line?;
-            // the columns have no sum
-            let end = line.len() - if number == 0 { 0 } else { 1 + Checksum::LETTERS };
-            writeln!(to, "{}", line.get(..end).unwrap_or_default())?;
+            writeln!(to, "{}", SummedLines::read(&line, &mut sum).ok_or_else(changed)?)?;
         }
         if let Some(table) = following {
             writeln!(to)?;
@@ -307,8 +310,8 @@ pub struct Record<'a> {
     reader: BufReader<&'a File>,
     /// The rows that are read or written.
     line: u64,
-    /// The sum of the last of them.
-    sum: String,
+    /// Over them and their boxes.
+    sum: Checksum,
     /// Where more are written, once all were read.
     writer: Option<BufWriter<&'a File>>,
     written: Instant,
@@ -331,10 +334,6 @@ impl Record<'_> {
         let flushed = self.writer.as_mut().map_or(Ok(()), Write::flush);
         flushed.map_err(system(&self.of.path, "writing"))
     }
-
-    fn sum(&self, batch: &SearchBatch<'_>, outcomes: &str) -> String {
-        fingerprint(&self.sum, &batch.to_string(), outcomes)
-    }
 }
 
 impl SearchRecord for Record<'_> {
@@ -348,16 +347,16 @@ impl SearchRecord for Record<'_> {
         let failed = system(&self.of.path, "reading what there is of the run");
         self.reader.read_line(&mut line).map_err(failed)?;
         self.line += 1;
-        let read = line.trim_end().rsplit_once(' ').and_then(|(outcomes, sum)| {
-            self.sum = self.sum(batch, outcomes);
-            batch.read(outcomes).filter(|_| sum == self.sum)
-        });
+        self.sum.add_line(&batch.to_string());
+        let outcomes = SummedLines::read(line.trim_end(), &mut self.sum);
+        let read = outcomes.and_then(|outcomes| batch.read(outcomes));
         read.map(Some).ok_or_else(|| self.of.changed(self.line + 2))
     }
 
     fn keep(&mut self, batch: &SearchBatch<'_>, outcomes: &SearchOutcomes) -> Result<(), Failure> {
         let outcomes = outcomes.to_string();
-        self.sum = self.sum(batch, &outcomes);
+        self.sum.add_line(&batch.to_string());
+        self.sum.add_line(&outcomes);
         let writer = match &mut self.writer {
             Some(writer) => writer,
             none => none.insert(self.of.behind()?),

@@ -51,16 +51,7 @@ impl<'a, T: Analytic> Flight<'a, T> {
     /// What the same flight in f64 says, where the number is a wider one: what f64 can tell need not be computed in that.
     pub fn in_f64<R>(&self, ask: impl FnOnce(&Flight<f64>) -> R) -> Option<R> {
         let scaled = self.scaled.narrow.as_deref()?;
-        let [phase, sin, cos, speed] =
-            [&self.from.phase, &self.from.sin, &self.from.cos, &self.from.speed].map(T::to_f64);
-        let from = Departure {
-            side: self.from.side,
-            phase,
-            sin,
-            cos,
-            speed,
-            released: self.from.released,
-        };
+        let from = self.from.convert(T::to_f64);
         let [y, w, push, sin, cos] = [
             &self.start.y,
             &self.start.w,

@@ -192,9 +192,11 @@ impl<T: Analytic> Meeting<'_, T> {
     /// An angle of the stretch to start from: the contact in f64, that of a late flight, or by a cubic through both ends.
     #[inline]
     fn proposal(&self, stretch: &Stretch) -> f64 {
-        let is_wide = self.flight.scaled.narrow.is_some();
-        let told = is_wide.then(|| self.in_f64(stretch)).flatten();
-        if let Some(angle) = told.filter(|angle| stretch.low < *angle && *angle < stretch.high) {
+        if self.flight.scaled.narrow.is_some()
+            && let Some(angle) = self.in_f64(stretch)
+            && stretch.low < angle
+            && angle < stretch.high
+        {
             return angle;
         }
         let start = &self.flight.start;

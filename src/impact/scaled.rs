@@ -103,7 +103,7 @@ pub(super) struct Departure<T> {
 }
 
 impl<T> Departure<T> {
-    /// The same from f64 to another number, with the sine and cosine that it has of the phase.
+    /// The same in another number, with the sine and cosine that it has of the phase.
     pub fn convert<U: Analytic>(&self, convert: impl Fn(&T) -> U) -> Departure<U> {
         let phase = convert(&self.phase);
         let (sin, cos) = phase.sincos();

@@ -256,7 +256,7 @@ fn at_200_random_points_a_map_says_what_31_digits_say_wherever_it_claims_a_digit
 }
 
 #[test]
-fn no_digit_is_claimed_of_a_rest_that_a_motion_has_come_to_after_errors_had_made_all_of_it() {
+fn a_rest_after_errors_have_taken_the_motion_over_has_no_digits() {
     // by 40 digits it settles on BT; in f64 it drifts into a rest, which forgets what was before
     let scene = "motion = { g = -0.6696425720858179, r_t = 0.827 }\nstart = { phase = 4.485, velocity = 1.382 }\n\
                  [map]\nimpacts = 1000\nwant = [\"word\", \"lyapunov\"]\n\

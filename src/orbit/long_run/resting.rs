@@ -38,7 +38,7 @@ pub struct RestingCycle {
     events: Vec<Event<f64>>,
 }
 
-/// The largest error of phase and velocity of an event of a cycle: nobody is told more digits than this leaves.
+/// The largest error of phase and velocity of an event of a cycle, which is told in f64: not far above its rounding.
 const EXACT: f64 = 1e-13;
 
 /// The most events of a cycle that are kept.
@@ -185,8 +185,9 @@ mod tests {
     }
 
     #[test]
-    fn each_impact_of_a_cycle_is_told_to_all_figures_that_are_printed() {
+    fn each_impact_of_a_cycle_holds_to_twelve_decimals() {
         // chaotic, through rests: what narrower numbers hold of these cycles falls short by up to five digits of twelve
+        let mut found = 0;
         for [g, d, r_b, r_t] in [
             [0.12201, 0.13015, 0.52915, 0.3],
             [0.12201, 0.10603, 0.57940, 0.3],
@@ -197,6 +198,7 @@ mod tests {
                 let Some(cycle) = RestingCycle::find(&motion, side, 1000, 100).unwrap() else {
                     continue;
                 };
+                found += 1;
                 let wide = RestingCycle {
                     number: Rung::Wide(300),
                     events: Vec::new(),
@@ -217,6 +219,7 @@ mod tests {
                 }
             }
         }
+        assert!(found >= 3, "{found}");
     }
 
     #[test]
