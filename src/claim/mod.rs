@@ -26,7 +26,7 @@ pub use document::{Document, Include, Markup, PrintedNumber};
 pub use entry::{Entry, Role};
 pub use fault::{Fault, Source};
 pub use nearest::nearest;
-pub use nodes::{any, any_side};
+pub use nodes::{any, any_side, parts, with_symbol};
 pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Premise, Statements};
 pub use reduce::{Goal, Reduced, along_a_sequence, other_ways, reduced, reduced_by_cases, thin_domains, values};

@@ -12,6 +12,24 @@ pub fn any_side(equation: &Equation, test: &mut dyn FnMut(&Tree) -> bool) -> boo
     any(&equation.left, test) || any(&equation.right, test)
 }
 
+/// Returns the parts directly below a node, in the order of [`Tree::map`].
+pub fn parts(tree: &Tree) -> Vec<Tree> {
+    let mut found = Vec::new();
+    let _ = tree.map(&mut |part| {
+        found.push(part.clone());
+        part.clone()
+    });
+    found
+}
+
+/// Returns the tree with a symbol replaced, bound or not.
+pub fn with_symbol(tree: &Tree, name: &Name, new: &Tree) -> Tree {
+    match tree {
+        Tree::Symbol(own, _) if own == name => new.clone(),
+        other => other.map(&mut |part| with_symbol(part, name, new)),
+    }
+}
+
 /// The number of nodes of a tree.
 pub(super) fn nodes_of(tree: &Tree) -> usize {
     let mut count = 0;

@@ -20,6 +20,7 @@ mod maps;
 mod motion;
 mod newton;
 mod point;
+pub mod sampled;
 mod samples;
 mod space;
 mod stated_maps;

@@ -2,7 +2,6 @@
 
 use super::edit::Edit;
 use super::path::Path;
-use super::value::Value;
 
 /// An edit of a place.
 #[derive(Clone, Debug)]
@@ -19,3 +18,4 @@ pub struct Valued {
     pub node: usize,
     pub values: Vec<Value>,
 }
+use crate::evidence::sampled::Value;

@@ -2,8 +2,6 @@
 
 use super::candidate::{Candidate, Valued};
 use super::graph::{Graph, Overlay};
-use super::leaves::Leaves;
-use super::value::{Number, Value};
 use std::collections::BTreeMap;
 
 /// Pairs of edits of one term that are evaluated, for each unit of effort.
@@ -206,3 +204,4 @@ impl Sum<'_> {
 fn nested(one: &Candidate, other: &Candidate) -> bool {
     one.formula == other.formula && (one.path.starts_with(&other.path) || other.path.starts_with(&one.path))
 }
+use crate::evidence::sampled::{Leaves, Number, Value};

@@ -1,7 +1,7 @@
 //! What else stands in the sheet: the names and terms that a repair may put in.
 
 use super::path::{parts, walk};
-use crate::claim::{Entry, Sheet, index_of, subscript_of};
+use crate::claim::{Entry, Sheet, index_of, subscript_of, with_symbol};
 use crate::tex::{At, Equation, Name, Operation, Tree};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
@@ -42,14 +42,6 @@ const FUNCTIONS: [(&str, &str); 6] = [
 
 /// Functions of which each is the derivative of the other, but for a sign.
 const PARTNERS: [(&str, &str); 2] = [(r"\sin", r"\cos"), (r"\sinh", r"\cosh")];
-
-/// A tree with another in the place of a symbol.
-pub fn with_symbol(tree: &Tree, name: &Name, new: &Tree) -> Tree {
-    match tree {
-        Tree::Symbol(own, _) if own == name => new.clone(),
-        other => other.map(&mut |part| with_symbol(part, name, new)),
-    }
-}
 
 impl Context {
     pub fn new(sheet: &Sheet, position: usize) -> Self {

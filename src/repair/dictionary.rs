@@ -2,9 +2,8 @@
 
 use super::context::Context;
 use super::edit::{number, product, quotient, sum};
-use super::leaves::Leaves;
 use super::path::size;
-use super::value::{Number, Value, real};
+use crate::evidence::sampled::{Leaves, Number, Value, real};
 use crate::number::{Field, Rational};
 use crate::tex::{At, Name, Tree};
 use std::collections::HashMap;
@@ -342,7 +341,10 @@ impl Entry {
     }
 
     fn at(&self, point: usize) -> Number {
-        self.values.get(point).copied().unwrap_or(super::value::UNDEFINED)
+        self.values
+            .get(point)
+            .copied()
+            .unwrap_or(crate::evidence::sampled::UNDEFINED)
     }
 }
 

@@ -1,8 +1,7 @@
 //! The formulas of a claim as one graph, and what becomes of the two sides when single nodes take other values.
 
-use super::leaves::{Leaves, SizedValue, agree};
 use super::path::{Path, parts};
-use super::value::{Arithmetic, Number, Op, Value, real};
+use crate::evidence::sampled::{Arithmetic, Leaves, Number, Op, SizedValue, Value, agree, real};
 use crate::tex::{Equation, Name, Tree};
 use std::collections::HashMap;
 

@@ -1,12 +1,12 @@
 //! Matrices that may be missing as factors.
 
 use super::candidate::Candidate;
-use super::context::{Context, with_symbol};
+use super::context::Context;
 use super::edit::{self, missing_factor, product};
 use super::graph::{Graph, Node};
-use super::leaves::Leaves;
 use super::path::{size, walk};
-use super::value::Value;
+use crate::claim::with_symbol;
+use crate::evidence::sampled::{Leaves, Value};
 use crate::tex::{Name, Tree};
 use std::collections::HashMap;
 

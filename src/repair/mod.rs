@@ -11,13 +11,11 @@ mod context;
 mod dictionary;
 mod edit;
 mod graph;
-mod leaves;
 mod matrices;
 mod monomial;
 mod path;
 mod points;
 mod search;
-mod value;
 
 pub use path::{Path, node, parts, replaced};
 

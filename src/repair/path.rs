@@ -2,19 +2,11 @@
 
 use crate::tex::{Equation, Tree};
 
+pub use crate::claim::parts;
+
 /// The way from an equation to a node: 0 for the left side or 1 for the right, then the position among the parts of each
 /// node.
 pub type Path = Vec<usize>;
-
-/// The parts directly below a node, in the order of [`Tree::map`].
-pub fn parts(tree: &Tree) -> Vec<Tree> {
-    let mut found = Vec::new();
-    let _ = tree.map(&mut |part| {
-        found.push(part.clone());
-        part.clone()
-    });
-    found
-}
 
 /// The node with the one at the end of the path replaced.
 pub fn with(tree: &Tree, path: &[usize], new: &Tree) -> Tree {

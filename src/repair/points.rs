@@ -1,8 +1,7 @@
 //! Points at which the premises of a claim hold, with or without operations in it.
 
-use super::leaves::{Leaves, asked, take_leaves, take_standing};
-use super::value::{Number, real};
 use crate::claim::{Statements, Vocabulary, any, pair_of, reduced, tree_runs};
+use crate::evidence::sampled::{Leaves, Number, asked, real, take_leaves, take_standing};
 use crate::evidence::samples;
 use crate::number::Sequence;
 use crate::tex::{At, Equation, Name, Operation, Tree};
@@ -167,7 +166,7 @@ impl Asked<'_> {
                 if leaf == letter {
                     *value = real(small * (1.0 - 0.07 * n as f64));
                 } else if leaf.has_free(name) {
-                    *value = super::value::UNDEFINED;
+                    *value = crate::evidence::sampled::UNDEFINED;
                 }
             }
         }

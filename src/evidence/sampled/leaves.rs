@@ -1,9 +1,7 @@
 //! Values of formulas at points where the premises hold, worked out from those of the names and calls in them.
 
-use super::context::with_symbol;
-use super::path::parts;
 use super::value::{Arithmetic, Number, Op, UNDEFINED, Value, rational, real, whole};
-use crate::claim::pair_of;
+use crate::claim::{pair_of, parts, with_symbol};
 use crate::number::{Field, Rational};
 use crate::tex::{Name, Operation, Series, Tree};
 use std::cell::Cell;
