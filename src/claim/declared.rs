@@ -41,7 +41,7 @@ impl Vocabulary {
 
     /// The complex symbol, or the imaginary unit, of which a name that is not declared itself is the conjugate, as
     /// `\bar z` and `z^*` are, and whether it is so an odd number of times.
-    pub(super) fn conjugated(&self, name: &Name) -> Option<(Name, bool)> {
+    pub fn conjugated(&self, name: &Name) -> Option<(Name, bool)> {
         let mut plain = name.clone();
         if self.declares(name) {
             return None;

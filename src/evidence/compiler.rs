@@ -46,8 +46,20 @@ pub struct Compiler<'a> {
     pub upper: bool,
     /// By how much a running index is shifted.
     pub index_shift: i32,
-    open: Vec<Name>,
-    known: HashMap<Name, Formula>,
+    /// Whether antiderivatives may start anywhere, and orders are left out.
+    pub is_up_to: bool,
+    /// The letters that are bound around what is read, the innermost last.
+    pub bound: Vec<Bound>,
+    pub(super) open: Vec<Name>,
+    pub(super) known: HashMap<Name, Formula>,
+}
+
+/// A name that an operation binds.
+#[derive(Clone, Debug)]
+pub struct Bound {
+    pub name: Name,
+    pub formula: Formula,
+    pub is_integer: bool,
 }
 
 impl<'a> Compiler<'a> {
@@ -62,6 +74,8 @@ impl<'a> Compiler<'a> {
             flight: 0,
             upper: true,
             index_shift: 0,
+            is_up_to: false,
+            bound: Vec::new(),
             open: Vec::new(),
             known: HashMap::new(),
         }
@@ -99,7 +113,7 @@ impl<'a> Compiler<'a> {
             }
             Tree::PlusMinus(body) => self.signed(body, self.upper)?,
             Tree::MinusPlus(body) => self.signed(body, !self.upper)?,
-            Tree::Operation(..) => return Err(Unwitnessed::Kind("an operation stands where it is not read")),
+            Tree::Operation(operation, _) => self.operation(operation)?,
         })
     }
 
@@ -149,6 +163,9 @@ impl<'a> Compiler<'a> {
         Some(match tree {
             Tree::Number(value) => value.clone(),
             Tree::Symbol(name, _) => {
+                if let Some(bound) = self.bound.iter().rev().find(|bound| bound.name == *name) {
+                    return bound.is_integer.then(Rational::one);
+                }
                 if let Some(local) = self.locals.iter().find(|local| local.name == *name) {
                     return self.unit(&local.tree);
                 }
@@ -194,6 +211,9 @@ impl<'a> Compiler<'a> {
     }
 
     fn symbol(&mut self, name: &Name) -> Result<Formula, Unwitnessed> {
+        if let Some(bound) = self.bound.iter().rev().find(|bound| bound.name == *name) {
+            return Ok(bound.formula);
+        }
         if let Some(known) = self.known.get(name) {
             return Ok(*known);
         }
@@ -216,7 +236,16 @@ impl<'a> Compiler<'a> {
         if name.mark.is_empty()
             && let Ok((course, level)) = self.course(name)
         {
-            let time = self.formulas.make(Op::Running);
+            let running = self.vocabulary.running.clone();
+            let bound = self
+                .bound
+                .iter()
+                .rev()
+                .find(|bound| Some(&bound.name) == running.as_ref());
+            let time = match bound {
+                Some(bound) => bound.formula,
+                None => self.formulas.make(Op::Running),
+            };
             return Ok(self.formulas.make(Op::Value { course, level, time }));
         }
         if is_index(self.vocabulary, name) {
@@ -237,18 +266,35 @@ impl<'a> Compiler<'a> {
             let one = self.formulas.integer(1);
             return Ok(self.formulas.apply(Function::Exp, one));
         }
+        if let Some((plain, is_odd)) = self.vocabulary.conjugated(name) {
+            let plain = self.symbol(&plain)?;
+            return Ok(match is_odd {
+                true => self.formulas.apply(Function::Conjugate, plain),
+                false => plain,
+            });
+        }
         Err(Unwitnessed::Unknown(name.to_string()))
     }
 
     fn defined(&mut self, name: &Name, tree: &Tree) -> Result<Formula, Unwitnessed> {
+        let formula = self.opened(name, |own| own.tree(tree))?;
+        self.known.insert(name.clone(), formula);
+        Ok(formula)
+    }
+
+    /// What `work` makes of the definition of a name, in which the name itself may not stand.
+    pub(super) fn opened<T>(
+        &mut self,
+        name: &Name,
+        work: impl FnOnce(&mut Self) -> Result<T, Unwitnessed>,
+    ) -> Result<T, Unwitnessed> {
         if self.open.contains(name) {
             return Err(Unwitnessed::Circular(name.to_string()));
         }
         self.open.push(name.clone());
-        let formula = self.tree(tree);
+        let made = work(self);
         self.open.pop();
-        self.known.insert(name.clone(), formula.clone()?);
-        formula
+        made
     }
 
     /// The slot of an indexed time or state.
@@ -304,6 +350,11 @@ impl<'a> Compiler<'a> {
             Err(unknown) if function.primes > 0 => Err(unknown),
             Err(unknown) => {
                 let argument = self.tree(argument)?;
+                match function.base.as_str() {
+                    r"\factorial" => return self.factorial(argument, 1),
+                    r"\doublefactorial" => return self.factorial(argument, 2),
+                    _ => {}
+                }
                 self.elementary(&function.base, argument).ok_or(unknown)
             }
         }
@@ -311,6 +362,7 @@ impl<'a> Compiler<'a> {
 
     fn elementary(&mut self, command: &str, u: Formula) -> Option<Formula> {
         use Function::{Abs, Arccos, Arcosh, Arcsin, Arctan, Arsinh, Artanh, Cos, Cosh, Exp, Ln, Sgn, Sin, Sinh};
+        use Function::{Arg, Conjugate, Im, Re};
         let function = match command.trim_start_matches('\\') {
             "sin" => Sin,
             "cos" => Cos,
@@ -326,6 +378,10 @@ impl<'a> Compiler<'a> {
             "artanh" => Artanh,
             "abs" => Abs,
             "sgn" => Sgn,
+            "conjugate" => Conjugate,
+            "Re" => Re,
+            "Im" => Im,
+            "arg" => Arg,
             quotient => {
                 let (above, below) = match quotient {
                     "tan" => (Some(Sin), Cos),

@@ -2,7 +2,7 @@
 //! values at one time to any other, by Taylor series from step to step (Moore, Interval Analysis, 1966, chapter 11). With
 //! n = 0 nothing is left to solve; where G names no y, this is an integral.
 
-use super::formula::{Flow, Formula, Formulas, Inputs, Op, Program, price};
+use super::formula::{Flow, Formula, Formulas, Inputs, Op, Program, holds, price};
 use super::value::{Function, Value, undefined};
 use crate::number::{Analytic, Field, Rational};
 
@@ -139,10 +139,13 @@ impl Formulas {
 impl Program {
     /// The values of all parts.
     pub fn run<V: Value>(&self, inputs: &Inputs<V>) -> Vec<V> {
-        let mut values: Vec<V> = Vec::with_capacity(self.ops.len());
         if !inputs.work.take(self.ops.len() * price::<V>()) {
             return vec![V::real(undefined()); self.ops.len()];
         }
+        if !self.loops.letters.is_empty() {
+            return self.run_loops(inputs);
+        }
+        let mut values: Vec<V> = Vec::with_capacity(self.ops.len());
         for op in &self.ops {
             let value = evaluate(*op, inputs, |formula: Formula| &values[formula.position()]);
             values.push(value);
@@ -152,7 +155,7 @@ impl Program {
 }
 
 /// The value of one operation.
-fn evaluate<'v, V: Value + 'v>(op: Op, inputs: &Inputs<V>, at: impl Fn(Formula) -> &'v V) -> V {
+pub(super) fn evaluate<'v, V: Value + 'v>(op: Op, inputs: &Inputs<V>, at: impl Fn(Formula) -> &'v V) -> V {
     let none = || V::real(undefined());
     match op {
         Op::Ratio(above, 1) => V::integer(above),
@@ -185,6 +188,18 @@ fn evaluate<'v, V: Value + 'v>(op: Op, inputs: &Inputs<V>, at: impl Fn(Formula) 
             }
         }
         Op::Apply(function, a) => at(a).apply(function),
+        // what is bound has values within loops alone
+        Op::Bound(_) | Op::Bind { .. } => none(),
+        Op::If {
+            relation,
+            test,
+            yes,
+            no,
+        } => match holds(relation, at(test)) {
+            Some(true) => at(yes).clone(),
+            Some(false) => at(no).clone(),
+            None => none(),
+        },
     }
 }
 
@@ -304,7 +319,7 @@ fn reach<V: Value>(series: &[V]) -> f64 {
     )
 }
 
-fn is_wide<V: Value>() -> bool {
+pub(super) fn is_wide<V: Value>() -> bool {
     <V::Part as Analytic>::epsilon().to_f64() < 1e-20
 }
 
@@ -344,6 +359,7 @@ impl Flow {
         }
         let guarded = self.ops.iter().filter_map(|op| match *op {
             Op::Divide(_, a) | Op::Root(a, _) | Op::Apply(Function::Ln | Function::Abs | Function::Sgn, a) => Some(a),
+            Op::If { test, .. } => Some(test),
             _ => None,
         });
         let moving = guarded.filter(|a| self.lengths.get(a.position()).is_some_and(|&length| length > 1));

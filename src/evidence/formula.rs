@@ -2,7 +2,8 @@
 
 use super::value::{Function, Value};
 use crate::number::Rational;
-use std::cell::Cell;
+use crate::tex::Relation;
+use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 
 /// A formula among [`Formulas`]. What it is made of has smaller numbers.
@@ -51,19 +52,65 @@ pub enum Op {
     /// A power whose exponent has integer values.
     IntegerPower(Formula, Formula),
     Apply(Function, Formula),
+    /// A letter that an operation binds.
+    Bound(u8),
+    /// An operation over the values of a letter.
+    Bind {
+        kind: Binder,
+        letter: u8,
+        body: Formula,
+        from: Formula,
+        to: Formula,
+    },
+    /// One of two values, by the relation of a test to 0.
+    If {
+        relation: Relation,
+        test: Formula,
+        yes: Formula,
+        no: Formula,
+    },
+}
+
+/// The operations that bind a letter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Binder {
+    /// A sum or a product over the integers between two ends.
+    Sum,
+    Product,
+    /// The same over all integers from the first end on.
+    Series,
+    InfiniteProduct,
+    /// An integral between two ends.
+    Integral,
+    /// An integral from the first end to infinity.
+    Ray,
+    /// A limit towards the first end.
+    Limit(Side),
+}
+
+/// Where a limit is approached from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    Both,
+    Above,
+    Below,
+    /// The letter grows without bound.
+    Infinity,
 }
 
 impl Op {
     /// What the operation is applied to.
     pub fn operands(self) -> impl Iterator<Item = Formula> {
-        let pair = match self {
-            Self::Add(a, b) | Self::Multiply(a, b) | Self::Divide(a, b) => [Some(a), Some(b)],
-            Self::RealPower(a, b) | Self::IntegerPower(a, b) => [Some(a), Some(b)],
-            Self::Negate(a) | Self::Power(a, _) | Self::Root(a, _) | Self::Apply(_, a) => [Some(a), None],
-            Self::Value { time, .. } | Self::Flow { time, .. } => [Some(time), None],
-            _ => [None, None],
+        let operands = match self {
+            Self::Add(a, b) | Self::Multiply(a, b) | Self::Divide(a, b) => [Some(a), Some(b), None],
+            Self::RealPower(a, b) | Self::IntegerPower(a, b) => [Some(a), Some(b), None],
+            Self::Negate(a) | Self::Power(a, _) | Self::Root(a, _) | Self::Apply(_, a) => [Some(a), None, None],
+            Self::Value { time, .. } | Self::Flow { time, .. } => [Some(time), None, None],
+            Self::Bind { body, from, to, .. } => [Some(body), Some(from), Some(to)],
+            Self::If { test, yes, no, .. } => [Some(test), Some(yes), Some(no)],
+            _ => [None, None, None],
         };
-        pair.into_iter().flatten()
+        operands.into_iter().flatten()
     }
 
     /// The operation on other operands.
@@ -87,6 +134,30 @@ impl Op {
                 law,
                 level,
                 time: new(time),
+            },
+            Self::Bind {
+                kind,
+                letter,
+                body,
+                from,
+                to,
+            } => Self::Bind {
+                kind,
+                letter,
+                body: new(body),
+                from: new(from),
+                to: new(to),
+            },
+            Self::If {
+                relation,
+                test,
+                yes,
+                no,
+            } => Self::If {
+                relation,
+                test: new(test),
+                yes: new(yes),
+                no: new(no),
             },
             leaf => leaf,
         }
@@ -120,6 +191,9 @@ pub struct Flow {
     pub(super) costs: [usize; 2],
 }
 
+/// The most letters that the operations of one claim bind: a set of them is the bits of a number.
+const MOST_LETTERS: u8 = 128;
+
 /// All formulas of a claim, and the laws by which functions of time flow.
 #[derive(Clone, Debug, Default)]
 pub struct Formulas {
@@ -128,6 +202,7 @@ pub struct Formulas {
     pub rationals: Vec<Rational>,
     pub laws: Vec<Law>,
     pub flows: Vec<Flow>,
+    letters: u8,
 }
 
 impl Formulas {
@@ -219,6 +294,13 @@ impl Formulas {
         factors
             .into_iter()
             .fold(one, |product, factor| self.multiply(product, factor))
+    }
+
+    /// Returns a letter that nothing binds yet; none are left after 128.
+    pub fn letter(&mut self) -> Option<u8> {
+        let letter = self.letters;
+        self.letters += 1;
+        (letter < MOST_LETTERS).then_some(letter)
     }
 
     /// Everything that these formulas are made of, themselves included, each after its operands.
@@ -337,6 +419,7 @@ impl Formulas {
                 self.divide(u, size)
             }
             Function::Sgn => self.integer(0),
+            Function::Conjugate | Function::Re | Function::Im | Function::Arg => self.float(f64::NAN),
         }
     }
 
@@ -388,15 +471,88 @@ impl Formulas {
                     }
                     self.multiply(part, sum)
                 }
+                // by a real letter
+                Op::Apply(function @ (Function::Conjugate | Function::Re | Function::Im), a) => {
+                    self.apply(function, of(a))
+                }
                 Op::Apply(function, a) => {
                     let slope = self.derivative_of(function, a);
                     self.multiply(slope, of(a))
                 }
+                Op::If {
+                    relation,
+                    test,
+                    yes,
+                    no,
+                } => {
+                    let (yes, no) = (of(yes), of(no));
+                    self.make(Op::If {
+                        relation,
+                        test,
+                        yes,
+                        no,
+                    })
+                }
+                Op::Bind { body, from, to, .. } => self.slope_of_bound(part, op, [of(body), of(from), of(to)]),
                 _ => self.float(f64::NAN),
             };
             slopes.insert(part, slope);
         }
         slopes.get(&root).copied().unwrap_or(zero)
+    }
+
+    /// The derivative of an operation over a letter, from those of its body and its ends (Leibniz's rule).
+    fn slope_of_bound(&mut self, whole: Formula, op: Op, [inner, low, high]: [Formula; 3]) -> Formula {
+        let zero = self.integer(0);
+        let Op::Bind {
+            kind,
+            letter,
+            body,
+            from,
+            to,
+        } = op
+        else {
+            return zero;
+        };
+        let moves = low != zero || high != zero;
+        let over = |formulas: &mut Self, kind: Binder, body: Formula| match body == zero {
+            true => zero,
+            false => formulas.make(Op::Bind {
+                kind,
+                letter,
+                body,
+                from,
+                to,
+            }),
+        };
+        match kind {
+            Binder::Integral | Binder::Ray => {
+                let mut sum = over(self, kind, inner);
+                for (end, slope, is_upper) in [(to, high, true), (from, low, false)] {
+                    if slope != zero && (kind == Binder::Integral || !is_upper) {
+                        let there = self.rewrite(body, &mut |_, op| (op == Op::Bound(letter)).then_some(end));
+                        let part = self.multiply(there, slope);
+                        sum = match is_upper {
+                            true => self.add(sum, part),
+                            false => self.subtract(sum, part),
+                        };
+                    }
+                }
+                sum
+            }
+            // a sum over integers jumps where its ends move
+            _ if moves => self.float(f64::NAN),
+            Binder::Product | Binder::InfiniteProduct => {
+                let ratio = self.divide(inner, body);
+                let kind = match kind {
+                    Binder::Product => Binder::Sum,
+                    _ => Binder::Series,
+                };
+                let sum = over(self, kind, ratio);
+                self.multiply(whole, sum)
+            }
+            _ => over(self, kind, inner),
+        }
     }
 
     /// a' b + a b'.
@@ -417,8 +573,10 @@ impl Formulas {
         let parts = self.parts(outputs);
         let position = |formula: Formula| parts.binary_search(&formula).unwrap_or(usize::MAX);
         let op = |part: &Formula| self.op(*part).map(|operand| Formula(position(operand) as u32));
+        let ops: Vec<Op> = parts.iter().map(op).collect();
         Program {
-            ops: parts.iter().map(op).collect(),
+            loops: Loops::new(&ops),
+            ops,
             outputs: outputs.iter().map(|&output| position(output)).collect(),
         }
     }
@@ -429,6 +587,63 @@ impl Formulas {
 pub struct Program {
     pub ops: Vec<Op>,
     pub outputs: Vec<usize>,
+    pub(super) loops: Loops,
+}
+
+/// What a program evaluates again and again, below the operations that bind a letter.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Loops {
+    /// For each position the letters that its value depends on, as bits; empty where nothing is bound.
+    pub letters: Vec<u128>,
+    /// For each position that binds a letter those below it that depend on the letter.
+    pub inner: Vec<Vec<usize>>,
+    /// The sizes that the last run found of what binds a letter.
+    pub sizes: RefCell<Vec<f64>>,
+}
+
+impl Loops {
+    fn new(ops: &[Op]) -> Self {
+        if !ops.iter().any(|op| matches!(op, Op::Bound(_))) && !ops.iter().any(|op| matches!(op, Op::Bind { .. })) {
+            return Self::default();
+        }
+        let mut letters: Vec<u128> = Vec::with_capacity(ops.len());
+        let mut inner: Vec<Vec<usize>> = Vec::with_capacity(ops.len());
+        for op in ops {
+            let of = |formula: Formula| letters.get(formula.position()).copied().unwrap_or(0);
+            let bit = |letter: u8| 1_u128.checked_shl(u32::from(letter)).unwrap_or(0);
+            let (own, below) = match *op {
+                Op::Bound(letter) => (bit(letter), Vec::new()),
+                Op::Bind {
+                    letter, body, from, to, ..
+                } => {
+                    let mut wanted = vec![false; body.position() + 1];
+                    let mut below = Vec::new();
+                    if let Some(last) = wanted.last_mut() {
+                        *last = true;
+                    }
+                    for position in (0..=body.position()).rev() {
+                        let depends = letters.get(position).is_some_and(|own| own & bit(letter) != 0);
+                        if wanted.get(position) != Some(&true) || !depends {
+                            continue;
+                        }
+                        below.push(position);
+                        for operand in ops.get(position).into_iter().flat_map(|op| op.operands()) {
+                            if let Some(wanted) = wanted.get_mut(operand.position()) {
+                                *wanted = true;
+                            }
+                        }
+                    }
+                    below.reverse();
+                    ((of(body) & !bit(letter)) | of(from) | of(to), below)
+                }
+                op => (op.operands().fold(0, |all, operand| all | of(operand)), Vec::new()),
+            };
+            letters.push(own);
+            inner.push(below);
+        }
+        let sizes = RefCell::new(vec![0.0; ops.len()]);
+        Self { letters, inner, sizes }
+    }
 }
 
 /// What a program is evaluated with.
@@ -511,7 +726,10 @@ impl Program {
                 size if size == 0.0 || slope == 0.0 => 0.0,
                 size => slope * size,
             };
+            let is_within = self.loops.letters.get(n).is_some_and(|letters| *letters != 0);
             let size = match *op {
+                // its value is that of the last round of a loop
+                _ if is_within => value,
                 Op::Add(a, b) => size_of(a) + size_of(b),
                 Op::Multiply(a, b) => (at(a)?.size() * size_of(b)).max(at(b)?.size() * size_of(a)),
                 Op::Divide(_, b) | Op::Power(b, i32::MIN..0) if is_noise(b) => return None,
@@ -533,6 +751,17 @@ impl Program {
                         + through(a, at(b)?.size() * value / base)
                         + through(b, if value == 0.0 { 0.0 } else { value * base.ln().abs() })
                 }
+                Op::Bind { .. } => self.loops.sizes.borrow().get(n).copied().unwrap_or(value).max(value),
+                Op::If {
+                    relation,
+                    test,
+                    yes,
+                    no,
+                } => match holds(relation, at(test)?) {
+                    Some(true) => size_of(yes),
+                    Some(false) => size_of(no),
+                    None => f64::NAN,
+                },
                 Op::Apply(Function::Sgn, a) if is_noise(a) => return None,
                 Op::Apply(function, a) => value + through(a, slope_size(function, at(a)?, value)),
                 Op::Flow { .. } => value + 1.0,
@@ -543,6 +772,27 @@ impl Program {
         }
         Some(sizes)
     }
+}
+
+/// Returns true if a value has a relation to 0; None where it is too near 0 for rounding to say so.
+pub fn holds<V: Value>(relation: Relation, test: &V) -> Option<bool> {
+    use crate::number::Analytic;
+    let [re, im] = test.parts().map(|part| part.to_f64());
+    let size = re.hypot(im);
+    let is_zero = size == 0.0;
+    if size.is_nan() || (!is_zero && size <= NOISE) {
+        return None;
+    }
+    let is_ordered = im == 0.0;
+    Some(match relation {
+        Relation::Equal => is_zero,
+        Relation::NotEqual => !is_zero,
+        _ if !is_ordered => return None,
+        Relation::Less => re < 0.0,
+        Relation::LessOrEqual => re <= 0.0,
+        Relation::Greater => re > 0.0,
+        Relation::GreaterOrEqual => re >= 0.0,
+    })
 }
 
 /// The size of the derivative of a function.
@@ -560,6 +810,8 @@ fn slope_size<V: Value>(function: Function, u: &V, value: f64) -> f64 {
         Function::Arcosh => 1.0 / (square - one()).size().sqrt(),
         Function::Artanh => 1.0 / (one() - square).size(),
         Function::Sgn => 0.0,
+        Function::Conjugate | Function::Re | Function::Im => 1.0,
+        Function::Arg => 1.0 / u.size(),
     }
 }
 

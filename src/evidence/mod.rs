@@ -7,6 +7,7 @@
 //! (`derivative`). There the sides of the claim are compared (`judgement`). No elimination, no polynomial, no closed
 //! form.
 
+mod claimed;
 mod compiler;
 mod course;
 mod derivative;
@@ -16,12 +17,17 @@ mod formula;
 mod gap;
 mod index;
 mod judgement;
+mod limit;
+mod loops;
 mod maps;
 mod motion;
 mod newton;
+mod operation;
 mod point;
+mod quadrature;
 pub mod sampled;
 mod samples;
+mod series;
 mod space;
 mod stated_maps;
 mod system;

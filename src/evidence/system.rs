@@ -1,5 +1,6 @@
 //! The premises of a claim as equations over slots, and the claim as questions.
 
+use super::claimed::is_approach;
 use super::compiler::{Compiler, Unwitnessed};
 use super::domain::{self, Condition, Kind};
 use super::formula::{Formula, Formulas, Op, Program, Work};
@@ -284,7 +285,7 @@ impl System {
         self.late = late.into_iter().map(|row| self.resolve(row, vocabulary)).collect();
         for equation in &statements.claims {
             let pair = self.pair(equation, vocabulary, &statements.locals);
-            let sides = self.sides(equation, vocabulary, &statements.locals, None, first)?;
+            let sides = self.claimed(equation, statements, vocabulary, first)?;
             let resolved = |(left, right): (Formula, Formula)| [left, right].map(|side| self.resolve(side, vocabulary));
             let sides = sides.into_iter().map(resolved).collect();
             self.questions.push(Question {
@@ -296,9 +297,10 @@ impl System {
         }
         for local in &statements.locals {
             let mut compiler = self.compiler(vocabulary, &statements.locals);
-            let value = compiler.tree(&local.tree)?;
-            let value = self.resolve(value, vocabulary);
-            self.written.push(value);
+            for value in compiler.value(&local.tree)?.flat() {
+                let value = self.resolve(value, vocabulary);
+                self.written.push(value);
+            }
         }
         for tree in asked {
             let mut compiler = self.compiler(vocabulary, &statements.locals);
@@ -311,7 +313,7 @@ impl System {
     }
 
     /// Both sides of an equation, under the upper sign and, where there is one, under the lower.
-    fn sides(
+    pub(super) fn sides(
         &mut self,
         equation: &Equation,
         vocabulary: &Vocabulary,
@@ -330,7 +332,7 @@ impl System {
         for upper in if signed { vec![true, false] } else { vec![true] } {
             let mut compiler = self.compiler(vocabulary, locals);
             (compiler.first, compiler.flight, compiler.upper) = (first, flight, upper);
-            sides.push((compiler.tree(&left)?, compiler.tree(&equation.right)?));
+            sides.extend(compiler.between(&left, &equation.right)?);
         }
         Ok(sides)
     }
@@ -345,6 +347,7 @@ impl System {
         laws: &mut Vec<[Formula; 2]>,
     ) -> Result<(), Unwitnessed> {
         match condition {
+            Assumption::Relation(equation) if is_approach(equation) => {}
             Assumption::Relation(equation) => {
                 for (left, right) in self.sides(equation, vocabulary, locals, first, first.unwrap_or(0))? {
                     self.sort(left, right, equation.relation, laws)?;

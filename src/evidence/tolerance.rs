@@ -38,6 +38,12 @@ pub const APART_WIDE: f64 = 1e-24;
 /// The same where no premise had to be solved: some hundred roundings.
 pub const APART_EXACT: f64 = 1e-36;
 
+/// The same where sums, integrals or limits are found by steps that never end: their errors are below 1e-26 of their size.
+pub const APART_INEXACT: f64 = 1e-22;
+
+/// A gap in f64 that is no error of such steps, which are below 1e-9, though it is found in no more digits.
+pub const COARSE: f64 = 1e-4;
+
 /// A gap in 40 digits that changes by more than this part when the point is refined further is one of the point.
 pub const STEADY: f64 = 1e-3;
 

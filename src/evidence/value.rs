@@ -32,6 +32,10 @@ pub enum Function {
     Artanh,
     Abs,
     Sgn,
+    Conjugate,
+    Re,
+    Im,
+    Arg,
 }
 
 /// A number that formulas are evaluated over. What has no value is NaN and stays so.
@@ -121,6 +125,7 @@ impl<T: Real> Value for T {
             Function::Arcosh => x >= 1.0,
             Function::Artanh => x.abs() < 1.0,
             Function::Sgn => x == 0.0 || x.abs() > noise::<T>(),
+            Function::Arg => x.abs() > noise::<T>(),
             _ => true,
         };
         if !within {
@@ -143,6 +148,10 @@ impl<T: Real> Value for T {
             Function::Abs => self.clone(),
             Function::Sgn if x == 0.0 => T::from_integer(0),
             Function::Sgn => <T as Analytic>::from_f64(x.signum()),
+            Function::Conjugate | Function::Re => self.clone(),
+            Function::Im => T::from_integer(0),
+            Function::Arg if x < 0.0 => T::pi(),
+            Function::Arg => T::from_integer(0),
         }
     }
     fn root(&self, index: u32) -> T {
@@ -306,6 +315,10 @@ impl<T: Real> Value for Complex<T> {
             Function::Abs => Self::real(self.modulus()),
             Function::Sgn if self.im.is_zero() => Self::real(self.re.apply(Function::Sgn)),
             Function::Sgn => self.over(&Self::real(self.modulus())),
+            Function::Conjugate => Self::new(self.re.clone(), -self.im.clone()),
+            Function::Re => Self::real(self.re.clone()),
+            Function::Im => Self::real(self.im.clone()),
+            Function::Arg => Self::real(self.argument()),
         }
     }
     fn root(&self, index: u32) -> Self {

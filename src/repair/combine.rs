@@ -2,6 +2,7 @@
 
 use super::candidate::{Candidate, Valued};
 use super::graph::{Graph, Overlay};
+use crate::evidence::sampled::{Leaves, Number, Value};
 use std::collections::BTreeMap;
 
 /// Pairs of edits of one term that are evaluated, for each unit of effort.
@@ -204,4 +205,3 @@ impl Sum<'_> {
 fn nested(one: &Candidate, other: &Candidate) -> bool {
     one.formula == other.formula && (one.path.starts_with(&other.path) || other.path.starts_with(&one.path))
 }
-use crate::evidence::sampled::{Leaves, Number, Value};
