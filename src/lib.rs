@@ -32,6 +32,9 @@ pub mod model;
 #[cfg(any(feature = "audit", not(feature = "kernel")))]
 pub mod orbit;
 
+#[cfg(feature = "audit")]
+pub mod checksum;
+
 // Formulas and their proofs, and what holds formulas and numbers against each other.
 #[cfg(feature = "audit")]
 pub mod algebra;

@@ -7,10 +7,9 @@ use super::verdicts::{Audited, Row, compare, exit, explained};
 use super::{Answer, Content, Exit, Failure, Options, Source, document};
 use crate::claim::{self, Fault, Sheet};
 use crate::prove;
-use crate::report::{Baseline, OutputError, OutputProblem};
+use crate::report::{Baseline, NewDirectory, OutputError};
+use crate::stop::Token;
 use rayon::prelude::*;
-use std::fs::OpenOptions;
-use std::io::Write;
 use std::path::Path;
 
 /// Decide for each formula of a sheet whether it follows from its premises
@@ -32,8 +31,8 @@ pub struct Arguments {
     /// Write the sheet or document to this file, with the first repair of each refuted formula as a comment before it
     #[arg(long, value_name = "FILE", conflicts_with = "explain")]
     repair_into: Option<std::path::PathBuf>,
-    /// Write each proof and each counterexample into this directory, as a Python script that checks itself with SymPy
-    /// and mpmath
+    /// Write each proof and each counterexample into this new directory, as a Python script that checks itself with
+    /// SymPy and mpmath
     #[arg(long, value_name = "DIR", conflicts_with = "explain")]
     proof: Option<std::path::PathBuf>,
     /// Findings of an earlier run do not fail: what `audit` wrote as sarif, json or csv. A finding is known by its label,
@@ -167,30 +166,28 @@ fn tell_gone(rows: &mut [Row], sheet: &Sheet, baseline: &Baseline, source: &Sour
     Ok(())
 }
 
-/// Writes a script for each question that is decided, over nothing that is there already.
+/// Writes a script for each question that is decided into a new directory.
 fn write_proofs(sheet: &Sheet, directory: &Path, options: &prove::Options) -> Result<(), Failure> {
     let rows = sheet.rows();
-    let scripts: Vec<(String, String)> = rows
-        .par_iter()
-        .flat_map_iter(|&position| prove::scripts(sheet, position, options))
-        .collect();
-    super::options::create_directory(directory)?;
-    for (name, script) in &scripts {
-        let path = directory.join(name);
-        // nothing that is there is written over
-        let opened = OpenOptions::new().write(true).create_new(true).open(&path);
-        let written = opened.and_then(|mut file| file.write_all(script.as_bytes()));
-        written.map_err(|source| OutputError {
-            place: path.display().to_string(),
-            problem: OutputProblem::System {
-                doing: "writing a new file",
-                source,
-            },
-        })?;
-    }
+    let names = prove::file_names(sheet, &rows);
+    let new = NewDirectory::create(directory)?;
+    let token = Token::current();
+    let write = |(position, name): (&usize, &String)| -> Result<usize, OutputError> {
+        let scripts = token.during(|| prove::scripts(sheet, *position, options));
+        for (number, script) in (1..).zip(&scripts) {
+            let name = match number {
+                1 => format!("{name}.py"),
+                _ => format!("{name}-{number}.py"),
+            };
+            new.write(&name, script.as_bytes())?;
+        }
+        Ok(scripts.len())
+    };
+    let written: Result<Vec<usize>, OutputError> = rows.par_iter().zip(&names).map(write).collect();
+    let count: usize = written?.into_iter().sum();
+    new.finish()?;
     super::note(&format!(
-        "{} scripts in {}: run each with Python, SymPy and mpmath",
-        scripts.len(),
+        "{count} scripts in {}: run each with Python, SymPy and mpmath",
         directory.display()
     ));
     Ok(())

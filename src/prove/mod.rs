@@ -23,7 +23,7 @@ mod values;
 pub use counterexample::Counterexample;
 pub use decision::{Decision, mention_refuted};
 pub use explanation::explain;
-pub use script::{CHECKER, Decided, Found, scripts};
+pub use script::{CHECKER, Decided, Found, file_names, scripts, sealed};
 
 use crate::claim::{
     Goal, Reduced, Sheet, Verdict, any_side, other_ways, reduced, reduced_by_cases, thin_domains, values,

@@ -2,9 +2,14 @@
 //!
 //! A script is what is printed, as comments; the statement, the steps and the point, as data; the printed formulas once
 //! more, by another printer, to be compared with the statement at random points; and the checker, `check.py`.
+//!
+//! A script that is cut anywhere does not accept. Its first line makes the end of the program fail; its last line takes
+//! that back once all is checked, and holds the checksum of all lines before it. Each beginning of the first line itself
+//! is an error in Python.
 
 use super::formula::{Formulas, list, quoted};
 use super::{Options, decided};
+use crate::checksum::Checksum;
 use crate::claim::{Goal, Sheet, Verdict};
 use crate::kernel::{
     Axiom, Certificate, Elementary, FunctionOf, Given, Inference, LawSource, Node, Polynomial, Property, Quantity,
@@ -46,19 +51,30 @@ pub struct Decided {
     pub(super) goal: Goal,
 }
 
-/// The scripts of the claim at a position, each with the name of its file.
-pub fn scripts(sheet: &Sheet, position: usize, options: &Options) -> Vec<(String, String)> {
-    let all = decided(sheet, position, options);
-    let named = all.iter().enumerate().map(|(number, decided)| {
-        let label = decided.label.chars();
-        let label: String = label
-            .map(|c| if c.is_ascii_alphanumeric() || c == '.' { c } else { '_' })
-            .collect();
-        let name = match number {
-            0 => format!("{label}.py"),
-            _ => format!("{label}-{}.py", number + 1),
-        };
-        (name, decided.script())
+/// The scripts of the claim at a position, one for each question that is decided.
+pub fn scripts(sheet: &Sheet, position: usize, options: &Options) -> Vec<String> {
+    decided(sheet, position, options).iter().map(Decided::script).collect()
+}
+
+/// The longest name of a file without its ending: file systems allow 255 bytes.
+const LONGEST_NAME: usize = 200;
+
+/// Returns a file name without its ending for each claim at these positions, from its label. No two are the same, in upper
+/// or lower case, and none has a `-` and a number at its end, which tells several scripts of one claim apart.
+pub fn file_names(sheet: &Sheet, positions: &[usize]) -> Vec<String> {
+    let mut taken: BTreeSet<String> = BTreeSet::new();
+    let named = positions.iter().enumerate().map(|(number, &position)| {
+        let label = sheet.entries.get(position).map_or("", |entry| entry.label.as_str());
+        let plain = |c: char| if c.is_ascii_alphanumeric() || c == '.' { c } else { '_' };
+        let mut name: String = label.chars().map(plain).take(LONGEST_NAME).collect();
+        // a hidden file would be overlooked
+        if !name.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_') {
+            name.insert(0, '_');
+        }
+        if !taken.insert(name.to_ascii_lowercase()) {
+            name = format!("{name}-claim{}", number + 1);
+        }
+        name
     });
     named.collect()
 }
@@ -72,7 +88,7 @@ impl Decided {
             Found::Refuted { .. } => "refuted",
         };
         let mut lines = vec![
-            "#!/usr/bin/env python3".to_string(),
+            GUARD.to_string(),
             format!("# Equation ({}), {verdict} by vibro-audit.", one_line(&self.label)),
             "# This script checks it again, with SymPy and mpmath (pip install sympy mpmath) and nothing else:".into(),
             "# it exits with 0 where it accepts, with 1 where it does not, and says which step fails.".into(),
@@ -97,9 +113,9 @@ impl Decided {
         if !self.question.instance.is_empty() {
             lines.push(format!("#     ({})", one_line(&self.question.instance)));
         }
-        let checker = CHECKER.replace(SERVES, "\n    main(DATA, READINGS)\n");
+        let checker = CHECKER.strip_suffix(SERVES).unwrap_or(CHECKER);
         let (data, readings) = (self.data(true), formulas.python());
-        format!("{}\n\nDATA = {data}\n\n{readings}\n\n{checker}", lines.join("\n"))
+        sealed(&format!("{}\n\nDATA = {data}\n\n{readings}\n\n{checker}", lines.join("\n")))
     }
 
     /// The statement with what decides it: JSON, and Python too. On one line or, for readers, on many.
@@ -153,8 +169,21 @@ impl Decided {
     }
 }
 
-/// The last line of the checker, where it is a program of its own.
-const SERVES: &str = "\n    serve()\n";
+/// The last lines of the checker, where it is a program of its own.
+const SERVES: &str = "\n\nif __name__ == \"__main__\":\n    serve()\n";
+
+/// The first line of a script: the program ends with status 1 unless its last line is reached. No beginning of it is a
+/// program that ends with 0.
+const GUARD: &str = "GUARD = (__import__(\"atexit\").register(lambda: __import__(\"os\")._exit(1)) if __name__ == \
+                     \"__main__\" else None)";
+
+/// The lines of a script with the last one, which holds their checksum.
+pub fn sealed(lines: &str) -> String {
+    let lines = format!("{}\n\n\n", lines.trim_end());
+    let mut sum = Checksum::default();
+    sum.add(lines.as_bytes());
+    format!("{lines}if __name__ == \"__main__\": main(DATA, READINGS, __file__, GUARD, \"{sum}\")\n")
+}
 
 fn one_line(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()

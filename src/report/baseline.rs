@@ -1,6 +1,6 @@
 //! Findings that are known, by what they are about and not by where it stands.
 
-use super::checksum::Checksum;
+use crate::checksum::Checksum;
 use serde_json::Value;
 use std::collections::BTreeMap;
 

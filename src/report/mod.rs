@@ -17,7 +17,6 @@
 //! ```
 
 mod baseline;
-mod checksum;
 mod csv;
 pub mod figure;
 mod figures;
@@ -26,6 +25,7 @@ mod frame;
 mod json;
 mod junit;
 mod markdown;
+mod new_directory;
 mod output;
 mod page;
 pub mod plot;
@@ -36,11 +36,12 @@ mod table;
 mod text;
 
 pub use crate::markup::acts as acts_on_a_terminal;
+pub use crate::checksum::{Checksum, Summed, SummedLines};
 pub use baseline::{Baseline, BaselineError, fingerprint};
-pub use checksum::{Checksum, Summed, SummedLines};
 pub use format::{Format, UnknownFormat};
 pub use frame::{Form, Frame, Values};
 pub use junit::write as junit;
+pub use new_directory::NewDirectory;
 pub use output::{Output, OutputError, OutputProblem, is_same_file, note_input, note_stdin, remove_temporaries};
 pub use page::{Given, Page, Part, Printed};
 pub use sarif::{Finding, Fix, Kind, sarif};

@@ -33,6 +33,9 @@ pub enum OutputProblem {
     /// The path is a directory.
     #[error("it is a directory; name a file in it")]
     Directory,
+    /// The directory holds something.
+    #[error("the directory is not empty; name a new one, or remove it")]
+    NotEmpty,
     /// The directory that the file would be in does not exist.
     #[error("there is no directory {0}; create it first")]
     NoDirectory(String),
@@ -181,7 +184,7 @@ impl Output {
     }
 }
 
-fn unless_stopped() -> Result<(), OutputProblem> {
+pub(super) fn unless_stopped() -> Result<(), OutputProblem> {
     match Token::current().is_stopped() {
         true => Err(OutputProblem::Stopped),
         false => Ok(()),
@@ -248,7 +251,7 @@ fn new_file(path: &Path) -> Result<Target, OutputProblem> {
     }
 }
 
-fn directory_of(path: &Path) -> &Path {
+pub(super) fn directory_of(path: &Path) -> &Path {
     match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -260,10 +263,7 @@ fn replace(path: &Path, print: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
     let (temporary, file) =
         create_beside(path, before.is_some()).map_err(OutputProblem::system("creating a temporary file beside it"))?;
     // Removes the temporary on every way out but success, a panic in `print` included.
-    let mut guard = Temporary {
-        path: temporary,
-        keep: false,
-    };
+    let mut guard = Temporary::new(temporary);
     let mut writer = BufWriter::new(file);
     let written = print(&mut writer).and_then(|()| writer.flush());
     let (file, _) = writer.into_parts();
@@ -279,7 +279,7 @@ fn replace(path: &Path, print: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
     // an end by a signal waits here, or comes before and has removed it
     let _temporaries = TEMPORARIES.lock();
     fs::rename(&guard.path, path).map_err(OutputProblem::system("renaming the temporary file"))?;
-    guard.keep = true;
+    guard.keep();
     Ok(())
 }
 
@@ -288,12 +288,9 @@ fn replace(path: &Path, print: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
 /// Where it will replace a file nobody else may read it: that one's permissions may be as narrow.
 fn create_beside(path: &Path, replaces: bool) -> io::Result<(PathBuf, File)> {
     const ATTEMPTS: u32 = 100;
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    // A long name with something added might pass the limit of the file system.
-    let name: String = name.chars().take(40).collect();
     let mut last = io::Error::from(io::ErrorKind::AlreadyExists);
     for attempt in 0..ATTEMPTS {
-        let beside = directory_of(path).join(format!(".{name}.{}-{attempt}.tmp", std::process::id()));
+        let beside = directory_of(path).join(temporary_name(path, attempt));
         let mut options = OpenOptions::new();
         options.write(true).create_new(true);
         #[cfg(unix)]
@@ -316,23 +313,55 @@ fn create_beside(path: &Path, replaces: bool) -> io::Result<(PathBuf, File)> {
     Err(last)
 }
 
-/// The temporary files that there are now.
-static TEMPORARIES: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+/// A hidden name for what becomes the file or directory at a path.
+pub(super) fn temporary_name(path: &Path, attempt: u32) -> String {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    // A long name with something added might pass the limit of the file system.
+    let name: String = name.chars().take(40).collect();
+    format!(".{name}.{}-{attempt}.tmp", std::process::id())
+}
+
+/// The temporary files and directories that there are now.
+pub(super) static TEMPORARIES: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 /// Removes what is half written, for a program that is about to end: from now on no file is finished.
 pub fn remove_temporaries() {
     if let Ok(temporaries) = TEMPORARIES.lock() {
         for path in temporaries.iter() {
-            let _ = fs::remove_file(path);
+            remove(path);
         }
         // nobody may finish one any more
         std::mem::forget(temporaries);
     }
 }
 
-struct Temporary {
+/// A temporary file or directory, removed unless it is kept.
+pub(super) struct Temporary {
     path: PathBuf,
     keep: bool,
+}
+
+impl Temporary {
+    pub(super) fn new(path: PathBuf) -> Self {
+        Self { path, keep: false }
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Keeps it: it has another name by now.
+    pub(super) fn keep(&mut self) {
+        self.keep = true;
+    }
+}
+
+/// Removes a temporary file or directory. Nothing is to be done where even this fails; the error that led here is reported.
+fn remove(path: &Path) {
+    let _ = match path.is_dir() {
+        true => fs::remove_dir_all(path),
+        false => fs::remove_file(path),
+    };
 }
 
 impl Drop for Temporary {
@@ -341,8 +370,7 @@ impl Drop for Temporary {
             temporaries.remove(&self.path);
         }
         if !self.keep {
-            // Nothing to be done where even this fails; the error that led here is reported.
-            let _ = fs::remove_file(&self.path);
+            remove(&self.path);
         }
     }
 }
