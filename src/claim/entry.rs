@@ -66,6 +66,8 @@ pub struct Entry {
     pub names: Vec<String>,
     /// What its verdict rests on that nobody said, as a document without comments makes one guess.
     pub guessed: Vec<String>,
+    /// Guesses about what its notation means, without which it may be another claim.
+    pub doubts: Vec<String>,
     /// Whether it is a claim `A \Rightarrow B`.
     pub is_implication: bool,
     /// Whether it is a way of `A \Leftrightarrow B`.
@@ -109,11 +111,13 @@ pub(super) struct RawEntry {
     /// What else a formula of a document is called: the names of its `\label`.
     #[serde(skip)]
     pub names: Vec<String>,
-    /// What is guessed of an entry of a document.
-    #[serde(skip)]
+    /// Guesses of a document, a clause each: with one of them nothing is refuted.
+    #[serde(default)]
     pub guessed: Vec<String>,
-    /// Why an entry of a document cannot be read, beyond its formulas.
-    #[serde(skip)]
+    /// Guesses about what the notation means: with one of them nothing is proved either.
+    #[serde(default)]
+    pub doubts: Vec<String>,
+    /// A reason why the entry is not read, beyond its formulas.
     pub unread: Option<String>,
     /// Which way of `A \Leftrightarrow B` the entry is.
     #[serde(skip)]
@@ -1209,6 +1213,7 @@ pub(super) fn read_entry(
         expect: raw.expect,
         names: raw.names.clone(),
         guessed: raw.guessed.clone(),
+        doubts: raw.doubts.clone(),
         unread: faults
             .into_iter()
             .reduce(Fault::and)

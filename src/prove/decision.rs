@@ -62,10 +62,15 @@ impl Decision {
     }
 
     /// Says what the verdict rests on that nobody said. A formula is not refuted on a guess of what it follows from, nor where
-    /// a letter stands in it alone that may be meant for some value.
+    /// a letter stands in it alone that may be meant for some value; on a doubt about its notation it is not proved either.
     pub(super) fn on_guesses(mut self, sheet: &Sheet, position: usize) -> Self {
-        let guessed = sheet.entries.get(position).map_or(&[][..], |entry| &entry.guessed);
-        let mut guessed = guessed.to_vec();
+        let entry = sheet.entries.get(position);
+        let guessed = entry.map_or(&[][..], |entry| &entry.guessed);
+        let doubts = match self.verdict {
+            Verdict::Unread => &[][..],
+            _ => entry.map_or(&[][..], |entry| &entry.doubts),
+        };
+        let mut guessed: Vec<String> = doubts.iter().chain(guessed).cloned().collect();
         if self.verdict == Verdict::Refuted {
             let of_every = |name: &Name| format!("it is meant for every `{name}`, not for some");
             guessed.extend(sheet.of_some(position).into_iter().map(of_every));
@@ -73,14 +78,17 @@ impl Decision {
         if guessed.is_empty() {
             return self;
         }
+        let is_doubted = self.verdict == Verdict::Proved && !doubts.is_empty();
         let guessed = guessed.join("; ");
         self.reason = match (self.verdict, self.counterexample.take()) {
-            (Verdict::Refuted, None) => format!("{}, if the guess is right that {guessed}", self.reason),
             (Verdict::Refuted, Some(point)) => format!("fails at {point}, if the guess is right that {guessed}"),
+            (Verdict::Refuted, None) => format!("{}, if the guess is right that {guessed}", self.reason),
+            _ if is_doubted => format!("{}, if the guess is right that {guessed}", self.reason),
             _ => format!("{}; guessed: {guessed}", self.reason),
         };
-        if self.verdict == Verdict::Refuted {
+        if self.verdict == Verdict::Refuted || is_doubted {
             self.verdict = Verdict::Undecided;
+            self.provided.clear();
         }
         self
     }

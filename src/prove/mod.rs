@@ -70,7 +70,12 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
 pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided> {
     let mut search = Search::of(sheet, position, options);
     search.kept = Some(Vec::new());
-    let verdict = search.decide(sheet, position).verdict;
+    let decision = search.decide(sheet, position);
+    let verdict = decision.verdict;
+    // what proves a claim that its notation may not state is kept to itself
+    if verdict == Verdict::Proved && decision.on_guesses(sheet, position).verdict != verdict {
+        return Vec::new();
+    }
     let mut kept = search.kept.unwrap_or_default();
     kept.retain(|one| one.found.verdict() == verdict);
     kept

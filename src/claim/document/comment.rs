@@ -1,6 +1,7 @@
 //! What an author says of a formula in a comment that does not print.
 
 use super::super::entry::Role;
+use super::super::nearest::nearest;
 use super::super::symbols::{MapEntry, Pairs, Symbols};
 use super::super::verdict::Verdict;
 
@@ -34,6 +35,12 @@ pub(super) enum Key {
 /// What to say of a key that is none.
 pub(super) fn keys(text: &str) -> Result<Vec<Key>, String> {
     let mut keys = Vec::new();
+    if is_misspelt(text) {
+        let beginning = text.split_inclusive([':', ' ']).next().unwrap_or(text).trim();
+        return Err(format!(
+            "`{beginning}` does not begin a comment that is read; did you mean `audit:`?"
+        ));
+    }
     if text.ends_with(',') {
         return Err("this ends with a comma: each line of a comment begins with audit:".to_owned());
     }
@@ -83,6 +90,23 @@ pub(super) fn keys(text: &str) -> Result<Vec<Key>, String> {
         });
     }
     Ok(keys)
+}
+
+/// Returns true if a comment is keys behind a misspelt `audit:`, as `audti: claim`, `Audit : claim` or `audit claim` are.
+pub(super) fn is_misspelt(text: &str) -> bool {
+    let length = text.find(|c: char| !c.is_alphabetic()).unwrap_or(text.len());
+    let (word, rest) = text.split_at(length);
+    if text.starts_with("audit:") || nearest(word, ["audit"]).is_none() {
+        return false;
+    }
+    match rest.trim_start().strip_prefix(':') {
+        Some(rest) => parted(rest, ';').first().is_some_and(|part| begins_key(part)),
+        // prose may begin with these words, but does not consist of them
+        None => matches!(
+            keys(rest.trim()).as_deref(),
+            Ok([Key::Role(_) | Key::Skip | Key::Default(_), ..])
+        ),
+    }
 }
 
 /// Whether a part of a comment behind declarations of symbols is a key of its own.
@@ -320,6 +344,32 @@ mod tests {
             ("symbols maps M", "maps"),
         ] {
             assert!(keys(text).unwrap_err().contains(word), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_misspelt_audit_is_told_from_prose() {
+        for text in [
+            "audti: claim",
+            "adit: premise; label a",
+            "Audit : claim",
+            "AUDIT: symbols a, b",
+            "audits: follows from (1)",
+            "audit claim; follows from (1)",
+        ] {
+            assert!(keys(text).unwrap_err().contains("did you mean `audit:`"), "{text}");
+        }
+        for text in [
+            "audited by two people",
+            "audit: claim",
+            "Audit: see the report",
+            "edit: claim",
+            "audit with care",
+            "audit claim 3 again",
+            "claim",
+            "",
+        ] {
+            assert!(!is_misspelt(text), "{text}");
         }
     }
 

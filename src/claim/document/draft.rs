@@ -10,7 +10,7 @@ use toml::Spanned;
 /// The sheet as TOML.
 pub(super) fn toml(raw: &RawSheet, guesses: &[String], name: &str) -> String {
     let mut text = format!(
-        "# A draft from {}: edit what is guessed.\n",
+        "# A draft from {}: decided as the document is. Where a guess, doubt or `unread` is settled, remove it.\n",
         name.replace(char::is_control, " ")
     );
     for guess in guesses {
@@ -48,11 +48,14 @@ fn of_entry(entry: &RawEntry) -> String {
     if entry.expect != Verdict::default() {
         let _ = writeln!(text, "expect = \"{}\"", entry.expect);
     }
-    for guess in &entry.guessed {
-        let _ = writeln!(text, "# guessed: {guess}");
+    for (key, list) in [("guessed", &entry.guessed), ("doubts", &entry.doubts)] {
+        if !list.is_empty() {
+            let items: Vec<String> = list.iter().map(|item| format!("\n  {},", word(item))).collect();
+            let _ = writeln!(text, "{key} = [{}\n]", items.concat());
+        }
     }
     if let Some(problem) = &entry.unread {
-        let _ = writeln!(text, "# {}", problem.replace('\n', " "));
+        let _ = writeln!(text, "unread = {}", word(problem));
     }
     text
 }

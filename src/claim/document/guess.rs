@@ -1,11 +1,12 @@
 //! What formulas are of which nobody says it: what stands for a symbol, a definition, a law, a claim.
 
 use super::super::definition::{is_constant, pair_of};
-use super::super::entry::Role;
+use super::super::entry::{RawEntry, Role};
 use super::super::implication;
 use super::super::nodes::{any, any_side};
 use super::super::symbols::{Pairs, Symbols};
 use super::super::vocabulary::Vocabulary;
+use super::marks::{Marks, Stated};
 use super::scan::Formula;
 use crate::tex::{
     Display, Equation, Name, Names, Operation, ReadError, Relation, Tree, read_display, read_name, with_commands,
@@ -40,9 +41,13 @@ pub(super) struct Guess {
     commutators: Vec<[String; 2]>,
     /// Symbols that may be complex: with a star somewhere in the document, or given by the imaginary unit.
     complex: BTreeSet<Name>,
+    /// Letters that are marked as more than real numbers.
+    marks: Marks,
     has_symbols: bool,
     /// What the document declares itself.
     vocabulary: Vocabulary,
+    /// The number of each formula, by its label.
+    numbers: HashMap<String, usize>,
     /// The names met so far.
     met: HashSet<Name>,
     /// Which formula defines a name.
@@ -296,11 +301,25 @@ impl Guess {
         let prints_matrices =
             |shown: &String| OF_MATRICES.iter().any(|sign| shown.contains(sign)) || has_adjoint(shown);
         let has_matrices = all.iter().any(prints_matrices);
+        let commutators: Vec<[String; 2]> = all.iter().flat_map(|shown| commutators(shown)).collect();
+        let shown = formulas
+            .iter()
+            .map(|formula| formula.tex.as_deref().unwrap_or_default());
+        let marks = match has_symbols {
+            true => Marks::default(),
+            false => Marks::new(
+                shown.zip(read.iter().map(Vec::as_slice)),
+                &commutators,
+                !constants.i_is_index,
+            ),
+        };
         Self {
             has_matrices,
             called: called.map(str::to_owned).collect(),
             applied,
-            commutators: all.iter().flat_map(|shown| commutators(shown)).collect(),
+            commutators,
+            marks,
+            numbers: HashMap::new(),
             read,
             constants,
             given,
@@ -320,6 +339,7 @@ impl Guess {
     /// What formula number `at`, called `label`, is; `role` is what its author says, `is_founded` whether he says what it follows
     /// from, `is_doubtful` whether another row of its display could be a condition on it.
     pub fn of(&mut self, at: usize, label: &str, role: Option<Role>, is_founded: bool, is_doubtful: bool) -> Guessed {
+        self.numbers.insert(label.to_owned(), at);
         let equations = self.read.get(at).cloned().unwrap_or_default();
         let new = match equations.as_slice() {
             [equation] => self.defined(equation),
@@ -439,7 +459,9 @@ impl Guess {
         } else {
             self.read.get(at).into_iter().flatten().find_map(|equation| {
                 let is_some = |test: &mut dyn FnMut(&Tree) -> bool| any_side(equation, test);
-                if has_dependence(equation) || is_some(&mut is_rate) {
+                if is_some(&mut |node| matches!(node, Tree::Symbol(name, _) if self.is_pair_of_functions(name))) {
+                    Some("a letter that is a function elsewhere and a pair of numbers here is not guessed")
+                } else if has_dependence(equation) || is_some(&mut is_rate) {
                     Some("what depends on what is not guessed")
                 } else if only_reorders(equation) {
                     Some("whether factors may change places is not guessed")
@@ -465,10 +487,47 @@ impl Guess {
         Some(format!("{problem}: say the symbols by `% audit: symbols ...`"))
     }
 
+    /// What the notation of a claim takes for granted, a clause each; `below` says what each formula follows from.
+    pub fn doubts(&self, claim: &RawEntry, below: &HashMap<String, Vec<String>>) -> Vec<String> {
+        let equations = |label: &str| {
+            self.numbers
+                .get(label)
+                .and_then(|&at| self.read.get(at))
+                .into_iter()
+                .flatten()
+        };
+        let label = claim.label.get_ref();
+        let labels = labels_below(label, below);
+        let is_restricted = labels.iter().any(|label| self.premises.contains(label))
+            || !claim.assume.is_empty()
+            || !claim.with.is_empty()
+            || implication::formulas(claim.tex.get_ref()).len() > 1;
+        let stated = Stated {
+            own: equations(label).collect(),
+            below: labels.iter().flat_map(|label| equations(label)).collect(),
+            is_restricted,
+        };
+        self.marks.doubts(&stated, &|name| !self.definitions.contains_key(name))
+    }
+
     /// Whether this is a capital letter that nothing gives, in a document with matrices.
     fn may_be_matrix(&self, node: &Tree) -> bool {
         let is_capital = |name: &Name| name.base.len() == 1 && name.base.chars().all(|c| c.is_ascii_uppercase());
         matches!(node, Tree::Symbol(name, _) if is_capital(name) && !self.definitions.contains_key(name))
+    }
+
+    /// Returns true if a pair such as `h_{1,2}` is of a letter that is a function, or that functions run over.
+    fn is_pair_of_functions(&self, name: &Name) -> bool {
+        pair_of(name).is_some_and(|single| self.is_function(&single))
+    }
+
+    /// Returns true if a name is a function of time, or time itself where there is one.
+    fn is_function(&self, name: &Name) -> bool {
+        let plain = Name {
+            primes: 0,
+            ..name.clone()
+        };
+        self.functions.contains(&plain) || (!self.functions.is_empty() && name.to_string() == TIME)
     }
 
     /// Whether this is the modulus of what may be complex.
@@ -516,17 +575,12 @@ impl Guess {
 
     /// What of the formulas that a claim rests on nobody says, a part of a sentence each; `below` says what each follows from.
     pub fn beneath(&self, label: &str, below: &HashMap<String, Vec<String>>) -> Vec<String> {
-        let of = |label: &str| below.get(label).into_iter().flatten();
-        let (mut met, mut open): (HashSet<&String>, Vec<&String>) = (HashSet::new(), of(label).collect());
         let mut guessed: Vec<(&String, String)> = Vec::new();
-        while let Some(next) = open.pop() {
-            if met.insert(next) {
-                let role = self.guessed.get(next).map(|role| format!("({next}) is a {role}"));
-                let doubt = format!("no other row of its display is a condition on ({next})");
-                let told = role.into_iter().chain(self.doubtful.contains(next).then_some(doubt));
-                guessed.extend(told.map(|told| (next, told)));
-                open.extend(of(next));
-            }
+        for next in labels_below(label, below) {
+            let role = self.guessed.get(next).map(|role| format!("({next}) is a {role}"));
+            let doubt = format!("no other row of its display is a condition on ({next})");
+            let told = role.into_iter().chain(self.doubtful.contains(next).then_some(doubt));
+            guessed.extend(told.map(|told| (next, told)));
         }
         guessed.sort();
         let told = guessed.iter().take(MOST_TOLD).map(|(_, told)| told.clone());
@@ -540,21 +594,22 @@ impl Guess {
         if self.has_symbols {
             return None;
         }
-        let is_time = |name: &Name| name.to_string() == TIME;
-        let runs = !self.functions.is_empty();
-        let plain = |name: &Name| Name {
-            primes: 0,
-            ..name.clone()
-        };
-        let is_function = |name: &Name| self.functions.contains(&plain(name));
         let single = |name: &Name| pair_of(name).unwrap_or_else(|| name.clone());
-        let defined = |name: &Name| self.definitions.contains_key(name);
-        let needed = self
-            .names
-            .iter()
-            .filter(|name| !is_constant(name) && !defined(name) && !is_function(name));
-        let needed = needed.filter(|name| !(runs && is_time(name))).map(single);
-        let parameters: BTreeSet<String> = needed.map(|name| name.to_string()).collect();
+        let is_needed = |name: &&Name| !is_constant(name) && !self.definitions.contains_key(*name);
+        let needed = self.names.iter().filter(is_needed).map(single);
+        // what cannot be declared costs the formulas that hold it, and no other
+        let is_declared = |name: &String| {
+            let alone = Symbols {
+                parameters: vec![name.clone()],
+                ..Symbols::default()
+            };
+            Vocabulary::read(&alone).is_ok()
+        };
+        let parameters: BTreeSet<String> = needed
+            .filter(|name| !self.is_function(name))
+            .map(|name| name.to_string())
+            .filter(is_declared)
+            .collect();
         let derivative = |name: &Name| {
             let next = name.dotted();
             let next = self.functions.contains(&next).then(|| next.to_string());
@@ -562,7 +617,11 @@ impl Guess {
         };
         Some(Symbols {
             parameters: parameters.into_iter().collect(),
-            times: if runs { vec![TIME.to_owned()] } else { Vec::new() },
+            times: if !self.functions.is_empty() {
+                vec![TIME.to_owned()]
+            } else {
+                Vec::new()
+            },
             functions: Pairs::List(self.functions.iter().map(derivative).collect()),
             ..Symbols::default()
         })
@@ -592,6 +651,18 @@ impl Guess {
         }
         told
     }
+}
+
+/// The labels of everything that a formula follows from.
+fn labels_below<'a>(label: &str, below: &'a HashMap<String, Vec<String>>) -> BTreeSet<&'a String> {
+    let of = |label: &str| below.get(label).into_iter().flatten();
+    let (mut met, mut open): (BTreeSet<&String>, Vec<&String>) = (BTreeSet::new(), of(label).collect());
+    while let Some(next) = open.pop() {
+        if met.insert(next) {
+            open.extend(of(next));
+        }
+    }
+    met
 }
 
 /// The names in a tree, those of functions too; names of elementary functions are none.

@@ -5,9 +5,11 @@ mod comment;
 mod draft;
 mod guess;
 mod macros;
+mod marks;
 mod rows;
 mod scan;
 mod tex;
+mod words;
 
 use super::entry::{RawEntry, Role};
 use super::fault::{Fault, File, Source, Text};
@@ -54,6 +56,8 @@ pub struct PrintedNumber {
 #[derive(Clone, Debug, Default)]
 struct Said {
     role: Option<Role>,
+    /// Whether the role is said on the row itself, not of the whole display.
+    is_of_row: bool,
     skip: bool,
     label: Option<String>,
     follows_from: Option<Vec<String>>,
@@ -188,7 +192,17 @@ impl Document {
             formula.is_of_display || (!ends.is_empty() && ends.iter().all(|end| *end <= formula.part.start))
         };
         let of_displays: Vec<bool> = scan.formulas.iter().map(before).collect();
-        let guesses = entries(&scan.formulas, said, &of_displays, &whole, of_the_pair, &mut raw, &line);
+        let notes = scan.notes.iter();
+        let mut guesses: Vec<String> = notes.map(|(at, note)| format!("line {}: {note}", line(*at))).collect();
+        guesses.extend(entries(
+            &scan.formulas,
+            said,
+            &of_displays,
+            &whole,
+            of_the_pair,
+            &mut raw,
+            &line,
+        ));
         Self {
             raw,
             faults,
@@ -236,13 +250,11 @@ impl Said {
     fn or(self, before: &Self, is_link: bool) -> Self {
         let list =
             |own: Vec<Spanned<String>>, before: &[Spanned<String>]| if own.is_empty() { before.to_vec() } else { own };
-        // what follows the definition of a name is claimed of it
-        let claimed = |role: Role| {
-            if is_link && role == Role::Definition {
-                Role::Claim
-            } else {
-                role
-            }
+        // what follows the definition of a name is claimed of it, and what goes on from a row that is given of that
+        let claimed = |role: Role| match role {
+            Role::Definition if is_link => Role::Claim,
+            Role::Premise if is_link && before.is_of_row => Role::Claim,
+            role => role,
         };
         Self {
             role: self.role.or(before.role.map(claimed)),
@@ -383,6 +395,10 @@ fn entries(
         .filter(|&at| is_silent[at] || of_displays.get(at) == Some(&true))
         .map(|at| formulas[at].first)
         .collect();
+    for at in 0..said.len() {
+        let is_of_display = of_displays[at] && formulas[at].first == at;
+        said[at].is_of_row = !is_silent[at] && !is_of_display;
+    }
     for at in 1..said.len() {
         // what stands before a display is said of each of its rows that says nothing of its own
         if let Some(formula) = formulas
@@ -462,6 +478,7 @@ fn entries(
             expect: own.expect.unwrap_or_default(),
             names: formula.labels.clone(),
             guessed: guessed.guessed,
+            doubts: Vec::new(),
             unread,
             way: None,
         });
@@ -482,6 +499,7 @@ fn entries(
         .collect();
     for entry in raw.equation.iter_mut().filter(|entry| entry.role == Role::Claim) {
         entry.guessed.extend(guess.beneath(entry.label.get_ref(), &below));
+        entry.doubts.extend(guess.doubts(entry, &below));
     }
     if let Some(symbols) = guess.symbols() {
         raw.symbols = Some(Spanned::new(0..0, symbols));

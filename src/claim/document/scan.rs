@@ -1,6 +1,7 @@
 //! A document from its beginning to its end: its displays, its comments, its macros, the files that it includes.
 
 use super::super::fault::File;
+use super::comment::is_misspelt;
 use super::macros::Macros;
 use super::rows::{Row, blank, rows};
 use super::tex::{BRACES, Outside, SQUARE, after_blanks, command, environment, group, outside};
@@ -59,12 +60,12 @@ pub(super) struct Formula {
     pub is_of_display: bool,
 }
 
-/// A comment that begins with `audit:`.
+/// A comment that begins with `audit:`, or is meant to.
 #[derive(Clone, Debug)]
 pub(super) struct Comment {
     /// Where it stands.
     pub part: Range<usize>,
-    /// What it says, without `audit:`.
+    /// The keys, without `audit:`; all of a comment that misspells this.
     pub text: String,
     /// The printed text around it: of its line before it, else the next line.
     pub line: String,
@@ -97,6 +98,57 @@ const VERBATIM: [&str; 9] = [
     "tikzpicture",
     "filecontents",
     "filecontents*",
+];
+
+/// The directive of Markdown that is a display.
+const MATH: &str = "math";
+
+/// The directives of Markdown that hold text; so do all of `prf:` and `proof:`.
+const TEXT: [&str; 44] = [
+    "admonition",
+    "aside",
+    "assumption",
+    "attention",
+    "axiom",
+    "card",
+    "caution",
+    "conjecture",
+    "corollary",
+    "criterion",
+    "danger",
+    "definition",
+    "details",
+    "dropdown",
+    "epigraph",
+    "error",
+    "example",
+    "exercise",
+    "figure",
+    "grid",
+    "grid-item",
+    "grid-item-card",
+    "hint",
+    "important",
+    "lemma",
+    "margin",
+    "note",
+    "observation",
+    "proof",
+    "property",
+    "proposition",
+    "pull-quote",
+    "remark",
+    "seealso",
+    "sidebar",
+    "solution",
+    "tab-item",
+    "tab-set",
+    "theorem",
+    "tip",
+    "todo",
+    "topic",
+    "versionadded",
+    "warning",
 ];
 
 /// Classes of documents that number equations within chapters.
@@ -168,6 +220,8 @@ pub(super) struct Scan<'a> {
     pub comments: Vec<Comment>,
     /// What is wrong, and where.
     pub faults: Vec<(usize, String)>,
+    /// What is passed over although it may be meant, and where.
+    pub notes: Vec<(usize, String)>,
     macros: Macros,
     /// The comments of the file at hand that no formula has taken yet.
     waiting: VecDeque<usize>,
@@ -213,6 +267,7 @@ impl<'a> Scan<'a> {
             formulas: Vec::new(),
             comments: Vec::new(),
             faults: Vec::new(),
+            notes: Vec::new(),
             macros: Macros::default(),
             waiting: VecDeque::new(),
             environments: HashMap::new(),
@@ -311,13 +366,12 @@ impl<'a> Scan<'a> {
 
     /// Keeps a comment that is for us.
     fn comment(&mut self, part: Range<usize>, start: usize) -> Option<usize> {
-        let text = self
-            .text
-            .get(part.clone())?
-            .trim()
-            .strip_prefix("audit:")?
-            .trim()
-            .to_owned();
+        let text = self.text.get(part.clone())?.trim();
+        let text = match text.strip_prefix("audit:") {
+            Some(keys) => keys.trim().to_owned(),
+            None if is_misspelt(text) => text.to_owned(),
+            None => return None,
+        };
         let from = self.text.get(..start)?.rfind('\n').map_or(0, |end| end + 1);
         let before = self.text.get(from..start)?.trim();
         let is_on_line = !before.is_empty();
@@ -369,7 +423,7 @@ impl<'a> Scan<'a> {
                 break;
             }
             let rest = self.text.get(at..part.end).unwrap_or_default();
-            let Some(found) = rest.find(['\\', '$', '`', '~', '{', '}']) else {
+            let Some(found) = rest.find(['\\', '$', '`', '~', ':', '{', '}']) else {
                 break;
             };
             let here = at + found;
@@ -383,7 +437,11 @@ impl<'a> Scan<'a> {
                     here + 1
                 }
                 Some(b'`') if self.markup == Markup::Markdown => self.code('`', here, part.end),
-                Some(b'~') if self.markup == Markup::Markdown && self.is_fence(here) => self.code('~', here, part.end),
+                Some(sign @ (b'~' | b':'))
+                    if self.markup == Markup::Markdown && self.is_fence(char::from(*sign), here) =>
+                {
+                    self.code(char::from(*sign), here, part.end)
+                }
                 Some(b'$') => self.dollars(here, part.end),
                 Some(b'\\') => self.command(here, part.end),
                 _ => here + 1,
@@ -391,31 +449,88 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Whether `~~~` stands here at the start of a line.
-    fn is_fence(&self, here: usize) -> bool {
-        let before = self.text.get(..here).unwrap_or_default();
-        let is_first = before.trim_end_matches(' ').ends_with('\n') || before.trim_end_matches(' ').is_empty();
-        is_first && self.text.get(here..).is_some_and(|rest| rest.starts_with("~~~"))
+    /// Returns true if three of these signs stand here at the start of a line.
+    fn is_fence(&self, sign: char, here: usize) -> bool {
+        let before = self.text.get(..here).unwrap_or_default().trim_end_matches(' ');
+        let is_first = before.is_empty() || before.ends_with('\n');
+        let mut signs = self.text.get(here..).unwrap_or_default().chars().take(3);
+        is_first && signs.by_ref().filter(|c| *c == sign).count() == 3
     }
 
-    /// Where the code ends that a fence of these signs starts here; a block of `math` is a display.
+    /// Passes over the code that a fence of these signs starts here and returns its end. A block of `math` is a display; in a
+    /// directive that holds text its displays are read.
     fn code(&mut self, sign: char, here: usize, end: usize) -> usize {
         let rest = self.text.get(here..end).unwrap_or_default();
         let fence: String = rest.chars().take_while(|c| *c == sign).collect();
         let body = here + fence.len();
-        let Some(close) = self
-            .text
-            .get(body..end)
-            .and_then(|rest| rest.find(&fence))
-            .map(|found| body + found)
-        else {
+        let rest = self.text.get(body..end).unwrap_or_default();
+        let line = rest.find('\n').unwrap_or(rest.len());
+        let information = rest.get(..line).unwrap_or_default();
+        let directive = directive(information).filter(|_| fence.len() >= 3).map(str::to_owned);
+        let is_text = directive.as_deref().is_some_and(holds_text);
+        // a fence of colons holds text unless its directive says otherwise
+        if sign == ':' && (directive.is_none() || is_text) {
+            return body + line;
+        }
+        let close = match directive {
+            Some(_) => end_of_fence(rest, &fence, sign),
+            None => rest.find(&fence),
+        };
+        let Some(close) = close.map(|found| body + found) else {
             return body;
         };
-        let is_math = fence.len() >= 3 && self.text.get(body..close).is_some_and(|text| text.starts_with("math"));
-        if is_math {
-            self.display(body + 4..close, Numbers::None, "math");
+        let is_math = fence.len() >= 3 && information.split_whitespace().next() == Some("math");
+        match directive.as_deref() {
+            Some(MATH) => {
+                let start = body + information.find('}').map_or(0, |brace| brace + 1);
+                self.options(body + line..close);
+                self.display(start..close, Numbers::None, "math");
+            }
+            // its end must not open another
+            Some(_) if is_text => {
+                blank(&mut self.text, close..close + fence.len());
+                return body + line;
+            }
+            Some(name) => {
+                let own = self.text.get(body..close).unwrap_or_default();
+                if own.contains("$$") || words(own).any(|(word, _)| word == "[" || word == "begin") {
+                    let problem = format!("`{{{name}}}` is taken for code: a display in it is not read");
+                    self.notes.push((here, problem));
+                }
+            }
+            None if is_math => {
+                let start = body + information.find("math").unwrap_or(0) + "math".len();
+                self.display(start..close, Numbers::None, "math");
+            }
+            None => {}
         }
         close + fence.len()
+    }
+
+    /// Blanks out the options at the start of a directive, such as `:label: law`, which becomes a `\label`.
+    fn options(&mut self, body: Range<usize>) {
+        let mut at = body.start;
+        while at < body.end {
+            let own = self.text.get(at..body.end).unwrap_or_default();
+            let length = own.find('\n').map_or(own.len(), |end| end + 1);
+            let line = own.get(..length).unwrap_or_default();
+            let part = at..at + line.trim_end().len();
+            at += length;
+            if line.trim().is_empty() {
+                continue;
+            }
+            let option = line.trim().strip_prefix(':').and_then(|line| line.split_once(':'));
+            let Some((key, value)) = option.filter(|(key, _)| key.chars().all(|c| c.is_alphabetic() || c == '-'))
+            else {
+                return;
+            };
+            let label = format!(r"\label{{{}}}", value.trim());
+            let is_label = key == "label" && !value.contains(['{', '}', '\\']) && label.len() <= part.len();
+            blank(&mut self.text, part.clone());
+            if is_label {
+                self.text.replace_range(part.start..part.start + label.len(), &label);
+            }
+        }
     }
 
     fn dollars(&mut self, here: usize, end: usize) -> usize {
@@ -916,6 +1031,12 @@ impl<'a> Scan<'a> {
     fn display(&mut self, body: Range<usize>, numbers: Numbers, name: &str) {
         let first = self.formulas.len();
         let (start, end) = (body.start, body.end);
+        if self.markup == Markup::Markdown {
+            let comments = self.comments_of_tex(body.clone());
+            self.waiting.extend(comments);
+            let place = |number: &usize| self.comments.get(*number).map(|comment| comment.part.start);
+            self.waiting.make_contiguous().sort_by_key(place);
+        }
         let mut last_has_number = true;
         // a row behind the last sign of a row has a number too, empty as it is
         let mut rows_end = outside(&self.text, body.clone())
@@ -1042,6 +1163,31 @@ impl<'a> Scan<'a> {
         });
         self.take_comments(row.line_end.min(end), Some(self.formulas.len() - 1));
     }
+}
+
+/// The name of the directive that the line of a fence opens: `note` of `{note} Title`.
+fn directive(information: &str) -> Option<&str> {
+    let (name, _) = information.trim_start().strip_prefix('{')?.split_once('}')?;
+    let is_name = |c: char| c.is_ascii_alphanumeric() || "-_:+".contains(c);
+    (!name.is_empty() && name.chars().all(is_name)).then_some(name)
+}
+
+/// Returns the start of the fence that ends a block: a line of nothing but its sign, no fewer than at its start.
+fn end_of_fence(text: &str, fence: &str, sign: char) -> Option<usize> {
+    let mut at = 0;
+    for line in text.split_inclusive('\n') {
+        let own = line.trim();
+        if at > 0 && own.starts_with(fence) && own.chars().all(|c| c == sign) {
+            return Some(at + line.len() - line.trim_start().len());
+        }
+        at += line.len();
+    }
+    None
+}
+
+/// Returns true if a directive holds text.
+fn holds_text(name: &str) -> bool {
+    TEXT.contains(&name) || name.starts_with("prf:") || name.starts_with("proof:")
 }
 
 /// The commands of a text, each with where it ends.

@@ -1,0 +1,398 @@
+//! Letters that a document marks as more than real numbers: as matrices, vectors or operators, and as complex.
+
+use super::super::definition::{base_alone, is_constant};
+use super::super::nodes::any;
+use super::words::is_identity_of_words;
+use crate::tex::{Equation, Invariant, Name, Operation, Relation, Tree, letters};
+use std::collections::BTreeSet;
+
+/// The letters that a document marks.
+#[derive(Default)]
+pub(super) struct Marks {
+    /// Letters whose factors may not change places.
+    operators: BTreeSet<Name>,
+    complex: BTreeSet<Name>,
+}
+
+/// What a claim and everything below it state.
+pub(super) struct Stated<'a> {
+    pub own: Vec<&'a Equation>,
+    pub below: Vec<&'a Equation>,
+    /// Whether more than definitions restricts the letters.
+    pub is_restricted: bool,
+}
+
+/// Commands of functions of matrices alone.
+const OF_MATRICES: [&str; 16] = [
+    r"\det",
+    r"\tr",
+    r"\Tr",
+    r"\rank",
+    r"\operatorname{det}",
+    r"\operatorname{tr}",
+    r"\operatorname{Tr}",
+    r"\operatorname{rank}",
+    r"\mathrm{det}",
+    r"\mathrm{tr}",
+    r"\mathrm{Tr}",
+    r"\mathrm{rank}",
+    r"\text{det}",
+    r"\text{tr}",
+    r"\text{Tr}",
+    r"\text{rank}",
+];
+
+/// Commands of the parts of complex numbers.
+const OF_COMPLEX: [&str; 7] = [
+    r"\Re",
+    r"\Im",
+    r"\arg",
+    r"\operatorname{Re}",
+    r"\operatorname{Im}",
+    r"\mathrm{Re}",
+    r"\mathrm{Im}",
+];
+
+/// Functions that agree with their real ones on identities of complex numbers.
+const ANALYTIC: [&str; 10] = [
+    r"\exp", r"\sin", r"\cos", r"\tan", r"\cot", r"\sec", r"\csc", r"\sinh", r"\cosh", r"\tanh",
+];
+
+impl Marks {
+    /// Collects the marks of formulas, each with its TeX and what it states. `unit_is_number` says that `i` is the imaginary unit.
+    pub fn new<'a>(
+        formulas: impl Iterator<Item = (&'a str, &'a [Equation])> + Clone,
+        commutators: &[[String; 2]],
+        unit_is_number: bool,
+    ) -> Self {
+        let mut marks = Self::default();
+        let mut letters_of_matrices: BTreeSet<String> = commutators.iter().flatten().cloned().collect();
+        let mut letters_of_complex = BTreeSet::new();
+        for (tex, _) in formulas.clone() {
+            letters_of_matrices.extend(arguments(tex, &OF_MATRICES));
+            letters_of_complex.extend(arguments(tex, &OF_COMPLEX));
+            let printed = letters(tex).into_iter();
+            letters_of_matrices.extend(
+                printed
+                    .filter(|(_, shape)| shape.starts_with(r"\mathbf"))
+                    .map(|(letter, _)| letter.to_owned()),
+            );
+        }
+        let equations: Vec<&Equation> = formulas.flat_map(|(_, equations)| equations).collect();
+        for equation in &equations {
+            for side in [&equation.left, &equation.right] {
+                any(side, &mut |node| {
+                    marks.read(node);
+                    if let Tree::Symbol(name, _) | Tree::Call(name, ..) = node {
+                        if letters_of_matrices.contains(&name.base) && name.accents.is_empty() {
+                            marks.operators.insert(name.clone());
+                        }
+                        if letters_of_complex.contains(&name.base) && name.accents.is_empty() {
+                            marks.complex.insert(name.clone());
+                        }
+                    }
+                    false
+                });
+            }
+        }
+        let is_unit = |name: &Name| unit_is_number && is_constant(name) && name.base == "i";
+        while equations
+            .iter()
+            .fold(false, |grew, equation| marks.spread(equation, &is_unit) || grew)
+        {}
+        marks.operators.retain(|name| !is_constant(name));
+        marks.complex.retain(|name| !is_constant(name));
+        marks
+    }
+
+    /// Notes what one node marks.
+    fn read(&mut self, node: &Tree) {
+        match node {
+            Tree::Symbol(name, _) | Tree::Call(name, ..) => {
+                let has = |accents: &[&str]| name.accents.iter().any(|accent| accents.contains(&accent.as_str()));
+                let is_capital = name.base.chars().all(|c| c.is_ascii_uppercase());
+                if has(&[r"\vec", r"\overrightarrow"]) || (is_capital && has(&[r"\hat", r"\widehat"])) {
+                    self.operators.insert(name.clone());
+                }
+                let mut plain = name.clone();
+                if plain.mark == "*" {
+                    plain.mark.clear();
+                } else if plain.accents.last().is_some_and(|accent| accent == r"\overline") {
+                    plain.accents.pop();
+                } else {
+                    return;
+                }
+                self.complex.insert(plain);
+            }
+            Tree::RealPower(of, exponent, _) if is_sign_of_transpose(of, exponent) => self.mark_operators(of),
+            Tree::Product(factors) => {
+                for (at, first) in factors.iter().enumerate() {
+                    for (behind, last) in factors.iter().enumerate().skip(at + 2) {
+                        if are_inverse(first, last) {
+                            factors[at..=behind]
+                                .iter()
+                                .for_each(|factor| self.mark_operators(factor));
+                        }
+                    }
+                }
+            }
+            Tree::Operation(operation, _) => match &**operation {
+                Operation::Transpose(of) | Operation::Determinant(of) | Operation::Trace(of) => {
+                    self.mark_operators(of);
+                }
+                Operation::Cross(left, right) => {
+                    self.mark_operators(left);
+                    self.mark_operators(right);
+                }
+                _ => {}
+            },
+            Tree::Invariant {
+                kind: Invariant::Trace | Invariant::Determinant,
+                of,
+                ..
+            } => {
+                self.operators.insert(of.clone());
+            }
+            _ => {}
+        }
+    }
+
+    /// Marks the letters of sums, products and powers.
+    fn mark_operators(&mut self, tree: &Tree) {
+        match tree {
+            Tree::Symbol(name, _) | Tree::Call(name, ..) => {
+                self.operators.insert(name.clone());
+            }
+            Tree::Sum(parts) | Tree::Product(parts) => parts.iter().for_each(|part| self.mark_operators(part)),
+            Tree::Negate(of) | Tree::Power(of, ..) => self.mark_operators(of),
+            _ => {}
+        }
+    }
+
+    /// Marks the letters that are added or equated to what is marked; returns true if any is new.
+    fn spread(&mut self, equation: &Equation, is_unit: &dyn Fn(&Name) -> bool) -> bool {
+        let known = self.operators.len() + self.complex.len();
+        let mut sums = vec![vec![&equation.left, &equation.right]];
+        for side in [&equation.left, &equation.right] {
+            collect_sums(side, &mut sums);
+        }
+        if let [both, ..] = sums.as_mut_slice() {
+            *both = both.iter().flat_map(|side| terms(side)).collect();
+        }
+        for sum in &sums {
+            if sum.iter().any(|term| self.is_operator(term)) {
+                self.operators
+                    .extend(sum.iter().filter_map(|term| letter_alone(term)).cloned());
+            }
+        }
+        for (side, other) in [(&equation.left, &equation.right), (&equation.right, &equation.left)] {
+            if let Tree::Symbol(name, _) | Tree::Call(name, ..) = side
+                && holds(other, &|own| self.complex.contains(own) || is_unit(own))
+            {
+                self.complex.insert(name.clone());
+            }
+        }
+        self.operators.len() + self.complex.len() > known
+    }
+
+    /// Returns true if the value of a term is a matrix, a vector or an operator.
+    fn is_operator(&self, term: &Tree) -> bool {
+        match term {
+            Tree::Symbol(name, _) | Tree::Call(name, ..) => self.operators.contains(name),
+            Tree::Negate(of) | Tree::Power(of, ..) | Tree::Quotient(of, ..) => self.is_operator(of),
+            Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| self.is_operator(part)),
+            Tree::Operation(operation, _) => matches!(**operation, Operation::Matrix(_) | Operation::Transpose(_)),
+            _ => false,
+        }
+    }
+
+    /// The doubts about a claim, a clause each; `is_free` says that no definition gives a letter.
+    pub fn doubts(&self, stated: &Stated<'_>, is_free: &dyn Fn(&Name) -> bool) -> Vec<String> {
+        let all = || stated.own.iter().chain(&stated.below);
+        let found = |marked: &BTreeSet<Name>| -> Vec<String> {
+            let mut found = BTreeSet::new();
+            for equation in all() {
+                for side in [&equation.left, &equation.right] {
+                    any(side, &mut |node| {
+                        if let Tree::Symbol(name, _) | Tree::Call(name, ..) = node
+                            && marked.contains(name)
+                            && is_free(name)
+                        {
+                            found.insert(name.to_string());
+                        }
+                        false
+                    });
+                }
+            }
+            found.into_iter().map(|name| format!("`{name}`")).collect()
+        };
+        let is_real_only = |marked: &BTreeSet<Name>| {
+            let is_equation = |equation: &Equation| equation.relation == Relation::Equal;
+            let needs_reals = |side: &Tree| any(side, &mut |node| needs_reals(node, marked));
+            !stated.own.iter().all(|equation| is_equation(equation))
+                || stated.is_restricted
+                || all().any(|equation| needs_reals(&equation.left) || needs_reals(&equation.right))
+        };
+        let operators = found(&self.operators);
+        let is_identity = || {
+            let is_one = |equation: &&Equation| is_identity_of_words(equation, &self.operators);
+            stated.below.is_empty() && stated.own.iter().all(is_one)
+        };
+        let mut doubts = Vec::new();
+        let may_depend = operators.len() > 1 && !is_identity();
+        if !operators.is_empty() && (may_depend || is_real_only(&self.operators)) {
+            let are = numbers(&operators);
+            doubts.push(format!(
+                "{are}, although the document marks matrices, vectors or operators so"
+            ));
+        }
+        let complex = found(&self.complex);
+        if !complex.is_empty() && is_real_only(&self.complex) {
+            let are = numbers(&complex);
+            doubts.push(format!("{are}, although the document marks complex numbers so"));
+        }
+        doubts
+    }
+}
+
+/// Says that these are real numbers.
+fn numbers(letters: &[String]) -> String {
+    match letters {
+        [letter] => format!("{letter} is a real number"),
+        letters => format!("{} are real numbers", letters.join(" and ")),
+    }
+}
+
+/// Returns true if what holds of real numbers at this node may not hold of the marked letters in it.
+fn needs_reals(node: &Tree, marked: &BTreeSet<Name>) -> bool {
+    let of = match node {
+        Tree::Call(name, argument, _) if name.base.starts_with('\\') && !ANALYTIC.contains(&name.base.as_str()) => {
+            // a letter that is a function is no elementary one
+            if crate::tex::letter(&name.base).is_some() {
+                return false;
+            }
+            argument
+        }
+        Tree::Root(of, ..) | Tree::RealPower(of, ..) => of,
+        Tree::Operation(operation, _) => {
+            let part = |(part, _): (&Tree, _)| holds(part, &|name| marked.contains(name));
+            return operation.parts().into_iter().any(part);
+        }
+        _ => return false,
+    };
+    holds(of, &|name| marked.contains(name))
+}
+
+/// Returns true if a letter that passes the test stands in a tree, outside of moduli and real and imaginary parts.
+fn holds(tree: &Tree, test: &dyn Fn(&Name) -> bool) -> bool {
+    match tree {
+        Tree::Call(name, ..) if [r"\Re", r"\Im", r"\arg"].contains(&name.base.as_str()) => false,
+        Tree::Symbol(name, _) => test(name),
+        Tree::Call(name, ..) if test(name) => true,
+        _ => tree.find_below(&mut |part| holds(part, test).then_some(())).is_some(),
+    }
+}
+
+/// Returns true if an exponent is the sign of a transpose or an adjoint.
+fn is_sign_of_transpose(of: &Tree, exponent: &Tree) -> bool {
+    let Tree::Symbol(name, _) = exponent else {
+        return false;
+    };
+    let is_capital =
+        |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name.base.chars().all(|c| c.is_ascii_uppercase()));
+    let is_alone = *name == base_alone(name);
+    match name.base.as_str() {
+        r"\top" | r"\intercal" | r"\dagger" => true,
+        "T" => is_alone && !matches!(of, Tree::Number(_)),
+        "H" => is_alone && is_capital(of),
+        _ => false,
+    }
+}
+
+/// Returns true if one factor is the inverse of the other, to the same power.
+fn are_inverse(first: &Tree, last: &Tree) -> bool {
+    let split = |tree: &Tree| match tree {
+        Tree::Power(of, exponent, _) => ((**of).clone(), *exponent),
+        tree => (tree.clone(), 1),
+    };
+    let ((first, one), (last, other)) = (split(first), split(last));
+    first == last && one + other == 0 && !matches!(first, Tree::Number(_))
+}
+
+/// The terms of a sum.
+fn terms(tree: &Tree) -> Vec<&Tree> {
+    match tree {
+        Tree::Sum(parts) => parts.iter().flat_map(terms).collect(),
+        Tree::Negate(of) => terms(of),
+        tree => vec![tree],
+    }
+}
+
+/// Collects the terms of each sum in a tree.
+fn collect_sums<'t>(tree: &'t Tree, sums: &mut Vec<Vec<&'t Tree>>) {
+    if let Tree::Sum(_) = tree {
+        sums.push(terms(tree));
+    }
+    tree.find_below(&mut |part| {
+        collect_sums(part, sums);
+        None::<()>
+    });
+}
+
+/// The letter that a term is, with a number before it or not.
+fn letter_alone(term: &Tree) -> Option<&Name> {
+    match term {
+        Tree::Symbol(name, _) | Tree::Call(name, ..) if !name.base.starts_with('\\') || is_letter(name) => Some(name),
+        Tree::Negate(of) => letter_alone(of),
+        Tree::Product(factors) => {
+            let mut others = factors.iter().filter(|factor| !matches!(factor, Tree::Number(_)));
+            let only = others.next()?;
+            others.next().is_none().then(|| letter_alone(only)).flatten()
+        }
+        _ => None,
+    }
+}
+
+fn is_letter(name: &Name) -> bool {
+    crate::tex::letter(&name.base).is_some()
+}
+
+/// The letters of what stands behind one of these commands, in brackets or alone.
+fn arguments(tex: &str, commands: &[&str]) -> Vec<String> {
+    let mut found = Vec::new();
+    for command in commands {
+        for (at, _) in tex.match_indices(command) {
+            let rest = tex.get(at + command.len()..).unwrap_or_default();
+            // `\treat` is no trace
+            if !command.ends_with('}') && rest.starts_with(|c: char| c.is_ascii_alphabetic()) {
+                continue;
+            }
+            let rest = rest.trim_start().trim_start_matches(r"\left").trim_start();
+            let length = match rest.chars().next() {
+                Some('(' | '[' | '{') => bracketed(rest),
+                Some('\\') => 1 + rest.chars().skip(1).take_while(char::is_ascii_alphabetic).count(),
+                Some(c) => c.len_utf8(),
+                None => 0,
+            };
+            let own = letters(rest.get(..length).unwrap_or_default());
+            found.extend(own.into_iter().map(|(letter, _)| letter.to_owned()));
+        }
+    }
+    found
+}
+
+/// The length of what stands in the bracket that opens a text.
+fn bracketed(text: &str) -> usize {
+    let mut depth = 0_i32;
+    for (at, c) in text.char_indices() {
+        match c {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return at + c.len_utf8();
+        }
+    }
+    text.len()
+}
