@@ -30,7 +30,7 @@ pub struct Arguments {
     ///
     /// `digits` are to hold at the share `solved` of the problems (at all of them where it is not given), `error` is the
     /// relative error of a statistic, `proved=true` asks for a proof, `task` for the tasks with this in their names. Exits
-    /// with 1 where no means of a task does it, and names the closest.
+    /// with 1 where neither a means of a task nor a command does it, and names the closest.
     #[arg(long, value_name = "NEED", conflicts_with_all = ["task", "problems", "method", "number"])]
     pub(super) advise: Option<Need>,
     /// Draw digits against time as an SVG, a panel a task: each ladder as a line, and the front
@@ -184,7 +184,7 @@ fn advised(need: &Need, asked: &TradeOptions, drawing: Option<Output>, is_text: 
                 _ => "",
             };
             note(&format!(
-                "{}: nothing keeps {digits:.1} digits at {share}% of the problems{proof}; the closest keeps them at {kept} of {problems}",
+                "{}: nothing measured keeps {digits:.1} digits at {share}% of the problems{proof}; the closest keeps them at {kept} of {problems}",
                 row.task
             ));
         }
@@ -208,58 +208,92 @@ fn advised(need: &Need, asked: &TradeOptions, drawing: Option<Output>, is_text: 
         ];
         table.push(cells.into_iter().take(shown).collect::<Vec<_>>())?;
     }
-    for line in chosen(need, &advice)? {
+    for line in chosen(need, &advice) {
         note(&line);
     }
-    let is_met = advice.iter().all(|advice| advice.rank != Rank::Closest);
+    let is_met = advice
+        .iter()
+        .all(|advice| advice.rank != Rank::Closest || Taker::is_met(&advice.row.task, need));
     Ok(Answer {
         content: Content::Table(table),
         exit: Exit::from_verdict(is_met),
     })
 }
 
-/// What `--digits` and `sweep.error` take for the same need, and why, where it is not what is advised.
-fn chosen(need: &Need, advice: &[Advice]) -> Result<Vec<String>, Failure> {
+/// A command that computes what a task compares, in as wide a number as `--digits` needs.
+struct Taker {
+    task: Task,
+    command: &'static str,
+    method: &'static str,
+    proves: bool,
+    /// The reason for a method that is not the cheapest.
+    why: &'static str,
+}
+
+impl Taker {
+    const ALL: [Self; 2] = [
+        Self {
+            task: Task::Orbit,
+            command: "orbits",
+            method: "certified",
+            proves: true,
+            why: "a command proves the orbits that it prints",
+        },
+        Self {
+            task: Task::Impact,
+            command: "simulate",
+            method: "own",
+            proves: false,
+            why: "a command says how many digits hold",
+        },
+    ];
+
+    /// Returns true if a part of a task has a command that meets the need.
+    fn is_met(part: &str, need: &Need) -> bool {
+        let digits = need.digits.ceil() as u32;
+        let reaches = !need.of_statistics && Rung::reaching(digits).digits() >= digits;
+        let mut takers = Self::ALL.iter().filter(|taker| part.starts_with(taker.task.name()));
+        takers.any(|taker| reaches && (taker.proves || !need.proved))
+    }
+}
+
+/// Describes what `--digits` and `sweep.error` take for the same need, and why, where it is not what is advised.
+fn chosen(need: &Need, advice: &[Advice]) -> Vec<String> {
     let advised = |part: &str, method: &str, number: &str| {
         advice.iter().any(|advice| {
             let row = advice.row;
             row.task.starts_with(part) && row.method == method && row.number.to_string() == number
         })
     };
-    let speaks_of = |part: &str| advice.iter().any(|advice| advice.row.task.starts_with(part));
-    let mut lines = Vec::new();
     if need.of_statistics {
-        lines.push(format!(
+        return vec![format!(
             "`sweep.error = {}` follows each motion until its own standard error says so, in lanes where there are eight values or more",
             measured(10_f64.powf(-need.digits))
-        ));
-        return Ok(lines);
+        )];
     }
     let digits = need.digits.ceil() as u32;
-    let takers = [
-        (
-            Task::Orbit,
-            "orbits",
-            "certified",
-            "a command proves the orbits that it prints",
-        ),
-        (Task::Impact, "simulate", "own", "a command says how many digits hold"),
-    ];
-    for (task, command, method, why) in takers {
-        if !speaks_of(task.name()) {
-            continue;
-        }
-        let number = Rung::reaching(digits).to_string();
-        let as_advised = if advised(task.name(), method, &number) {
-            "as advised".to_owned()
+    let number = Rung::reaching(digits).to_string();
+    let is_asked = |taker: &&Taker| {
+        advice
+            .iter()
+            .any(|advice| advice.row.task.starts_with(taker.task.name()))
+    };
+    let line = |taker: &Taker| {
+        let Taker {
+            task,
+            command,
+            method,
+            why,
+            ..
+        } = taker;
+        let why = if advised(task.name(), method, &number) {
+            "as advised"
         } else {
-            why.to_owned()
+            why
         };
-        lines.push(format!(
-            "`{command} --digits {digits}` takes {method} in {number}: {as_advised}"
-        ));
-    }
-    Ok(lines)
+        format!("`{command} --digits {digits}` takes {method} in {number}: {why}")
+    };
+    Taker::ALL.iter().filter(is_asked).map(line).collect()
 }
 
 fn count(n: u64) -> Cell {

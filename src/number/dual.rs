@@ -90,6 +90,10 @@ impl<T: Analytic + DualNum> Analytic for Dual<T> {
         self.re.to_f64()
     }
 
+    fn unit() -> Self {
+        Dual::from_re(T::unit())
+    }
+
     fn constant(&self) -> Self {
         Dual::from_re(self.re.constant())
     }

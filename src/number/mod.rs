@@ -69,6 +69,12 @@ pub trait Analytic: Field {
     /// The nearest f64 to the value (of a dual number: to its real part).
     fn to_f64(&self) -> f64;
 
+    /// A constant of which only is known that it lies in [-1, 1]: all of that for intervals, 0 for numbers. It bounds what is
+    /// cut off a series.
+    fn unit() -> Self {
+        Self::zero()
+    }
+
     /// The value alone: what a dual number carries beside its real part is dropped, at every depth.
     ///
     /// A root is bracketed on values; derivatives follow afterwards from the implicit function theorem.

@@ -58,7 +58,7 @@ pub use long_run::cycle_means::CycleMeans;
 pub use long_run::lyapunov::{largest_multiplier, lyapunov};
 pub use long_run::resting::RestingCycle;
 pub use long_run::statistics::{
-    Averaging, AveragingLength, Estimate, FREQUENCIES, LongRun, OfImpact, RunningMeans, Statistics,
+    AtRelease, Averaging, AveragingLength, Estimate, FREQUENCIES, LongRun, OfImpact, RunningMeans, Statistics,
 };
 pub use long_run::steady_state::{Settling, SteadyState};
 pub use one_one_branches::{OneOneBranches, OpenBifurcation};

@@ -5,7 +5,7 @@ use crate::impact::{Event, Kind, Widening, in_lanes};
 use crate::model::{Membrane, Motion, MotionError, Parameters, Side};
 use crate::number::FIGURES_OF_F64;
 use crate::orbit::{
-    Attractor, Averaging, AveragingLength, CycleMeans, Estimate, LongRun, OfImpact, RestingCycle, Settling,
+    AtRelease, Attractor, Averaging, AveragingLength, CycleMeans, Estimate, LongRun, OfImpact, RestingCycle, Settling,
     SteadyState, lyapunov,
 };
 use std::ops::Range;
@@ -203,12 +203,12 @@ pub(super) fn follow<P: Parameters>(
         let means = motions[index].known_means(&mut settled, &averagings[index]);
         let means = means.map(|means| match means {
             KnownMeans::Known(means) => means,
-            KnownMeans::Open { end, at_releases } => {
+            KnownMeans::Open { end, at_release } => {
                 open.push((
                     index,
                     end,
                     Averaging {
-                        at_releases,
+                        at_release,
                         ..averagings[index]
                     },
                 ));
@@ -250,10 +250,10 @@ pub(super) fn follow<P: Parameters>(
 /// The means of a motion, if they are known without following it on.
 enum KnownMeans {
     Known(Option<Means>),
-    /// From this event on, the second release closing a cycle or not.
+    /// From this event on.
     Open {
         end: Event<f64>,
-        at_releases: bool,
+        at_release: AtRelease,
     },
 }
 
@@ -286,6 +286,7 @@ impl<P: Parameters> Following<'_, P> {
             impacts,
             error,
             most_impacts: most,
+            options,
             ..
         } = self.diagram;
         Averaging {
@@ -293,7 +294,9 @@ impl<P: Parameters> Following<'_, P> {
             length: AveragingLength { impacts, error, most },
             voltage: voltage.map(|voltage| voltage as OfImpact),
             with_growth: self.depth == Depth::Reliable,
-            at_releases: true,
+            at_release: AtRelease::Ends {
+                followed: options.settling_impacts,
+            },
         }
     }
 
@@ -313,18 +316,15 @@ impl<P: Parameters> Following<'_, P> {
         )
     }
 
-    /// The cycle through a rest after a second release from a wall, after so many impacts.
-    fn through(&self, side: Side, after: u64) -> Result<Option<Attractor>, MotionError> {
+    /// The cycle through a rest after a second release from a wall, after so many impacts; else the impacts of it that are
+    /// known.
+    fn through(&self, side: Side, after: u64) -> Result<Result<Attractor, u64>, MotionError> {
         // errors may lead round a longer way than f64 has seen
-        let cycle = RestingCycle::find(
-            &self.parameters,
-            side,
-            4 * after.max(1000),
-            self.diagram.options.resting_digits,
-        )?;
-        cycle
-            .map(|cycle| Attractor::through(&self.parameters, cycle))
-            .transpose()
+        let most = 4 * after.max(1000);
+        match RestingCycle::find(&self.parameters, side, most, self.diagram.options.resting_digits)? {
+            Ok(cycle) => Attractor::through(&self.parameters, cycle).map(Ok),
+            Err(known) => Ok(Err(known)),
+        }
     }
 
     /// The means, where they are known; what the motion comes to through a rest is added to what it has settled to.
@@ -332,17 +332,20 @@ impl<P: Parameters> Following<'_, P> {
         if self.depth == Depth::Listed {
             return Ok(KnownMeans::Known(None));
         }
-        let mut at_releases = true;
+        let mut at_release = measure.at_release;
         if let Some(release) = &settled.release {
-            settled.attractor = self.through(release.side, u64::from(self.diagram.impacts))?;
-            at_releases = false;
+            let found = self.through(release.side, u64::from(self.diagram.impacts))?;
+            if let Err(longer_than) = found {
+                at_release = AtRelease::Passes { longer_than };
+            }
+            settled.attractor = found.ok();
         }
         if let Some(found) = &settled.attractor {
             return Ok(KnownMeans::Known(Some(self.of_cycle(measure, found)?)));
         }
         let end = settled.end.clone().filter(|end| end.kind != Kind::Undecided);
         Ok(match end {
-            Some(end) => KnownMeans::Open { end, at_releases },
+            Some(end) => KnownMeans::Open { end, at_release },
             None => KnownMeans::Known(None),
         })
     }
@@ -354,23 +357,25 @@ impl<P: Parameters> Following<'_, P> {
         measure: &Averaging,
         long_run: LongRun,
     ) -> Result<Option<Means>, MotionError> {
-        let found = match (long_run, &settled.end) {
-            (LongRun::Measured(found), _) => found,
-            (LongRun::Released(side, after), Some(end)) => {
-                settled.attractor = self.through(side, after)?;
-                if let Some(found) = &settled.attractor {
-                    return self.of_cycle(measure, found).map(Some);
+        let found = match long_run {
+            LongRun::Measured(found) => found,
+            LongRun::Released(release, after) => match self.through(release.side, after)? {
+                Ok(cycle) => {
+                    let means = self.of_cycle(measure, &cycle)?;
+                    settled.attractor = Some(cycle);
+                    return Ok(Some(means));
                 }
-                let anew = Averaging {
-                    at_releases: false,
-                    ..*measure
-                };
-                match anew.after(end) {
-                    LongRun::Measured(found) => found,
-                    LongRun::Released(..) => return Ok(None),
+                Err(longer_than) => {
+                    let anew = Averaging {
+                        at_release: AtRelease::Passes { longer_than },
+                        ..*measure
+                    };
+                    match anew.after(&release) {
+                        LongRun::Measured(found) => found,
+                        LongRun::Released(..) => return Ok(None),
+                    }
                 }
-            }
-            (LongRun::Released(..), None) => return Ok(None),
+            },
         };
         Ok(Some(Means {
             over: MeanOver::Impacts,

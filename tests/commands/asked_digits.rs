@@ -4,8 +4,8 @@ use vibro_audit::impact::{Event, Extent, Start, Widening, history, history_in_de
 use vibro_audit::model::{Motion, Side};
 use vibro_audit::number::{Analytic, Decimals, FIGURES_OF_F64, Rung, Sequence, Told, Wide};
 use vibro_audit::orbit::{
-    Averaging, AveragingLength, Estimate, LongRun, OutputPrecision, RoundedOrbit, Statistics, SteadyState, Word,
-    find_as,
+    AtRelease, Averaging, AveragingLength, Estimate, LongRun, OutputPrecision, RoundedOrbit, Statistics, SteadyState,
+    Word, find_as,
 };
 
 type Exact = Wide<200>;
@@ -196,7 +196,7 @@ fn measured(motion: &Motion<f64>, length: AveragingLength) -> Option<Statistics>
         length,
         voltage: Some(&voltage),
         with_growth: false,
-        at_releases: true,
+        at_release: AtRelease::Ends { followed: 0 },
     };
     match measure.after(&settled.end.filter(|_| settled.attractor.is_none())?) {
         LongRun::Measured(found) => Some(found),

@@ -7,7 +7,7 @@ use std::process::{Command, Output, Stdio};
 use vibro_audit::impact::{Start, Widening};
 use vibro_audit::model::{Motion, Side};
 use vibro_audit::number::Sequence;
-use vibro_audit::orbit::{Averaging, AveragingLength, LongRun, Statistics, SteadyState};
+use vibro_audit::orbit::{AtRelease, Averaging, AveragingLength, LongRun, Statistics, SteadyState};
 use vibro_audit::scene::{MeanOver, Scene, find};
 
 pub(super) fn run_with(arguments: &[&str], stdin: &str, threads: Option<u32>) -> Output {
@@ -489,7 +489,7 @@ fn measured(motion: &Motion<f64>, start: u64, impacts: u32) -> Option<Statistics
         },
         voltage: Some(&|impact| impact.velocity.abs().powf(1.1)),
         with_growth: true,
-        at_releases: true,
+        at_release: AtRelease::Ends { followed: 0 },
     };
     match measure.after(&settled.end?) {
         LongRun::Measured(found) => Some(found),

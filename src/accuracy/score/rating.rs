@@ -12,7 +12,7 @@ pub struct Rating {
     /// The quantity.
     pub quantity: String,
     /// -log10 of the relative error, from 0 to the 30 of the certified answer; of a phase, of the difference around the
-    /// circle, rad. 0 where the answer is no number; none where there is no answer.
+    /// circle, rad. None where there is no answer, or it is no number.
     pub digits: Option<f64>,
     /// How long the problem took, all its quantities together, as whoever answered says; s.
     pub seconds: Option<f64>,
@@ -35,18 +35,17 @@ pub fn rate(asked: &[Certified], answers: &Answers) -> Vec<Rating> {
         // a time stands in every row of a problem, or in one
         let times = exact.iter().filter_map(|answer| given(&answer.quantity)?.seconds);
         let seconds = times.reduce(f64::max);
-        ratings.extend(exact.iter().map(|answer| Rating {
-            problem: problem.name,
-            digits: given(&answer.quantity).map(|given| {
-                let value = given.value.as_ref();
-                value.map_or(0.0, |value| {
-                    digits(&answer.quantity, value, &answer.value, f64::from(FIGURES))
-                })
-            }),
-            quantity: answer.quantity.clone(),
-            seconds,
-            kind: problem.kind,
-            level: problem.level,
+        ratings.extend(exact.iter().map(|answer| {
+            Rating {
+                problem: problem.name,
+                digits: given(&answer.quantity)
+                    .and_then(|given| given.value.as_ref())
+                    .map(|value| digits(&answer.quantity, value, &answer.value, f64::from(FIGURES))),
+                quantity: answer.quantity.clone(),
+                seconds,
+                kind: problem.kind,
+                level: problem.level,
+            }
         }));
     }
     ratings
@@ -111,11 +110,14 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn what_is_not_answered_has_no_digits_and_what_is_no_number_has_none_either() {
-        let ratings = rated(&["one,velocity,inf,2".to_owned()]);
-        let digits: Vec<Option<f64>> = ratings.iter().map(|rating| rating.digits).collect();
-        assert_eq!(digits, [None, Some(0.0), None]);
-        assert!(ratings.iter().all(|rating| rating.seconds == Some(2.0)));
+    fn what_is_not_answered_has_no_digits_and_what_is_no_number_is_no_answer() {
+        for no_number in ["inf", "-Infinity", "nan", "NaN", ""] {
+            let ratings = rated(&[format!("one,velocity,{no_number},2"), "one,phase,4,2".to_owned()]);
+            let digits: Vec<Option<f64>> = ratings.iter().map(|rating| rating.digits).collect();
+            assert_eq!(digits, [None, None, Some(0.0)], "{no_number}");
+            assert!(ratings.iter().all(|rating| rating.seconds == Some(2.0)));
+        }
+        let ratings = rated(&[]);
         assert_eq!((worst(&ratings), worst(&[])), (0.0, 0.0));
     }
 

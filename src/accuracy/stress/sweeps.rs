@@ -11,9 +11,9 @@ use crate::impact::{Event, Simulation, Start, Widening, in_lanes};
 use crate::model::{Motion, Side};
 use crate::number::{Analytic, Interval};
 use crate::orbit::{
-    Attractor, Averaging, AveragingLength, Choice, CycleMeans, Devices, Gap, LongRun, OptimumLimits, OptimumPart,
-    OrbitImpact, OrbitOptions, Pull, Range, RoundedOrbit, Settling, SteadyState, Unit, Word, find, multipliers,
-    optimum,
+    AtRelease, Attractor, Averaging, AveragingLength, Choice, CycleMeans, Devices, Gap, LongRun, OptimumLimits,
+    OptimumPart, OrbitImpact, OrbitOptions, Pull, Range, RoundedOrbit, Settling, SteadyState, Unit, Word, find,
+    multipliers, optimum,
 };
 
 /// The extremes, each with g, d, r_B and r_T of a device that has a stable 1-1 motion, and the impacts after which what is
@@ -196,7 +196,7 @@ fn voltages(motion: &Motion<f64>, attractor: &Attractor, known: &Known) -> Optio
         },
         voltage: Some(&voltage),
         with_growth: false,
-        at_releases: false,
+        at_release: AtRelease::Passes { longer_than: u64::MAX },
     };
     let cycle = CycleMeans::of(&measure, motion, attractor).ok()?;
     let measured = match measure.after(attractor.impacts.last()?) {

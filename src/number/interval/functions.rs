@@ -195,6 +195,10 @@ impl<E: Endpoint> Analytic for Interval<E> {
         self.midpoint().to_f64()
     }
 
+    fn unit() -> Self {
+        Self::bounded(-E::one(), E::one())
+    }
+
     fn epsilon() -> Self {
         Self::point(<E as Analytic>::epsilon())
     }

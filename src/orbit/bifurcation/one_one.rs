@@ -61,7 +61,8 @@ pub const CROSSING: f64 = 1e-4;
 pub enum LocatedBifurcation {
     /// Of [`ConditionedOneOne`], in (T_1, psi, parameter).
     Condition(BifurcationCondition, ProvedRoot<f64, 3>),
-    /// Of [`ConditionedOneOne`] at a touch, in (T_1, psi, parameter, time into the flight).
+    /// Of [`ConditionedOneOne`] at a touch, in (T_1, psi, parameter, time from the impact at the wall that is
+    /// touched).
     Touch(BifurcationCondition, ProvedRoot<f64, 4>),
     /// Of [`SymmetricOneOne`]: where a branch of other motions crosses that of symmetric ones.
     Crossing(ProvedRoot<f64, 2>),

@@ -12,6 +12,7 @@ use crate::orbit::equations::duals::{Linearised, by_duals, unknown};
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::equations::one_one_bifurcations::condition_excess;
 use crate::orbit::equations::square_system::SquareSystem;
+use crate::orbit::equations::touch::{FlightFromImpact, time_from_impact};
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::family::ParameterPlane;
 use crate::orbit::interval_box::IntervalBox;
@@ -23,7 +24,8 @@ use num_dual::DualNum;
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// T_1, psi, the places of both parameters in their ranges, and the time into its flight of each touch, at most two.
+/// T_1, psi, the places of both parameters in their ranges, and of each touch, at most two, the time from
+/// the impact at the wall that it touches.
 pub(crate) const UNKNOWNS: usize = 6;
 
 /// Where the parameters stand, and the first time of a touch.
@@ -191,9 +193,8 @@ impl<P: ParameterPlane> CurveSystem<'_, P> {
 
     /// f + g at the first touch.
     fn touch_push<T: Analytic>(&self, balance: &OneOneEquations<T>, at: &[T]) -> Option<T> {
-        let (flight, _) = self.touch()?;
-        let flight = balance.flight(flight, &at[0], &at[1]);
-        Some(flight.acceleration(&at[TOUCH]))
+        let seen = FlightFromImpact::new(balance, self.touch()?, [&at[0], &at[1]]);
+        Some(seen.acceleration(&at[TOUCH]))
     }
 
     /// The flight and the wall of the touch that holds on the curve.
@@ -303,7 +304,7 @@ impl<P: ParameterPlane> CurveEquations for CurveSystem<'_, P> {
 pub(crate) struct CurveFunctions {
     /// Those of the motion, without the touch that holds on the curve.
     pub motion: TestFunctions,
-    /// How long before the touch the flight began, and how long after it it ends.
+    /// The time of the touch from the impact at its wall, and how long the rest of the flight lasts.
     pub around_touch: Option<[f64; 2]>,
 }
 
@@ -331,9 +332,10 @@ impl<P: ParameterPlane> Continued for CurveSystem<'_, P> {
         let mut around_touch = None;
         match self.own() {
             CurveCondition::Bifurcation(BifurcationCondition::Touch(flight, wall)) => {
-                let after = point[TOUCH];
+                let (from_impact, time) = (point[TOUCH], motion.times[*flight]);
+                let after = time_from_impact((*flight, *wall), from_impact, time);
                 forget(&mut motion, *flight, *wall, |turn| (turn - after).abs() < OWN_TOUCH);
-                around_touch = Some([after, motion.times[*flight] - after]);
+                around_touch = Some([from_impact, time - from_impact]);
             }
             CurveCondition::Bifurcation(BifurcationCondition::ZeroVelocity(impact)) => {
                 let (wall, before) = (WALLS[*impact], 1 - *impact);
@@ -358,13 +360,8 @@ impl<P: ParameterPlane> Continued for CurveSystem<'_, P> {
         );
         let own = |impact| *self.own() == CurveCondition::Bifurcation(BifurcationCondition::ZeroVelocity(impact));
         let moves = speeds.all(|(impact, speed)| *speed > if slow { -STILL } else { 0.0 } || own(impact));
-        let mut around_touch = around_touch.iter().flatten();
-        if !(moves && motion.times.iter().chain(around_touch.clone()).all(|time| *time > 0.0)) {
-            return Some(BranchEnd::Slow);
-        }
-        around_touch
-            .any(|time| *time < NEARLY_ENDED)
-            .then_some(BranchEnd::Shorter)
+        let mut times = motion.times.iter().chain(around_touch.iter().flatten());
+        (!moves || times.any(|time| *time <= 0.0)).then_some(BranchEnd::Slow)
     }
 
     fn images(&self, point: &[f64], near: &[f64]) -> Vec<Vec<f64>> {
@@ -376,9 +373,6 @@ impl<P: ParameterPlane> Continued for CurveSystem<'_, P> {
 
 /// A turning point this near, in time and distance, is the touch or the impact of the curve itself.
 const OWN_TOUCH: f64 = 1e-6;
-
-/// A touch this near, in time, to an end of its flight ends its curve, short of where its equations hold doubly.
-const NEARLY_ENDED: f64 = 0.05;
 
 /// Velocities below this are 0 up to rounding.
 pub(crate) const STILL: f64 = 1e-12;

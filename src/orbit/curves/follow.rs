@@ -1,13 +1,14 @@
 //! A curve of bifurcations as the points that are reported: its steps, its special points and its ends.
 
+use crate::model::Side;
 use crate::number::{Doubles, Interval};
 use crate::orbit::bifurcation::one_one::KnownMotion;
 use crate::orbit::bifurcation::point::{BifurcationPoint, EnclosedBifurcation};
-use crate::orbit::continuation::branch::{Branch, BranchEnd, BranchPoint, distance};
+use crate::orbit::continuation::branch::{Branch, BranchEnd, BranchPoint};
 use crate::orbit::continuation::extended_system::parameter_at;
 use crate::orbit::continuation::segment::CertifiedSegment;
-use crate::orbit::curves::curve_system::{CurveCondition, CurveFunctions, CurveSystem, PLACES, across};
-use crate::orbit::curves::special_points::{Found, SpecialPoint, on_piece};
+use crate::orbit::curves::curve_system::{CurveCondition, CurveFunctions, CurveSystem, PLACES, TOUCH, across};
+use crate::orbit::curves::special_points::{Found, SAME, SpecialPoint, on_piece};
 use crate::orbit::equations::conditions::BifurcationCondition::{MultiplierOne, ZeroVelocity};
 use crate::orbit::family::ParameterPlane;
 
@@ -28,12 +29,6 @@ pub struct CurvePoint {
     pub is_joined: Option<bool>,
 }
 
-/// How far the degenerate end of a curve of touches may lie from its last point.
-const BEYOND: f64 = 0.1;
-
-/// And how near, in time, its touch is there to an end of its flight.
-const ENDING: f64 = 0.1;
-
 /// The points of a branch, in order.
 pub(crate) fn points<P: ParameterPlane>(
     curve: &CurveSystem<'_, P>,
@@ -46,45 +41,60 @@ pub(crate) fn points<P: ParameterPlane>(
         points: Vec::new(),
         before: None,
     };
-    if matches!(branch.ends[0], BranchEnd::Lost | BranchEnd::Shorter | BranchEnd::Slow) {
-        told.degenerate_end(&nodes[0]);
-    }
     if !is_beyond(0) {
         told.node(&nodes[0], branch.ends[0], None);
     }
     let last = nodes.len() - 1;
     for (index, segment) in branch.segments.iter().enumerate() {
+        let (starts_beyond, ends_beyond) = (is_beyond(index), is_beyond(index + 1));
         let mut found = on_piece(curve, &nodes[index], &nodes[index + 1]);
-        let ends = |found: &Found| matches!(found.condition, CurveCondition::Bifurcation(ZeroVelocity(_)));
-        if let Some(end) = found.iter().rposition(ends).filter(|_| is_beyond(index)) {
-            found.drain(..end);
-        }
-        if let Some(end) = found.iter().position(ends).filter(|_| is_beyond(index + 1)) {
-            found.truncate(end + 1);
-        }
-        for found in found {
-            let grazes = matches!(found.point, SpecialPoint::Grazing | SpecialPoint::DoubleGrazing);
-            told.push(
-                &curve.with(found.condition),
-                &found.at,
-                found.point,
-                grazes,
-                segment.as_ref(),
-            );
-        }
-        let end = if index + 1 == last {
+        let mut end = if index + 1 == last {
             branch.ends[1]
         } else {
             BranchEnd::Shorter
         };
-        if !is_beyond(index + 1) {
+        // what lies behind the end of the curve is not on it
+        if starts_beyond {
+            match found.iter().rposition(is_end) {
+                Some(first) => drop(found.drain(..first)),
+                None => end = BranchEnd::Lost,
+            }
+        }
+        if ends_beyond {
+            match found.iter().position(is_end) {
+                Some(last) => found.truncate(last + 1),
+                None => told.lose(),
+            }
+        }
+        for found in found {
+            told.special(&found, segment.as_ref());
+        }
+        if !ends_beyond {
             told.node(&nodes[index + 1], end, segment.as_ref());
         }
     }
-    if matches!(branch.ends[1], BranchEnd::Lost | BranchEnd::Shorter | BranchEnd::Slow) {
-        told.degenerate_end(&nodes[last]);
-    }
     told.points
+}
+
+/// The one point known of a curve that could not be followed, on the line where this coordinate is fixed.
+pub(crate) fn lost<P: ParameterPlane>(curve: &CurveSystem<'_, P>, at: &[f64], fixed: usize) -> Vec<CurvePoint> {
+    let mut told = Told {
+        curve,
+        points: Vec::new(),
+        before: None,
+    };
+    let line = curve.with(CurveCondition::Place(fixed, at[fixed]));
+    told.push(&line, at, SpecialPoint::Lost, false, None);
+    told.points
+}
+
+/// Returns true if the curve ends at a special point: an impact has velocity 0, or the touch comes together with its impact.
+fn is_end(found: &Found) -> bool {
+    match found.condition {
+        CurveCondition::Bifurcation(ZeroVelocity(_)) => true,
+        CurveCondition::TouchPush => found.at[TOUCH].abs() < SAME,
+        _ => false,
+    }
 }
 
 /// The points told so far.
@@ -111,27 +121,31 @@ impl<P: ParameterPlane> Told<'_, P> {
         self.push(&self.curve.with(condition), &node.point, special, false, segment);
     }
 
-    /// Where a touch comes to an end of its flight the impact there has velocity 0, and f + g is 0: the equations of the
-    /// touch hold doubly, and the curve is followed to near there.
-    fn degenerate_end(&mut self, node: &BranchPoint<CurveFunctions>) {
-        let (Some((flight, _)), Some([after, left])) = (self.curve.touch(), node.functions.around_touch) else {
-            return;
+    /// Reports a special point on a piece.
+    fn special(&mut self, found: &Found, segment: Option<&CertifiedSegment>) {
+        let Found { point, condition, at } = found;
+        let grazes = matches!(point, SpecialPoint::Grazing | SpecialPoint::DoubleGrazing) || is_end(found);
+        let system = match (condition, self.curve.touch()) {
+            // the touch is the impact itself, which has velocity 0 while f + g is 0
+            (CurveCondition::TouchPush, Some((_, wall))) if is_end(found) => {
+                let impact = usize::from(wall == Side::Top);
+                CurveSystem {
+                    conditions: vec![
+                        CurveCondition::Bifurcation(ZeroVelocity(impact)),
+                        CurveCondition::Push(impact),
+                    ],
+                    ..*self.curve
+                }
+            }
+            _ => self.curve.with(condition.clone()),
         };
-        if after.min(left) > ENDING {
-            return;
-        }
-        let impact = if after < left { flight } else { 1 - flight };
-        let system = CurveSystem {
-            conditions: vec![
-                CurveCondition::Bifurcation(ZeroVelocity(impact)),
-                CurveCondition::Push(impact),
-            ],
-            ..*self.curve
-        };
-        let near = &node.point[..PLACES.end];
-        let solved = system.solved(near).filter(|at| distance(at, near) < BEYOND);
-        if let Some(at) = solved {
-            self.push(&system, &at, SpecialPoint::DegenerateGrazing, true, None);
+        self.push(&system, &at[..system.unknowns()], *point, grazes, segment);
+    }
+
+    /// Marks the last point as one from which no end of the curve was found.
+    fn lose(&mut self) {
+        if let Some(last) = self.points.last_mut() {
+            last.special = SpecialPoint::Lost;
         }
     }
 
@@ -154,12 +168,14 @@ impl<P: ParameterPlane> Told<'_, P> {
                 cell[*coordinate] = Interval::point(*place);
             }
         }
-        let middle: Vec<f64> = cell.iter().map(Interval::midpoint).collect();
+        // without its time the touch is at its impact
+        let mut middle: Vec<f64> = cell.iter().map(Interval::midpoint).collect();
+        middle.resize(middle.len().max(self.curve.unknowns()), 0.0);
         let widest = cell.iter().map(|side| side.width()).fold(0.0, f64::max);
         let here = (middle, root.is_some().then_some(widest));
         let holds = |segment: &CertifiedSegment, (point, room): &(Vec<f64>, Option<f64>)| {
             let dimension = self.curve.unknowns();
-            point.len() >= dimension && room.is_some_and(|room| segment.holds(&point[..dimension], room))
+            room.is_some_and(|room| segment.holds(&point[..dimension], room))
         };
         let is_joined = self
             .before

@@ -6,7 +6,7 @@ use crate::orbit::continuation::branch::Branch;
 use crate::orbit::continuation::curve::{CurveEquations, dot};
 use crate::orbit::continuation::extended_system::place_of;
 use crate::orbit::curves::curve_system::{CurveCondition, CurveFunctions, CurveSystem, PLACES};
-use crate::orbit::curves::follow::{CurvePoint, points};
+use crate::orbit::curves::follow::{CurvePoint, lost, points};
 use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind};
 use crate::orbit::family::ParameterPlane;
 use crate::orbit::interval_box::IntervalBox;
@@ -22,6 +22,14 @@ const ROOM: f64 = 1e-9;
 /// Newton's method may not lead farther than this from one.
 const NEAR: f64 = 1e-4;
 
+/// A bifurcation found on a line, from which its curve is followed.
+struct Start {
+    condition: CurveCondition,
+    /// The coordinate that is fixed along the line.
+    fixed: usize,
+    point: Vec<f64>,
+}
+
 /// The curves of folds, period doublings, symmetry breakings and grazings of 1-1 motions that take so many periods, one
 /// after the other, computed as they are asked for.
 ///
@@ -34,7 +42,7 @@ pub struct OneOneCurves<P> {
     plane: P,
     periods: u32,
     options: OrbitOptions,
-    starts: VecDeque<(CurveCondition, Vec<f64>)>,
+    starts: VecDeque<Start>,
     undecided: Vec<(BifurcationKind, IntervalBox<f64, 4>)>,
     known: Vec<(CurveCondition, Branch<CurveFunctions>)>,
 }
@@ -73,9 +81,8 @@ impl<P: ParameterPlane> OneOneCurves<P> {
                 }
             };
             for located in &found.located {
-                curves
-                    .starts
-                    .extend(curves.start(located, with_value(located.parameter().midpoint())));
+                let place = (fixed, with_value(located.parameter().midpoint()));
+                curves.starts.extend(curves.start(located, place));
             }
             for (kind, [t_1, middle, parameter]) in found.undecided {
                 if kind == BifurcationKind::NodeFocus {
@@ -99,7 +106,7 @@ impl<P: ParameterPlane> OneOneCurves<P> {
     }
 
     /// The point of a curve that a bifurcation is.
-    fn start(&self, located: &LocatedBifurcation, parameters: [f64; 2]) -> Option<(CurveCondition, Vec<f64>)> {
+    fn start(&self, located: &LocatedBifurcation, (fixed, parameters): (usize, [f64; 2])) -> Option<Start> {
         let [t_1, middle, _] = located.cell(self.periods).map(|side| side.midpoint());
         let ranges = self.plane.ranges();
         let mut point = vec![t_1, middle];
@@ -119,26 +126,33 @@ impl<P: ParameterPlane> OneOneCurves<P> {
                 CurveCondition::Bifurcation(BifurcationCondition::MultiplierOne)
             }
         };
-        Some((condition, point))
+        Some(Start {
+            condition,
+            fixed: PLACES.start + fixed,
+            point,
+        })
     }
 
-    /// The curve through a start, unless it is known.
-    fn follow(&self, condition: &CurveCondition, start: &[f64]) -> Option<Branch<CurveFunctions>> {
-        let curve = self.system(condition);
-        let mut own = self.known.iter().filter(|(known, _)| known == condition);
-        if own.any(|(_, branch)| branch.holds(&curve, start, ROOM)) {
-            return None;
-        }
+    /// Returns true if a start lies on a curve that was followed.
+    fn is_known(&self, start: &Start) -> bool {
+        let curve = self.system(&start.condition);
+        let mut own = self.known.iter().filter(|(known, _)| *known == start.condition);
+        own.any(|(_, branch)| branch.holds(&curve, &start.point, ROOM))
+    }
+
+    /// Follows the curve through a start; `None` where no curve is found there.
+    fn follow(&self, start: &Start) -> Option<Branch<CurveFunctions>> {
+        let curve = self.system(&start.condition);
+        let at = &start.point;
         // on a side of the rectangle, exactly on it
-        let side = PLACES.into_iter().find(|i| start[*i] < ROOM || start[*i] > 1.0 - ROOM);
-        let (point, moved) = match side {
-            Some(i) => curve.solved_at(start, i, start[i].round())?,
+        let side = PLACES.into_iter().find(|i| at[*i] < ROOM || at[*i] > 1.0 - ROOM);
+        let (mut point, moved) = match side {
+            Some(i) => curve.solved_at(at, i, at[i].round())?,
             None => {
-                let tangent = curve.first_tangent(start)?;
-                curve.corrected(start, &tangent, dot(start, &tangent))?
+                let tangent = curve.first_tangent(at)?;
+                curve.corrected(at, &tangent, dot(at, &tangent))?
             }
         };
-        let mut point = point;
         point[PLACES]
             .iter_mut()
             .for_each(|place| *place = place.clamp(0.0, 1.0));
@@ -156,19 +170,24 @@ impl<P: ParameterPlane> OneOneCurves<P> {
 }
 
 impl<P: ParameterPlane> Iterator for OneOneCurves<P> {
-    /// The points of a curve in order along it.
+    /// The points of a curve in order along it; of one that could not be followed, the bifurcation on the line, `Lost`.
     type Item = Vec<CurvePoint>;
 
     fn next(&mut self) -> Option<Vec<CurvePoint>> {
         loop {
-            let (condition, start) = self.starts.pop_front()?;
-            if let Some(branch) = self.follow(&condition, &start) {
-                let points = points(&self.system(&condition), &branch);
-                self.known.push((condition, branch));
-                if !points.is_empty() {
-                    return Some(points);
-                }
+            let start = self.starts.pop_front()?;
+            if self.is_known(&start) {
+                continue;
             }
+            let curve = self.system(&start.condition);
+            let lost = || lost(&curve, &start.point, start.fixed);
+            let Some(branch) = self.follow(&start) else {
+                return Some(lost());
+            };
+            let points = points(&curve, &branch);
+            let points = if points.is_empty() { lost() } else { points };
+            self.known.push((start.condition, branch));
+            return Some(points);
         }
     }
 }

@@ -9,6 +9,7 @@ use crate::orbit::equations::conditions::BifurcationCondition::{
     self, MultiplierMinusOne, MultiplierOne, Touch, ZeroVelocity,
 };
 use crate::orbit::equations::one_one::OneOneEquations;
+use crate::orbit::equations::touch::time_from_impact;
 use crate::orbit::family::ParameterPlane;
 use std::fmt;
 
@@ -109,7 +110,7 @@ pub(crate) fn on_piece<P: ParameterPlane>(curve: &CurveSystem<'_, P>, one: &Node
 }
 
 /// Special points nearer to each other are one.
-const SAME: f64 = 1e-9;
+pub(crate) const SAME: f64 = 1e-9;
 
 fn name(own: &CurveCondition, condition: &CurveCondition) -> SpecialPoint {
     let grazes = matches!(own, CurveCondition::Bifurcation(Touch(..) | ZeroVelocity(_)));
@@ -240,10 +241,17 @@ fn guessed<P: ParameterPlane>(
 ) -> Option<Vec<f64>> {
     if let CurveCondition::Bifurcation(Touch(flight, wall)) = condition {
         let mut guess = between(low, high, 0.5);
-        let turn = |node: &Node| node.functions.motion.nearest(*flight, *wall);
+        let from_impact = |node: &CurveFunctions| {
+            let turn = node.motion.nearest(*flight, *wall)?;
+            Some(time_from_impact(
+                (*flight, *wall),
+                turn.after,
+                node.motion.times[*flight],
+            ))
+        };
         let functions = curve.functions(&guess)?;
-        let turn = functions.motion.nearest(*flight, *wall).or(turn(low)).or(turn(high))?;
-        guess.push(turn.after);
+        let nodes = [&functions, &low.functions, &high.functions];
+        guess.push(nodes.into_iter().find_map(from_impact)?);
         return Some(guess);
     }
     let [from, to] = values(curve, condition, low, high)?;

@@ -6,5 +6,5 @@ pub(crate) mod flight;
 pub(crate) mod one_one;
 pub(crate) mod one_one_bifurcations;
 pub(crate) mod square_system;
-
+pub(crate) mod touch;
 pub(crate) mod words;

@@ -2,17 +2,18 @@
 
 use crate::model::{MotionError, Side};
 use crate::number::{Analytic, Endpoint, Field, Interval};
-use crate::orbit::equations::conditions::{BifurcationCondition, touch_excess};
+use crate::orbit::equations::conditions::BifurcationCondition;
 use crate::orbit::equations::duals::{Linearised, by_duals, unknown};
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::equations::square_system::SquareSystem;
+use crate::orbit::equations::touch::FlightFromImpact;
 use crate::orbit::family::Family;
 use crate::orbit::interval_box::IntervalBox;
 use num_dual::DualNum;
 use num_traits::Zero;
 
-/// h_1, h_2 and the equations of a condition, in (T_1, psi, parameter) or, for a touch, (T_1, psi, parameter, time into
-/// the flight).
+/// h_1, h_2 and the equations of a condition, in (T_1, psi, parameter) or, for a touch, (T_1, psi, parameter, time
+/// from the impact at the wall that is touched).
 pub struct ConditionedOneOne<'a, F> {
     /// The motions.
     pub family: &'a F,
@@ -46,19 +47,22 @@ pub struct HalvedOneOne<'a, F> {
     pub periods: u32,
 }
 
-/// What is 0 where a condition holds: one value, and 0 beside it, or both values of a touch a time `after` into its flight.
+/// What is 0 where a condition holds: one value, and 0 beside it, or both values of a touch, a time `from_impact` from the
+/// impact at the wall that is touched.
 pub(crate) fn condition_excess<T: Analytic>(
     condition: BifurcationCondition,
     balance: &OneOneEquations<T>,
     [t_1, middle]: [&T; 2],
-    after: &T,
+    from_impact: &T,
 ) -> [T; 2] {
     match condition {
         BifurcationCondition::ZeroVelocity(impact) => {
             let [v, w] = balance.scaled_velocities(t_1, middle);
             [if impact == 0 { v } else { w }, T::zero()]
         }
-        BifurcationCondition::Touch(flight, wall) => touch_excess(&balance.flight(flight, t_1, middle), wall, after),
+        BifurcationCondition::Touch(flight, wall) => {
+            FlightFromImpact::new(balance, (flight, wall), [t_1, middle]).touch_excess(from_impact)
+        }
         condition => {
             let level = condition.trace(&balance.loss_factor()).unwrap_or_else(T::zero);
             [balance.trace_above(&level, t_1, middle), T::zero()]
@@ -117,30 +121,24 @@ where
     }
 }
 
-/// Whether a flight may touch a wall, for certain `false` only where it cannot: the time must lie within the flight, and a
-/// flight leaves a wall, or comes to it, and touches it besides, only where the acceleration changes sign in between.
+/// Returns true unless it is certain that a flight does not touch a wall that it starts or ends at: the time must lie within
+/// the flight, and f + g must change sign between the impact and the touch.
 fn may_touch<E: Endpoint>(
     balance: &OneOneEquations<Interval<E>>,
     (flight, wall): (usize, Side),
-    [t_1, middle, after]: [&Interval<E>; 3],
+    [t_1, middle, from_impact]: [&Interval<E>; 3],
 ) -> bool {
-    let (from, lasts) = if flight == 0 {
-        (Side::Bottom, t_1.clone())
+    let lasts = if flight == 0 {
+        t_1.clone()
     } else {
-        (Side::Top, balance.total() - t_1.clone())
+        balance.total() - t_1.clone()
     };
-    let left = lasts.clone() - after.clone();
-    if left.is_negative() || after.is_negative() {
+    if (lasts - from_impact.clone()).is_negative() || from_impact.is_negative() {
         return false;
     }
-    let start = &balance.phases(t_1, middle)[flight];
-    let at = |time: Interval<E>| start.clone() + Interval::pi() * time;
-    let over = if from == wall {
-        at(Interval::zero().hull(after))
-    } else {
-        at(after.hull(&lasts))
-    };
-    (over.sincos().1 + balance.g().clone()).contains_zero()
+    let seen = FlightFromImpact::new(balance, (flight, wall), [t_1, middle]);
+    let until = Interval::zero().hull(from_impact);
+    seen.acceleration(&until).contains_zero()
 }
 
 impl<F: Family> SymmetricOneOne<'_, F> {

@@ -45,12 +45,18 @@ const EXACT: f64 = 1e-13;
 const HELD: usize = 20_000;
 
 impl RestingCycle {
-    /// The cycle on which the ball is released from `side`; `None` where it does not come back within `most` impacts, or
-    /// neither f64 nor a wider number of up to `digits` digits can tell.
+    /// The cycle on which the ball is released from `side`; else the impacts within which it is known not to come back: at
+    /// most `most`, and as far as f64 and wider numbers of up to `digits` digits hold.
     ///
     /// # Errors
     /// A parameter out of its range.
-    pub fn find(parameters: &impl Parameters, side: Side, most: u64, digits: u32) -> Result<Option<Self>, MotionError> {
+    pub fn find(
+        parameters: &impl Parameters,
+        side: Side,
+        most: u64,
+        digits: u32,
+    ) -> Result<Result<Self, u64>, MotionError> {
+        let mut known = 0;
         let may_be_spent = |number: &Rung| *number == Rung::Double || number.digits() <= digits;
         for number in Rung::Double.and_wider().filter(may_be_spent) {
             let cycle = Self {
@@ -72,17 +78,19 @@ impl RestingCycle {
                     if events.len() > HELD {
                         events = Vec::new();
                     }
-                    return Ok(Some(Self {
+                    return Ok(Ok(Self {
                         periods,
                         events,
                         ..cycle
                     }));
                 }
-                None if left == 0 || !stop::goes_on() => return Ok(None),
-                None => {}
+                None => known = known.max(most - left),
+            }
+            if left == 0 || !stop::goes_on() {
+                break;
             }
         }
-        Ok(None)
+        Ok(Err(known))
     }
 
     /// Shows the events after the release to `visit`, the next release from that wall as the last.
@@ -172,7 +180,7 @@ mod tests {
 
     fn periods(motion: &Motion<f64>, side: Side) -> Option<(i64, Rung)> {
         let found = RestingCycle::find(motion, side, 10_000, 200).unwrap();
-        found.map(|cycle| (cycle.periods, cycle.number))
+        found.ok().map(|cycle| (cycle.periods, cycle.number))
     }
 
     #[test]
@@ -195,7 +203,7 @@ mod tests {
         ] {
             let motion = Motion::new(g, d, r_b, r_t).unwrap();
             for side in [Side::Bottom, Side::Top] {
-                let Some(cycle) = RestingCycle::find(&motion, side, 1000, 100).unwrap() else {
+                let Ok(cycle) = RestingCycle::find(&motion, side, 1000, 100).unwrap() else {
                     continue;
                 };
                 found += 1;

@@ -71,12 +71,33 @@ pub struct Statistics {
 pub enum LongRun {
     /// It has not repeated.
     Measured(Statistics),
-    /// A second release from this wall, after so many impacts.
-    Released(Side, u64),
+    /// A second release from a wall, after so many impacts.
+    Released(Event<f64>, u64),
 }
 
 /// The voltage of an impact, or another number that it has.
 pub type OfImpact<'a> = &'a dyn Fn(&Event<f64>) -> f64;
+
+/// The effect of a release on the means along a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AtRelease {
+    /// The second release from a wall closes a cycle and ends the run; the means begin anew at the first.
+    ///
+    /// A chaotic motion may come to its first rest after thousands of impacts, and repeat from there: its means before that
+    /// are those of a transient. So it is followed on after its means are taken, and they are taken back at a release.
+    Ends {
+        /// The impacts after the means for which it is followed on.
+        followed: u32,
+    },
+    /// The motion repeats, but its cycle is longer than the impacts that could be computed of it.
+    ///
+    /// The mean of a cycle of n impacts deviates from that of the chaotic motion along it by as much as a mean over n
+    /// impacts does: the variance of a mean over N impacts is 1 + N/n times what is measured.
+    Passes {
+        /// The cycle is longer than so many impacts.
+        longer_than: u64,
+    },
+}
 
 /// Takes means along a motion.
 #[derive(Clone, Copy)]
@@ -89,8 +110,8 @@ pub struct Averaging<'a> {
     pub voltage: Option<OfImpact<'a>>,
     /// Whether the growth of small distances is wanted, which costs some tens of nanoseconds an impact.
     pub with_growth: bool,
-    /// Whether to stop at the second release from a wall, which closes a cycle, and begin anew at the first.
-    pub at_releases: bool,
+    /// The effect of a release.
+    pub at_release: AtRelease,
 }
 
 /// Sums over consecutive impacts.
@@ -143,7 +164,7 @@ impl Cells {
 
 impl Averaging<'_> {
     /// Follows the motion on after `event` and takes its means, over [`AveragingLength::impacts`] rounded up to a multiple
-    /// of 20. A release forgets what was before, so the means begin again there; the second one from a wall closes a cycle.
+    /// of 20. A release forgets what was before, as [`AtRelease`] says.
     ///
     /// A mean is a ratio of two sums, and its error that of the sum of the residuals. The variance of this sum is the
     /// spectral density of the residuals at frequency 0: the mean of their periodogram at its lowest frequencies
@@ -187,7 +208,8 @@ impl Averaging<'_> {
             releases: Releases::default(),
             length: lengths.next(),
             lengths,
-            ended: None,
+            measured: None,
+            released: None,
         }
     }
 
@@ -196,9 +218,13 @@ impl Averaging<'_> {
         let is_lossless = [Side::Bottom, Side::Top]
             .iter()
             .all(|side| *self.motion.restitution(*side) == 1.0);
+        let of_cycle = match self.at_release {
+            AtRelease::Ends { .. } => 1.0,
+            AtRelease::Passes { longer_than } => (1.0 + impacts / longer_than.max(1) as f64).sqrt(),
+        };
         let estimate = |is_wanted: bool, of: fn(&Sums) -> f64, over: fn(&Sums) -> f64| {
             let ratio = is_wanted.then(|| ratio(cells, of, over)).flatten()?;
-            let error = ratio.error.filter(|_| !is_lossless);
+            let error = ratio.error.filter(|_| !is_lossless).map(|error| of_cycle * error);
             Some(Estimate { error, ..ratio })
         };
         let has_voltage = self.voltage.is_some();
@@ -227,7 +253,10 @@ pub struct RunningMeans<'a> {
     releases: Releases,
     lengths: Lengths,
     length: Option<u64>,
-    ended: Option<LongRun>,
+    /// The means, and the impacts at which they were taken.
+    measured: Option<(Statistics, u64)>,
+    /// The release that closed a cycle.
+    released: Option<Event<f64>>,
 }
 
 impl RunningMeans<'_> {
@@ -239,10 +268,13 @@ impl RunningMeans<'_> {
             return self.pass(event);
         }
         self.impacts += 1;
-        self.taken += 1;
         if self.impacts.is_multiple_of(BETWEEN_STOPS) && !stop::goes_on() {
             return false;
         }
+        if self.measured.is_some() {
+            return self.is_followed();
+        }
+        self.taken += 1;
         let averaging = self.averaging;
         let grown = if averaging.with_growth { grown() } else { 0.0 };
         self.cells.add(&Sums {
@@ -261,42 +293,57 @@ impl RunningMeans<'_> {
         let found = self.averaging.statistics(&self.cells.sums);
         let most = u64::from(self.averaging.length.most);
         self.length = self.lengths.next().filter(|next| *next <= most);
-        let goes_on = found.is_met == Some(false) && self.length.is_some();
-        if !goes_on {
-            self.ended = Some(LongRun::Measured(found));
+        if found.is_met == Some(false) && self.length.is_some() {
+            return true;
         }
-        goes_on
+        self.measured = Some((found, self.impacts));
+        self.is_followed()
+    }
+
+    /// Returns true as long as a release may still take back the means.
+    fn is_followed(&self) -> bool {
+        match (self.averaging.at_release, &self.measured) {
+            (AtRelease::Ends { followed }, Some((_, at))) => self.impacts - at < u64::from(followed),
+            (AtRelease::Passes { .. }, Some(_)) => false,
+            (_, None) => true,
+        }
     }
 
     /// Takes in an event that is no impact.
     #[cold]
     fn pass(&mut self, event: &Event<f64>) -> bool {
-        match event.kind {
-            Kind::Undecided => false,
-            Kind::Release if !self.averaging.at_releases => {
+        match (event.kind, self.averaging.at_release) {
+            (Kind::Undecided, _) => false,
+            (Kind::Release, AtRelease::Passes { .. }) => {
                 // what wipes out every distance has no exponent to measure
                 self.stretch = f64::NAN;
                 true
             }
-            Kind::Release if self.releases.is_second(event) => {
-                self.ended = Some(LongRun::Released(event.side, self.impacts));
+            (Kind::Release, AtRelease::Ends { .. }) if self.releases.is_second(event) => {
+                self.released = Some(event.clone());
                 false
             }
-            Kind::Release => {
-                (self.cells, self.taken) = (Cells::new(), 0);
+            (Kind::Release, AtRelease::Ends { .. }) => {
+                (self.cells, self.taken, self.measured) = (Cells::new(), 0, None);
+                self.lengths = Lengths::new(self.averaging.length.impacts);
+                self.length = self.lengths.next();
                 (self.before, self.stretch) = (event.clone(), 0.0);
                 true
             }
-            Kind::Rest | Kind::Impact => true,
+            (Kind::Rest | Kind::Impact, _) => true,
         }
     }
 
-    /// What has come of it; where it ended before its length, of what there is, as one cell.
+    /// The result; where the motion ended before its length, of what there is, as one cell.
     pub fn long_run(self) -> LongRun {
-        self.ended.unwrap_or_else(|| {
+        if let Some(release) = self.released {
+            return LongRun::Released(release, self.impacts);
+        }
+        let measured = self.measured.map(|(found, _)| found);
+        LongRun::Measured(measured.unwrap_or_else(|| {
             let all = self.cells.sums.iter().fold(Sums::default(), Sums::plus);
-            LongRun::Measured(self.averaging.statistics(&[all]))
-        })
+            self.averaging.statistics(&[all])
+        }))
     }
 }
 
@@ -370,7 +417,7 @@ mod tests {
             length,
             voltage: Some(&voltage),
             with_growth: true,
-            at_releases: true,
+            at_release: AtRelease::Ends { followed: 0 },
         };
         match measure.after(&settled.end?) {
             LongRun::Measured(found) => Some(found),
