@@ -40,6 +40,7 @@ pub use baseline::{Baseline, BaselineError, fingerprint};
 pub use checksum::{Checksum, Summed, SummedLines};
 pub use format::{Format, UnknownFormat};
 pub use frame::{Form, Frame, Values};
+pub use json::{FORMULAS, NUMBERS, write_tables as json_tables};
 pub use junit::write as junit;
 pub use output::{Output, OutputError, OutputProblem, is_same_file, note_input, note_stdin, remove_temporaries};
 pub use page::{Given, Page, Part, Printed};
