@@ -15,6 +15,8 @@ use super::vocabulary::Vocabulary;
 use crate::tex::{Equation, Name, Tree};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
+use std::ops::Range;
+use std::sync::Arc;
 use toml::Spanned;
 
 /// What to do where one name has two meanings.
@@ -26,6 +28,8 @@ pub struct Sheet {
     pub title: Option<String>,
     pub vocabulary: Vocabulary,
     pub entries: Vec<Entry>,
+    /// The text of each entry, from which [`Sheet::reprinted`] reads.
+    raw: Arc<RawSheet>,
 }
 
 /// A sheet as it stands in the file.
@@ -110,6 +114,7 @@ impl Sheet {
             title: raw.title.clone(),
             vocabulary,
             entries,
+            raw: Arc::new(raw.clone()),
         };
         sheet.refuse_circles();
         sheet.refuse_bound_letters();
@@ -189,7 +194,7 @@ impl Sheet {
 
     /// Puts other formulas in the place of those of the entry at a position: what it states, and as many definitions of
     /// `where` as it has. What cannot be read then is `unread` as it would be in a sheet.
-    pub fn replace(&mut self, position: usize, equations: Vec<Equation>, local: Vec<Equation>) {
+    pub(crate) fn replace(&mut self, position: usize, equations: Vec<Equation>, local: Vec<Equation>) {
         let Some(entry) = self.entries.get_mut(position) else {
             return;
         };
@@ -214,6 +219,47 @@ impl Sheet {
         if let Some(place) = self.entries.get_mut(position) {
             *place = entry;
         }
+    }
+
+    /// Returns the sheet with other TeX in the entry at a position, all of it read anew: its formula, and of the texts of its
+    /// `where` those that are given in pairs, before and after. `None` where it has no such text, or the sheet cannot be read.
+    pub fn reprinted(&self, position: usize, tex: &str, local: &[(String, String)]) -> Option<Self> {
+        let mut raw = (*self.raw).clone();
+        let (number, _) = self.printed_with(position)?;
+        let entry = raw.equation.get_mut(number)?;
+        let with = |old: &Spanned<String>, new: &str| Spanned::new(old.span(), new.to_owned());
+        entry.tex = with(&entry.tex, tex);
+        for (before, after) in local {
+            let text = entry.local.iter_mut().find(|text| text.get_ref() == before)?;
+            *text = with(text, after);
+        }
+        Self::from_raw(&raw, &Text::new(""), &self.vocabulary).ok()
+    }
+
+    /// The number of the `[[equation]]` that the entry at a position is read from, and the positions of all that is read
+    /// from it: both ways of an equivalence.
+    fn printed_with(&self, position: usize) -> Option<(usize, Range<usize>)> {
+        let mut start = 0;
+        for (number, entry) in self.raw.equation.iter().enumerate() {
+            let end = start + entry.ways().len();
+            if (start..end).contains(&position) {
+                return Some((number, start..end));
+            }
+            start = end;
+        }
+        None
+    }
+
+    /// The positions of the entries that are read from the same text as the one at a position: both ways of an equivalence.
+    pub fn of_same_text(&self, position: usize) -> Range<usize> {
+        self.printed_with(position)
+            .map_or(position..position + 1, |(_, positions)| positions)
+    }
+
+    /// The bytes of the file at which the TeX of the entry at a position stands, quotes included.
+    pub fn span(&self, position: usize) -> Option<Range<usize>> {
+        let (number, _) = self.printed_with(position)?;
+        self.raw.equation.get(number).map(|entry| entry.tex.span())
     }
 
     /// The names that definitions give.

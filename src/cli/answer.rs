@@ -3,7 +3,7 @@
 use super::resume::Unfinished;
 use super::rows::Rows;
 use super::{Exit, Failure, Options};
-use crate::report::{Format, Output, Page, Table, acts_on_a_terminal, junit};
+use crate::report::{Format, Output, Page, Table, acts_on_a_terminal, json_tables, junit};
 use std::fmt;
 use std::io;
 
@@ -21,8 +21,8 @@ pub struct Answer {
 pub enum Content {
     /// Rows, in the format the user chose.
     Table(Table),
-    /// Tables of different columns one after the other, an empty line between them.
-    Tables(Vec<Table>),
+    /// Tables of different columns, each with its key in JSON.
+    Tables(Vec<(&'static str, Table)>),
     /// Rows that are made while they are printed.
     Rows(Rows),
     /// Rows of which some may stand in a file already, and those that do not.
@@ -35,6 +35,33 @@ pub enum Content {
     Copied(Copied),
     /// Text that has one form only, such as a proof; `--format` has no say in it.
     Text(String),
+}
+
+/// Writes several tables as one document of the format; nothing where there are none.
+fn write_all(
+    tables: &[(&'static str, Table)],
+    to: &mut dyn io::Write,
+    format: Format,
+    figures: usize,
+) -> io::Result<()> {
+    let all: Vec<&Table> = tables.iter().map(|(_, table)| table).collect();
+    match format {
+        _ if tables.is_empty() => Ok(()),
+        Format::Junit => junit(&all, to),
+        Format::Json => json_tables(&tables.iter().map(|(key, table)| (*key, table)).collect::<Vec<_>>(), to),
+        Format::Csv => Table::joined(&all).write(to, format, figures),
+        // a line is an object whatever its keys
+        Format::Jsonl => all.iter().try_for_each(|table| table.write(to, format, figures)),
+        _ => {
+            for (place, table) in all.iter().enumerate() {
+                if place > 0 {
+                    writeln!(to)?;
+                }
+                table.write(to, format, figures)?;
+            }
+            Ok(())
+        }
+    }
 }
 
 /// Writes rows, and counts them.
@@ -83,19 +110,8 @@ impl Content {
                 Ok((page.rows(), true))
             }
             Self::Tables(tables) => {
-                output.write(|to| {
-                    if format == Format::Junit {
-                        return junit(&tables.iter().collect::<Vec<_>>(), to);
-                    }
-                    for (place, table) in tables.iter().enumerate() {
-                        if place > 0 {
-                            writeln!(to)?;
-                        }
-                        table.write(to, format, figures)?;
-                    }
-                    Ok(())
-                })?;
-                Ok((tables.iter().map(|table| table.rows().len()).sum(), true))
+                output.write(|to| write_all(&tables, to, format, figures))?;
+                Ok((tables.iter().map(|(_, table)| table.rows().len()).sum(), true))
             }
             Self::Text(text) => {
                 let acts = |c: char| acts_on_a_terminal(c) && !"\n\t".contains(c);

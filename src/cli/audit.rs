@@ -1,13 +1,13 @@
-//! `vibro-audit audit [SHEET] [--explain LABEL] [--effort N] [--template]`.
+//! `vibro-audit audit [SHEET ...] [--explain LABEL] [--effort N] [--template]`.
 
 use super::decide::{decide, decide_sheet};
 use super::mended::{self, Comment};
 use super::source::{ANSWERS_AT_MOST, DOCUMENT_AT_MOST, TOML_AT_MOST};
-use super::verdicts::{Audited, Row, compare, exit, explained};
+use super::verdicts::{Audited, Row, answer, compare, exit, explained};
 use super::{Answer, Content, Exit, Failure, Options, Source, document};
-use crate::claim::{self, Fault, Sheet};
+use crate::claim::{self, Document, Fault, Sheet, Vocabulary};
 use crate::prove;
-use crate::report::{Baseline, NewDirectory, OutputError};
+use crate::report::{Baseline, Format, NewDirectory, OutputError};
 use crate::stop::Token;
 use rayon::prelude::*;
 use std::path::Path;
@@ -16,9 +16,10 @@ use std::path::Path;
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = PROMISES)]
 pub struct Arguments {
-    /// The sheet, a TOML file or `-` for stdin; or a document, `.tex` or `.md`; without it, the paper's own appendix
+    /// The sheet, a TOML file or `-` for stdin; or a document, `.tex` or `.md`; without it, the paper's own appendix. Of
+    /// several, the last column `file` says which
     #[arg(value_name = "SHEET")]
-    sheet: Option<Source>,
+    sheets: Vec<Source>,
     /// Print the proof or the counterexample of this equation alone
     #[arg(long, value_name = "LABEL")]
     explain: Option<String>,
@@ -40,10 +41,10 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", conflicts_with = "explain")]
     baseline: Option<Source>,
     /// Print a sheet to start from, with every key explained
-    #[arg(long, conflicts_with_all = ["sheet", "explain", "effort", "proof", "repair", "repair_into"])]
+    #[arg(long, conflicts_with_all = ["sheets", "explain", "effort", "proof", "repair", "repair_into"])]
     template: bool,
     /// Print the sheet that a document is taken for, what is guessed of it included
-    #[arg(long, requires = "sheet", conflicts_with_all = ["explain", "effort", "proof", "repair", "repair_into"])]
+    #[arg(long, requires = "sheets", conflicts_with_all = ["explain", "effort", "proof", "repair", "repair_into"])]
     draft: bool,
 }
 
@@ -74,75 +75,140 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
             exit: Exit::AsExpected,
         });
     }
-    let name = arguments
-        .sheet
-        .as_ref()
-        .map_or("the paper's equations".to_string(), |source| source.name().to_string());
-    let in_sheet = |fault: Fault| Failure::Sheet {
-        name: name.clone(),
-        fault: Box::new(fault),
-    };
-    let vocabulary = claim::vocabulary().map_err(in_sheet)?;
-    let document = arguments.sheet.as_ref().map(document::read).transpose()?.flatten();
-    if arguments.draft {
-        let document = document.ok_or_else(|| Failure::NoDocument(name.clone()))?;
-        document::tell(&document, &name);
-        return Ok(Answer {
-            content: Content::Text(document.draft(&name)),
-            exit: document::exit(&document, Exit::AsExpected),
-        });
-    }
-    let text = match (&document, &arguments.sheet) {
-        (None, Some(source)) => source.read(TOML_AT_MOST)?,
-        (Some(_), Some(source)) if arguments.repair_into.is_some() => source.read(DOCUMENT_AT_MOST)?,
-        (None, None) => claim::EQUATIONS.to_owned(),
-        (Some(_), _) => String::new(),
-    };
-    let mended = global.beside(arguments.repair_into.as_ref())?;
-    let sheet = match (&document, &arguments.sheet) {
-        (Some(document), _) => {
-            document::tell(document, &name);
-            document.sheet(&vocabulary)
-        }
-        (None, _) => Sheet::read(&text, &vocabulary),
-    };
-    let sheet = sheet.map_err(in_sheet)?;
+    arguments.refuse_for_several(global)?;
+    let vocabulary = claim::vocabulary().map_err(|fault| in_sheet(PAPER, fault))?;
     let options = prove::Options {
         effort: arguments.effort,
     };
-    if let Some(directory) = &arguments.proof {
-        write_proofs(&sheet, directory, &options)?;
+    if let (Some(label), [] | [_]) = (&arguments.explain, arguments.sheets.as_slice()) {
+        let read = Read::new(arguments.sheets.first(), &vocabulary)?;
+        return explain(&read.sheet, label, &options).map_err(|fault| in_sheet(&read.name, fault));
     }
-    match &arguments.explain {
-        Some(label) => explain(&sheet, label, &options).map_err(in_sheet),
-        None => {
-            let baseline = arguments.baseline.as_ref().map(known).transpose()?;
-            let mut rows = decide_sheet(&sheet, &name, &options, arguments.repair || mended.is_some())?;
-            if let Some(mended) = &mended {
-                let text = with_repairs(&text, &name, &sheet, &rows);
-                mended.write(|to| to.write_all(text.as_bytes()))?;
+    if let (true, [source]) = (arguments.draft, arguments.sheets.as_slice()) {
+        let document = document::read(source)?.ok_or_else(|| Failure::NoDocument(source.name()))?;
+        document::tell(&document, &source.name());
+        return Ok(Answer {
+            content: Content::Text(document.draft(&source.name())),
+            exit: document::exit(&document, Exit::AsExpected),
+        });
+    }
+    let baseline = arguments.baseline.as_ref().map(known).transpose()?;
+    let (mut all, mut worst) = (Vec::new(), Exit::AsExpected);
+    match arguments.sheets.as_slice() {
+        [] => all.push(arguments.audited(None, &vocabulary, global)?),
+        [one] => all.push(arguments.audited(Some(one), &vocabulary, global)?),
+        several => {
+            for source in several {
+                match arguments.audited(Some(source), &vocabulary, global) {
+                    Ok(audited) => all.push(audited),
+                    // the others are decided all the same
+                    Err(failure) => {
+                        super::say("error", &failure.to_string());
+                        worst = Exit::Unusable;
+                    }
+                }
             }
-            if let (Some(baseline), Some(source)) = (&baseline, &arguments.baseline) {
-                tell_gone(&mut rows, &sheet, baseline, source)?;
-            }
-            let mut exit = exit(&rows);
-            let mut numbers = Vec::new();
-            if let (Some(document), Some(source)) = (&document, &arguments.sheet) {
-                (numbers, exit) = document::numbers(exit, document, source, global);
-            }
-            let file = match &arguments.sheet {
-                Some(Source::File(path)) => Some(path.as_path()),
-                _ => None,
-            };
-            let audited = Audited {
-                sheet: &sheet,
-                name: &name,
-                file,
-                rows,
-                numbers,
-            };
-            audited.answer(exit, &options, global)
         }
+    }
+    if let (Some(baseline), Some(source)) = (&baseline, &arguments.baseline) {
+        tell_gone(&mut all, baseline, source)?;
+    }
+    for (audited, document) in &mut all {
+        let mut own = exit(&audited.rows);
+        if let (Some(document), Some(source)) = (document, &audited.source) {
+            (audited.numbers, own) = document::numbers(own, document, source, global);
+        }
+        worst = worst.or_worse(own);
+    }
+    let all: Vec<Audited> = all.into_iter().map(|(audited, _)| audited).collect();
+    answer(&all, arguments.sheets.len() > 1, worst, &options, global)
+}
+
+/// How errors name the built-in sheet.
+const PAPER: &str = "the paper's equations";
+
+fn in_sheet(name: &str, fault: Fault) -> Failure {
+    Failure::Sheet {
+        name: name.to_owned(),
+        fault: Box::new(fault),
+    }
+}
+
+/// A sheet or document that is read.
+struct Read {
+    name: String,
+    sheet: Sheet,
+    document: Option<Document>,
+}
+
+impl Read {
+    fn new(source: Option<&Source>, vocabulary: &Vocabulary) -> Result<Self, Failure> {
+        let name = source.map_or(PAPER.to_owned(), Source::name);
+        let document = source.map(document::read).transpose()?.flatten();
+        let sheet = match (&document, source) {
+            (Some(document), _) => {
+                document::tell(document, &name);
+                document.sheet(vocabulary)
+            }
+            (None, Some(source)) => Sheet::read(&source.read(TOML_AT_MOST)?, vocabulary),
+            (None, None) => Sheet::read(claim::EQUATIONS, vocabulary),
+        };
+        let sheet = sheet.map_err(|fault| in_sheet(&name, fault))?;
+        Ok(Self { name, sheet, document })
+    }
+}
+
+impl Arguments {
+    /// Refuses what is of one file where several are named.
+    fn refuse_for_several(&self, global: &Options) -> Result<(), Failure> {
+        if self.sheets.len() < 2 {
+            return Ok(());
+        }
+        if self.sheets.iter().filter(|source| **source == Source::Stdin).count() > 1 {
+            return Err(Failure::Usage("`-` is stdin, which is read once: name it once".to_owned()));
+        }
+        let given = [
+            (self.explain.is_some(), "--explain"),
+            (self.draft, "--draft"),
+            (self.proof.is_some(), "--proof"),
+            (self.repair_into.is_some(), "--repair-into"),
+            (global.format == Format::Html, "--format html"),
+        ];
+        match given.iter().find(|(is_given, _)| *is_given) {
+            Some((_, flag)) => Err(Failure::OfOneFile {
+                flag,
+                count: self.sheets.len(),
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// Decides all of a file, or of the built-in sheet; numbers that a document prints are not looked at yet.
+    fn audited(
+        &self,
+        source: Option<&Source>,
+        vocabulary: &Vocabulary,
+        global: &Options,
+    ) -> Result<(Audited, Option<Document>), Failure> {
+        let options = prove::Options { effort: self.effort };
+        let mended = global.beside(self.repair_into.as_ref())?;
+        let Read { name, sheet, document } = Read::new(source, vocabulary)?;
+        if let Some(directory) = &self.proof {
+            write_proofs(&sheet, directory, &options)?;
+        }
+        let rows = decide_sheet(&sheet, &name, &options, self.repair || mended.is_some())?;
+        if let Some(mended) = &mended {
+            let text = with_repairs(source, &name, &sheet, vocabulary, &rows)?;
+            mended.write(|to| to.write_all(text.as_bytes()))?;
+        }
+        let audited = Audited {
+            sheet,
+            name,
+            source: source.cloned(),
+            rows,
+            numbers: Vec::new(),
+        };
+        Ok((audited, document))
     }
 }
 
@@ -153,8 +219,13 @@ fn known(source: &Source) -> Result<Baseline, Failure> {
 }
 
 /// Marks what is known, and says what is known and gone.
-fn tell_gone(rows: &mut [Row], sheet: &Sheet, baseline: &Baseline, source: &Source) -> Result<(), Failure> {
-    let gone = compare(rows, sheet, baseline).map_err(|problem| Failure::Baseline(source.name(), problem))?;
+fn tell_gone(
+    all: &mut [(Audited, Option<Document>)],
+    baseline: &Baseline,
+    source: &Source,
+) -> Result<(), Failure> {
+    let each = all.iter_mut().map(|(audited, _)| audited);
+    let gone = compare(each, baseline).map_err(|problem| Failure::Baseline(source.name(), problem))?;
     if !gone.is_empty() {
         let labels: Vec<String> = gone.iter().map(|label| format!("({label})")).collect();
         super::note(&format!(
@@ -193,11 +264,37 @@ fn write_proofs(sheet: &Sheet, directory: &Path, options: &prove::Options) -> Re
     Ok(())
 }
 
-/// The text of the sheet or document with the first repair of each formula as a comment.
-fn with_repairs(text: &str, name: &str, sheet: &Sheet, rows: &[Row]) -> String {
+/// The text of the sheet or document with the first repair of each formula as a comment, which changes nothing that is read.
+fn with_repairs(
+    source: Option<&Source>,
+    name: &str,
+    sheet: &Sheet,
+    vocabulary: &Vocabulary,
+    rows: &[Row],
+) -> Result<String, Failure> {
+    let is_document = source.is_some_and(|source| document::markup(source).is_some());
+    let text = match source {
+        Some(source) => source.read(if is_document { DOCUMENT_AT_MOST } else { TOML_AT_MOST })?,
+        None => claim::EQUATIONS.to_owned(),
+    };
+    let read = |text: &str| -> Option<mended::Content> {
+        match source.filter(|_| is_document) {
+            Some(source) => {
+                let sheet = document::of_text(source, text)?.sheet(vocabulary).ok()?;
+                let entries = sheet.entries.into_iter();
+                Some(mended::Content::Document(entries.map(|entry| (entry.label, entry.tex.tex)).collect()))
+            }
+            None => text.parse().ok().map(mended::Content::Sheet),
+        }
+    };
     let repaired = sheet.rows().into_iter().zip(rows);
-    let said = repaired.filter_map(|(position, row)| mended::said(sheet, position, row.repairs.first()?));
-    mended::with_comments(text, Comment::of(name), &said.collect::<Vec<_>>())
+    let comment = Comment::of(name);
+    let said = repaired.filter_map(|(position, row)| mended::said(sheet, position, row.repairs().first()?, comment));
+    let said: Vec<mended::Said> = said.collect();
+    mended::with_comments(&text, comment, said, &read).map_err(|label| Failure::NoPlace {
+        name: name.to_owned(),
+        label,
+    })
 }
 
 fn explain(sheet: &Sheet, label: &str, options: &prove::Options) -> Result<Answer, Fault> {

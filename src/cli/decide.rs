@@ -74,8 +74,8 @@ pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: 
         })
         .transpose()?;
     let repairs = match decision.verdict {
-        Verdict::Refuted if repair => repairs(sheet, position, options),
-        _ => Vec::new(),
+        Verdict::Refuted if repair => Some(repairs(sheet, position, options)),
+        _ => None,
     };
     Ok(Row {
         position,

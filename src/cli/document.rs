@@ -11,19 +11,32 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// A file that cannot be read.
 pub fn read(source: &Source) -> Result<Option<Document>, Failure> {
-    let Source::File(path) = source else {
+    if markup(source).is_none() {
         return Ok(None);
-    };
-    let markup = match path.extension().and_then(|extension| extension.to_str()) {
-        Some("tex" | "ltx") => Markup::Tex,
-        Some("md" | "markdown") => Markup::Markdown,
-        _ => return Ok(None),
-    };
+    }
     let text = source.read(DOCUMENT_AT_MOST)?;
+    Ok(of_text(source, &text))
+}
+
+/// Returns how the document in a file is written; `None` where its name is that of no document.
+pub fn markup(source: &Source) -> Option<Markup> {
+    let Source::File(path) = source else {
+        return None;
+    };
+    match path.extension().and_then(|extension| extension.to_str()) {
+        Some("tex" | "ltx") => Some(Markup::Tex),
+        Some("md" | "markdown") => Some(Markup::Markdown),
+        _ => None,
+    }
+}
+
+/// Returns the document that a text is in the place of a file.
+pub fn of_text(source: &Source, text: &str) -> Option<Document> {
+    let (markup, Source::File(path)) = (markup(source)?, source) else {
+        return None;
+    };
     let directory = directory(path);
-    Ok(Some(Document::read(&text, markup, &mut |name| {
-        included(&directory, name)
-    })))
+    Some(Document::read(text, markup, &mut |name| included(&directory, name)))
 }
 
 fn directory(path: &Path) -> PathBuf {

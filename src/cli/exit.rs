@@ -25,6 +25,11 @@ impl Exit {
         }
     }
 
+    /// Returns the worse of two.
+    pub const fn or_worse(self, other: Self) -> Self {
+        if other.code() > self.code() { other } else { self }
+    }
+
     /// The number the shell sees.
     pub const fn code(self) -> u8 {
         match self {
@@ -45,6 +50,12 @@ impl From<Exit> for ExitCode {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_worse_of_two_is_that_of_both() {
+        let [good, open, bad] = [Exit::AsExpected, Exit::NotAsExpected, Exit::Unusable];
+        assert_eq!([good.or_worse(open), bad.or_worse(open), good.or_worse(good)], [open, bad, good]);
+    }
 
     #[test]
     fn scripts_may_rely_on_the_numbers() {

@@ -48,6 +48,14 @@ pub enum Failure {
         format: crate::report::Format,
         commands: &'static str,
     },
+    /// Something of one file, where several are named.
+    #[error("{flag} is of one file, and {count} are named: run the command for each of them")]
+    OfOneFile { flag: &'static str, count: usize },
+    /// A formula beside which no comment can stand.
+    #[error(
+        "{name}: no line before the formula ({label}) takes a comment with its repair; give the formula an [[equation]] of its own, or ask for --repair alone"
+    )]
+    NoPlace { name: String, label: String },
     /// A file that is no baseline.
     #[error("{0}: {1}")]
     Baseline(String, crate::report::BaselineError),
@@ -161,7 +169,7 @@ impl Failure {
                 let line = fault.line().and_then(|line| usize::try_from(line).ok());
                 (Some(fault.file()), line, None)
             }
-            Self::NoDocument(name) | Self::Baseline(name, _) | Self::NoReference(name) | Self::NothingDrawn(name) => {
+            Self::NoPlace { name, .. } | Self::NoDocument(name) | Self::Baseline(name, _) | Self::NoReference(name) | Self::NothingDrawn(name) => {
                 (Some(name), None, None)
             }
             _ => (None, None, None),

@@ -1,18 +1,19 @@
 //! What was decided of a sheet, as the user wants to see it: a table, a page, findings.
 
+use super::source::Source as Input;
 use super::{Answer, Content, Exit, Failure, Options, outcomes};
 use crate::claim::{Sheet, Source, Verdict};
 use crate::evidence::Evidence;
 use crate::prove::{self, Counterexample, Decision};
 use crate::reference::Outcome;
-use crate::repair::{Part as Place, Repair};
+use crate::repair::{Part as Place, Repair, Repairs};
 use crate::report::{
-    Baseline, BaselineError, Cell, Finding, Fix, Format, Given, Kind, Page, Part, Printed, Table, fingerprint, sarif,
+    Baseline, BaselineError, Cell, FORMULAS, Finding, Fix, Format, Given, Kind, NUMBERS, Page, Part, Printed, Table,
+    fingerprint, sarif,
 };
 use crate::stop::Token;
 use crate::tex::Equation;
 use rayon::prelude::*;
-use std::path::Path;
 
 /// The columns that scripts rely on; a person does not read the last.
 const COLUMNS: [&str; 10] = [
@@ -34,8 +35,8 @@ pub struct Row {
     pub decision: Decision,
     /// Nothing where there is no claim to be tried.
     pub evidence: Option<Evidence>,
-    /// What would make a refuted claim true, where that is asked for; the smallest first.
-    pub repairs: Vec<Repair>,
+    /// What would make a refuted claim true, where that is asked for.
+    pub repairs: Option<Repairs>,
     /// Whether an earlier run knows it; nothing where none is asked.
     pub is_known: Option<bool>,
 }
@@ -53,6 +54,11 @@ impl Row {
         }
     }
 
+    /// The repairs, the smallest first.
+    pub fn repairs(&self) -> &[Repair] {
+        self.repairs.as_ref().map_or(&[], |repairs| &repairs.found)
+    }
+
     fn fingerprint(&self, sheet: &Sheet) -> String {
         let entry = sheet.entries.get(self.position);
         let formula = entry.map_or("", |entry| entry.tex.tex.as_str());
@@ -67,8 +73,11 @@ impl Row {
 
     fn reason(&self) -> String {
         let mut reason = self.decision.reason.clone();
-        if let Some(repair) = self.repairs.first() {
+        if let Some(repair) = self.repairs().first() {
             reason = format!("{reason}; {}", repair.words());
+        }
+        if let Some(none) = self.repairs.as_ref().and_then(Repairs::none) {
+            reason = format!("{reason}; {none}");
         }
         if let Some(evidence) = &self.evidence {
             if let Some(against) = &evidence.against {
@@ -109,15 +118,21 @@ pub fn exit(rows: &[Row]) -> Exit {
 ///
 /// # Errors
 /// A baseline of another document, where something is not as expected.
-pub fn compare(rows: &mut [Row], sheet: &Sheet, baseline: &Baseline) -> Result<Vec<String>, BaselineError> {
-    let mut found = Vec::new();
-    for row in rows.iter_mut() {
-        let print = row.fingerprint(sheet);
-        row.is_known = Some(baseline.knows(&print));
-        found.push((row.decision.label.clone(), print));
+pub fn compare<'a>(
+    all: impl IntoIterator<Item = &'a mut Audited>,
+    baseline: &Baseline,
+) -> Result<Vec<String>, BaselineError> {
+    let (mut found, mut is_expected) = (Vec::new(), true);
+    for audited in all {
+        for row in &mut audited.rows {
+            let print = row.fingerprint(&audited.sheet);
+            row.is_known = Some(baseline.knows(&print));
+            is_expected &= row.is_expected();
+            found.push((row.decision.label.clone(), print));
+        }
     }
     // where all is as expected nothing had to be known
-    if !rows.iter().all(Row::is_expected) {
+    if !is_expected {
         baseline.refuse_other(&found)?;
     }
     Ok(baseline.gone(&found))
@@ -149,7 +164,7 @@ pub fn table(rows: &[Row], sheet: &Sheet, format: Format) -> Result<Table, Failu
             Cell::from(row.reason()),
             Cell::from((!decision.provided.is_empty()).then(|| decision.provided.join("; "))),
             Cell::from(place),
-            Cell::from((!row.repairs.is_empty()).then(|| repairs(&row.repairs))),
+            Cell::from((!row.repairs().is_empty()).then(|| repairs(row.repairs()))),
             Cell::from(row.fingerprint(sheet)),
         ];
         table.push(cells.into_iter().take(shown).collect::<Vec<_>>())?;
@@ -211,44 +226,60 @@ fn in_words(evidence: &Evidence) -> String {
 }
 
 /// All that was found of a sheet, and of the numbers of a document.
-pub struct Audited<'a> {
-    pub sheet: &'a Sheet,
-    pub name: &'a str,
-    /// The file of the sheet or document.
-    pub file: Option<&'a Path>,
+pub struct Audited {
+    pub sheet: Sheet,
+    pub name: String,
+    /// The sheet or document; nothing of the built-in one.
+    pub source: Option<Input>,
     pub rows: Vec<Row>,
     pub numbers: Vec<Outcome>,
 }
 
-impl Audited<'_> {
-    /// The answer in the format that the user chose.
-    ///
-    /// # Errors
-    /// None that is the sheet's.
-    pub fn answer(&self, exit: Exit, how: &prove::Options, options: &Options) -> Result<Answer, Failure> {
-        let content = match options.format {
-            Format::Html => Content::Page(self.page(how)?),
-            Format::Sarif => Content::Text(sarif(&self.findings())),
-            format => {
-                let verdicts = table(&self.rows, self.sheet, format)?;
-                match self.numbers.as_slice() {
-                    [] => Content::Table(verdicts),
-                    numbers => Content::Tables(vec![verdicts, outcomes::table(numbers, format == Format::Text)?]),
+/// The answer in the format that the user chose; where several files are named, each row says which it is of.
+///
+/// # Errors
+/// None that is the sheet's.
+pub fn answer(
+    all: &[Audited],
+    is_several: bool,
+    exit: Exit,
+    how: &prove::Options,
+    options: &Options,
+) -> Result<Answer, Failure> {
+    let content = match (options.format, all) {
+        (Format::Html, [audited]) => Content::Page(audited.page(how)?),
+        (Format::Sarif, _) => Content::Text(sarif(&all.iter().flat_map(Audited::findings).collect::<Vec<_>>())),
+        (format, _) => {
+            let (mut verdicts, mut numbers) = (Vec::new(), Vec::new());
+            for audited in all {
+                let file = Cell::from(audited.name.as_str());
+                let named = |table: Table| if is_several { table.with_column("file", &file) } else { table };
+                verdicts.push(named(table(&audited.rows, &audited.sheet, format)?));
+                if !audited.numbers.is_empty() {
+                    let brief = format == Format::Text;
+                    numbers.push(named(outcomes::table(&audited.numbers, brief)?));
                 }
             }
-        };
-        Ok(Answer { content, exit })
-    }
+            let joined = |tables: &[Table]| Table::joined(&tables.iter().collect::<Vec<_>>());
+            match numbers.is_empty() {
+                true => Content::Table(joined(&verdicts)),
+                false => Content::Tables(vec![(FORMULAS, joined(&verdicts)), (NUMBERS, joined(&numbers))]),
+            }
+        }
+    };
+    Ok(Answer { content, exit })
+}
 
+impl Audited {
     fn page(&self, how: &prove::Options) -> Result<Page, Failure> {
         let token = Token::current();
         let printed = |row: &Row| {
-            let explained = token.during(|| explained(self.sheet, row, how));
-            Printed::new(self.sheet, row.position, &row.decision, &row.repairs, explained)
+            let explained = token.during(|| explained(&self.sheet, row, how));
+            Printed::new(&self.sheet, row.position, &row.decision, row.repairs(), explained)
         };
         let printed: Vec<Printed> = self.rows.par_iter().map(printed).collect();
-        let verdicts = table(&self.rows, self.sheet, Format::Html)?;
-        let mut parts = vec![Part::Formulas(verdicts, printed, Given::all(self.sheet))];
+        let verdicts = table(&self.rows, &self.sheet, Format::Html)?;
+        let mut parts = vec![Part::Formulas(verdicts, printed, Given::all(&self.sheet))];
         if !self.numbers.is_empty() {
             let said = "Numbers that the document prints, against what is computed.".to_owned();
             parts.push(Part::Table(
@@ -257,7 +288,7 @@ impl Audited<'_> {
                 outcomes::table(&self.numbers, false)?,
             ));
         }
-        let title = self.sheet.title.clone().unwrap_or_else(|| self.name.to_owned());
+        let title = self.sheet.title.clone().unwrap_or_else(|| self.name.clone());
         Ok(Page {
             title: format!("Audit of {title}"),
             notes: Vec::new(),
@@ -274,10 +305,12 @@ impl Audited<'_> {
 
     /// The path of a file that the document includes, or of the document.
     fn path(&self, included: Option<&str>) -> Option<String> {
-        let file = self.file?;
+        let Some(Input::File(file)) = &self.source else {
+            return None;
+        };
         let path = match included {
             Some(name) => file.with_file_name(name),
-            None => file.to_owned(),
+            None => file.clone(),
         };
         Some(path.display().to_string())
     }
@@ -298,8 +331,8 @@ impl Audited<'_> {
             start: decision.place,
             end: end.and_then(|source| source.place_of(source.tex.len())),
             formula: source.map(|source| source.tex.clone()).unwrap_or_default(),
-            fingerprint: row.fingerprint(self.sheet),
-            fixes: row.repairs.iter().filter_map(|repair| self.fix(row, repair)).collect(),
+            fingerprint: row.fingerprint(&self.sheet),
+            fixes: row.repairs().iter().filter_map(|repair| self.fix(row, repair)).collect(),
         }
     }
 

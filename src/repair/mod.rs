@@ -3,7 +3,7 @@
 //!
 //! Every node of the claim is edited as a misprint may call for (`edit`), or by what its sides lack (`dictionary`). Values
 //! at points where the premises hold sieve what is to be proved (`points`, `leaves`, `graph`, `search`); several edits are matched by
-//! what each adds to the difference of the sides (`combine`).
+//! what each adds to the difference of the sides (`combine`). What is shown goes through one gate (`printed`).
 
 mod candidate;
 mod combine;
@@ -15,14 +15,17 @@ mod matrices;
 mod monomial;
 mod path;
 mod points;
+mod printed;
 mod search;
 
 pub use path::{Path, node, parts, replaced};
+pub use printed::{Reprinted, reprinted};
 
-use crate::claim::{Sheet, Verdict, any_side};
-use crate::prove::{self, Options};
+use crate::claim::{Sheet, any};
+use crate::prove::Options;
 use crate::tex::{Equation, Tree};
 use monomial::is_same_product;
+use printed::proved_as_printed;
 use search::{Formula, Found, Search};
 use std::fmt;
 
@@ -62,6 +65,9 @@ pub struct Edit {
 pub struct Repair {
     /// The formulas that change, as they should be.
     pub mended: Vec<(Part, Equation)>,
+    /// The texts of the claim and of its `where` that change, as they should be, conditions included: what is shown, read and
+    /// proved.
+    pub formulas: Vec<String>,
     pub edits: Vec<Edit>,
     /// The size of the edits: 10 for one sign, name or digit, more for what is rarer or longer.
     pub size: u32,
@@ -89,39 +95,94 @@ impl Repair {
 
 impl fmt::Display for Repair {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (n, (_, equation)) in self.mended.iter().enumerate() {
+        for (n, formula) in self.formulas.iter().enumerate() {
             let gap = if n == 0 { "" } else { ", " };
-            write!(f, "{gap}${equation}$")?;
+            write!(f, "{gap}${formula}$")?;
         }
         Ok(())
     }
 }
 
-/// The repairs of the refuted claim at a position, the smallest first; each is proved.
-pub fn repairs(sheet: &Sheet, position: usize, options: &Options) -> Vec<Repair> {
+/// The repairs of a claim, and how far they were looked for.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Repairs {
+    /// The repairs, the smallest first; each is proved as it is shown.
+    pub found: Vec<Repair>,
+    /// How far they were looked for; nothing where they are not, as of approximations.
+    pub extent: Option<Extent>,
+}
+
+/// How far repairs were looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Extent {
+    /// The single edits that were tried.
+    pub edits: usize,
+    /// How many of them were tried together, at most.
+    pub together: usize,
+    /// The edited formulas that were true where they were tried, and were given to the prover.
+    pub proofs: u64,
+}
+
+impl Repairs {
+    /// Says that nothing is found, and how far that went; nothing where there are repairs.
+    pub fn none(&self) -> Option<String> {
+        if !self.found.is_empty() {
+            return None;
+        }
+        let Some(extent) = self.extent else {
+            return Some("no repair is looked for of what is no equation or inequality between values".to_owned());
+        };
+        let together = match extent.together {
+            0 | 1 => String::new(),
+            together => format!(", up to {together} together,"),
+        };
+        Some(format!(
+            "no repair found among {} edits{together} with {} attempts to prove one",
+            extent.edits, extent.proofs
+        ))
+    }
+}
+
+/// Returns the repairs of the refuted claim at a position, the smallest first; each is proved as it is shown.
+pub fn repairs(sheet: &Sheet, position: usize, options: &Options) -> Repairs {
     // what is compared with printed figures is no equation
     let entry = sheet.entries.get(position);
     let is_approximate = entry.is_some_and(|entry| entry.tex.tex.contains(r"\approx") || entry.tex.tex.contains('≈'));
     let Some(search) = Search::new(sheet, position, options.effort).filter(|_| !is_approximate) else {
-        return Vec::new();
+        return Repairs::default();
     };
-    for stage in search::STAGES {
-        let found = search.found(stage);
-        let repairs = proved(sheet, position, &search, found, options);
-        if !repairs.is_empty() {
-            return repairs;
+    let mut extent = Extent {
+        edits: search.edits(),
+        together: 0,
+        proofs: 0,
+    };
+    let mut found = Vec::new();
+    for stage in search.stages() {
+        extent.together = extent.together.max(stage.together());
+        found = proved(sheet, position, &search, search.found(*stage), options, &mut extent.proofs);
+        if !found.is_empty() {
+            break;
         }
     }
-    Vec::new()
+    Repairs {
+        found,
+        extent: Some(extent),
+    }
 }
 
-/// Those of the edited claims that are proved.
-fn proved(sheet: &Sheet, position: usize, search: &Search, found: Vec<Found>, options: &Options) -> Vec<Repair> {
-    let mut edited = sheet.clone();
-    let (mut repairs, mut proofs): (Vec<Repair>, _) = (Vec::new(), 0);
-    let most = search.most_proofs(MOST_PROOFS, MOST_SQUARES) * options.effort;
+/// Those of the edited claims that are proved as they are shown; `proofs` counts all that are tried.
+fn proved(
+    sheet: &Sheet,
+    position: usize,
+    search: &Search,
+    found: Vec<Found>,
+    options: &Options,
+    proofs: &mut u64,
+) -> Vec<Repair> {
+    let mut repairs: Vec<Repair> = Vec::new();
+    let most = *proofs + search.most_proofs(MOST_PROOFS, MOST_SQUARES) * options.effort;
     for found in found {
-        if repairs.len() >= MOST_REPAIRS || proofs >= most {
+        if repairs.len() >= MOST_REPAIRS || *proofs >= most {
             break;
         }
         let mended = found.mended(&search.formulas);
@@ -129,32 +190,38 @@ fn proved(sheet: &Sheet, position: usize, search: &Search, found: Vec<Found>, op
         if repairs.iter().any(is_known) {
             continue;
         }
-        if mended
-            .iter()
-            .any(|(number, equation)| says_nothing(equation, search.formulas.get(*number), found.may_balance()))
-        {
+        let is_empty = |(number, equation): &(usize, Equation)| {
+            says_nothing(equation, search.formulas.get(*number), found.may_balance())
+        };
+        if mended.iter().any(is_empty) {
             continue;
         }
-        put(&mut edited, sheet, position, &search.formulas, &mended);
-        proofs += 1;
-        let decision = prove::decide(&edited, position, options);
-        if decision.verdict == Verdict::Proved && !decision.is_vacuous {
-            repairs.push(found.repair(&search.formulas, mended));
+        *proofs += 1;
+        let (balances, repair) = (found.may_balance(), found.repair(&search.formulas, mended));
+        let Some(formulas) = proved_as_printed(sheet, position, &repair.mended, balances, options) else {
+            continue;
+        };
+        if repairs.iter().all(|known| known.formulas != formulas) {
+            repairs.push(Repair { formulas, ..repair });
         }
     }
     repairs
 }
 
 /// Whether both sides are the same as written, or, where an edit may only balance them, the same product; or speak of no symbol where
-/// the printed formula does.
+/// the printed formula does: what need not be proved to be refused.
 fn says_nothing(equation: &Equation, printed: Option<&Formula>, may_balance: bool) -> bool {
-    let is_symbol = |node: &Tree| matches!(node, Tree::Symbol(name, _) if name.base != r"\pi");
-    let speaks = |equation: &Equation| any_side(equation, &mut |node| is_symbol(node));
+    let either = |equation: &Equation| speaks(&equation.left) || speaks(&equation.right);
     let is_same = match may_balance {
         true => is_same_product(&equation.left, &equation.right),
         false => equation.left.to_string() == equation.right.to_string(),
     };
-    is_same || (!speaks(equation) && printed.is_some_and(|printed| speaks(&printed.equation)))
+    is_same || (!either(equation) && printed.is_some_and(|printed| either(&printed.equation)))
+}
+
+/// Returns true if a symbol stands in a formula.
+fn speaks(tree: &Tree) -> bool {
+    any(tree, &mut |node| matches!(node, Tree::Symbol(name, _) if name.base != r"\pi"))
 }
 
 /// Puts formulas into the entry at a position of a copy of the sheet.

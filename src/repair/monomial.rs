@@ -18,6 +18,11 @@ pub fn is_same_product(one: &Tree, other: &Tree) -> bool {
     Monomial::of(one) == Monomial::of(other)
 }
 
+/// Returns true if a formula is a rational number, whatever symbols cancel in it.
+pub fn is_number(tree: &Tree) -> bool {
+    Monomial::of(tree).powers.is_empty()
+}
+
 impl Monomial {
     fn number(number: Rational) -> Self {
         let powers = BTreeMap::new();
@@ -33,7 +38,7 @@ impl Monomial {
     }
 
     fn of(tree: &Tree) -> Self {
-        let own = || Self::atom(tree.to_string());
+        let own = || Self::atom(text_of(tree));
         match tree {
             Tree::Number(number) => Self::number(number.clone()),
             Tree::Negate(body) => Self::number(-Rational::one()).times(&Self::of(body)),
@@ -50,6 +55,7 @@ impl Monomial {
             }
             Tree::RealPower(base, exponent, ..) => match &**exponent {
                 Tree::Number(exponent) => Self::of(base).to_the(exponent).unwrap_or_else(own),
+                _ if Self::of(base) == Self::number(Rational::one()) => Self::number(Rational::one()),
                 _ => own(),
             },
             Tree::Root(base, index, _) => {
@@ -67,7 +73,7 @@ impl Monomial {
     /// Terms that are multiples of each other are one.
     fn of_sum(terms: &[Tree]) -> Self {
         let mut all: Vec<Self> = Vec::new();
-        for term in terms.iter().map(Self::of) {
+        for term in flattened(terms, false) {
             match all.iter_mut().find(|known| known.powers == term.powers) {
                 Some(known) => known.number += term.number,
                 None => all.push(term),
@@ -91,7 +97,8 @@ impl Monomial {
             let own = self.powers.entry(base.clone()).or_insert_with(Rational::zero);
             *own += exponent.clone();
         }
-        self.powers.retain(|_, exponent| !exponent.is_zero());
+        let is_zero = self.number.is_zero();
+        self.powers.retain(|_, exponent| !exponent.is_zero() && !is_zero);
         self
     }
 
@@ -118,6 +125,26 @@ impl Monomial {
     }
 }
 
+/// How what is no product is told apart: its parts as products.
+fn text_of(tree: &Tree) -> String {
+    match tree {
+        Tree::Call(name, argument, _) => format!("{name}({:?})", Monomial::of(argument)),
+        Tree::RealPower(base, exponent, ..) => format!("({:?})^({:?})", Monomial::of(base), Monomial::of(exponent)),
+        other => other.to_string(),
+    }
+}
+
+/// The terms of a sum and of the sums in it, with their signs.
+fn flattened(terms: &[Tree], is_negative: bool) -> Vec<Monomial> {
+    let each = terms.iter().flat_map(|term| match term {
+        Tree::Sum(inner) => flattened(inner, is_negative),
+        Tree::Negate(body) => flattened(std::slice::from_ref(body), !is_negative),
+        other if is_negative => vec![Monomial::number(-Rational::one()).times(&Monomial::of(other))],
+        other => vec![Monomial::of(other)],
+    });
+    each.collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -139,6 +166,10 @@ mod tests {
             r"4 a c = (2 + 2) a c",
             r"\frac{x + y}{y + x} = 1",
             r"x - 2 x = -x",
+            r"e^{\frac{x y}{y}} = e^x",
+            r"(\frac{a}{a})^y = 1",
+            r"[x - 3 - (x - 3)] y = 0",
+            r"\sin(x a) = \sin(a x)",
         ] {
             assert!(is_same(equation), "{equation}");
         }

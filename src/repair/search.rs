@@ -17,7 +17,7 @@ use crate::tex::{At, Equation, Name, Relation, Tree};
 use std::collections::{HashMap, HashSet};
 
 /// What is looked for, the likelier first: the next where nothing before it is found and proved.
-pub const STAGES: [Stage; 4] = [Stage::Single, Stage::Joined, Stage::Several(2), Stage::Several(3)];
+const STAGES: [Stage; 4] = [Stage::Single, Stage::Joined, Stage::Several(2), Stage::Several(3)];
 
 /// Kinds of repairs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,6 +28,16 @@ pub enum Stage {
     Joined,
     /// So many edits.
     Several(usize),
+}
+
+impl Stage {
+    /// How many edits are made at once.
+    pub fn together(self) -> usize {
+        match self {
+            Self::Single | Self::Joined => 1,
+            Self::Several(edits) => edits,
+        }
+    }
 }
 
 /// Points at which the sides are compared, and those without premises at which formulas are told apart.
@@ -130,6 +140,7 @@ impl Found {
         });
         Repair {
             edits: edits.collect(),
+            formulas: Vec::new(),
             mended: mended
                 .into_iter()
                 .map(|(number, equation)| (part(number), equation))
@@ -226,6 +237,29 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// The number of single edits that are looked at.
+    pub fn edits(&self) -> usize {
+        let all = self.candidates.len() + self.additions.len();
+        match self.bench {
+            Some(_) => all,
+            None => all.min(self.trials()),
+        }
+    }
+
+    /// The kinds that are looked for: edits that are tried each by itself stay single.
+    pub fn stages(&self) -> &'static [Stage] {
+        match self.bench {
+            Some(_) => &STAGES,
+            None => &[Stage::Single],
+        }
+    }
+
+    /// How many edited claims are evaluated each by itself.
+    fn trials(&self) -> usize {
+        let nodes: u64 = self.formulas.iter().map(|formula| u64::from(formula.size())).sum();
+        (MOST_TRIALS.min(MOST_TRIED_NODES / nodes.max(1)) * self.effort) as usize
+    }
+
     /// What edits of this kind make true at the points, the smallest first.
     pub fn found(&self, stage: Stage) -> Vec<Found> {
         let found = match (&self.bench, stage) {
@@ -241,7 +275,7 @@ impl<'a> Search<'a> {
                 found.into_iter().map(Found::new).collect()
             }
             (None, Stage::Single) => self.tried(),
-            (None, _) => Vec::new(),
+            (None, Stage::Joined | Stage::Several(_)) => Vec::new(),
         };
         self.distinct(self.ranked(found))
     }
@@ -414,9 +448,7 @@ impl<'a> Search<'a> {
         let mut found = Vec::new();
         let mut all: Vec<&Candidate> = self.candidates.iter().chain(&self.additions).collect();
         all.sort_by_key(|candidate| candidate.edit.cost);
-        let nodes: u64 = self.formulas.iter().map(|formula| u64::from(formula.size())).sum();
-        let trials = MOST_TRIALS.min(MOST_TRIED_NODES / nodes.max(1)) * self.effort;
-        for candidate in all.into_iter().take(trials as usize) {
+        for candidate in all.into_iter().take(self.trials()) {
             let one = Found::new(vec![candidate.clone()]);
             put(
                 &mut copy,
@@ -444,7 +476,7 @@ impl<'a> Search<'a> {
 }
 
 /// The names in an equation.
-fn names_in(equation: &Equation) -> HashSet<Name> {
+pub fn names_in(equation: &Equation) -> HashSet<Name> {
     let mut names = HashSet::new();
     for side in [&equation.left, &equation.right] {
         walk(side, None, &mut Vec::new(), &mut |node, _, _| match node {

@@ -7,6 +7,26 @@ use super::{Cell, Column, Table};
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 use std::io::{self, Write};
 
+/// The key of the verdicts on formulas in an object of several tables.
+pub const FORMULAS: &str = "formulas";
+
+/// The key of the numbers that a document prints.
+pub const NUMBERS: &str = "numbers";
+
+/// Writes tables as one object, each under its key.
+pub fn write_tables(tables: &[(&str, &Table)], to: &mut dyn Write) -> io::Result<()> {
+    to.write_all(b"{")?;
+    for (place, (key, table)) in tables.iter().enumerate() {
+        to.write_all(if place == 0 { b"\n" } else { b",\n" })?;
+        serde_json::to_writer(&mut *to, key)?;
+        to.write_all(b": ")?;
+        let mut array = begin(table, to)?;
+        array.rows(table.rows(), to)?;
+        array.close(to)?;
+    }
+    to.write_all(b"\n}\n")
+}
+
 /// One object per row of an array.
 pub struct Objects {
     columns: Vec<Column>,
@@ -34,6 +54,12 @@ pub fn lines(head: &Table) -> Lines {
     }
 }
 
+impl Objects {
+    fn close(&self, to: &mut dyn Write) -> io::Result<()> {
+        to.write_all(if self.is_empty { b"]" } else { b"\n]" })
+    }
+}
+
 impl Printer for Objects {
     fn rows(&mut self, rows: &[Vec<Cell>], to: &mut dyn Write) -> io::Result<()> {
         let columns = &self.columns;
@@ -46,7 +72,8 @@ impl Printer for Objects {
     }
 
     fn end(&mut self, to: &mut dyn Write) -> io::Result<()> {
-        to.write_all(if self.is_empty { b"]\n" } else { b"\n]\n" })
+        self.close(to)?;
+        to.write_all(b"\n")
     }
 }
 

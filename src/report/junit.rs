@@ -27,7 +27,7 @@ fn suite(table: &Table, to: &mut dyn Write) -> io::Result<()> {
         return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
     };
     let reason = table.position("reason");
-    let place = table.position("place");
+    let [file, place] = ["file", "place"].map(|name| table.position(name));
     let repair = table.position("repair");
     let text = |row: &[Cell], index: usize| row.get(index).map_or(String::new(), |cell| escaped_line(&cell.plain()));
     let failed = |row: &[Cell]| row.get(verdict) != row.get(expected);
@@ -38,7 +38,8 @@ fn suite(table: &Table, to: &mut dyn Write) -> io::Result<()> {
         table.rows().len()
     )?;
     for row in table.rows() {
-        let class = place.map_or(String::new(), |index| text(row, index));
+        let parts = [file, place].into_iter().flatten().map(|index| text(row, index));
+        let class = parts.filter(|part| !part.is_empty()).collect::<Vec<_>>().join(":");
         write!(to, "  <testcase name=\"{}\" classname=\"{class}\"", text(row, 0))?;
         if !failed(row) {
             writeln!(to, "/>")?;

@@ -40,6 +40,7 @@ pub use crate::checksum::{Checksum, Summed, SummedLines};
 pub use baseline::{Baseline, BaselineError, fingerprint};
 pub use format::{Format, UnknownFormat};
 pub use frame::{Form, Frame, Values};
+pub use json::{FORMULAS, NUMBERS, write_tables as json_tables};
 pub use junit::write as junit;
 pub use new_directory::NewDirectory;
 pub use output::{Output, OutputError, OutputProblem, is_same_file, note_input, note_stdin, remove_temporaries};

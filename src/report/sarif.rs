@@ -1,6 +1,6 @@
 //! Findings in the Static Analysis Results Interchange Format 2.1.0, by which CI marks lines.
 
-use super::baseline::FINGERPRINT;
+use super::baseline::fingerprint_key;
 use serde_json::{Map, Value, json};
 
 /// What was checked.
@@ -162,7 +162,7 @@ fn result(finding: &Finding) -> Value {
         "level": level,
         "message": { "text": format!("({}) {}: {}", finding.label, finding.verdict, finding.message) },
         "locations": [location],
-        "partialFingerprints": { FINGERPRINT: finding.fingerprint },
+        "partialFingerprints": { fingerprint_key(): finding.fingerprint },
     });
     if let Some(index) = index {
         result["ruleIndex"] = json!(index);

@@ -138,6 +138,34 @@ impl Table {
         Ok(())
     }
 
+    /// Returns the rows of all tables in one, under the columns of all; a cell of a column that a row does not have is empty.
+    pub fn joined(tables: &[&Self]) -> Self {
+        let mut joined = Self::default();
+        for column in tables.iter().flat_map(|table| &table.columns) {
+            if joined.position(&column.name).is_none() {
+                joined.columns.push(column.clone());
+            }
+        }
+        for table in tables {
+            let places: Vec<Option<usize>> =
+                joined.columns.iter().map(|column| table.position(&column.name)).collect();
+            let cell = |row: &[Cell], place: Option<usize>| place.and_then(|place| row.get(place)).cloned();
+            let rows = table.rows.iter();
+            let rows = rows.map(|row| places.iter().map(|place| cell(row, *place).unwrap_or_default()).collect());
+            joined.rows.extend(rows);
+        }
+        joined
+    }
+
+    /// Adds a column at the end that says the same of each row.
+    pub fn with_column(mut self, name: &str, cell: &Cell) -> Self {
+        self.columns.push(Column::from(name));
+        for row in &mut self.rows {
+            row.push(cell.clone());
+        }
+        self
+    }
+
     /// Leaves the columns and no rows.
     pub(super) fn clear(&mut self) {
         self.rows.clear();
@@ -194,6 +222,19 @@ mod tests {
             "a row of 1 cells in a table of 2 columns (label,verdict)"
         );
         assert!(table.rows().is_empty());
+    }
+
+    #[test]
+    fn tables_are_joined_under_the_columns_of_all() {
+        let mut one = Table::new(["label", "verdict"]);
+        one.push(["1", "proved"].map(Cell::from)).unwrap();
+        let mut two = Table::new(["id", "verdict"]);
+        two.push(["a", "wrong"].map(Cell::from)).unwrap();
+        let joined = Table::joined(&[&one, &two]);
+        let names: Vec<&str> = joined.columns().iter().map(|column| column.name.as_str()).collect();
+        assert_eq!(names, ["label", "verdict", "id"]);
+        assert_eq!(joined.rows()[0], [Cell::from("1"), Cell::from("proved"), Cell::Empty]);
+        assert_eq!(joined.rows()[1], [Cell::Empty, Cell::from("wrong"), Cell::from("a")]);
     }
 
     #[test]

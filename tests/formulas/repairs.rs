@@ -8,9 +8,10 @@ use paper::{Bench, PAPER, display, vocabulary};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
-use vibro_audit::claim::{Document, Markup, Sheet, Verdict, Vocabulary};
+use vibro_audit::claim::{Document, Entry, Markup, Sheet, Verdict, Vocabulary};
 use vibro_audit::prove::{self, Options};
-use vibro_audit::repair::{Part, Repair, parts, repairs};
+use vibro_audit::evidence::witness;
+use vibro_audit::repair::{Part, Repair, parts, repairs, reprinted};
 use vibro_audit::tex::{Equation, Tree};
 
 /// A sheet with one wrong formula, and that formula as it was.
@@ -51,15 +52,17 @@ fn misprints_of(name: &str, sheet: &Sheet, position: usize, into: &mut Vec<Mispr
     for (part, right) in stated.chain(local) {
         let gives = matches!(&right.left, Tree::Symbol(name, _) if entry.gives().contains(name));
         for wrong in mutants::edited(right, !gives && entry.label != "19") {
-            let mut copy = sheet.clone();
-            let mut equations = entry.equations.clone();
-            let mut definitions: Vec<Equation> = entry.local.iter().map(|(equation, _)| equation.clone()).collect();
-            match part {
-                Part::Stated(n) => equations[n] = wrong.clone(),
-                Part::Definition(n) => definitions[n] = wrong.clone(),
-            }
-            copy.replace(position, equations, definitions);
-            if copy.entries[position].unread.is_some() {
+            // as an author misprints it: in the text
+            let Some(printed) = reprinted(sheet, position, &[(part, wrong.clone())]) else {
+                continue;
+            };
+            let copy = printed.sheet;
+            let is_alike = copy.entries.get(position).is_some_and(|new| {
+                new.unread.is_none()
+                    && new.equations.len() == entry.equations.len()
+                    && new.local.len() == entry.local.len()
+            });
+            if !is_alike {
                 continue;
             }
             into.push(Misprint {
@@ -142,6 +145,8 @@ const SMALLEST: u32 = 11;
 #[derive(Default, Debug)]
 struct Shares {
     refuted: usize,
+    /// Repairs that are shown, all true as shown.
+    shown: usize,
     /// The original, or a formula no longer than it, which is proved to be equal to it.
     first: usize,
     among_five: usize,
@@ -177,14 +182,15 @@ fn measured(misprints: &[Misprint]) -> Shares {
                 continue;
             }
             let start = Instant::now();
-            let found = repairs(&misprint.sheet, misprint.position, &options);
+            let found = repairs(&misprint.sheet, misprint.position, &options).found;
             let seconds = start.elapsed().as_secs_f64();
             for repair in &found {
-                assert_is_proved(repair, misprint);
+                assert_is_true_as_shown(repair, misprint);
             }
             let place = found.iter().position(|repair| is_meant(repair, misprint));
             let mut shares = shares.lock().unwrap();
             shares.refuted += 1;
+            shares.shown += found.len();
             shares.seconds.push(seconds);
             match place {
                 Some(0) => shares.first += 1,
@@ -221,23 +227,35 @@ fn measured(misprints: &[Misprint]) -> Shares {
 
 /// The sheet with formulas put in the place of those of the misprinted claim.
 fn with(misprint: &Misprint, new: &[(Part, Equation)]) -> Sheet {
-    let entry = &misprint.sheet.entries[misprint.position];
-    let mut equations = entry.equations.clone();
-    let mut local: Vec<Equation> = entry.local.iter().map(|(equation, _)| equation.clone()).collect();
-    for (part, equation) in new {
-        match part {
-            Part::Stated(n) => equations[*n] = equation.clone(),
-            Part::Definition(n) => local[*n] = equation.clone(),
-        }
-    }
-    let mut copy = misprint.sheet.clone();
-    copy.replace(misprint.position, equations, local);
-    copy
+    reprinted(&misprint.sheet, misprint.position, new).unwrap().sheet
 }
 
-fn assert_is_proved(repair: &Repair, misprint: &Misprint) {
-    let decision = prove::decide(&with(misprint, &repair.mended), misprint.position, &Options::default());
-    assert_eq!(decision.verdict, Verdict::Proved, "{}: {repair}", misprint.name);
+/// Points at which a repair is tried beside its proof.
+const POINTS: usize = 8;
+
+/// Reads a repair from what is shown of it, by a search for its texts in the file that is not the gate's, and decides it anew.
+fn assert_is_true_as_shown(repair: &Repair, misprint: &Misprint) {
+    let entry = &misprint.sheet.entries[misprint.position];
+    let shown = repair.to_string();
+    let mut texts = shown.trim_matches('$').split("$, $");
+    let is_stated = repair.mended.iter().any(|(part, _)| matches!(part, Part::Stated(_)));
+    let tex = if is_stated { texts.next().unwrap() } else { &entry.tex.tex };
+    let mut changed: Vec<String> = Vec::new();
+    for (part, _) in &repair.mended {
+        if let Part::Definition(n) = part
+            && !changed.contains(&entry.local[*n].1.tex)
+        {
+            changed.push(entry.local[*n].1.tex.clone());
+        }
+    }
+    let local: Vec<(String, String)> = changed.into_iter().zip(texts.map(str::to_owned)).collect();
+    let sheet = misprint.sheet.reprinted(misprint.position, tex, &local).unwrap();
+    let decision = prove::decide(&sheet, misprint.position, &Options::default());
+    assert_eq!(decision.verdict, Verdict::Proved, "{}: {shown}", misprint.name);
+    let evidence = witness(&sheet, misprint.position, Verdict::Proved, POINTS).unwrap();
+    assert_eq!(evidence.against, None, "{}: {shown}", misprint.name);
+    let conditions = |entry: &Entry| entry.assume.len();
+    assert_eq!(conditions(&sheet.entries[misprint.position]), conditions(entry), "{shown}");
 }
 
 fn print(name: &str, shares: &Shares) {
@@ -250,8 +268,9 @@ fn print(name: &str, shares: &Shares) {
     let most = shares.seconds.last().copied().unwrap_or_default();
     println!("{}", shares.missed.join("\n"));
     println!(
-        "{name}: {} misprints refuted; mended first {:.1}%, among five {:.1}%; not first, but another true formula by one of the smallest edits {}; no repair {}; {median:.3} s each, at most {most:.2} s",
+        "{name}: {} misprints refuted, {} repairs shown, each true as shown; mended first {:.1}%, among five {:.1}%; not first, but another true formula by one of the smallest edits {}; no repair {}; {median:.3} s each, at most {most:.2} s",
         shares.refuted,
+        shares.shown,
         of(shares.first),
         of(shares.among_five),
         shares.open,
@@ -313,6 +332,7 @@ fn no_repair_says_nothing_and_none_is_given_twice() {
     let sheet = Sheet::read(&tex, &vocabulary()).unwrap();
     for (position, claim) in claims.iter().enumerate() {
         let shown: Vec<String> = repairs(&sheet, position, &Options::default())
+            .found
             .iter()
             .map(|repair| repair.to_string())
             .collect();
@@ -366,6 +386,7 @@ fn a_forgotten_chain_rule_a_digit_bars_and_a_logarithm_are_mended_first() {
     let sheet = Sheet::read(&tex, &vocabulary()).unwrap();
     for (position, (claim, wanted)) in cases.iter().enumerate() {
         let first = repairs(&sheet, position, &Options::default())
+            .found
             .first()
             .map(ToString::to_string);
         assert_eq!(first.as_deref(), Some(&*format!("${wanted}$")), "{claim}");
@@ -393,7 +414,7 @@ fn what_is_missing_beside_sums_series_moduli_determinants_and_a_turned_relation_
     }
     let sheet = Sheet::read(&tex, &vocabulary()).unwrap();
     for (position, (claim, wanted)) in cases.iter().enumerate() {
-        let found = repairs(&sheet, position, &Options::default());
+        let found = repairs(&sheet, position, &Options::default()).found;
         let first = found.first().map(ToString::to_string).unwrap_or_default();
         assert!(first.contains(wanted), "{claim}: {first}");
     }
@@ -402,7 +423,7 @@ fn what_is_missing_beside_sums_series_moduli_determinants_and_a_turned_relation_
 #[test]
 fn the_two_wrong_formulas_of_the_paper_are_mended_by_search() {
     let sheet = Sheet::read(PAPER, &vocabulary()).unwrap();
-    let of = |label: &str| repairs(&sheet, sheet.find(label).unwrap(), &Options::default());
+    let of = |label: &str| repairs(&sheet, sheet.find(label).unwrap(), &Options::default()).found;
     let sixteen = of("16");
     assert_eq!(
         sixteen[0].to_string(),
@@ -421,4 +442,67 @@ fn the_two_wrong_formulas_of_the_paper_are_mended_by_search() {
         shown.contains(r"\epsilon_4 = f(t_k) T_1 + \overline{g} T_1 - \dot{Z}_k r_B"),
         "{shown}"
     );
+}
+
+/// Claims with what stands around an equation, and what their repairs must keep and may not be.
+const SHOWN_WHOLE: [(&str, &str, &str); 9] = [
+    (r"\frac{d}{dx} e^x = e^{-x}", "", r"= e^{-x}$"),
+    (r"\sqrt{x^2} = -x, \quad \text{for } x > 0.", r"\quad \text{for } x > 0$", "0.$"),
+    (r"x = 2 \Rightarrow x^2 = 5", r"x = 2 \Rightarrow ", r"$x^2"),
+    (r"x^2 = 4 \Leftrightarrow x = \pm 3", r"\Leftrightarrow x = \pm 3$", "- (x - 3)"),
+    (r"(x + y)^2 = x^2 + y^2 = (y + x)^2", "", r"= x^2 + y^2 ="),
+    (r"e^x e^y = e^{x y}", "", r"\frac{e}{e}"),
+    (r"a^0 = 0", "a^0", "a^0 = 0"),
+    (r"\text{for all } x > 0: \ \sqrt{x^2} = -x", r"\text{for all } x > 0", r"$\sqrt"),
+    (r"\ln(x^2) = \ln x \quad (x > 0)", r"\quad (x > 0)$", r"$\ln(x^2) = 2 \ln(x)$"),
+];
+
+#[test]
+fn a_repair_is_shown_whole_and_is_no_other_spelling() {
+    for (claim, kept, never) in SHOWN_WHOLE {
+        let text = format!(
+            "[symbols]\nparameters = ['x', 'y', 'a']\n[[equation]]\nlabel = '1'\nrole = 'claim'\ntex = '{claim}'\n"
+        );
+        let sheet = Sheet::read(&text, &vocabulary()).unwrap();
+        let rows = sheet.rows();
+        for position in rows {
+            let decision = prove::decide(&sheet, position, &Options::default());
+            if decision.verdict != Verdict::Refuted {
+                assert_eq!(decision.verdict, Verdict::Proved, "{claim}: {}", decision.reason);
+                continue;
+            }
+            let found = repairs(&sheet, position, &Options::default());
+            for repair in &found.found {
+                let shown = repair.to_string();
+                assert!(shown.contains(kept) && !shown.contains(never), "{claim}: {shown}");
+                assert_ne!(shown, format!("${claim}$"));
+                // in the file, as shown
+                let mended = text.replace(claim, shown.trim_matches('$'));
+                let sheet = Sheet::read(&mended, &vocabulary()).unwrap();
+                for position in sheet.rows() {
+                    let decision = prove::decide(&sheet, position, &Options::default());
+                    assert_eq!(decision.verdict, Verdict::Proved, "{shown}: {}", decision.reason);
+                }
+            }
+            assert_eq!(found.none().is_some(), found.found.is_empty(), "{claim}");
+        }
+    }
+}
+
+#[test]
+fn how_far_a_search_without_a_repair_went_is_said() {
+    let text = "[symbols]\nparameters = ['x', 'y']\n[[equation]]\nlabel = '1'\nrole = 'claim'\ntex = 'x^7 y = \\cos(y)'\n\
+        [[equation]]\nlabel = '2'\nrole = 'claim'\ntex = '\\pi \\approx 3.15'\n";
+    let sheet = Sheet::read(text, &vocabulary()).unwrap();
+    let found = repairs(&sheet, 0, &Options::default());
+    let extent = found.extent.expect("a search");
+    assert!(found.found.is_empty() && extent.edits > 20 && extent.together == 3, "{found:?}");
+    let said = found.none().expect("words");
+    assert!(
+        said.starts_with(&format!("no repair found among {} edits, up to 3 together", extent.edits)),
+        "{said}"
+    );
+    let none = repairs(&sheet, 1, &Options::default());
+    assert_eq!(none.extent, None);
+    assert!(none.none().is_some_and(|said| said.starts_with("no repair is looked for")));
 }
