@@ -31,6 +31,9 @@ pub enum Unwitnessed {
     Kind(&'static str),
 }
 
+/// The letter of the constant of integration, which any antiderivative may have.
+const CONSTANT: &str = "C";
+
 /// Turns trees into formulas.
 pub struct Compiler<'a> {
     pub vocabulary: &'a Vocabulary,
@@ -265,6 +268,9 @@ impl<'a> Compiler<'a> {
         if self.is_constant(name, "e") {
             let one = self.formulas.integer(1);
             return Ok(self.formulas.apply(Function::Exp, one));
+        }
+        if self.is_up_to && self.is_constant(name, CONSTANT) {
+            return Ok(self.formulas.integer(0));
         }
         if let Some((plain, is_odd)) = self.vocabulary.conjugated(name) {
             let plain = self.symbol(&plain)?;

@@ -18,9 +18,13 @@ pub const POWERS_OF_LAW: usize = 2;
 pub const LONG: f64 = 7.389_056_1;
 /// The times at which a law is asked that gives no function by itself: more than a function has coefficients, none of
 /// a special kind.
-const TIMES: [f64; 12] = [0.71, 1.37, 2.31, 0.07, 0.39, 1.03, 1.67, 1.99, 2.63, 2.93, 3.29, 3.61];
+pub const TIMES: [f64; 12] = [0.71, 1.37, 2.31, 0.07, 0.39, 1.03, 1.67, 1.99, 2.63, 2.93, 3.29, 3.61];
 /// How many of these are asked where all functions have laws of their own.
-const FEW_TIMES: usize = 3;
+pub const FEW_TIMES: usize = 3;
+/// Other times, at which a law is tested that must hold at every time.
+const OTHER_TIMES: [f64; 3] = [0.53, 1.81, -1.13];
+/// Values of functions that are followed through laws.
+const MOST_USED: usize = 200;
 /// The time from which functions with laws for their derivatives start.
 const START: f64 = 0.4;
 
@@ -89,6 +93,11 @@ impl System {
         // Where the second period is a number, only the function can give way.
         let gives_way = known.law.is_none() && self.formulas.slots(&[shift]).is_empty();
         self.shaped |= gives_way;
+        let time = self.formulas.make(Op::Running);
+        let later = self.formulas.add(time, shift);
+        let [early, late] = [time, later].map(|time| self.formulas.make(Op::Value { course, level, time }));
+        let residual = self.formulas.subtract(early, late);
+        self.restricting.push(residual);
         for time in TIMES.into_iter().take(if gives_way { TIMES.len() } else { FEW_TIMES }) {
             let time = self.formulas.float(time);
             let later = self.formulas.add(time, shift);
@@ -158,6 +167,7 @@ impl System {
             let shaped = self.courses_of(&law).iter().any(lawless);
             self.shaped |= shaped;
             let residual = self.formulas.subtract(law[0], law[1]);
+            self.restricting.push(residual);
             for time in TIMES.into_iter().take(if shaped { TIMES.len() } else { FEW_TIMES }) {
                 let time = self.formulas.float(time);
                 let row = self.formulas.at(residual, time);
@@ -331,6 +341,63 @@ impl System {
                 course.flow = Some(self.formulas.laws.len() - 1);
             }
         }
+    }
+
+    /// Chooses where laws that give no function are tested at a point: at the running time where nothing else is used of
+    /// the functions that they speak of, else at other times too, at which they hold if they do at every one.
+    pub fn test_laws(&mut self, used: &[Formula], vocabulary: &Vocabulary) {
+        let running = self.formulas.make(Op::Running);
+        let all = self.values_used(used, running);
+        if all.is_empty() || self.restricting.is_empty() {
+            return;
+        }
+        let mut tested = Vec::new();
+        for residual in self.restricting.clone() {
+            let own = self.values_in(residual);
+            let is_told = |(course, level, time): &(usize, usize, Option<Formula>)| {
+                let of_course = || own.iter().filter(|(other, ..)| other == course);
+                let is_own = of_course().any(|(_, other, at)| other == level && at == time && *time == Some(running));
+                of_course().next().is_none() || is_own
+            };
+            let is_enough = all.iter().all(is_told);
+            tested.push(residual);
+            for time in OTHER_TIMES.into_iter().filter(|_| !is_enough) {
+                let time = self.formulas.float(time);
+                tested.push(self.formulas.at(residual, time));
+            }
+        }
+        let tested: Vec<Formula> = tested.into_iter().map(|row| self.resolve(row, vocabulary)).collect();
+        self.tested_program = self.formulas.program(&tested);
+    }
+
+    fn values_in(&self, formula: Formula) -> Vec<(usize, usize, Option<Formula>)> {
+        let parts = self.formulas.parts(&[formula]).into_iter();
+        let value = |part| match self.formulas.op(part) {
+            Op::Value { course, level, time } => Some((course, level, Some(time))),
+            _ => None,
+        };
+        parts.filter_map(value).collect()
+    }
+
+    /// The values of functions that formulas use, by way of laws too; no time where it may be any.
+    fn values_used(&self, formulas: &[Formula], running: Formula) -> BTreeSet<(usize, usize, Option<Formula>)> {
+        let mut open: Vec<_> = formulas.iter().flat_map(|formula| self.values_in(*formula)).collect();
+        let mut used = BTreeSet::new();
+        while let Some((course, level, time)) = open.pop() {
+            if !used.insert((course, level, time)) || used.len() > MOST_USED {
+                continue;
+            }
+            let Some((order, body)) = self.space.courses.get(course).and_then(|course| course.law) else {
+                continue;
+            };
+            for (inner, below, at) in self.values_in(body) {
+                open.push(match level.checked_sub(order) {
+                    Some(more) if at == Some(running) => (inner, below + more, time),
+                    _ => (inner, below, None),
+                });
+            }
+        }
+        used
     }
 
     /// A flight starts with the states of its impact and, unless the claim has a running time of its own, ends with

@@ -309,7 +309,8 @@ impl Witness<'_> {
 
     /// Looks at the first point in 40 digits, where that costs little: what differs there alone is seen.
     fn look_closer<N: Numbers>(&self, search: &mut Search<N::Of<f64>>) {
-        let is_small = self.system.space.courses.is_empty() && self.system.maps.steps.is_empty();
+        let system = &self.system;
+        let is_small = system.space.courses.is_empty() && system.maps.steps.is_empty() && !system.is_inexact();
         let Some((point, known)) = search
             .found
             .first_mut()

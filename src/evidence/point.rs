@@ -1,11 +1,12 @@
 //! Points at which all premises and assumptions of a claim hold.
 
+use super::course::{FEW_TIMES, TIMES};
 use super::formula::Op;
-use super::newton::{basis, lift};
+use super::newton::{basis, lift, rough};
 use super::space::Slot;
 use super::system::System;
-use super::tolerance::{PREMISE, PREMISE_REFINED, PREMISE_WIDE, VANISHING};
-use super::value::{Numbers, Value};
+use super::tolerance::{LAWS_WIDE, PREMISE, PREMISE_REFINED, PREMISE_WIDE, VANISHING};
+use super::value::{Numbers, Real, Value};
 use crate::number::{Sequence, Wide};
 use crate::tex::Relation;
 use num_traits::Zero;
@@ -125,6 +126,7 @@ impl System {
     fn derived<N: Numbers>(&self, mut point: Point<N::Of<f64>>) -> Result<Point<N::Of<f64>>, Miss> {
         match self.derive::<N, f64>(&mut point.values, PREMISE) {
             // what is solved with the derivatives must be allowed as well
+            Some(rest) if rest <= PREMISE && !self.meets_laws::<N, f64>(&point, VANISHING) => Err(Miss::Premises),
             Some(rest) if rest <= PREMISE && self.allows::<N>(&point) => Ok(point),
             Some(rest) if rest <= PREMISE => Err(Miss::Conditions),
             _ => Err(Miss::Derivatives),
@@ -168,6 +170,26 @@ impl System {
             return Ok(());
         }
         Err(Miss::Premises)
+    }
+
+    /// Returns true if laws that are held at a few times hold where the claim is looked at.
+    fn meets_laws<N: Numbers, T: Real>(&self, point: &Point<N::Of<T>>, enough: f64) -> bool {
+        let program = &self.tested_program;
+        if program.outputs.is_empty() {
+            return true;
+        }
+        let found = program.run(&self.inputs(&point.values, Some(&point.running)));
+        let near: Vec<N::Of<f64>> = found.iter().map(rough::<N, T>).collect();
+        let Some(sizes) = program.sizes(&near, &self.solved::<N, T>(&point.values)) else {
+            return false;
+        };
+        program
+            .outputs
+            .iter()
+            .all(|&output| match (near.get(output), sizes.get(output)) {
+                (Some(value), Some(size)) => value.size() <= enough * size,
+                _ => false,
+            })
     }
 
     /// Whether the conditions hold in 40 digits too: what f64 has rounded away does not allow a point.
@@ -267,7 +289,7 @@ impl System {
         let unknowns = self.unknowns(self.row_slots.iter().copied());
         let met = self.solve::<N, Wide<40>>(&self.rows_program, &mut wide.values, &unknowns, residual);
         let derived = met <= residual && self.derive::<N, Wide<40>>(&mut wide.values, PREMISE_WIDE)? <= PREMISE_WIDE;
-        derived.then_some(wide)
+        (derived && self.meets_laws::<N, Wide<40>>(&wide, LAWS_WIDE)).then_some(wide)
     }
 
     fn start<N: Numbers>(&self, random: &mut Sequence, style: Style) -> Point<N::Of<f64>> {
@@ -309,6 +331,11 @@ impl System {
         }
         let running = match self.start.and_then(|slot| values.get(slot)) {
             Some(start) => start.parts()[0] + random.between(0.1, 1.0),
+            // laws that give no function hold at the times of their rows
+            None if !self.tested_program.outputs.is_empty() => {
+                let number = (random.draw() >> 33) as usize % FEW_TIMES;
+                TIMES.get(number).copied().unwrap_or(1.0)
+            }
             None if style == Style::Special => pick(random),
             None => random.between(-2.0, 3.0),
         };

@@ -75,6 +75,10 @@ pub struct System {
     pub runs: bool,
     /// Whether a premise restricts functions of which it does not say what they are.
     pub shaped: bool,
+    /// What vanishes at every running time where laws hold that give no function: rows hold them at a few times.
+    pub restricting: Vec<Formula>,
+    /// The same where a point needs it.
+    pub tested_program: Program,
     /// Whether a law gives a function by dividing by what may vanish, as u in f u = 0.
     pub divides: bool,
     /// Whether anything is complex.
@@ -145,6 +149,8 @@ impl System {
             start: None,
             runs: statements.claim_runs,
             shaped: false,
+            restricting: Vec::new(),
+            tested_program: Program::default(),
             divides: false,
             is_complex: false,
             letter: vocabulary.index.clone(),
@@ -283,9 +289,11 @@ impl System {
         }
         let late = std::mem::take(&mut self.late);
         self.late = late.into_iter().map(|row| self.resolve(row, vocabulary)).collect();
+        let mut used = Vec::new();
         for equation in &statements.claims {
             let pair = self.pair(equation, vocabulary, &statements.locals);
             let sides = self.claimed(equation, statements, vocabulary, first)?;
+            used.extend(sides.iter().flat_map(|(left, right)| [*left, *right]));
             let resolved = |(left, right): (Formula, Formula)| [left, right].map(|side| self.resolve(side, vocabulary));
             let sides = sides.into_iter().map(resolved).collect();
             self.questions.push(Question {
@@ -306,9 +314,11 @@ impl System {
             let mut compiler = self.compiler(vocabulary, &statements.locals);
             compiler.flight = first;
             let value = compiler.tree(tree).ok();
+            used.extend(value);
             let value = value.map(|value| self.resolve(value, vocabulary));
             self.asked.push(value);
         }
+        self.test_laws(&used, vocabulary);
         self.finish(vocabulary)
     }
 

@@ -10,6 +10,9 @@ pub const PREMISE_WIDE: f64 = 1e-32;
 /// far above the roundings of 40 digits that every other one is there.
 pub const PREMISE_REFINED: f64 = 1e-36;
 
+/// The same of laws at times that no row holds them at.
+pub const LAWS_WIDE: f64 = 1e-25;
+
 /// A row whose part that is new against the rows before it is smaller than this, relative to the row itself, says
 /// nothing new: rows are right to about 1e-14, and points are drawn without special properties.
 pub const DEPENDENT: f64 = 1e-9;

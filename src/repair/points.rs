@@ -1,6 +1,6 @@
 //! Points at which the premises of a claim hold, with or without operations in it.
 
-use crate::claim::{Statements, Vocabulary, any, pair_of, reduced, tree_runs};
+use crate::claim::{Statements, Vocabulary, any, any_side, pair_of, tree_runs};
 use crate::evidence::sampled::{Leaves, Number, asked, real, take_leaves, take_standing};
 use crate::evidence::samples;
 use crate::number::Sequence;
@@ -44,10 +44,10 @@ impl Asked<'_> {
         let mut met = HashSet::new();
         leaves.retain(|leaf| met.insert(leaf.clone()));
         let within: Vec<Tree> = sides().filter(|side| !any(side, &mut is_operation)).cloned().collect();
-        let (statements, vocabulary) = self.without_operations()?;
+        let statements = self.premises();
         let sample = |statements: &Statements, points: usize| {
-            let drawn = self.sample(statements, &vocabulary, &leaves, &within, points);
-            drawn.or_else(|| self.sample(statements, &vocabulary, &leaves, &[], points))
+            let drawn = self.sample(statements, &leaves, &within, points);
+            drawn.or_else(|| self.sample(statements, &leaves, &[], points))
         };
         let mut drawn = sample(&statements, points)?;
         let is_defined =
@@ -79,16 +79,9 @@ impl Asked<'_> {
         Some((drawn, free))
     }
 
-    fn sample(
-        &self,
-        statements: &Statements,
-        vocabulary: &Vocabulary,
-        leaves: &[Tree],
-        within: &[Tree],
-        points: usize,
-    ) -> Option<Leaves> {
+    fn sample(&self, statements: &Statements, leaves: &[Tree], within: &[Tree], points: usize) -> Option<Leaves> {
         let plain: Vec<Tree> = leaves.iter().map(asked).collect();
-        let drawn = samples(statements, vocabulary, &plain, within, points)?;
+        let drawn = samples(statements, self.vocabulary, &plain, within, points)?;
         let is_complex = drawn.is_complex || self.speaks_of_complex();
         let points = drawn.values.first().map_or(0, Vec::len);
         let number = |[re, im]: [f64; 2]| Number::new(re, im);
@@ -173,28 +166,14 @@ impl Asked<'_> {
         Some(())
     }
 
-    /// What the claim rests on without operations, and without the claim where that has some.
-    fn without_operations(&self) -> Option<(Statements, Vocabulary)> {
-        let has_one = |tree: &Tree| any(tree, &mut is_operation);
-        let in_equation = |equation: &Equation| has_one(&equation.left) || has_one(&equation.right);
+    /// What the claim rests on, without the claim where that has operations: points are looked for by the premises.
+    fn premises(&self) -> Statements {
         let mut statements = self.statements.clone();
-        statements.locals.retain(|local| !has_one(&local.tree));
-        if self.statements.claims.iter().any(in_equation) {
+        let has_one = |equation: &Equation| any_side(equation, &mut is_operation);
+        if statements.claims.iter().any(has_one) {
             statements.claims.clear();
         }
-        if !statements.premises.iter().any(|premise| in_equation(&premise.equation)) {
-            return Some((statements, self.vocabulary.clone()));
-        }
-        // as they come out once the operations are worked out
-        let reduced = reduced(self.statements, self.vocabulary).ok()??;
-        let goal = reduced
-            .sufficient
-            .into_iter()
-            .next()
-            .filter(|_| reduced.is_equivalent)?;
-        let mut statements = goal.statements;
-        statements.claims.clear();
-        Some((statements, goal.vocabulary))
+        statements
     }
 }
 
