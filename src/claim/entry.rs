@@ -1,6 +1,7 @@
 //! One `[[equation]]` of a sheet: what it states, what it defines, and whether it can be read.
 
 use super::definition::is_constant_of_integration;
+use super::doubts::noted;
 use super::definition::{Local, circular, inlined_in, is_constant, is_defined, two_of_pair};
 use super::fault::{Fault, Source, Text};
 use super::function::Given;
@@ -15,7 +16,9 @@ use super::substitute::{flies, number_of, rewrite, tree_runs};
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree, read, read_conditions, with_commands};
+use crate::tex::{
+    At, Condition, Doubt, DoubtKind, Equation, Name, Operation, Relation, Tree, read, read_conditions, with_commands,
+};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashSet};
 use toml::Spanned;
@@ -66,15 +69,15 @@ pub struct Entry {
     pub names: Vec<String>,
     /// What its verdict rests on that nobody said, as a document without comments makes one guess.
     pub guessed: Vec<String>,
-    /// Guesses about what its notation means, without which it may be another claim.
-    pub doubts: Vec<String>,
     /// Whether it is a claim `A \Rightarrow B`.
     pub is_implication: bool,
     /// Whether it is a way of `A \Leftrightarrow B`.
     pub is_way: bool,
     /// Integers in its equations of which no condition says how they stand to other symbols, and parameters that may be
-    /// constants of integration.
-    pub of_some: Vec<Name>,
+    /// constants of a solution.
+    pub(super) of_some: Vec<Name>,
+    /// The places of what was read of it that have more than one meaning.
+    pub(super) doubts: Vec<Doubt>,
     /// The letters of which it says that it holds for all of them.
     pub for_all: Vec<Name>,
     /// The equations of which it says or assumes that one holds.
@@ -1196,9 +1199,20 @@ pub(super) fn read_entry(
         let problem = new.or(is_unseen).or_else(|| listed_values(&equations));
         faults.extend(problem.map(|(at, problem)| tex.fault(at, problem)));
     }
+    let conditions = assume.iter().filter_map(|(condition, _)| match condition {
+        Condition::Relation(relation) => Some(relation),
+        Condition::Integer(_) => None,
+    });
+    let beside = local.iter().chain(&with).map(|(equation, _)| equation);
+    let mut doubts = noted(equations.iter().chain(&alternatives).chain(&among).chain(beside).chain(conditions));
+    doubts.extend(raw.doubts.iter().map(|doubt| Doubt {
+        kind: DoubtKind::Declared(doubt.clone()),
+        at: At(0),
+    }));
     Entry {
         label: raw.label.get_ref().clone(),
         role: raw.role,
+        doubts,
         equations,
         local,
         with,
@@ -1213,7 +1227,6 @@ pub(super) fn read_entry(
         expect: raw.expect,
         names: raw.names.clone(),
         guessed: raw.guessed.clone(),
-        doubts: raw.doubts.clone(),
         unread: faults
             .into_iter()
             .reduce(Fault::and)
@@ -1227,7 +1240,7 @@ pub(super) fn read_entry(
 }
 
 /// What a condition says to tend to something.
-fn approached(condition: &Condition) -> Option<Name> {
+pub(super) fn approached(condition: &Condition) -> Option<Name> {
     match condition {
         Condition::Relation(relation) => match (&relation.left, &relation.right) {
             (Tree::Symbol(name, _), Tree::Operation(operation, _)) => {
