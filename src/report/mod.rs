@@ -25,6 +25,7 @@ mod format;
 mod frame;
 mod json;
 mod junit;
+mod lock;
 mod markdown;
 mod output;
 mod page;
@@ -41,7 +42,10 @@ pub use checksum::{Checksum, Summed, SummedLines};
 pub use format::{Format, UnknownFormat};
 pub use frame::{Form, Frame, Values};
 pub use junit::write as junit;
-pub use output::{Output, OutputError, OutputProblem, is_same_file, note_input, note_stdin, remove_temporaries};
+pub use lock::DirectoryLock;
+pub use output::{
+    Output, OutputError, OutputProblem, is_same_file, note_input, note_stdin, open_locked, remove_temporaries,
+};
 pub use page::{Given, Page, Part, Printed};
 pub use sarif::{Finding, Fix, Kind, sarif};
 pub use stream::Stream;
