@@ -21,6 +21,8 @@
 #[doc = include_str!("../doc/library.md")]
 struct Guide;
 
+#[cfg(feature = "audit")]
+pub mod input;
 pub mod number;
 pub mod stop;
 

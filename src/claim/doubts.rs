@@ -70,9 +70,8 @@ impl Sheet {
             let equations = entry.equations.iter().filter(|_| entry.role != Role::Claim);
             local.chain(equations)
         });
-        let mut sides = said.flat_map(|equation| {
-            [(&equation.left, &equation.right), (&equation.right, &equation.left)]
-        });
+        let mut sides =
+            said.flat_map(|equation| [(&equation.left, &equation.right), (&equation.right, &equation.left)]);
         let mut locals = own.flat_map(|entry| &entry.own);
         let mut abbreviations = self.vocabulary.abbreviations.iter();
         sides.any(|(name, meaning)| is_it(name) && shares(meaning))
@@ -88,11 +87,23 @@ impl Sheet {
         let known: Vec<&Tree> = known.flat_map(|equation| [&equation.left, &equation.right]).collect();
         let is_known = |name: &Name| known.iter().any(|side| speaks_of(side, name));
         let is_restricted = claim.is_implication || below.iter().any(|entry| entry.role != Role::Definition);
-        let noted = claim.of_some.iter().filter(|name| is_restricted || is_added(name, &claim.equations));
+        let noted = claim
+            .of_some
+            .iter()
+            .filter(|name| is_restricted || is_added(name, &claim.equations));
         let mut found: Vec<Name> = noted.cloned().collect();
-        let assumed: Vec<&Tree> = claim.assume.iter().flat_map(|(condition, _)| condition.sides()).collect();
+        let assumed: Vec<&Tree> = claim
+            .assume
+            .iter()
+            .flat_map(|(condition, _)| condition.sides())
+            .collect();
         for name in &self.vocabulary.parameters {
-            let stands = || claim.equations.iter().any(|equation| any_side(equation, &mut |node| is_symbol(node, name)));
+            let stands = || {
+                claim
+                    .equations
+                    .iter()
+                    .any(|equation| any_side(equation, &mut |node| is_symbol(node, name)))
+            };
             let is_assumed = assumed.iter().any(|side| speaks_of(side, name));
             let is_new = claim.is_implication && !is_assumed;
             if (is_new || (is_assumed && self.is_between(name, claim))) && stands() {
@@ -108,7 +119,9 @@ impl Sheet {
     fn is_between(&self, name: &Name, claim: &Entry) -> bool {
         let bound = |is_above: bool| {
             claim.assume.iter().any(|(condition, _)| match condition {
-                Condition::Relation(Equation { left, relation, right, .. }) => {
+                Condition::Relation(Equation {
+                    left, relation, right, ..
+                }) => {
                     let (low, high) = match relation {
                         Relation::Less | Relation::LessOrEqual => (left, right),
                         Relation::Greater | Relation::GreaterOrEqual => (right, left),
@@ -120,23 +133,36 @@ impl Sheet {
             })
         };
         let is_argument = |node: &Tree| match node {
-            Tree::Call(function, argument, _) => self.vocabulary.names.is_function(function) && speaks_of(argument, name),
+            Tree::Call(function, argument, _) => {
+                self.vocabulary.names.is_function(function) && speaks_of(argument, name)
+            }
             _ => false,
         };
-        bound(true) && bound(false) && claim.equations.iter().any(|equation| any_side(equation, &mut |node| is_argument(node)))
+        bound(true)
+            && bound(false)
+            && claim
+                .equations
+                .iter()
+                .any(|equation| any_side(equation, &mut |node| is_argument(node)))
     }
 
     /// That the claim speaks of a step of an index which premises say of another: they may be meant for each step.
     fn one_step(&self, claim: &Entry, below: &[&Entry]) -> Option<DoubtKind> {
         let letter = &self.vocabulary.index;
         let runs = self.vocabulary.indices.iter().any(|name| name.base == *letter);
-        let steps = below.iter().filter(|entry| entry.role != Role::Definition).flat_map(|entry| &entry.equations);
+        let steps = below
+            .iter()
+            .filter(|entry| entry.role != Role::Definition)
+            .flat_map(|entry| &entry.equations);
         let steps: Vec<BTreeSet<i32>> = steps
             .filter(|equation| !flies(equation, &self.vocabulary))
             .map(|equation| self.vocabulary.impacts(equation))
             .collect();
         let said: BTreeSet<i32> = steps.iter().flatten().copied().collect();
-        let asked = claim.equations.iter().flat_map(|equation| self.vocabulary.impacts(equation));
+        let asked = claim
+            .equations
+            .iter()
+            .flat_map(|equation| self.vocabulary.impacts(equation));
         let goes_on = asked.into_iter().any(|index| !said.contains(&index));
         let is_step = steps.iter().any(|step| step.len() > 1);
         (!runs && is_step && goes_on).then(|| DoubtKind::OneStep { index: letter.clone() })

@@ -1,8 +1,8 @@
 //! One `[[equation]]` of a sheet: what it states, what it defines, and whether it can be read.
 
 use super::definition::is_constant_of_integration;
-use super::doubts::noted;
 use super::definition::{Local, circular, inlined_in, is_constant, is_defined, two_of_pair};
+use super::doubts::noted;
 use super::fault::{Fault, Source, Text};
 use super::function::Given;
 use super::implication::{
@@ -1204,7 +1204,14 @@ pub(super) fn read_entry(
         Condition::Integer(_) => None,
     });
     let beside = local.iter().chain(&with).map(|(equation, _)| equation);
-    let mut doubts = noted(equations.iter().chain(&alternatives).chain(&among).chain(beside).chain(conditions));
+    let mut doubts = noted(
+        equations
+            .iter()
+            .chain(&alternatives)
+            .chain(&among)
+            .chain(beside)
+            .chain(conditions),
+    );
     doubts.extend(raw.doubts.iter().map(|doubt| Doubt {
         kind: DoubtKind::Declared(doubt.clone()),
         at: At(0),

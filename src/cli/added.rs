@@ -4,6 +4,7 @@ use super::options::create_directory;
 use super::source::TOML_AT_MOST;
 use super::{Failure, Options, Source, golden, note};
 use crate::reference::{Directory, Fault, Outcome, PRINTED, PRINTED_COLUMNS, Printed, Verdict, check_row};
+use crate::report::DirectoryLock;
 use crate::scene;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -58,13 +59,13 @@ impl RowToAdd {
         let (Some(id), Some(path)) = (&self.id, directory) else {
             return Ok(None);
         };
+        // from what is read to what is written nobody else writes there
+        let _lock = lock(path)?;
         let there = Directory::At(path.to_owned());
         let file = path.join(PRINTED);
+        options.member(file.clone())?;
         let before = match file.exists() {
-            true => {
-                options.beside(Some(&file))?;
-                there.read(PRINTED)?
-            }
+            true => there.read(PRINTED)?,
             false => String::new(),
         };
         let (scene, copied) = self.scene(&there, path)?;
@@ -95,10 +96,10 @@ impl RowToAdd {
         for (name, text) in files.iter().rev() {
             let place = path.join(name);
             create_directory(place.parent().unwrap_or(path))?;
-            outputs.push((options.beside(Some(&place))?, text));
+            outputs.push((options.member(place)?, text));
         }
         for (output, text) in outputs {
-            output.map_or(Ok(()), |output| output.write(|to| to.write_all(text.as_bytes())))?;
+            output.write(|to| to.write_all(text.as_bytes()))?;
         }
         for name in files.keys().filter(|name| *name != PRINTED) {
             note(&format!("the scene is copied to {}", path.join(name).display()));
@@ -154,6 +155,12 @@ impl RowToAdd {
             }),
         }
     }
+}
+
+/// Locks a directory of golden values; waits while another command writes it.
+pub(super) fn lock(directory: &Path) -> Result<DirectoryLock, Failure> {
+    let tell = || note(&format!("waiting for another run that writes {}", directory.display()));
+    Ok(DirectoryLock::acquire(directory, tell)?)
 }
 
 fn not_added(id: &str, verdict: Verdict) -> String {

@@ -92,6 +92,7 @@ fn rewrite(directory: &Directory) -> Result<Answer, Failure> {
     if files.is_empty() {
         return Err(Failure::NoReference(path.display().to_string()));
     }
+    let _lock = added::lock(path)?;
     let mut maker = golden::Maker::new(directory);
     let mut blessed = Vec::new();
     for file in files {
@@ -109,7 +110,7 @@ fn rewrite(directory: &Directory) -> Result<Answer, Failure> {
         if blessed.changes.is_empty() {
             continue;
         }
-        Output::File(path.join(&file)).write(|to| to.write_all(blessed.text.as_bytes()))?;
+        Output::Member(path.join(&file)).write(|to| to.write_all(blessed.text.as_bytes()))?;
         for change in blessed.changes {
             let cells = [change.id, file.clone(), change.before, change.after];
             table.push(cells.map(Cell::from))?;

@@ -19,10 +19,17 @@ pub fn run(arguments: &Arguments, mut line: clap::Command) -> Result<Answer, Fai
     super::options::create_directory(&arguments.directory)?;
     let mut table = Table::new(["file"]);
     let commands = line.get_subcommands().filter(|command| command.get_name() != "help");
-    for page in std::iter::once(line.clone()).chain(commands.cloned()) {
-        let name = page.get_display_name().unwrap_or("vibro-audit").to_owned();
-        let path = arguments.directory.join(format!("{name}.1"));
-        Output::File(path.clone()).write(|to| Man::new(page).render(to))?;
+    let pages = std::iter::once(&line).chain(commands).map(|page| {
+        let name = page.get_display_name().unwrap_or("vibro-audit");
+        (arguments.directory.join(format!("{name}.1")), page.clone())
+    });
+    let pages: Vec<(PathBuf, clap::Command)> = pages.collect();
+    // all or none
+    for (path, _) in &pages {
+        Output::Member(path.clone()).check()?;
+    }
+    for (path, page) in pages {
+        Output::Member(path.clone()).write(|to| Man::new(page).render(to))?;
         table.push([Cell::from(path.display().to_string())])?;
     }
     Ok(Answer {

@@ -2,12 +2,13 @@
 
 use super::answer::Copied;
 use super::shard::Label;
+use super::source::ANSWERS_AT_MOST;
 use super::{Answer, Content, Exit, Failure, Options, basins, optimise};
+use crate::input::{lines, open_regular};
 use crate::orbit::Estimate;
 use crate::report::{Checksum, Format, note_input};
 use crate::scene::{ReachedAttractor, ReachedAttractors};
-use std::fs::File;
-use std::io::{self, BufRead, BufReader, Write};
+use std::io::{self, BufReader, Write};
 use std::path::PathBuf;
 
 /// The parts of a run that `--shard` computed, joined as one run would have written them
@@ -52,9 +53,9 @@ impl Part {
         let shown = path.display();
         let wrong = |problem: String| Failure::Usage(format!("{shown}: {problem}"));
         let unread = |error: io::Error| wrong(format!("cannot be read: {error}"));
-        let file = File::open(path).map_err(unread)?;
+        let file = open_regular(path).map_err(unread)?;
         note_input(path);
-        let mut lines = BufReader::new(file).lines();
+        let mut lines = lines(BufReader::new(file));
         let mut next = || lines.next().transpose().map_err(unread);
         let label = next()?.as_deref().and_then(Label::read);
         let label = label.ok_or_else(|| wrong("it is no part of a run: --shard writes them".to_owned()))?;
@@ -64,7 +65,17 @@ impl Part {
         sum.add_line(&columns);
         // how often each attractor is named; nothing where one is that cannot be
         let mut named: Option<Vec<u64>> = Some(Vec::new());
+        // what is held until all parts are read: the table behind the rows, and the rows of a search
+        let mut held = 0;
         while let Some(line) = next()? {
+            if following.is_some() || label.is_of(optimise::COMMAND) {
+                held += line.len() as u64 + 1;
+            }
+            if held > ANSWERS_AT_MOST << 20 {
+                return Err(wrong(format!(
+                    "it has a table of more than {ANSWERS_AT_MOST} MB; no part of a run has such a table"
+                )));
+            }
             last.iter().for_each(|line| sum.add_line(line));
             match (last.replace(line), &mut following) {
                 (None, _) => {}
@@ -189,7 +200,7 @@ fn rows_of(part: &Part) -> io::Result<Vec<Vec<String>>> {
 
 /// Writes the rows of a part, the first under the line of columns.
 fn copy(part: &Part, numbers: &[i64], to: &mut dyn Write) -> io::Result<usize> {
-    let mut lines = BufReader::new(File::open(&part.path)?).lines();
+    let mut lines = lines(BufReader::new(open_regular(&part.path)?));
     let changed = || io::Error::other(format!("{} was changed meanwhile", part.path.display()));
     let (head, columns) = (lines.next().transpose()?, lines.next().transpose()?);
     if head != Some(part.label.head()) || columns.as_ref() != Some(&part.columns) {

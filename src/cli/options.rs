@@ -44,15 +44,24 @@ impl Options {
     /// # Errors
     /// A file that cannot be written, or that the table is to go to.
     pub fn beside(&self, file: Option<&PathBuf>) -> Result<Option<Output>, Failure> {
-        let Some(file) = file else {
-            return Ok(None);
-        };
+        file.map(|file| self.apart(file, Output::File(file.clone())))
+            .transpose()
+    }
+
+    /// Returns the output for a file of a directory, under a name that the program chose.
+    ///
+    /// # Errors
+    /// As [`Options::beside`], and a symbolic link.
+    pub fn member(&self, file: PathBuf) -> Result<Output, Failure> {
+        self.apart(&file, Output::Member(file.clone()))
+    }
+
+    fn apart(&self, file: &Path, output: Output) -> Result<Output, Failure> {
         if self.out.as_ref().is_some_and(|out| is_same_file(out, file)) {
             return Err(Failure::SameFile(file.display().to_string()));
         }
-        let output = Output::File(file.clone());
         output.check()?;
-        Ok(Some(output))
+        Ok(output)
     }
 
     /// The digits asked for: `--digits`, or those of the scene; `None` where neither asks.

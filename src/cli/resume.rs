@@ -3,13 +3,14 @@
 use super::rows::Rows;
 use super::shard::{Label, Shard};
 use super::{Failure, Options};
+use crate::input::{lines, read_line};
 use crate::orbit::{SearchBatch, SearchOutcomes, SearchRecord};
 use crate::report::{
-    Cell, Checksum, Column, Format, Output, OutputError, OutputProblem, Stream, Summed, SummedLines, Table,
+    Cell, Checksum, Column, Format, Output, OutputError, OutputProblem, Stream, Summed, SummedLines, Table, open_locked,
 };
 use crate::stop::Token;
-use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, BufRead, BufReader, BufWriter, Seek, SeekFrom, Write};
+use std::fs::{self, File};
+use std::io::{self, BufReader, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -67,23 +68,8 @@ impl Unfinished {
         let mut name = out.file_name().unwrap_or_default().to_owned();
         name.push(".part");
         let path = out.with_file_name(name);
-        let file = OpenOptions::new()
-            .read(true)
-            .write(true)
-            .create(true)
-            .truncate(false)
-            .open(&path)
-            .map_err(system(&path, "opening"))?;
-        match file.try_lock() {
-            Ok(()) => {}
-            Err(TryLockError::WouldBlock) => {
-                let problem = format!("{}: another run is writing it", path.display());
-                return Err(Failure::Usage(problem));
-            }
-            Err(TryLockError::Error(error)) => return Err(system(&path, "locking")(error)),
-        }
         let mut unfinished = Self {
-            file,
+            file: open_locked(&path)?,
             label,
             is_part: shard.is_some(),
             columns: columns.iter().map(|name| Column::from(*name)).collect(),
@@ -135,10 +121,9 @@ impl Unfinished {
         (&self.file).rewind().map_err(&failed)?;
         let mut reader = BufReader::new(&self.file);
         let mut next = || -> Result<Option<String>, Failure> {
-            let mut line = String::new();
-            reader.read_line(&mut line).map_err(&failed)?;
+            let line = read_line(&mut reader).map_err(&failed)?;
             // a line without its end was cut
-            Ok(line.strip_suffix('\n').map(str::to_owned))
+            Ok(line.and_then(|line| line.strip_suffix('\n').map(str::to_owned)))
         };
         for wanted in self.head() {
             match next()? {
@@ -243,9 +228,8 @@ impl Unfinished {
         (&self.file).rewind().map_err(&failed)?;
         let mut reader = BufReader::new(&self.file);
         if self.kept.rows > 0 {
-            let mut head = String::new();
             for _ in self.head() {
-                reader.read_line(&mut head).map_err(&failed)?;
+                read_line(&mut reader).map_err(&failed)?;
             }
         }
         Ok(Record {
@@ -276,14 +260,12 @@ impl Unfinished {
     /// Copies the rows to where they belong.
     fn finish(&self, to: &mut dyn Write, rows: usize, following: Option<&Table>) -> io::Result<()> {
         (&self.file).rewind()?;
-        let mut lines = BufReader::new(&self.file);
-        let mut head = String::new();
-        lines.read_line(&mut head)?;
-        if self.is_part {
-            to.write_all(head.as_bytes())?;
+        let mut lines = lines(BufReader::new(&self.file));
+        if let Some(head) = lines.next().transpose()?.filter(|_| self.is_part) {
+            writeln!(to, "{head}")?;
         }
         let mut to = Summed::new(to);
-        let (mut lines, mut sum) = (lines.lines(), Checksum::default());
+        let mut sum = Checksum::default();
         if let Some(columns) = lines.next().transpose()? {
             writeln!(to, "{columns}")?;
         }
@@ -343,9 +325,8 @@ impl SearchRecord for Record<'_> {
         if self.line == self.of.kept.rows || self.writer.is_some() {
             return Ok(None);
         }
-        let mut line = String::new();
         let failed = system(&self.of.path, "reading what there is of the run");
-        self.reader.read_line(&mut line).map_err(failed)?;
+        let line = read_line(&mut self.reader).map_err(failed)?.unwrap_or_default();
         self.line += 1;
         self.sum.add_line(&batch.to_string());
         let outcomes = SummedLines::read(line.trim_end(), &mut self.sum);

@@ -107,7 +107,7 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
         let path = directory.join("report.html");
         let page = page(&scene, files, figure)?;
         let rows = i64::try_from(page.rows()).unwrap_or(i64::MAX);
-        Output::File(path.clone()).write(|to| page.write(to, options.figures()))?;
+        Output::Member(path.clone()).write(|to| page.write(to, options.figures()))?;
         files.push(
             ["run", "", &path.display().to_string()]
                 .map(Cell::from)
@@ -203,7 +203,7 @@ fn run_with(served: &[Served], scene: &Scene, wants: &[Want], options: &Options)
                 Format::Markdown => (Format::Markdown, "md"),
             };
             let path = directory.join(format!("{file}.{extension}"));
-            let (rows, _) = content.write(&Output::File(path.clone()), format, options.figures())?;
+            let (rows, _) = content.write(&Output::Member(path.clone()), format, options.figures())?;
             answer.push([
                 Cell::from(want.command()),
                 Cell::from(same.as_str()),

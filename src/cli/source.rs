@@ -1,6 +1,7 @@
 //! Where a command reads from: a file, `-` for stdin.
 
 use super::caller;
+use crate::input::read_at_most;
 use crate::report::{note_input, note_stdin};
 use std::fs;
 use std::io::{self, Read};
@@ -77,14 +78,12 @@ impl FromStr for Source {
     }
 }
 
-/// All bytes, or the refusal of more than so many MB, which may have no end.
+/// Reads all bytes, at most so many MB.
 fn limited(from: impl Read, most: u64) -> Result<Vec<u8>, SourceProblem> {
-    let (mut bytes, limit) = (Vec::new(), most << 20);
-    from.take(limit + 1).read_to_end(&mut bytes)?;
-    match bytes.len() as u64 > limit {
-        true => Err(SourceProblem::TooLarge(most)),
-        false => Ok(bytes),
-    }
+    read_at_most(from, most << 20).map_err(|error| match error.kind() {
+        io::ErrorKind::FileTooLarge => SourceProblem::TooLarge(most),
+        _ => error.into(),
+    })
 }
 
 impl Source {

@@ -70,7 +70,7 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     let rows = search(seconds)?;
     if arguments.bless {
         let text = frozen_text(&rows)?;
-        Output::File(PathBuf::from(WORST_PATH)).write(|to| to.write_all(text.as_bytes()))?;
+        Output::Member(PathBuf::from(WORST_PATH)).write(|to| to.write_all(text.as_bytes()))?;
         note(&format!(
             "{WORST_PATH} has {} rows; build again to hold against them",
             rows.len()

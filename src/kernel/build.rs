@@ -346,8 +346,15 @@ impl<'a> Builder<'a> {
 
     /// Whether these conditions hold near any point at which they hold, as times and states change.
     fn holds_near(&mut self, conditions: &[(Property, Term)]) -> bool {
-        let terms: Vec<Term> = conditions.iter().map(|(_, of)| self.statement.written_out(*of)).collect();
-        let mut all: Vec<(Property, Term)> = conditions.iter().map(|(property, _)| *property).zip(terms.clone()).collect();
+        let terms: Vec<Term> = conditions
+            .iter()
+            .map(|(_, of)| self.statement.written_out(*of))
+            .collect();
+        let mut all: Vec<(Property, Term)> = conditions
+            .iter()
+            .map(|(property, _)| *property)
+            .zip(terms.clone())
+            .collect();
         for &term in &terms {
             all.extend(self.statement.domain(term));
         }

@@ -310,7 +310,10 @@ impl<'a> Checker<'a> {
                 let mut terms = vec![law.term];
                 terms.extend(law.conditions.iter().map(|(_, of)| *of));
                 let moves = |_: &Statement, symbol| symbol == time;
-                if !terms.iter().all(|&of| self.statement.is_differentiable(of, &|symbol| symbol == time)) {
+                if !terms
+                    .iter()
+                    .all(|&of| self.statement.is_differentiable(of, &|symbol| symbol == time))
+                {
                     return refused("a branch of a complex function is differentiated");
                 }
                 law.domain.extend(self.statement.domain(law.term));
@@ -378,7 +381,10 @@ impl<'a> Checker<'a> {
                 self.defined(&[term, slope])?;
                 // where the equation has a value at single points only, its derivative says nothing
                 let domain = self.statement.domain(written);
-                let Some(near) = self.statement.holding_near(&domain, &[written], &Statement::moves_along) else {
+                let Some(near) = self
+                    .statement
+                    .holding_near(&domain, &[written], &Statement::moves_along)
+                else {
                     return refused("an equation of a map does not hold on an open set");
                 };
                 for (property, of) in near {

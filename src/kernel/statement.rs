@@ -616,7 +616,10 @@ impl Statement {
 
     /// Whether a symbol changes along a map.
     pub fn moves_along(&self, symbol: Symbol) -> bool {
-        matches!(self.quantity(symbol), Some(Quantity::Time { .. } | Quantity::State { .. }))
+        matches!(
+            self.quantity(symbol),
+            Some(Quantity::Time { .. } | Quantity::State { .. })
+        )
     }
 
     /// The derivative of a term by a symbol, all else held fixed; abbreviations are differentiated.

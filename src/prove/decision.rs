@@ -80,7 +80,11 @@ impl Decision {
             self.reason = format!("fails at {point}");
         }
         if !guesses.is_empty() {
-            let link = if is_refuted { ", if the guess is right that " } else { "; guessed: " };
+            let link = if is_refuted {
+                ", if the guess is right that "
+            } else {
+                "; guessed: "
+            };
             self.reason = format!("{}{link}{}", self.reason, joined(&guesses));
         }
         if !binding.is_empty() {

@@ -115,7 +115,10 @@ impl Decided {
         }
         let checker = CHECKER.strip_suffix(SERVES).unwrap_or(CHECKER);
         let (data, readings) = (self.data(true), formulas.python());
-        sealed(&format!("{}\n\nDATA = {data}\n\n{readings}\n\n{checker}", lines.join("\n")))
+        sealed(&format!(
+            "{}\n\nDATA = {data}\n\n{readings}\n\n{checker}",
+            lines.join("\n")
+        ))
     }
 
     /// The statement with what decides it: JSON, and Python too. On one line or, for readers, on many.

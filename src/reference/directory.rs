@@ -1,9 +1,10 @@
 //! Where golden files lie: in the binary, or in a directory that stands alone wherever it is copied.
 
 use super::{Certified, Fault, Printed};
+use crate::input::read_at_most;
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::{self, Read};
+use std::io;
 use std::path::{Component, Path, PathBuf};
 
 /// The file that every directory of golden values has.
@@ -32,13 +33,6 @@ const BUILT_IN: &[(&str, &str)] = &[
     ),
     ("equations.toml", include_str!("../../golden/paper/equations.toml")),
 ];
-
-/// All bytes of a file, or one more than [`MOST_BYTES`]: it may have no end.
-fn limited(path: &Path) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    fs::File::open(path)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
-    Ok(bytes)
-}
 
 /// Whether a path leads nowhere out of the directory that it is relative to.
 fn stays_within(relative: &str) -> bool {
@@ -99,12 +93,9 @@ impl Directory {
                 text.ok_or_else(|| fault("there is no such built-in file".to_owned()))
             }
             Self::At(directory) | Self::Draft(directory, _) => {
-                let bytes = limited(&directory.join(relative)).map_err(|error| fault(self.why(relative, &error)))?;
-                if bytes.len() as u64 > MOST_BYTES {
-                    return Err(fault(
-                        "it has more than 16 MB; no file of golden values is that long".to_owned(),
-                    ));
-                }
+                let file = fs::File::open(directory.join(relative));
+                let bytes = file.and_then(|file| read_at_most(file, MOST_BYTES));
+                let bytes = bytes.map_err(|error| fault(self.why(relative, &error)))?;
                 String::from_utf8(bytes).map_err(|error| {
                     let at = error.utf8_error().valid_up_to();
                     fault(format!("it is not UTF-8 from byte {at} on; save it as UTF-8"))
@@ -127,6 +118,12 @@ impl Directory {
             }
             (_, io::ErrorKind::NotFound) => "there is no such file".to_owned(),
             (_, io::ErrorKind::IsADirectory) => "it is a directory, not a file".to_owned(),
+            (_, io::ErrorKind::FileTooLarge) => {
+                format!(
+                    "it has more than {} MB; no file of golden values is that long",
+                    MOST_BYTES >> 20
+                )
+            }
             _ => error.to_string(),
         }
     }

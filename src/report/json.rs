@@ -3,7 +3,7 @@
 use super::csv::texts;
 use super::figures::whole;
 use super::printer::Printer;
-use super::{Cell, Column, Table};
+use super::{Cell, Column, Table, acts_on_a_terminal};
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 use std::io::{self, Write};
 
@@ -66,7 +66,7 @@ impl Printer for Objects {
         for cells in rows {
             to.write_all(if self.is_empty { b"\n" } else { b",\n" })?;
             self.is_empty = false;
-            serde_json::to_writer(&mut *to, &Row { columns, cells })?;
+            write(&Row { columns, cells }, to)?;
         }
         Ok(())
     }
@@ -81,10 +81,32 @@ impl Printer for Lines {
     fn rows(&mut self, rows: &[Vec<Cell>], to: &mut dyn Write) -> io::Result<()> {
         let columns = &self.columns;
         for cells in rows {
-            serde_json::to_writer(&mut *to, &Row { columns, cells })?;
+            write(&Row { columns, cells }, to)?;
             to.write_all(b"\n")?;
         }
         to.flush()
+    }
+}
+
+/// Writes a row; a character that acts on a terminal is escaped, which any reader of JSON undoes.
+fn write(row: &Row<'_>, to: &mut dyn Write) -> io::Result<()> {
+    let mut serializer = serde_json::Serializer::with_formatter(to, Escaping);
+    Ok(row.serialize(&mut serializer)?)
+}
+
+/// JSON without blanks, and without characters that act on a terminal.
+struct Escaping;
+
+impl serde_json::ser::Formatter for Escaping {
+    fn write_string_fragment<W: ?Sized + Write>(&mut self, to: &mut W, fragment: &str) -> io::Result<()> {
+        for part in fragment.split_inclusive(acts_on_a_terminal) {
+            let last = part.chars().next_back().filter(|c| acts_on_a_terminal(*c));
+            let plain = part.strip_suffix(|c| Some(c) == last).unwrap_or(part);
+            to.write_all(plain.as_bytes())?;
+            // none of them lies beyond the plane of four digits
+            last.map_or(Ok(()), |c| write!(to, "\\u{:04x}", u32::from(c)))?;
+        }
+        Ok(())
     }
 }
 
@@ -188,6 +210,19 @@ mod tests {
         table.write(&mut bytes, Format::Json, 12).unwrap();
         let expected = "[\n{\"point\":\"x=1/2\",\"point_values\":{\"x\":\"1/2\",\"F(\\\\pi)\":\"2\"},\"b\":null}\n]\n";
         assert_eq!(String::from_utf8(bytes).unwrap(), expected);
+    }
+
+    #[test]
+    fn characters_that_act_on_a_terminal_are_escaped_and_read_back() {
+        let text = "a\u{1b}[31m \u{9b}\u{7f}b\u{202e}\u{2066}\n\"\u{e9}";
+        let mut table = Table::new([text]);
+        table.push([Cell::from(text)]).unwrap();
+        let mut bytes = Vec::new();
+        table.write(&mut bytes, Format::Jsonl, 12).unwrap();
+        let json = String::from_utf8(bytes).unwrap();
+        assert!(!json.trim_end().contains(acts_on_a_terminal), "{json}");
+        let read: serde_json::Value = serde_json::from_str(&json).unwrap();
+        assert_eq!(read[text], text);
     }
 
     #[test]

@@ -24,6 +24,7 @@ mod format;
 mod frame;
 mod json;
 mod junit;
+mod lock;
 mod markdown;
 mod new_directory;
 mod output;
@@ -35,15 +36,18 @@ mod stream;
 mod table;
 mod text;
 
-pub use crate::markup::acts as acts_on_a_terminal;
 pub use crate::checksum::{Checksum, Summed, SummedLines};
+pub use crate::markup::acts as acts_on_a_terminal;
 pub use baseline::{Baseline, BaselineError, fingerprint};
 pub use format::{Format, UnknownFormat};
 pub use frame::{Form, Frame, Values};
 pub use json::{FORMULAS, NUMBERS, write_tables as json_tables};
 pub use junit::write as junit;
+pub use lock::DirectoryLock;
 pub use new_directory::NewDirectory;
-pub use output::{Output, OutputError, OutputProblem, is_same_file, note_input, note_stdin, remove_temporaries};
+pub use output::{
+    Output, OutputError, OutputProblem, is_same_file, note_input, note_stdin, open_locked, remove_temporaries,
+};
 pub use page::{Given, Page, Part, Printed};
 pub use sarif::{Finding, Fix, Kind, sarif};
 pub use stream::Stream;

@@ -2,7 +2,7 @@
 
 use crate::stop::Token;
 use std::collections::BTreeSet;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -13,8 +13,12 @@ pub enum Output {
     /// Standard output. A reader that stops reading (`| head`) is not an error.
     #[default]
     Stdout,
-    /// A file, replaced as a whole once everything is written.
+    /// A file that the user named, replaced as a whole once everything is written. A link keeps being a link: the file
+    /// that it points to is replaced.
     File(PathBuf),
+    /// A file whose name the program chose, in a directory that the user named; as [`Output::File`], but never through a
+    /// symbolic link, which somebody else may have put there.
+    Member(PathBuf),
 }
 
 /// A file or stdout that could not be written.
@@ -42,6 +46,15 @@ pub enum OutputProblem {
     /// A link to nothing: writing would replace the link, or make a file elsewhere.
     #[error("it is a link to {0}, which is not there; name a file, or remove the link")]
     Dangling(String),
+    /// A symbolic link where the program chose the name.
+    #[error("it is a symbolic link to {0}, which is not followed; remove the link, or choose another directory")]
+    Link(String),
+    /// A device or a pipe where the program chose the name.
+    #[error("it is not a regular file; remove it, or choose another directory")]
+    NotRegular,
+    /// Another process writes the file or the directory.
+    #[error("another run is writing it; try again when that has ended")]
+    Busy,
     /// The file is one that the command reads.
     #[error("it is read as an input, which would be lost; choose another file")]
     Input,
@@ -62,7 +75,7 @@ pub enum OutputProblem {
 }
 
 impl OutputProblem {
-    fn system(doing: &'static str) -> impl Fn(io::Error) -> Self {
+    pub(super) fn system(doing: &'static str) -> impl Fn(io::Error) -> Self {
         move |source| Self::System { doing, source }
     }
 }
@@ -149,6 +162,7 @@ impl Output {
         match self {
             Self::Stdout => Ok(()),
             Self::File(path) => target(path).map(drop).map_err(|problem| self.error(problem)),
+            Self::Member(path) => member(path).map(drop).map_err(|problem| self.error(problem)),
         }
     }
 
@@ -166,11 +180,8 @@ impl Output {
                 Err(OutputProblem::Input) => Err(OutputProblem::Input),
                 _ => write_stdout(print),
             },
-            Self::File(path) => match target(path) {
-                Ok(Target::Replace(path)) => replace(&path, print),
-                Ok(Target::Direct(path)) => write_direct(&path, print),
-                Err(problem) => Err(problem),
-            },
+            Self::File(path) => target(path).and_then(|target| target.write(print)),
+            Self::Member(path) => member(path).and_then(|target| target.write(print)),
         }
         .map_err(|problem| self.error(problem))
     }
@@ -178,7 +189,7 @@ impl Output {
     fn error(&self, problem: OutputProblem) -> OutputError {
         let place = match self {
             Self::Stdout => "stdout".to_owned(),
-            Self::File(path) => path.display().to_string(),
+            Self::File(path) | Self::Member(path) => path.display().to_string(),
         };
         OutputError { place, problem }
     }
@@ -215,6 +226,65 @@ fn unless_broken_pipe(written: io::Result<()>) -> io::Result<()> {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         other => other,
     }
+}
+
+impl Target {
+    fn write(self, print: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), OutputProblem> {
+        match self {
+            Self::Replace(path) => replace(&path, print),
+            Self::Direct(path) => write_direct(&path, print),
+        }
+    }
+}
+
+/// Refuses a symbolic link, a device and a pipe; returns true if there is a regular file.
+fn is_regular(path: &Path) -> Result<bool, OutputProblem> {
+    match fs::symlink_metadata(path) {
+        Ok(found) if found.is_symlink() => {
+            let to = fs::read_link(path).map(|to| to.display().to_string());
+            Err(OutputProblem::Link(to.unwrap_or_default()))
+        }
+        Ok(found) if found.is_dir() => Err(OutputProblem::Directory),
+        Ok(found) if !found.is_file() => Err(OutputProblem::NotRegular),
+        Ok(_) => Ok(true),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(OutputProblem::system("opening")(error)),
+    }
+}
+
+/// Returns the target of a file whose name the program chose.
+fn member(path: &Path) -> Result<Target, OutputProblem> {
+    is_regular(path)?;
+    target(path)
+}
+
+/// Opens a file whose name the program chose, for reading and writing, and locks it; makes it if it does not exist.
+///
+/// # Errors
+/// A symbolic link or what is not a regular file, a file that another process has locked, and the errors of the system.
+pub fn open_locked(path: &Path) -> Result<File, OutputError> {
+    opened(path).map_err(|problem| Output::Member(path.to_owned()).error(problem))
+}
+
+fn opened(path: &Path) -> Result<File, OutputProblem> {
+    let is_there = is_regular(path)?;
+    let mut options = OpenOptions::new();
+    // a new one is made only where nothing stands, so that nothing is followed
+    let file = options.read(true).write(true).create_new(!is_there).open(path);
+    let file = file.map_err(OutputProblem::system("opening"))?;
+    match file.try_lock() {
+        Ok(()) if is_at(&file, path) => Ok(file),
+        // replaced, or removed by the run that had it, since it was looked at
+        Ok(()) | Err(TryLockError::WouldBlock) => Err(OutputProblem::Busy),
+        Err(TryLockError::Error(error)) => Err(OutputProblem::system("locking")(error)),
+    }
+}
+
+/// Returns true if a path leads, without a link at its end, to an opened file, as far as the system tells.
+pub(super) fn is_at(file: &File, path: &Path) -> bool {
+    let identities = |(own, there): (fs::Metadata, fs::Metadata)| identity(&own) == identity(&there);
+    let found = file.metadata().and_then(|own| Ok((own, fs::symlink_metadata(path)?)));
+    found.is_ok_and(identities)
 }
 
 fn target(path: &Path) -> Result<Target, OutputProblem> {

@@ -147,11 +147,19 @@ impl Table {
             }
         }
         for table in tables {
-            let places: Vec<Option<usize>> =
-                joined.columns.iter().map(|column| table.position(&column.name)).collect();
+            let places: Vec<Option<usize>> = joined
+                .columns
+                .iter()
+                .map(|column| table.position(&column.name))
+                .collect();
             let cell = |row: &[Cell], place: Option<usize>| place.and_then(|place| row.get(place)).cloned();
             let rows = table.rows.iter();
-            let rows = rows.map(|row| places.iter().map(|place| cell(row, *place).unwrap_or_default()).collect());
+            let rows = rows.map(|row| {
+                places
+                    .iter()
+                    .map(|place| cell(row, *place).unwrap_or_default())
+                    .collect()
+            });
             joined.rows.extend(rows);
         }
         joined

@@ -60,29 +60,50 @@ impl fmt::Display for DoubtKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Argument { of, inside } => {
-                write!(f, "`{of}({inside})`: the value of `{of}` at `{inside}`, or `{of}` times `{inside}`?")
+                write!(
+                    f,
+                    "`{of}({inside})`: the value of `{of}` at `{inside}`, or `{of}` times `{inside}`?"
+                )
             }
             Self::DerivativeOfValue { of } => {
-                write!(f, "the derivative of `{of}`: taken at that point, or of the value there?")
+                write!(
+                    f,
+                    "the derivative of `{of}`: taken at that point, or of the value there?"
+                )
             }
             Self::DerivativeBeforeBracket { of, inside } => {
-                write!(f, "`({inside})` behind `{of}`: where the derivative is taken, or a factor?")
+                write!(
+                    f,
+                    "`({inside})` behind `{of}`: where the derivative is taken, or a factor?"
+                )
             }
             Self::Reach { letter } => {
-                write!(f, "the sum, product or limit over `{letter}`: up to the next sign, or to the end?")
+                write!(
+                    f,
+                    "the sum, product or limit over `{letter}`: up to the next sign, or to the end?"
+                )
             }
             Self::Nesting { inner } => {
-                write!(f, "the integral over `{inner}`: with the limits of the inner sign, or of the outer?")
+                write!(
+                    f,
+                    "the integral over `{inner}`: with the limits of the inner sign, or of the outer?"
+                )
             }
             Self::Difference { upper } => {
                 write!(f, "`{upper}` behind the bracket: the upper limit, or a power?")
             }
             Self::PowerOfFunction { of } => {
-                write!(f, "the power of `{of}` before its argument: of the value, or `{of}` applied again?")
+                write!(
+                    f,
+                    "the power of `{of}` before its argument: of the value, or `{of}` applied again?"
+                )
             }
             Self::OfSome(name) => write!(f, "`{name}`: every value, or some value?"),
             Self::OneStep { index } => {
-                write!(f, "the premises that take one `{index}` to the next: for this `{index}` alone, or for each?")
+                write!(
+                    f,
+                    "the premises that take one `{index}` to the next: for this `{index}` alone, or for each?"
+                )
             }
             Self::Tends(name) => write!(f, "`{name}` tends to a value: for every `{name}`, or near that value?"),
             Self::Factor { factor, premise } => write!(

@@ -679,9 +679,10 @@ impl<'a> Reader<'a> {
     fn may_be_taken_later(&self, of: &Tree, by: &Name) -> bool {
         let is_value = |node: &Tree| match node {
             Tree::Operation(operation, _) => match &**operation {
-                Operation::Derivative { by: own, order: 0, at, .. } | Operation::Limit { by: own, to: at, .. } => {
-                    own == by || at.has_free(by)
+                Operation::Derivative {
+                    by: own, order: 0, at, ..
                 }
+                | Operation::Limit { by: own, to: at, .. } => own == by || at.has_free(by),
                 _ => false,
             },
             Tree::Call(name, argument, _) => self.names.is_function(name) && !argument.has_free(by),

@@ -296,7 +296,9 @@ impl<'a> Reader<'a> {
         let kind = match before {
             Some(Tree::Symbol(of, _)) => DoubtKind::Argument { of: of.clone(), inside },
             Some(of @ Tree::Partial { .. }) => DoubtKind::DerivativeBeforeBracket { of: of.clone(), inside },
-            Some(of @ Tree::Operation(operation, _)) if matches!(**operation, Operation::Derivative { order: 1.., .. }) => {
+            Some(of @ Tree::Operation(operation, _))
+                if matches!(**operation, Operation::Derivative { order: 1.., .. }) =>
+            {
                 DoubtKind::DerivativeBeforeBracket { of: of.clone(), inside }
             }
             _ => return,

@@ -263,6 +263,35 @@ fn the_first_row_makes_a_directory_that_stands_alone() {
 }
 
 #[test]
+fn rows_that_are_added_at_once_are_all_there() {
+    let scratch = Golden::new("at-once", &[]);
+    let mine = scratch.0.join("mine/deep");
+    let scene = scratch.0.join("scenes/own.toml");
+    let ids: Vec<String> = (1..=6).map(|number| format!("row-{number}")).collect();
+    std::thread::scope(|scope| {
+        for id in &ids {
+            let given = [("--scene", scene.to_str().unwrap()), ("--add", id.as_str())];
+            let mine = &mine;
+            scope.spawn(move || assert_eq!(add(mine, &given).0, Some(0)));
+        }
+    });
+    let text = fs::read_to_string(mine.join("printed.csv")).unwrap();
+    let mut found: Vec<&str> = text
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').next().unwrap())
+        .collect();
+    found.sort_unstable();
+    assert_eq!(found, ids);
+    let mut names: Vec<String> = fs::read_dir(&mine)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    assert_eq!(names, ["printed.csv", "scenes"]);
+}
+
+#[test]
 fn what_makes_no_row_is_refused_by_column_and_changes_nothing() {
     let golden = Golden::new("add-bad", &[RIGHT]);
     let before = fs::read_to_string(golden.0.join("printed.csv")).unwrap();

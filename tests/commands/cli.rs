@@ -355,13 +355,90 @@ fn an_endless_input_is_refused() {
     assert_refused(&["audit", "/dev/zero"], &["/dev/zero", "2 MB"]);
     assert_refused(&["orbits", "/dev/zero"], &["/dev/zero", "2 MB"]);
     assert_refused(&["score", "/dev/zero"], &["/dev/zero", "16 MB"]);
+    assert_refused(&["stress", "--frozen", "/dev/zero"], &["/dev/zero", "16 MB"]);
+    assert_refused(&["audit", "--baseline", "/dev/zero"], &["/dev/zero", "16 MB"]);
+    assert_refused(&["merge", "/dev/zero"], &["/dev/zero", "not a regular file"]);
     #[cfg(unix)]
     {
         let scratch = Scratch::new("endless");
+        // three gigabytes without a line break, of which the disk holds none
+        let long = scratch.path("long.csv");
+        fs::File::create(&long).unwrap().set_len(3 << 30).unwrap();
+        assert_refused(&["merge", &long], &["long.csv", "a line has more than 16 MB"]);
+        let part = scratch.path("rows.csv.part");
+        fs::rename(&long, &part).unwrap();
+        let rows = scratch.path("rows.csv");
+        let resumed = [
+            "map", "fig03", "--set", MAP, "--format", "csv", "--resume", "--out", &rows,
+        ];
+        assert_refused(&resumed, &["rows.csv.part", "a line has more than 16 MB"]);
         std::os::unix::fs::symlink("/dev/zero", scratch.path("printed.csv")).unwrap();
         let directory = scratch.path("");
         assert_refused(&["check", &directory], &["printed.csv", "16 MB"]);
     }
+}
+
+/// A map of one point.
+const MAP: &str = r#"map={impacts = 60, starts = [{phase = 6.18, velocity = 0.53}], x = {over = "d", from = 0.1, to = 0.2, points = 1}, y = {over = "r_b", from = 0.3, to = 0.9, points = 1}}"#;
+
+#[cfg(unix)]
+#[test]
+fn a_name_that_the_program_chose_is_never_written_through_a_link() {
+    let scratch = Scratch::new("links");
+    let precious = scratch.path("precious");
+    fs::write(&precious, "precious").unwrap();
+    let directory = scratch.path("all");
+    fs::create_dir(&directory).unwrap();
+    let rows = scratch.path("rows.csv");
+    let resumed = [
+        "map", "fig03", "--set", MAP, "--format", "csv", "--resume", "--out", &rows,
+    ];
+    let run_all = [
+        "run",
+        "fig02",
+        "--set",
+        "want=[\"orbits\"]",
+        "--format",
+        "html",
+        "--out",
+        &directory,
+    ];
+    let added = [
+        "check",
+        &directory,
+        "--add",
+        "a",
+        "--place",
+        "p",
+        "--scene",
+        "fig02",
+        "--set",
+        "motion.d=0.4",
+        "--quantity",
+        "orbits.velocities[0]",
+        "--printed",
+        "0.83272",
+    ];
+    for (name, arguments) in [
+        ("all/vibro-audit-map.1", &["man", &directory][..]),
+        ("all/orbits.csv", &run_all),
+        ("all/report.html", &run_all),
+        ("all/printed.csv", &added),
+        ("rows.csv.part", &resumed),
+    ] {
+        for to in [&precious, &scratch.path("nothing")] {
+            let link = scratch.path(name);
+            std::os::unix::fs::symlink(to, &link).unwrap();
+            assert_refused(arguments, &[name, "is a symbolic link to"]);
+            assert!(fs::read_link(&link).is_ok(), "{name}");
+            fs::remove_file(&link).unwrap();
+        }
+    }
+    assert_eq!(fs::read_to_string(&precious).unwrap(), "precious");
+    assert!(!scratch.0.join("nothing").exists() && !scratch.0.join("rows.csv").exists());
+    // a directory between may be a link
+    std::os::unix::fs::symlink(&directory, scratch.path("way")).unwrap();
+    assert_eq!(run(&["man", &scratch.path("way")]).status.code(), Some(0));
 }
 
 #[test]

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// `reference` may use both and what stands before it.
 fn allowed(folder: &str) -> Option<&'static [&'static str]> {
     Some(match folder {
-        "number" | "stop" | "markup" | "checksum" => &[],
+        "number" | "stop" | "markup" | "checksum" | "input" => &[],
         "tex" | "model" => &["number"],
         "claim" => &["number", "tex"],
         // What accepts a proof shares nothing with what looks for it.
@@ -171,7 +171,7 @@ pub fn against_the_stack(sources: &[File]) -> Vec<String> {
         };
         for (line, path) in uses(file) {
             let used = path.first().map_or("*", String::as_str);
-            if ![folder, "stop", "markup", "checksum"].contains(&used) && !allowed.contains(&used) {
+            if ![folder, "stop", "markup", "checksum", "input"].contains(&used) && !allowed.contains(&used) {
                 complaints.push(format!("{}:{line}: `{folder}` may not use `{used}`", file.path));
             }
         }

@@ -96,7 +96,7 @@ fn all(arguments: &Arguments, directory: &Path, claims: &Claims) -> Result<Table
     let mut table = Table::new(COLUMNS);
     for (name, svg) in drawn? {
         let path = directory.join(format!("{name}.svg"));
-        Output::File(path.clone()).write(|to| to.write_all(svg.as_bytes()))?;
+        Output::Member(path.clone()).write(|to| to.write_all(svg.as_bytes()))?;
         let bytes = i64::try_from(svg.len()).unwrap_or(i64::MAX);
         table.push([
             Cell::from(name),
