@@ -9,6 +9,7 @@ use super::derivative::By;
 use super::factorial;
 use super::integers::{integers, whole};
 use super::matrix::{self, Value};
+use super::Rule;
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
 
 /// The most terms of a sum that is written out, and the largest tree.
@@ -34,6 +35,16 @@ pub(super) struct WithFactorials {
 /// The statements with every operation written out but factorials of symbols.
 pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -> Result<WithFactorials, String> {
     let mut out = statements.clone();
+    for tree in super::trees(statements) {
+        any(tree, &mut |node| {
+            out.rules.extend(match node {
+                Tree::Operation(operation, _) => Rule::of_operation(operation),
+                Tree::RealPower(_, exponent, _) => vocabulary.transposes(exponent).then_some(Rule::MatrixEntries),
+                node => factorial::is_one(node).then_some(Rule::FactorialRecurrence),
+            });
+            false
+        });
+    }
     let mut needed: Vec<Equation> = Vec::new();
     out.claims.clear();
     out.premises.clear();

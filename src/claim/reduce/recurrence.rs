@@ -18,7 +18,7 @@ use super::evaluate::{at_index, only_factorials};
 use super::induction::{self, Moving};
 use super::instances::{self, relation_holds};
 use super::series::is_zero;
-use super::{Goal, Reduced, defined, factorial, rewritten, trees};
+use super::{Goal, Reduced, Rule, defined, factorial, rewritten, trees};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
 use std::collections::BTreeSet;
 
@@ -276,7 +276,9 @@ impl<'a> Sequence<'a> {
 
     /// All that is said but the recurrence, with the claim at an index; `None` where the claim is not made there.
     fn at(&self, index: i64) -> Result<Option<Statements>, String> {
-        let numbered = rewritten(&self.rest, &|tree| at_index(tree, &self.letter, index));
+        let numbered = rewritten(&self.rest, Rule::SequenceUnrolled, &|tree| {
+            at_index(tree, &self.letter, index)
+        });
         let admissible = self.first.is_none_or(|first| index >= first);
         let Some(there) = instances::at(&numbered, &self.plain, &[]).filter(|_| admissible) else {
             return Ok(None);
@@ -459,7 +461,7 @@ impl<'a> Sequence<'a> {
             moving.push(induction::moved(&operation, letter, start, name, Some(&self.state))?);
         }
         let named = |tree: &Tree| mapped(tree, &|node| induction::name_of(node, &moving));
-        let now = rewritten(&self.rest, &named);
+        let now = rewritten(&self.rest, Rule::SeriesInduction, &named).by(Rule::SequenceInduction);
         // where the claim has no value at one index, no step leads over it
         let mut needed: Vec<Equation> = Vec::new();
         let of_claims = now.claims.iter().flat_map(|claim| [&claim.left, &claim.right]);
