@@ -7,7 +7,11 @@ use crate::tex::{Equation, Name};
 use std::collections::HashSet;
 
 /// What was decided of one claim, and why.
-#[derive(Clone, Debug, Default)]
+///
+/// The verdict is set by [`accept_proofs`](Self::accept_proofs), [`accept_refutation`](Self::accept_refutation) and
+/// [`conclude`](Self::conclude) alone, or is `undecided` or `unread`. There is no default: that of a verdict is the one that a
+/// sheet expects, `proved`.
+#[derive(Clone, Debug)]
 pub struct Decision {
     pub label: String,
     pub verdict: Verdict,
@@ -82,9 +86,14 @@ impl Decision {
             label: entry.map(|entry| entry.label.clone()).unwrap_or_default(),
             verdict: Verdict::Undecided,
             expected: entry.map(|entry| entry.expect).unwrap_or_default(),
+            counterexample: None,
+            reason: String::new(),
+            provided: Vec::new(),
+            rules: Rules::new(),
+            failed: None,
             file: entry.and_then(|entry| entry.tex.file.clone()),
+            is_vacuous: false,
             place: entry.map(|entry| entry.tex.place()),
-            ..Self::default()
         }
     }
 

@@ -1,4 +1,5 @@
-//! The search for proofs and counterexamples. Whatever it finds, the kernel decides.
+//! The search for proofs and counterexamples, and the verdicts. What the search finds for a goal, the kernel accepts or not;
+//! that the goals of a claim decide it is trusted, as are the reductions that they come from.
 
 mod angles;
 mod constants;
@@ -82,6 +83,8 @@ struct Search<'a> {
     start: Decision,
     /// The reason of a proof.
     reason: String,
+    /// The claim as it was read, in TeX.
+    printed: String,
     options: &'a Options,
     /// What decides the questions that were met, where it is asked for.
     kept: Option<Vec<Decided>>,
@@ -92,6 +95,10 @@ impl<'a> Search<'a> {
         Self {
             start: Decision::of(sheet, position),
             reason: follows_from(sheet, position),
+            printed: sheet
+                .entries
+                .get(position)
+                .map_or_else(String::new, |entry| entry.tex.tex.clone()),
             options,
             kept: None,
         }
@@ -368,6 +375,7 @@ impl<'a> Search<'a> {
         if let Some(kept) = &mut self.kept {
             kept.push(Decided {
                 label: self.start.label.clone(),
+                printed: self.printed.clone(),
                 question,
                 found,
                 goal: goal.clone(),

@@ -35,8 +35,8 @@ mod stream;
 mod table;
 mod text;
 
-pub use crate::markup::acts as acts_on_a_terminal;
 pub use crate::checksum::{Checksum, Summed, SummedLines};
+pub use crate::markup::acts as acts_on_a_terminal;
 pub use baseline::{Baseline, BaselineError, fingerprint};
 pub use format::{Format, UnknownFormat};
 pub use frame::{Form, Frame, Values};

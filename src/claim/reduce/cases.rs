@@ -242,7 +242,7 @@ fn ends(
     {
         return Ok(Vec::new());
     }
-    let mut rest = statements.clone();
+    let mut rest = statements.clone().by(Rule::CasesSplit);
     rest.premises
         .retain(|premise| !holds(&premise.equation, &|operation| matches!(operation, Operation::Cases(_))));
     rest.assume

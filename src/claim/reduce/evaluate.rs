@@ -4,12 +4,12 @@ use super::super::nodes::{any, nodes_of};
 use super::super::premise::Statements;
 use super::super::substitute::{number_of, rewrite};
 use super::super::vocabulary::{Vocabulary, index_of};
+use super::Rule;
 use super::build::{integer, sum, symbol};
 use super::derivative::By;
 use super::factorial;
 use super::integers::{integers, whole};
 use super::matrix::{self, Value};
-use super::Rule;
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
 
 /// The most terms of a sum that is written out, and the largest tree.

@@ -143,9 +143,7 @@ pub(super) fn by_antiderivatives(statements: &Statements, vocabulary: &Vocabular
     if found.is_empty() {
         return Ok(None);
     }
-    let without = super::rewritten(statements, Rule::IntegralAntiderivative, &|tree| {
-        replaced(tree, &found)
-    });
+    let without = super::rewritten(statements, Rule::IntegralAntiderivative, &|tree| replaced(tree, &found));
     let goal = Goal::of(&evaluated(&without, vocabulary)?, vocabulary, String::new());
     Ok(Some(Reduced {
         lemmas,

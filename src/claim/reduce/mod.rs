@@ -203,7 +203,13 @@ pub fn reduced_by_cases(statements: &Statements, vocabulary: &Vocabulary) -> Opt
     let necessary = instances::of(&written, vocabulary);
     let is_real = !trees(&written).into_iter().any(|tree| vocabulary.may_be_complex(tree));
     let may_be_split = is_real && (1..=cases::MOST_BARS).contains(&cases::bars(&written));
-    let with_cases = may_be_split.then(|| rewritten(&cases::between_bounds(&written), Rule::ModulusCases, &cases::absolute_values));
+    let with_cases = may_be_split.then(|| {
+        rewritten(
+            &cases::between_bounds(&written),
+            Rule::ModulusCases,
+            &cases::absolute_values,
+        )
+    });
     let split = with_cases.and_then(|with_cases| cases::split(&with_cases, vocabulary).ok());
     let (choices, lemmas) = split.map_or_else(Default::default, |split| (split.choices, split.lemmas));
     let goal = |(part, own): (String, Statements)| Goal::of(&own, vocabulary, part);

@@ -5,9 +5,9 @@
 use super::super::nodes::any;
 use super::super::premise::Statements;
 use super::super::vocabulary::Vocabulary;
-use super::{Goal, Rule};
 use super::build::{call, integer, negative, plain, power, product, quotient, sum, symbol};
 use super::integral::terms;
+use super::{Goal, Rule};
 use crate::tex::{Condition, Equation, Relation, Tree};
 
 /// What a value is known by.

@@ -48,10 +48,18 @@ pub(super) fn reduced(statements: &Statements, vocabulary: &Vocabulary) -> Resul
         Ok(goals) => (goals, String::new()),
         Err(why) => (Vec::new(), why),
     };
+    let by = |rule: Rule, goals: Vec<Goal>| -> Vec<Goal> {
+        let goals = goals.into_iter();
+        let goals = goals.map(|goal| Goal {
+            statements: goal.statements.by(rule),
+            ..goal
+        });
+        goals.collect()
+    };
     Ok(Reduced {
         lemmas: Vec::new(),
-        necessary: sequence.tried(),
-        sufficient,
+        necessary: by(Rule::SequenceUnrolled, sequence.tried()),
+        sufficient: by(Rule::SequenceInduction, sufficient),
         is_equivalent: false,
         reason,
     })
@@ -461,7 +469,7 @@ impl<'a> Sequence<'a> {
             moving.push(induction::moved(&operation, letter, start, name, Some(&self.state))?);
         }
         let named = |tree: &Tree| mapped(tree, &|node| induction::name_of(node, &moving));
-        let now = rewritten(&self.rest, Rule::SeriesInduction, &named).by(Rule::SequenceInduction);
+        let now = rewritten(&self.rest, Rule::SeriesInduction, &named);
         // where the claim has no value at one index, no step leads over it
         let mut needed: Vec<Equation> = Vec::new();
         let of_claims = now.claims.iter().flat_map(|claim| [&claim.left, &claim.right]);
