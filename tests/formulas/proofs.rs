@@ -256,6 +256,37 @@ fn scripts_accept_what_the_kernel_accepts() {
     }
 }
 
+/// Claims with complex values, some of them on the cuts of the functions in them.
+const COMPLEX: &[&str] = &[
+    r"\artanh(2) = \frac{1}{2} \ln 3 + \frac{i \pi}{2}",
+    r"\cosh(\arcosh z) = z",
+    r"\arsinh z = \ln(z + \sqrt{z^2 + 1})",
+    r"\ln(-1) = i \pi",
+    r"(-8)^{1/3} = 1 + i \sqrt{3}",
+    r"z^{1/2} z^{1/2} = z",
+    r"|z|^2 = z \bar z",
+    r"|z|^2 = z^2",
+    r"z^2 = -1",
+];
+
+#[test]
+fn scripts_of_complex_claims_accept() {
+    let Some(python) = python() else { return };
+    let claims = COMPLEX.iter().enumerate();
+    let claims = claims.map(|(n, tex)| format!("[[equation]]\nlabel = '{n}'\nrole = 'claim'\ntex = '{tex}'\n"));
+    let text = format!("[symbols]\ncomplex = ['z']\n{}", claims.collect::<String>());
+    let sheet = Sheet::read(&text, &vocabulary().unwrap()).unwrap();
+    let labels: Vec<String> = (0..COMPLEX.len()).map(|n| n.to_string()).collect();
+    let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
+    let all = all_scripts(&sheet, &labels);
+    assert!(all.len() >= COMPLEX.len(), "{} scripts", all.len());
+    let directory = directory("complex");
+    for (name, script) in all {
+        let (accepted, said) = accepts(&python, &directory.join(&name), script.as_bytes());
+        assert!(accepted, "{name}: {said}");
+    }
+}
+
 #[test]
 fn a_script_of_another_translation_is_refused() {
     let Some(python) = python() else { return };
