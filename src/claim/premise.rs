@@ -4,6 +4,7 @@ use super::definition::{Local, circular, clash, inlined_in, is_defined, joined};
 use super::entry::{Entry, Role};
 use super::fault::{Fault, Source};
 use super::nodes::{any, any_side, speaks_of};
+use super::reduce::{Rule, Rules};
 use super::sheet::{RENAME, Sheet};
 use super::substitute::{flies, rewrite_alone, rewrite_condition, runs, tree_runs};
 use super::vocabulary::{Map, Vocabulary, index_of};
@@ -51,6 +52,8 @@ pub struct Statements {
     pub speaks_of_maps: bool,
     /// Whether a partial derivative is written out anywhere.
     pub has_partials: bool,
+    /// The rules by which all this was rewritten from what was read.
+    pub rules: Rules,
     /// The maps of the vocabulary that claim and premises name: in traces and determinants, also those of products and
     /// in abbreviations; and those of the premises where a derivative is written out.
     pub maps: BTreeSet<Name>,
@@ -134,6 +137,27 @@ impl Premise {
 }
 
 impl Statements {
+    /// Records a rule by which the statements were rewritten.
+    pub(super) fn by(mut self, rule: Rule) -> Self {
+        self.rules.insert(rule);
+        self
+    }
+
+    /// Returns true if the formulas of claims, premises, definitions and conditions are those of the other.
+    pub fn has_formulas_of(&self, other: &Self) -> bool {
+        let locals = |locals: &[Local], other: &[Local]| {
+            locals.len() == other.len() && locals.iter().zip(other).all(|(own, other)| own.tree == other.tree)
+        };
+        let premise = |(own, other): (&Premise, &Premise)| {
+            own.equation == other.equation && own.assume == other.assume && locals(&own.locals, &other.locals)
+        };
+        self.claims == other.claims
+            && self.assume == other.assume
+            && locals(&self.locals, &other.locals)
+            && self.premises.len() == other.premises.len()
+            && self.premises.iter().zip(&other.premises).all(premise)
+    }
+
     /// Gathers what bears on the claim at `position`.
     ///
     /// # Errors

@@ -7,7 +7,7 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// It does, by a proof that the kernel accepts.
+    /// It does, by proofs that the kernel accepts of the goals to which it is reduced.
     #[default]
     Proved,
     /// It does not: the kernel accepts a point at which the premises hold and the claim fails, or the claim is nowhere

@@ -56,8 +56,9 @@ const PROMISES: &str = "\
 A claim is true when both sides agree for all values of its symbols for which its premises and
 assumptions hold and everything written in premises and claim is defined. Symbols are real unless
 [symbols] says otherwise.
-  proved     A proof was accepted by a small kernel that uses nothing of the search, and so
-             was a point at which the premises hold. The column `provided` lists what it excludes.
+  proved     A proof was accepted by a kernel that uses nothing of the search, and so was a
+             point at which the premises hold. The column `provided` lists what it excludes;
+             `reductions` the rules that made goals for the kernel of the claim: these are trusted.
   refuted    Exact values of the symbols were accepted at which every premise holds and the two
              sides differ, or the claim is nowhere defined.
   undecided  Neither was found within the limit, which --effort raises. It is never a pass.

@@ -15,8 +15,8 @@ use crate::stop::Token;
 use crate::tex::Equation;
 use rayon::prelude::*;
 
-/// The columns that scripts rely on; a person does not read the last.
-const COLUMNS: [&str; 10] = [
+/// The columns that scripts rely on.
+const COLUMNS: [&str; 11] = [
     "label",
     "verdict",
     "expected",
@@ -26,8 +26,12 @@ const COLUMNS: [&str; 10] = [
     "provided",
     "place",
     "repair",
-    "fingerprint",
+    FINGERPRINT,
+    "reductions",
 ];
+
+/// The column that a person does not read.
+const FINGERPRINT: &str = "fingerprint";
 
 /// What is found of one claim.
 pub struct Row {
@@ -144,12 +148,8 @@ pub fn compare<'a>(
 /// None that is the sheet's.
 pub fn table(rows: &[Row], sheet: &Sheet, format: Format) -> Result<Table, Failure> {
     let is_for_scripts = !matches!(format, Format::Text | Format::Markdown);
-    let shown = if is_for_scripts {
-        COLUMNS.len()
-    } else {
-        COLUMNS.len() - 1
-    };
-    let mut table = Table::new(COLUMNS.into_iter().take(shown));
+    let is_shown = |column: &str| is_for_scripts || column != FINGERPRINT;
+    let mut table = Table::new(COLUMNS.into_iter().filter(|column| is_shown(column)));
     for row in rows {
         let (decision, evidence) = (&row.decision, &row.evidence);
         let digits = evidence.as_ref().and_then(|evidence| evidence.digits);
@@ -166,8 +166,10 @@ pub fn table(rows: &[Row], sheet: &Sheet, format: Format) -> Result<Table, Failu
             Cell::from(place),
             Cell::from((!row.repairs().is_empty()).then(|| repairs(row.repairs()))),
             Cell::from(row.fingerprint(sheet)),
+            Cell::from(Some(decision.reductions()).filter(|rules| !rules.is_empty())),
         ];
-        table.push(cells.into_iter().take(shown).collect::<Vec<_>>())?;
+        let shown = COLUMNS.into_iter().zip(cells).filter(|(column, _)| is_shown(column));
+        table.push(shown.map(|(_, cell)| cell).collect::<Vec<_>>())?;
     }
     Ok(table)
 }

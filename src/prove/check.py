@@ -1707,6 +1707,18 @@ class Values:
             raise Elsewhere
         return mpmath.power(base, exponent)
 
+    # by the logarithms that define them: on their cuts, mpmath takes other values
+
+    def arsinh(self, z):
+        return mpmath.log(z + mpmath.sqrt(z * z + 1))
+
+    def arcosh(self, z):
+        product = mpmath.sqrt(z - 1) * mpmath.sqrt(z + 1) if self.s.complex else self.root(z * z - 1, 2)
+        return mpmath.log(z + product)
+
+    def artanh(self, z):
+        return mpmath.log((1 + z) / (1 - z)) / 2
+
     def unknown(self, name, impact, order, at):
         """An unknown function: a polynomial and an exponential; declared derivatives are its derivatives."""
         names = {meaning[1]: n for n, meaning in enumerate(self.s.functions) if meaning[0] == "line"}

@@ -1,12 +1,17 @@
 //! What was decided of one claim, and why.
 
 use super::counterexample::Counterexample;
-use crate::claim::{Fault, Sheet, Statements, Verdict};
+use crate::claim::{Fault, Rules, Sheet, Statements, Verdict};
+use crate::kernel;
 use crate::tex::{DoubtKind, Equation};
 use std::collections::HashSet;
 
 /// What was decided of one claim, and why.
-#[derive(Clone, Debug, Default)]
+///
+/// The verdict is set by [`accept_proofs`](Self::accept_proofs), [`accept_refutation`](Self::accept_refutation) and
+/// [`conclude`](Self::conclude) alone, or is `undecided` or `unread`. There is no default: that of a verdict is the one that a
+/// sheet expects, `proved`.
+#[derive(Clone, Debug)]
 pub struct Decision {
     pub label: String,
     pub verdict: Verdict,
@@ -15,6 +20,8 @@ pub struct Decision {
     pub reason: String,
     /// What the proof excludes: sets that are thin in generic symbols, derivatives that must exist.
     pub provided: Vec<String>,
+    /// The rules by which the claim was reduced to the goals that were decided.
+    pub rules: Rules,
     /// The equation that was not proved, of the several that a label may have.
     pub failed: Option<Equation>,
     /// The file that the formula stands in, where it is one that the document includes.
@@ -35,6 +42,38 @@ impl Decision {
         }
     }
 
+    /// Makes the decision on a goal a proof of it: by what the kernel accepted for each of its questions, of which there is
+    /// one at least.
+    pub(super) fn accept_proofs(&mut self, proofs: &[kernel::Proved]) {
+        if !proofs.is_empty() {
+            self.verdict = Verdict::Proved;
+        }
+    }
+
+    /// Makes the decision on a goal a refutation of it, by what the kernel accepted for one of its questions.
+    pub(super) fn accept_refutation(&mut self, refuted: &kernel::Refuted) {
+        self.verdict = Verdict::Refuted;
+        self.is_vacuous = refuted.is_nowhere_defined();
+    }
+
+    /// Makes the decision on a claim a proof of it: by its goals, which are enough together, and all proved.
+    pub(super) fn conclude(&mut self, goals: Vec<Self>) {
+        if !goals.is_empty() && goals.iter().all(|goal| goal.verdict == Verdict::Proved) {
+            self.verdict = Verdict::Proved;
+        }
+        for goal in goals {
+            self.provide(goal.provided);
+            self.rules.extend(goal.rules);
+        }
+    }
+
+    /// The rules that a verdict rests on; none of a claim that is open.
+    pub fn reductions(&self) -> String {
+        let is_decided = matches!(self.verdict, Verdict::Proved | Verdict::Refuted);
+        let rules = self.rules.iter().filter(|_| is_decided).map(ToString::to_string);
+        rules.collect::<Vec<_>>().join("; ")
+    }
+
     /// Whether the verdict is the one that the sheet expects.
     pub fn is_expected(&self) -> bool {
         self.verdict == self.expected
@@ -47,9 +86,14 @@ impl Decision {
             label: entry.map(|entry| entry.label.clone()).unwrap_or_default(),
             verdict: Verdict::Undecided,
             expected: entry.map(|entry| entry.expect).unwrap_or_default(),
+            counterexample: None,
+            reason: String::new(),
+            provided: Vec::new(),
+            rules: Rules::new(),
+            failed: None,
             file: entry.and_then(|entry| entry.tex.file.clone()),
+            is_vacuous: false,
             place: entry.map(|entry| entry.tex.place()),
-            ..Self::default()
         }
     }
 

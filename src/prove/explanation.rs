@@ -23,6 +23,10 @@ pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Op
         "({}) {}: {}",
         decision.label, decision.verdict, decision.reason
     )];
+    let reductions = decision.reductions();
+    if !reductions.is_empty() {
+        lines.push(format!("reduced by rules that are trusted: {reductions}"));
+    }
     if !decision.provided.is_empty() {
         lines.push(format!("provided: {}", decision.provided.join("; ")));
     }

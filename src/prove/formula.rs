@@ -367,9 +367,9 @@ impl Within<'_> {
             r"\arcsin" => "asin",
             r"\arccos" => "acos",
             r"\arctan" => "atan",
-            r"\arsinh" => "asinh",
-            r"\arcosh" => "acosh",
-            r"\artanh" => "atanh",
+            r"\arsinh" | r"\arcosh" | r"\artanh" => {
+                return format!("v.{}({at})", name.base.trim_start_matches('\\'));
+            }
             r"\abs" => return format!("v.root({at} ** 2, 2)"),
             other => other.trim_start_matches('\\'),
         };

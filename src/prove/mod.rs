@@ -1,4 +1,5 @@
-//! The search for proofs and counterexamples. Whatever it finds, the kernel decides.
+//! The search for proofs and counterexamples, and the verdicts. What the search finds for a goal, the kernel accepts or not;
+//! that the goals of a claim decide it is trusted, as are the reductions that they come from.
 
 mod angles;
 mod constants;
@@ -85,6 +86,8 @@ struct Search<'a> {
     start: Decision,
     /// The reason of a proof.
     reason: String,
+    /// The claim as it was read, in TeX.
+    printed: String,
     options: &'a Options,
     /// What decides the questions that were met, where it is asked for.
     kept: Option<Vec<Decided>>,
@@ -95,6 +98,10 @@ impl<'a> Search<'a> {
         Self {
             start: Decision::of(sheet, position),
             reason: follows_from(sheet, position),
+            printed: sheet
+                .entries
+                .get(position)
+                .map_or_else(String::new, |entry| entry.tex.tex.clone()),
             options,
             kept: None,
         }
@@ -170,17 +177,17 @@ impl<'a> Search<'a> {
 
     /// What the goals of a claim come to together.
     fn together(&mut self, goals: &Reduced) -> Decision {
-        let mut decision = self.start.clone();
+        let mut shown = Vec::new();
         for lemma in &goals.lemmas {
             let found = self.settled_otherwise(lemma);
             if found.verdict != Verdict::Proved {
-                decision.reason = format!("{} is not shown: {}", lemma.part, found.reason);
-                return decision;
+                return Decision {
+                    reason: format!("{} is not shown: {}", lemma.part, found.reason),
+                    ..self.start.clone()
+                };
             }
-            decision.provide(found.provided);
+            shown.push(found);
         }
-        decision.verdict = Verdict::Proved;
-        decision.reason.clone_from(&self.reason);
         for goal in &goals.necessary {
             let known = self.known();
             let found = self.settled_otherwise(goal);
@@ -190,7 +197,7 @@ impl<'a> Search<'a> {
             // what is necessary shows nothing where it holds
             self.forget(known);
         }
-        let (mut met, mut vacuous) = (0, None);
+        let (mut met, mut vacuous, mut open) = (0, None, None);
         for goal in &goals.sufficient {
             let found = self.settled_otherwise(goal);
             match found.verdict {
@@ -200,39 +207,46 @@ impl<'a> Search<'a> {
                 }
                 Verdict::Proved => {
                     met += 1;
-                    decision.provide(found.provided);
+                    shown.push(found);
                 }
                 // what is enough for the claim may fail where the claim holds
                 Verdict::Refuted if !goals.is_equivalent => {
-                    decision = self.start.clone();
                     let part = if goal.part.is_empty() {
                         "what would prove it"
                     } else {
                         &goal.part
                     };
-                    decision.reason = format!("no counterexample is found, nor a proof: {part} fails");
+                    open = Some(Decision {
+                        reason: format!("no counterexample is found, nor a proof: {part} fails"),
+                        ..self.start.clone()
+                    });
                     break;
                 }
                 Verdict::Refuted | Verdict::Unread => {
                     return found.in_part(&goal.part);
                 }
-                Verdict::Undecided => decision = found.in_part(&goal.part),
+                Verdict::Undecided => open = Some(found.in_part(&goal.part)),
             }
         }
-        match vacuous {
-            Some(found) if (met == 0 || !goals.is_equivalent) && decision.verdict == Verdict::Proved => {
-                decision = Decision {
-                    verdict: Verdict::Undecided,
-                    ..found
+        match (vacuous, open) {
+            _ if goals.sufficient.is_empty() => Decision {
+                reason: format!("no counterexample is found, nor a proof: {}", goals.reason),
+                ..self.start.clone()
+            },
+            (_, Some(open)) => open,
+            (Some(found), None) if met == 0 || !goals.is_equivalent => Decision {
+                verdict: Verdict::Undecided,
+                ..found
+            },
+            _ => {
+                let mut decision = Decision {
+                    reason: self.reason.clone(),
+                    ..self.start.clone()
                 };
+                decision.conclude(shown);
+                decision
             }
-            _ if goals.sufficient.is_empty() => {
-                decision = self.start.clone();
-                decision.reason = format!("no counterexample is found, nor a proof: {}", goals.reason);
-            }
-            _ => {}
         }
-        decision
     }
 
     /// How much is kept.
@@ -256,29 +270,38 @@ impl<'a> Search<'a> {
         }
         self.forget(known);
         let claims = other_ways(&goal.statements, &goal.vocabulary);
-        let is_shown = |ways: &Vec<Vec<Goal>>| ways.iter().any(|way| self.holds(way));
-        if claims.is_empty() || !claims.iter().all(is_shown) {
-            self.forget(known);
+        let mut shown = Vec::new();
+        for ways in &claims {
+            match ways.iter().find_map(|way| self.holding(way)) {
+                Some(goals) => shown.extend(goals),
+                None => {
+                    self.forget(known);
+                    return decision;
+                }
+            }
+        }
+        if shown.is_empty() {
             return decision;
         }
-        Decision {
-            verdict: Verdict::Proved,
-            ..self.start.clone()
-        }
+        let mut decision = self.start.clone();
+        decision.conclude(shown);
+        decision
     }
 
-    /// Whether all goals are proved, for every number: a derivative must have its sign everywhere, and what is provided for
-    /// one number is no proof.
-    fn holds(&mut self, way: &[Goal]) -> bool {
+    /// The decisions on the goals where all are proved, for every number: a derivative must have its sign everywhere, and what
+    /// is provided for one number is no proof.
+    fn holding(&mut self, way: &[Goal]) -> Option<Vec<Decision>> {
         let known = self.known();
-        let holds = way.iter().all(|goal| {
+        let mut shown = Vec::new();
+        for goal in way {
             let found = self.settled(goal);
-            found.verdict == Verdict::Proved && found.provided.is_empty()
-        });
-        if !holds {
-            self.forget(known);
+            if found.verdict != Verdict::Proved || !found.provided.is_empty() {
+                self.forget(known);
+                return None;
+            }
+            shown.push(found);
         }
-        holds
+        Some(shown)
     }
 
     /// Decides one goal of a claim.
@@ -292,7 +315,9 @@ impl<'a> Search<'a> {
                 return decision;
             }
         };
-        decision.verdict = Verdict::Proved;
+        decision.rules.clone_from(&goal.statements.rules);
+        let mut is_open = false;
+        let mut proofs = Vec::new();
         for question in questions {
             let search = std::panic::AssertUnwindSafe(|| outcome(&question.statement, self.options.effort));
             // a fault of the search costs its own claim a verdict, and no other
@@ -303,19 +328,19 @@ impl<'a> Search<'a> {
                     let excluded = proof.excluded().iter();
                     let excluded = excluded.map(|&term| format!(r"{} \neq 0", print::tex(terms, term)));
                     decision.provide(proof.provided().iter().cloned().chain(excluded));
+                    proofs.push(proof);
                     self.keep(goal, question, Found::Proved { certificate, point });
                 }
                 Outcome::Refuted(refuted, witness) => {
                     let power = negative_power(&question.equation);
                     if let Some(power) = power.filter(|_| refuted.is_nowhere_defined()) {
-                        decision.verdict = Verdict::Undecided;
+                        is_open = true;
                         decision.reason = format!(
                             "`{power}` has a value where its exponent is written as a polynomial with integer coefficients: nowhere defined as it is"
                         );
                         break;
                     }
-                    decision.verdict = Verdict::Refuted;
-                    decision.is_vacuous = refuted.is_nowhere_defined();
+                    decision.accept_refutation(&refuted);
                     decision.failed = Some(question.equation.clone());
                     if decision.is_vacuous {
                         decision.reason = "nowhere defined".into();
@@ -328,7 +353,7 @@ impl<'a> Search<'a> {
                 }
                 Outcome::Contradictory(labels) => {
                     let labels: Vec<String> = labels.iter().map(|label| format!("({label})")).collect();
-                    decision.verdict = Verdict::Undecided;
+                    is_open = true;
                     decision.is_vacuous = true;
                     decision.reason = match labels.as_slice() {
                         [single] => format!("the premise {single} contradicts itself"),
@@ -337,11 +362,14 @@ impl<'a> Search<'a> {
                     decision.failed = Some(question.equation.clone());
                 }
                 Outcome::Undecided(reason) => {
-                    decision.verdict = Verdict::Undecided;
+                    is_open = true;
                     decision.reason = reason;
                     decision.failed = Some(question.equation.clone());
                 }
             }
+        }
+        if !is_open && decision.verdict != Verdict::Refuted {
+            decision.accept_proofs(&proofs);
         }
         decision
     }
@@ -350,6 +378,7 @@ impl<'a> Search<'a> {
         if let Some(kept) = &mut self.kept {
             kept.push(Decided {
                 label: self.start.label.clone(),
+                printed: self.printed.clone(),
                 question,
                 found,
                 goal: goal.clone(),

@@ -46,6 +46,8 @@ impl Found {
 #[derive(Clone, Debug)]
 pub struct Decided {
     pub label: String,
+    /// The claim as it was read, in TeX.
+    pub printed: String,
     pub question: Question,
     pub found: Found,
     pub(super) goal: Goal,
@@ -94,6 +96,18 @@ impl Decided {
             "# it exits with 0 where it accepts, with 1 where it does not, and says which step fails.".into(),
             "#".into(),
         ];
+        lines.push(format!("# claim:  {}", one_line(&self.printed)));
+        let rules = &self.goal.statements.rules;
+        if !rules.is_empty() {
+            let rules: Vec<String> = rules.iter().map(ToString::to_string).collect();
+            lines.push(format!("# reduced by:  {}", rules.join("; ")));
+            lines.push(
+                "# These rules are trusted: what is checked here is the goal below, not that it says the claim.".into(),
+            );
+        }
+        if !self.goal.part.is_empty() {
+            lines.push(format!("# part:  {}", one_line(&self.goal.part)));
+        }
         for premise in &self.goal.statements.premises {
             let label = one_line(&premise.label);
             lines.push(format!(
@@ -105,7 +119,7 @@ impl Decided {
                 lines.push(format!("#     where {} = {tree}", one_line(&local.name.to_string())));
             }
         }
-        lines.push(format!("# claim:  {}", one_line(&self.question.equation.to_string())));
+        lines.push(format!("# goal:  {}", one_line(&self.question.equation.to_string())));
         for local in &self.goal.statements.locals {
             let tree = one_line(&local.tree.to_string());
             lines.push(format!("#     where {} = {tree}", one_line(&local.name.to_string())));

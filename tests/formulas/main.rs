@@ -15,6 +15,7 @@ mod kernel;
 mod kernel_attacks;
 mod papers;
 mod proofs;
+mod reductions;
 mod repairs;
 mod rewriting;
 mod sheets;

@@ -8,7 +8,7 @@ use std::process::{Child, Command, Stdio};
 use vibro_audit::claim::{EQUATIONS, Sheet, vocabulary};
 use vibro_audit::kernel::{Certificate, Inference, Polynomial, With, follows};
 use vibro_audit::number::{Field, Rational, Sequence};
-use vibro_audit::prove::{CHECKER, Decided, Found, Options, decided, scripts};
+use vibro_audit::prove::{CHECKER, Decided, Found, Options, decided, file_names, scripts, sealed};
 
 /// The Python that has the packages: that of $VIBRO_PYTHON, or the first in the path; none, and a word, without SymPy.
 fn python() -> Option<String> {
@@ -93,10 +93,141 @@ fn own() -> Sheet {
 }
 
 fn all_scripts(sheet: &Sheet, labels: &[&str]) -> Vec<(String, String)> {
-    let positions = labels.iter().map(|label| sheet.find(label).unwrap());
-    positions
-        .flat_map(|position| scripts(sheet, position, &Options::default()))
-        .collect()
+    let positions: Vec<usize> = labels.iter().map(|label| sheet.find(label).unwrap()).collect();
+    let named = positions.iter().zip(file_names(sheet, &positions));
+    let numbered = |(position, name): (&usize, String)| {
+        let scripts = scripts(sheet, *position, &Options::default()).into_iter().enumerate();
+        scripts.map(move |(number, script)| (format!("{name}-{number}.py"), script))
+    };
+    named.flat_map(numbered).collect()
+}
+
+/// Runs a text as a script: whether it accepts, and what it says.
+fn accepts(python: &str, path: &Path, script: &[u8]) -> (bool, String) {
+    std::fs::write(path, script).unwrap();
+    let output = Command::new(python).arg(path).output().unwrap();
+    let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    (output.status.success(), said)
+}
+
+#[test]
+fn a_script_that_is_cut_or_changed_does_not_accept() {
+    let Some(python) = python() else { return };
+    let path = directory("cut").join("cut.py");
+    let (_, script) = all_scripts(&own(), &["exponentials"]).remove(0);
+    let script = script.into_bytes();
+    assert!(accepts(&python, &path, &script).0);
+    let first = script.iter().position(|byte| *byte == b'\n').unwrap() + 1;
+    let last = script[..script.len() - 1]
+        .iter()
+        .rposition(|byte| *byte == b'\n')
+        .unwrap();
+    // every beginning of the first and of the last line, and some between: ends of lines and others
+    let mut cuts: Vec<usize> = (1..=first).chain(last..script.len() - 1).collect();
+    let ends: Vec<usize> = (first..last).filter(|&at| script[at] == b'\n').collect();
+    cuts.extend(ends.iter().step_by(ends.len() / 12));
+    cuts.extend((first..last).step_by(script.len() / 12));
+    for cut in cuts {
+        let (accepted, said) = accepts(&python, &path, &script[..cut]);
+        assert!(!accepted, "cut at {cut} of {}: {said}", script.len());
+    }
+    // a byte of a comment
+    let mut changed = script.clone();
+    changed[first + 4] ^= 1;
+    let (accepted, said) = accepts(&python, &path, &changed);
+    assert!(!accepted && said.contains("not as it was written"), "{said}");
+}
+
+#[test]
+fn scripts_of_different_claims_have_different_names_whatever_the_labels() {
+    let labels = [
+        "a b",
+        "a_b",
+        "A:b",
+        "random",
+        ".a",
+        "",
+        &"x".repeat(300),
+        &format!("{}y", "x".repeat(299)),
+        "a-2",
+    ];
+    let of = |label: &&str| format!("[[equation]]\nlabel = '{label}'\nrole = 'claim'\ntex = '1 = 1'\n");
+    let sheet = Sheet::read(&labels.iter().map(of).collect::<String>(), &vocabulary().unwrap());
+    let Ok(sheet) = sheet else {
+        // an empty label may be refused
+        let labels = labels.iter().filter(|label| !label.is_empty());
+        let sheet = Sheet::read(&labels.map(of).collect::<String>(), &vocabulary().unwrap()).unwrap();
+        return differ(&sheet);
+    };
+    differ(&sheet);
+}
+
+fn differ(sheet: &Sheet) {
+    let names = file_names(sheet, &sheet.rows());
+    let lower: std::collections::BTreeSet<String> = names.iter().map(|name| name.to_lowercase()).collect();
+    assert_eq!(lower.len(), names.len(), "{names:?}");
+    assert!(
+        names.iter().all(|name| name.len() < 250 && !name.starts_with('.')),
+        "{names:?}"
+    );
+    // what tells several scripts of one claim apart stands in no name
+    let ends_in_number = |name: &String| name.rsplit_once('-').is_some_and(|(_, end)| end.parse::<u32>().is_ok());
+    assert!(!names.iter().any(ends_in_number), "{names:?}");
+}
+
+#[test]
+fn a_script_prints_the_claim_as_read_its_reductions_and_the_goal() {
+    let text = "[symbols]\nparameters = ['x']\n[[equation]]\nlabel = 'area'\nrole = 'claim'\ntex = '\\int_0^x s^2 ds = \\frac{x^3}{3}'\n";
+    let sheet = Sheet::read(text, &vocabulary().unwrap()).unwrap();
+    let all = all_scripts(&sheet, &["area"]);
+    assert!(!all.is_empty());
+    for (_, script) in all {
+        assert!(
+            script.contains("# claim:  \\int_0^x s^2 ds = \\frac{x^3}{3}\n"),
+            "{}",
+            &script[..900]
+        );
+        assert!(
+            script.contains("# reduced by:  integral: antiderivative"),
+            "{}",
+            &script[..900]
+        );
+        assert!(script.contains("\n# goal:  "), "{}", &script[..900]);
+    }
+}
+
+#[cfg(all(feature = "cli", unix))]
+#[test]
+fn an_export_that_is_killed_leaves_no_directory_and_no_script_that_accepts() {
+    let directory = directory("killed");
+    std::fs::write(directory.join("sheet.toml"), SHEET).unwrap();
+    for trial in 0..10_u64 {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
+            .args(["audit", "sheet.toml", "--proof", "proofs"])
+            .current_dir(&directory)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(5 + 37 * trial));
+        let _ = child.kill();
+        child.wait().unwrap();
+        for entry in std::fs::read_dir(&directory).unwrap() {
+            let place = entry.unwrap().path();
+            for script in std::fs::read_dir(&place).into_iter().flatten() {
+                let script = script.unwrap().path();
+                // what is not whole yet has another ending
+                if script.extension().is_some_and(|extension| extension == "py") {
+                    let text = std::fs::read_to_string(&script).unwrap();
+                    let (lines, last) = text.trim_end().rsplit_once('\n').unwrap();
+                    assert_eq!(sealed(lines), text, "{last}");
+                }
+            }
+            if place.is_dir() {
+                std::fs::remove_dir_all(&place).unwrap();
+            }
+        }
+    }
 }
 
 #[test]
@@ -125,6 +256,37 @@ fn scripts_accept_what_the_kernel_accepts() {
     }
 }
 
+/// Claims with complex values, some of them on the cuts of the functions in them.
+const COMPLEX: &[&str] = &[
+    r"\artanh(2) = \frac{1}{2} \ln 3 + \frac{i \pi}{2}",
+    r"\cosh(\arcosh z) = z",
+    r"\arsinh z = \ln(z + \sqrt{z^2 + 1})",
+    r"\ln(-1) = i \pi",
+    r"(-8)^{1/3} = 1 + i \sqrt{3}",
+    r"z^{1/2} z^{1/2} = z",
+    r"|z|^2 = z \bar z",
+    r"|z|^2 = z^2",
+    r"z^2 = -1",
+];
+
+#[test]
+fn scripts_of_complex_claims_accept() {
+    let Some(python) = python() else { return };
+    let claims = COMPLEX.iter().enumerate();
+    let claims = claims.map(|(n, tex)| format!("[[equation]]\nlabel = '{n}'\nrole = 'claim'\ntex = '{tex}'\n"));
+    let text = format!("[symbols]\ncomplex = ['z']\n{}", claims.collect::<String>());
+    let sheet = Sheet::read(&text, &vocabulary().unwrap()).unwrap();
+    let labels: Vec<String> = (0..COMPLEX.len()).map(|n| n.to_string()).collect();
+    let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
+    let all = all_scripts(&sheet, &labels);
+    assert!(all.len() >= COMPLEX.len(), "{} scripts", all.len());
+    let directory = directory("complex");
+    for (name, script) in all {
+        let (accepted, said) = accepts(&python, &directory.join(&name), script.as_bytes());
+        assert!(accepted, "{name}: {said}");
+    }
+}
+
 #[test]
 fn a_script_of_another_translation_is_refused() {
     let Some(python) = python() else { return };
@@ -132,6 +294,7 @@ fn a_script_of_another_translation_is_refused() {
     for (name, script) in all_scripts(&own(), &["angles"]) {
         let broken = script.replace("mpmath.sin((v.number(\"3\")", "mpmath.sin((v.number(\"2\")");
         assert_ne!(script, broken);
+        let broken = sealed(broken.trim_end().rsplit_once('\n').unwrap().0);
         let path = directory.join(name);
         std::fs::write(&path, broken).unwrap();
         let output = Command::new(&python).arg(&path).output().unwrap();

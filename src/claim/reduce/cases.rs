@@ -7,7 +7,7 @@ use super::super::substitute::{mapped, runs, tree_runs};
 use super::super::vocabulary::{Vocabulary, index_of};
 use super::build::{integer, negative};
 use super::derivative::mentions;
-use super::{Goal, rewritten, trees};
+use super::{Goal, Rule, rewritten, trees};
 use crate::tex::{Case, Condition, Equation, Name, Operation, Relation, Tree};
 
 /// The most choices of cases.
@@ -80,7 +80,10 @@ pub(super) fn between_bounds(statements: &Statements) -> Statements {
     for premise in &mut between.premises {
         premise.assume = conditions(&premise.assume);
     }
-    between
+    match between.has_formulas_of(statements) {
+        true => between,
+        false => between.by(Rule::ModulusBounds),
+    }
 }
 
 /// `|a| <= b` as `a <= b` and `-a <= b`; any other relation as it is.
@@ -161,7 +164,9 @@ pub(super) fn split(statements: &Statements, vocabulary: &Vocabulary) -> Result<
                 continue;
             }
             for (case, conditions) in cases.iter().zip(&conditions) {
-                let mut own = rewritten(&statements, &|tree| replaced(tree, &cases, &case.value));
+                let mut own = rewritten(&statements, Rule::CasesSplit, &|tree| {
+                    replaced(tree, &cases, &case.value)
+                });
                 own.assume.extend(conditions.iter().cloned());
                 let shown: Vec<String> = conditions.iter().map(shown).collect();
                 let chosen = chosen.iter().cloned().chain([shown.join(", ")]).collect();
@@ -237,7 +242,7 @@ fn ends(
     {
         return Ok(Vec::new());
     }
-    let mut rest = statements.clone();
+    let mut rest = statements.clone().by(Rule::CasesSplit);
     rest.premises
         .retain(|premise| !holds(&premise.equation, &|operation| matches!(operation, Operation::Cases(_))));
     rest.assume

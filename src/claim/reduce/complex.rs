@@ -16,7 +16,7 @@ use super::build::{
 };
 use super::factorial::is_integer;
 use super::law::{names_function, value_of};
-use super::{Goal, Reduced, fresh_like, rewritten, trees};
+use super::{Goal, Reduced, Rule, fresh_like, rewritten, trees};
 use crate::number::{Field, Rational};
 use crate::tex::{At, Condition, Equation, Name, Operation, Relation, Tree};
 use std::collections::BTreeMap;
@@ -149,7 +149,7 @@ fn refuse_elsewhere(vocabulary: &Vocabulary) -> Result<(), String> {
 /// A goal about real numbers that says the same, and what must hold for it to.
 fn in_parts(goal: &Goal) -> Result<(Goal, Vec<Goal>), String> {
     let vocabulary = &goal.vocabulary;
-    let statements = rewritten(&goal.statements, &|tree| meant(tree, vocabulary));
+    let statements = rewritten(&goal.statements, Rule::Definitions, &|tree| meant(tree, vocabulary));
     let parts = parts_of_symbols(&statements, vocabulary)?;
     let real = vocabulary.with_parts(&parts);
     let mut splitter = Splitter {
@@ -165,7 +165,7 @@ fn in_parts(goal: &Goal) -> Result<(Goal, Vec<Goal>), String> {
         premises: Vec::new(),
         claims: Vec::new(),
         assume: Vec::new(),
-        ..statements.clone()
+        ..statements.clone().by(Rule::ComplexParts)
     };
     // of what a lemma speaks it may rest on what needs none
     let mut plain_ones = out.clone();
@@ -199,7 +199,11 @@ fn in_parts(goal: &Goal) -> Result<(Goal, Vec<Goal>), String> {
             return Err("a pair of complex values: write one equation for each".to_owned());
         }
         out.claims.extend(splitter.equations(claim)?);
-        out.premises.extend(splitter.cauchy_schwarz(claim)?);
+        let known = splitter.cauchy_schwarz(claim)?;
+        if !known.is_empty() {
+            out = out.by(Rule::CauchySchwarz);
+        }
+        out.premises.extend(known);
     }
     let written_out = std::mem::take(&mut splitter.written_out);
     for statements in [&mut out, &mut plain_ones] {

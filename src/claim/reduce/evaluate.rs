@@ -4,6 +4,7 @@ use super::super::nodes::{any, nodes_of};
 use super::super::premise::Statements;
 use super::super::substitute::{number_of, rewrite};
 use super::super::vocabulary::{Vocabulary, index_of};
+use super::Rule;
 use super::build::{integer, sum, symbol};
 use super::derivative::By;
 use super::factorial;
@@ -34,6 +35,16 @@ pub(super) struct WithFactorials {
 /// The statements with every operation written out but factorials of symbols.
 pub(super) fn but_factorials(statements: &Statements, vocabulary: &Vocabulary) -> Result<WithFactorials, String> {
     let mut out = statements.clone();
+    for tree in super::trees(statements) {
+        any(tree, &mut |node| {
+            out.rules.extend(match node {
+                Tree::Operation(operation, _) => Rule::of_operation(operation),
+                Tree::RealPower(_, exponent, _) => vocabulary.transposes(exponent).then_some(Rule::MatrixEntries),
+                node => factorial::is_one(node).then_some(Rule::FactorialRecurrence),
+            });
+            false
+        });
+    }
     let mut needed: Vec<Equation> = Vec::new();
     out.claims.clear();
     out.premises.clear();

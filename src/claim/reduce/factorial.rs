@@ -7,7 +7,7 @@ use super::super::substitute::{mapped, number_of};
 use super::super::vocabulary::Vocabulary;
 use super::build::{call, difference, integer, product, quotient, real_power, sum, symbol};
 use super::integers::whole;
-use super::{fresh, rewritten, trees};
+use super::{Rule, fresh, rewritten, trees};
 use crate::number::{Field, Rational};
 use crate::tex::{Condition, Equation, Name, Relation, Tree};
 use std::collections::BTreeMap;
@@ -169,7 +169,7 @@ pub(super) fn as_quantities(
     statements: &Statements,
     vocabulary: &Vocabulary,
 ) -> Result<(Statements, Vocabulary), String> {
-    let statements = rewritten(statements, &|tree| simple(tree));
+    let statements = rewritten(statements, Rule::FactorialRecurrence, &|tree| simple(tree));
     let mut groups: BTreeMap<BTreeMap<Name, i64>, Vec<i64>> = BTreeMap::new();
     let mut unknown = None;
     for tree in trees(&statements) {
@@ -223,7 +223,7 @@ pub(super) fn as_quantities(
         let rising = (least + 1..=constant).map(|more| tree_of(&(letters.clone(), more)));
         Some(product(std::iter::once(symbol(quantity)).chain(rising).collect()))
     };
-    let out = rewritten(&out, &|tree| mapped(tree, &written));
+    let out = rewritten(&out, Rule::FactorialRecurrence, &|tree| mapped(tree, &written));
     match trees(&out).into_iter().any(stands_in) {
         true => Err("the factorial of what is no natural number".to_owned()),
         false => Ok((out, vocabulary)),

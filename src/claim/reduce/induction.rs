@@ -9,7 +9,7 @@ use super::build::{difference, integer, product, sum, symbol};
 use super::derivative::mentions;
 use super::evaluate::{WithFactorials, but_factorials};
 use super::integers::{free_integers, whole};
-use super::{Goal, defined, factorial, fresh, instances, rewritten, telescope};
+use super::{Goal, Rule, defined, factorial, fresh, instances, rewritten, telescope};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Series, Tree};
 
 /// A sum or product whose limits move with the integer.
@@ -86,6 +86,7 @@ fn with_factorials(statements: &Statements, vocabulary: &Vocabulary, part: Strin
 }
 
 fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Result<Vec<Goal>, String> {
+    let statements = &statements.clone().by(Rule::SeriesInduction);
     let first = first_value(&statements.assume, vocabulary, letter)?;
     let first = first.ok_or_else(|| format!("{letter} has no lower bound"))?;
     if super::is_spoken_of(statements, vocabulary, letter) {
@@ -134,7 +135,7 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
         });
     }
     let named = |tree: &Tree| mapped(tree, &|node| name_of(node, &moving));
-    let now = rewritten(statements, &named);
+    let now = rewritten(statements, Rule::SeriesInduction, &named);
     // the claim at the next value, by what stands for its sums now
     let step = |tree: &Tree| {
         let next = rewrite(tree, &|name| {
@@ -155,6 +156,9 @@ fn over(statements: &Statements, vocabulary: &Vocabulary, letter: &Name) -> Resu
     let known = format!("the claim at {letter}");
     let claims = now.claims.iter().cloned();
     next.premises.extend(claims.map(|claim| Premise::known(&known, claim)));
+    if !telescoped.is_empty() {
+        next = next.by(Rule::SeriesTelescoping);
+    }
     let of_sums = telescoped
         .into_iter()
         .map(|equation| Premise::known("the sum telescopes", equation));

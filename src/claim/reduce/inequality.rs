@@ -13,7 +13,7 @@ use super::super::vocabulary::Vocabulary;
 use super::build::{difference, integer, negative, product, sum, symbol};
 use super::derivative::{By, mentions};
 use super::series::{guess_at, seed};
-use super::{Goal, defined, fresh_like, has_operation, is_spoken_of, ranges, trees, written_out};
+use super::{Goal, Rule, defined, fresh_like, has_operation, is_spoken_of, ranges, trees, written_out};
 use crate::number::{Field, Rational};
 use crate::tex::{Condition, Equation, Name, Relation, Tree};
 
@@ -270,7 +270,7 @@ fn in_letter(
         }
         // a quotient has the sign of its numerator where its denominator is positive
         if let Some(below) = denominator {
-            let mut alone = statements.clone();
+            let mut alone = statements.clone().by(Rule::InequalityDerivatives);
             alone.claims = vec![relation(below, Relation::Greater)];
             let goal = Goal::of(&alone, vocabulary, "the denominator is positive".to_owned());
             ways.iter_mut().for_each(|way| way.push(goal.clone()));
@@ -459,7 +459,7 @@ impl Question<'_> {
         if assumed.is_empty() && goals.iter().any(is_known) {
             return;
         }
-        let mut alone = self.given.clone();
+        let mut alone = self.given.clone().by(Rule::InequalityDerivatives);
         alone.assume.extend(assumed.iter().cloned());
         let part = match assumed.is_empty() {
             true => step.to_owned(),

@@ -8,7 +8,7 @@ use super::build::integer;
 use super::evaluate::evaluated;
 use super::integers::free_integers;
 use super::integral::by_antiderivatives;
-use super::{Goal, Reduced, rewritten, trees};
+use super::{Goal, Reduced, Rule, rewritten, trees};
 use crate::number::Rational;
 use crate::tex::{Condition, Equation, Name, Relation, Tree};
 
@@ -117,7 +117,9 @@ pub(super) fn at(statements: &Statements, vocabulary: &Vocabulary, pairs: &[(&Na
         let pair = pairs.iter().find(|(letter, _)| *letter == name);
         pair.map(|(_, value)| integer(*value))
     };
-    let mut instance = rewritten(statements, &|tree| folded(&rewrite(tree, &put_in)));
+    let mut instance = rewritten(statements, Rule::IntegerInstances, &|tree| {
+        folded(&rewrite(tree, &put_in))
+    });
     for condition in &instance.assume {
         let holds = match condition {
             Condition::Relation(relation) => relation_holds(relation),

@@ -12,7 +12,7 @@ use super::build::{
 use super::derivative::By;
 use super::evaluate::evaluated;
 use super::limit::{as_goals, of_limit};
-use super::{Goal, Reduced, defined, fresh};
+use super::{Goal, Reduced, Rule, defined, fresh};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
 
 /// Whether a claim holds an integral without limits.
@@ -23,7 +23,7 @@ pub(super) fn is_indefinite(statements: &Statements) -> bool {
 /// The claims about indefinite integrals with both sides differentiated: these are equal up to a constant on each
 /// interval exactly where the derivatives are equal.
 pub(super) fn differentiated(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
-    let mut out = statements.clone();
+    let mut out = statements.clone().by(Rule::IntegralDifferentiated);
     out.claims.clear();
     for claim in &statements.claims {
         if !holds_indefinite(claim) {
@@ -143,7 +143,7 @@ pub(super) fn by_antiderivatives(statements: &Statements, vocabulary: &Vocabular
     if found.is_empty() {
         return Ok(None);
     }
-    let without = super::rewritten(statements, &|tree| replaced(tree, &found));
+    let without = super::rewritten(statements, Rule::IntegralAntiderivative, &|tree| replaced(tree, &found));
     let goal = Goal::of(&evaluated(&without, vocabulary)?, vocabulary, String::new());
     Ok(Some(Reduced {
         lemmas,
@@ -236,6 +236,7 @@ fn value_of(
 /// have one together. Each exists where all do that the sum is of, for the interval is finite.
 fn gathered(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statements, String> {
     let mut out = statements.clone();
+    let mut is_any = false;
     for claim in &mut out.claims {
         if claim.relation != Relation::Equal {
             continue;
@@ -284,8 +285,9 @@ fn gathered(statements: &Statements, vocabulary: &Vocabulary) -> Result<Statemen
         rest.push(Tree::Operation(Box::new(operation), claim.at));
         claim.left = sum(rest);
         claim.right = integer(0);
+        is_any = true;
     }
-    Ok(out)
+    Ok(if is_any { out.by(Rule::IntegralLinear) } else { out })
 }
 
 /// What a term is of one definite integral, which stands in no other factor of it: the factors, what is integrated, by
@@ -387,7 +389,7 @@ impl Definite<'_> {
         .of(&whole)?;
         let mut claims = self.conditions(&[&self.of, &whole, &slope])?;
         claims.push(Equation::between(slope, self.of.clone()));
-        let mut lemmas = self.lemmas("the antiderivative", claims)?;
+        let mut lemmas = self.lemmas(Rule::IntegralAntiderivative, "the antiderivative", claims)?;
         let mut ends = Vec::new();
         for limit in self.limits {
             ends.push(match infinity(limit) {
@@ -433,7 +435,7 @@ impl Definite<'_> {
             self.of.clone(),
             product(vec![factor.clone(), call("\\exp", exponent)]),
         ));
-        let lemmas = self.lemmas("the integral of a normal distribution", claims)?;
+        let lemmas = self.lemmas(Rule::IntegralGaussian, "the integral of a normal distribution", claims)?;
         let least = quotient(power(linear, 2), product(vec![integer(4), square.clone()]));
         let pi = symbol(&plain("\\pi"));
         let value = product(vec![
@@ -462,8 +464,8 @@ impl Definite<'_> {
     }
 
     /// The claims at each number of the interval, each as a goal of its own, once.
-    fn lemmas(&self, about: &str, claims: Vec<Equation>) -> Result<Vec<Goal>, String> {
-        let mut alone = self.statements.clone();
+    fn lemmas(&self, rule: Rule, about: &str, claims: Vec<Equation>) -> Result<Vec<Goal>, String> {
+        let mut alone = self.statements.clone().by(rule);
         alone.premises.retain(|premise| !holds(&premise.equation, &|_| true));
         alone.assume.extend(self.interval()?);
         let mut known: Vec<Equation> = Vec::new();

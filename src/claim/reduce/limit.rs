@@ -8,7 +8,7 @@ use super::build::{difference, infinity, integer, is_zero, sum};
 use super::derivative::mentions;
 use super::integers::whole;
 use super::series::{Series, Small, is_likely_zero, with_factorials};
-use super::{Goal, is_spoken_of, rewritten, trees};
+use super::{Goal, Rule, is_spoken_of, rewritten, trees};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
 
 /// The terms of a series of a limit, and those that are taken beyond an order.
@@ -30,7 +30,7 @@ pub(super) fn stands_in(statements: &Statements) -> bool {
 
 /// The statements without limits and orders, and what must hold for these to be what they are.
 pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Result<(Statements, Vec<Goal>), String> {
-    let mut out = rewritten(statements, &with_factorials);
+    let mut out = rewritten(statements, Rule::BinomialFactorials, &with_factorials);
     let approached = approached(&mut out)?;
     let mut lemmas = Vec::new();
     // the innermost first
@@ -42,7 +42,7 @@ pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Res
         out.claims
             .extend(written.into_iter().map(|tree| Equation::between(tree.clone(), tree)));
         lemmas.extend(as_goals(&out, vocabulary, needed));
-        out = rewritten(&out, &|tree| {
+        out = rewritten(&out, Rule::LimitSeries, &|tree| {
             mapped(tree, &|node| match node {
                 Tree::Operation(operation, _) if **operation == limit => Some(value.clone()),
                 _ => None,
@@ -58,6 +58,7 @@ pub(super) fn evaluated(statements: &Statements, vocabulary: &Vocabulary) -> Res
         let approached = approached.clone().or_else(|| implied(&claim, vocabulary));
         let (by, to) = approached.ok_or("what tends to what? write `x \\to 0` as an assumption")?;
         let (own, needed) = of_order(&out, vocabulary, &claim, &by, &to)?;
+        out = out.by(Rule::OrderSeries);
         lemmas.extend(as_goals(&out, vocabulary, needed));
         claims.extend(own);
     }
@@ -152,7 +153,7 @@ fn first_limit(statements: &Statements) -> Option<Operation> {
 /// Each condition as a goal of its own: in one statement they would be taken to be defined together.
 pub(super) fn as_goals(statements: &Statements, vocabulary: &Vocabulary, needed: Vec<Equation>) -> Vec<Goal> {
     let goal = |condition: Equation| {
-        let mut alone = statements.clone();
+        let mut alone = statements.clone().by(Rule::LimitSeries);
         alone.premises.retain(|premise| !holds(&premise.equation, &|_| true));
         let part = format!("the series: {condition}");
         alone.claims = vec![condition];

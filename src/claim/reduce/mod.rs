@@ -1,7 +1,8 @@
 //! Claims with matrices, derivatives, integrals, sums, products, cases, and with conjugates and moduli of complex numbers,
 //! reduced to claims about numbers: goals, of which all must hold for the claim to, and goals of which none may fail.
 //!
-//! What is done here is trusted: each reduction is by definition of the operation, or by a rule that it names.
+//! What is done here is trusted: each reduction is by definition of the operation, or by a rule that it names. The rules are
+//! recorded in the statements that they rewrite, and so in each goal that comes of them.
 
 mod antiderivative;
 mod build;
@@ -25,6 +26,7 @@ mod parts;
 mod ranges;
 mod recurrence;
 mod roots;
+mod rule;
 mod series;
 mod telescope;
 mod thin;
@@ -35,6 +37,7 @@ use super::premise::Statements;
 use super::substitute::put_in;
 use super::vocabulary::{Map, Vocabulary};
 pub use inequality::ways as other_ways;
+pub use rule::{Rule, Rules};
 pub use thin::{thin_domains, values};
 
 use crate::tex::{Condition, Equation, Name, Operation, Tree};
@@ -144,7 +147,8 @@ fn without_operations(statements: &Statements, vocabulary: &Vocabulary) -> Resul
         statements: &written,
         vocabulary,
     };
-    let mut statements = rewritten(&written, &|tree| laws.in_integrals(&cases::signs(tree)));
+    let mut statements = rewritten(&written, Rule::SignCases, &cases::signs);
+    statements = rewritten(&statements, Rule::FunctionFormulas, &|tree| laws.in_integrals(tree));
     let all = trees(&statements);
     if all.iter().any(|tree| binds_bare_function(tree, vocabulary)) {
         let running = vocabulary.running.clone().unwrap_or_default();
@@ -199,7 +203,13 @@ pub fn reduced_by_cases(statements: &Statements, vocabulary: &Vocabulary) -> Opt
     let necessary = instances::of(&written, vocabulary);
     let is_real = !trees(&written).into_iter().any(|tree| vocabulary.may_be_complex(tree));
     let may_be_split = is_real && (1..=cases::MOST_BARS).contains(&cases::bars(&written));
-    let with_cases = may_be_split.then(|| rewritten(&cases::between_bounds(&written), &cases::absolute_values));
+    let with_cases = may_be_split.then(|| {
+        rewritten(
+            &cases::between_bounds(&written),
+            Rule::ModulusCases,
+            &cases::absolute_values,
+        )
+    });
     let split = with_cases.and_then(|with_cases| cases::split(&with_cases, vocabulary).ok());
     let (choices, lemmas) = split.map_or_else(Default::default, |split| (split.choices, split.lemmas));
     let goal = |(part, own): (String, Statements)| Goal::of(&own, vocabulary, part);
@@ -298,13 +308,18 @@ fn written_out(statements: &Statements, vocabulary: &Vocabulary) -> Result<State
         }
     }
     // numbers are put in for letters, and what moves is followed, within abbreviations too
-    Ok(rewritten(&written, &|tree| {
+    written = rewritten(&written, Rule::Definitions, &|tree| {
         put_in(tree, &|name| vocabulary.meaning(name, &|_| false))
-    }))
+    });
+    Ok(match written.has_formulas_of(statements) {
+        true => written,
+        false => written.by(Rule::Definitions),
+    })
 }
 
-/// The statements with each formula of claims, premises and assumptions rewritten.
-fn rewritten(statements: &Statements, new: &dyn Fn(&Tree) -> Tree) -> Statements {
+/// The statements with each formula of claims, premises and assumptions rewritten by a rule, which is recorded where it
+/// changes any.
+fn rewritten(statements: &Statements, rule: Rule, new: &dyn Fn(&Tree) -> Tree) -> Statements {
     let equation = |equation: &Equation| Equation {
         left: new(&equation.left),
         right: new(&equation.right),
@@ -321,7 +336,10 @@ fn rewritten(statements: &Statements, new: &dyn Fn(&Tree) -> Tree) -> Statements
         premise.equation = equation(&premise.equation);
         premise.assume = premise.assume.iter().map(condition).collect();
     }
-    rewritten
+    match rewritten.has_formulas_of(statements) {
+        true => rewritten,
+        false => rewritten.by(rule),
+    }
 }
 
 /// Whether a sum, an integral or a limit binds the running symbol of functions that stand in it without their argument.

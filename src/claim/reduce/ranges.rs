@@ -5,9 +5,9 @@
 use super::super::nodes::any;
 use super::super::premise::Statements;
 use super::super::vocabulary::Vocabulary;
-use super::Goal;
 use super::build::{call, integer, negative, plain, power, product, quotient, sum, symbol};
 use super::integral::terms;
+use super::{Goal, Rule};
 use crate::tex::{Condition, Equation, Relation, Tree};
 
 /// What a value is known by.
@@ -103,7 +103,7 @@ pub(super) fn ways(statements: &Statements, vocabulary: &Vocabulary, claim: &Equ
         let domain = domain.iter().filter(|condition| !is_signed(&condition.left));
         let domain: Vec<Condition> = domain.cloned().map(Condition::Relation).collect();
         let goal = |claim: Equation| {
-            let mut alone = statements.clone();
+            let mut alone = statements.clone().by(Rule::InverseRange);
             let part = format!("what it means: {claim}");
             alone.claims = vec![claim];
             alone.assume.extend(domain.iter().cloned());

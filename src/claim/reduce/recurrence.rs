@@ -18,7 +18,7 @@ use super::evaluate::{at_index, only_factorials};
 use super::induction::{self, Moving};
 use super::instances::{self, relation_holds};
 use super::series::is_zero;
-use super::{Goal, Reduced, defined, factorial, rewritten, trees};
+use super::{Goal, Reduced, Rule, defined, factorial, rewritten, trees};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
 use std::collections::BTreeSet;
 
@@ -48,10 +48,18 @@ pub(super) fn reduced(statements: &Statements, vocabulary: &Vocabulary) -> Resul
         Ok(goals) => (goals, String::new()),
         Err(why) => (Vec::new(), why),
     };
+    let by = |rule: Rule, goals: Vec<Goal>| -> Vec<Goal> {
+        let goals = goals.into_iter();
+        let goals = goals.map(|goal| Goal {
+            statements: goal.statements.by(rule),
+            ..goal
+        });
+        goals.collect()
+    };
     Ok(Reduced {
         lemmas: Vec::new(),
-        necessary: sequence.tried(),
-        sufficient,
+        necessary: by(Rule::SequenceUnrolled, sequence.tried()),
+        sufficient: by(Rule::SequenceInduction, sufficient),
         is_equivalent: false,
         reason,
     })
@@ -276,7 +284,9 @@ impl<'a> Sequence<'a> {
 
     /// All that is said but the recurrence, with the claim at an index; `None` where the claim is not made there.
     fn at(&self, index: i64) -> Result<Option<Statements>, String> {
-        let numbered = rewritten(&self.rest, &|tree| at_index(tree, &self.letter, index));
+        let numbered = rewritten(&self.rest, Rule::SequenceUnrolled, &|tree| {
+            at_index(tree, &self.letter, index)
+        });
         let admissible = self.first.is_none_or(|first| index >= first);
         let Some(there) = instances::at(&numbered, &self.plain, &[]).filter(|_| admissible) else {
             return Ok(None);
@@ -459,7 +469,7 @@ impl<'a> Sequence<'a> {
             moving.push(induction::moved(&operation, letter, start, name, Some(&self.state))?);
         }
         let named = |tree: &Tree| mapped(tree, &|node| induction::name_of(node, &moving));
-        let now = rewritten(&self.rest, &named);
+        let now = rewritten(&self.rest, Rule::SeriesInduction, &named);
         // where the claim has no value at one index, no step leads over it
         let mut needed: Vec<Equation> = Vec::new();
         let of_claims = now.claims.iter().flat_map(|claim| [&claim.left, &claim.right]);

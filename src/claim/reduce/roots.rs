@@ -7,7 +7,7 @@ use super::super::substitute::mapped;
 use super::super::vocabulary::Vocabulary;
 use super::build::{integer, quotient, real_power};
 use super::derivative::mentions;
-use super::{Goal, rewritten, trees};
+use super::{Goal, Rule, rewritten, trees};
 use crate::number::{Field, Rational};
 use crate::tex::{Condition, Equation, Operation, Relation, Tree};
 
@@ -75,11 +75,11 @@ pub(super) fn as_powers(statements: &Statements, vocabulary: &Vocabulary) -> Res
     if is_bound {
         return Err("a root with a symbolic index of what a sum, an integral or a limit moves".to_owned());
     }
-    let powers = rewritten(statements, &|tree| as_power(tree, vocabulary));
+    let powers = rewritten(statements, Rule::RootPower, &|tree| as_power(tree, vocabulary));
     // what holds a root says that there is one, which is to be shown without it
     let is_plain = |tree: &Tree| !any(tree, &mut |node| matches!(node, Tree::Operation(..)));
     let is_condition = |condition: &Condition| condition.sides().into_iter().all(is_plain);
-    let mut plain = statements.clone();
+    let mut plain = statements.clone().by(Rule::RootPower);
     plain.assume.retain(is_condition);
     plain.premises.retain(|premise| {
         let sides = [&premise.equation.left, &premise.equation.right];

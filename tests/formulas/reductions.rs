@@ -1,0 +1,120 @@
+//! The rules by which claims are reduced to goals: each goal that is not the claim as read names one.
+
+use crate::common::attacks;
+use vibro_audit::claim::{Reduced, Rule, Sheet, Statements, other_ways, reduced, reduced_by_cases, vocabulary};
+use vibro_audit::prove::{Options, decide};
+
+/// The goals of a claim, with the rules that name how they came of it.
+fn all_reductions(read: &Statements, sheet: &Sheet) -> Vec<Reduced> {
+    let of_operations = reduced(read, &sheet.vocabulary).ok().flatten();
+    let statements = match &of_operations {
+        Some(Reduced { sufficient, .. }) => sufficient.iter().map(|goal| &goal.statements).collect(),
+        None => vec![read],
+    };
+    let by_cases = statements
+        .iter()
+        .filter_map(|own| reduced_by_cases(own, &sheet.vocabulary));
+    by_cases
+        .collect::<Vec<_>>()
+        .into_iter()
+        .chain(of_operations.clone())
+        .collect()
+}
+
+#[test]
+fn every_goal_that_is_not_the_claim_as_read_names_a_rule() {
+    let mut paths = attacks::sheets();
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    paths.extend(["tests/handbook/formulas.toml", "golden/oscillator/equations.toml"].map(|path| root.join(path)));
+    let (mut goals, mut ways) = (0, 0);
+    for path in paths {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let Ok(sheet) = Sheet::read(&text, &vocabulary().unwrap()) else {
+            continue;
+        };
+        for position in (0..sheet.entries.len()).filter(|&n| sheet.is_claim(n)) {
+            let Ok(read) = Statements::gather(&sheet, position) else {
+                continue;
+            };
+            let label = format!("{} ({})", path.display(), sheet.entries[position].label);
+            assert!(read.rules.is_empty(), "{label}");
+            for reduced in all_reductions(&read, &sheet) {
+                for goal in reduced
+                    .lemmas
+                    .iter()
+                    .chain(&reduced.sufficient)
+                    .chain(&reduced.necessary)
+                {
+                    let is_read = goal.statements.has_formulas_of(&read);
+                    assert!(is_read || !goal.statements.rules.is_empty(), "{label}: {}", goal.part);
+                    goals += 1;
+                }
+            }
+            // of an inequality or a root, one goal of each way at least
+            for way in other_ways(&read, &sheet.vocabulary).into_iter().flatten() {
+                let is_read = way.iter().all(|goal| goal.statements.claims == read.claims);
+                let is_one_claim = way.len() == 1 && read.claims.contains(&way[0].statements.claims[0]);
+                let has_rule = way.iter().any(|goal| !goal.statements.rules.is_empty());
+                assert!(is_read || is_one_claim || has_rule, "{label}");
+                ways += 1;
+            }
+        }
+    }
+    assert!(goals > 400 && ways > 100, "{goals} goals, {ways} ways");
+}
+
+fn rules_of(symbols: &str, tex: &str) -> String {
+    let text = format!("[symbols]\n{symbols}\n[[equation]]\nlabel = 'a'\nrole = 'claim'\ntex = '{tex}'\n");
+    let sheet = Sheet::read(&text, &vocabulary().unwrap()).unwrap();
+    let decision = decide(&sheet, 0, &Options::default());
+    format!("{}: {}", decision.verdict, decision.reductions())
+}
+
+#[test]
+fn a_verdict_names_the_rules_that_it_rests_on() {
+    let real = "parameters = ['x', 'y', 'n']\nintegers = ['n']\npositive = ['n']";
+    for (tex, rules) in [
+        (r"(x + 1)^2 = x^2 + 2 x + 1", "proved: "),
+        (r"(x + 1)^2 = x^2 + 1", "refuted: "),
+        (r"\int_0^x s^2 ds = \frac{x^3}{3}", "proved: integral: antiderivative"),
+        (r"\int x^2 dx = \frac{x^3}{3}", "proved: integral: differentiated"),
+        (r"\frac{d}{dx} x^2 = 2 x", "proved: derivative: rules"),
+        (r"\frac{d}{dx} x^2 = x", "refuted: derivative: rules"),
+        (r"\lim_{x \to 0} \frac{\sin x}{x} = 1", "proved: limit: series"),
+        (r"\sum_{k=1}^{3} k = 6", "proved: sum: terms"),
+        (
+            r"\begin{pmatrix} x & 1 \end{pmatrix} = \begin{pmatrix} x & 1 \end{pmatrix}",
+            "proved: matrix: entries",
+        ),
+    ] {
+        assert_eq!(rules_of(real, tex), rules, "{tex}");
+    }
+    let induction = rules_of(real, r"\sum_{k=1}^{n} k = \frac{n (n + 1)}{2}");
+    assert!(
+        induction.starts_with("proved: ") && induction.contains("sum: induction"),
+        "{induction}"
+    );
+    let parts = rules_of("complex = ['z', 'w']", r"\overline{z w} = \bar z \bar w");
+    assert!(
+        parts.starts_with("proved: ") && parts.contains("complex: parts"),
+        "{parts}"
+    );
+    let signs = rules_of(real, r"e^x \ge 1 + x");
+    assert_eq!(signs, "proved: inequality: signs of derivatives");
+    let bars = rules_of(real, r"|x + y| \le |x| + |y|");
+    assert!(bars == "proved: " || bars.contains("modulus: "), "{bars}");
+}
+
+/// A rule has a name of its own: what it works on, and how.
+#[test]
+fn rules_have_different_names() {
+    let some = [
+        Rule::Definitions,
+        Rule::SeriesInduction,
+        Rule::IntegralAntiderivative,
+        Rule::InverseRange,
+    ];
+    let names: std::collections::BTreeSet<String> = some.iter().map(ToString::to_string).collect();
+    assert_eq!(names.len(), some.len());
+    assert!(names.iter().all(|name| name.split_once(": ").is_some()));
+}
