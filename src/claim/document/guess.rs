@@ -242,7 +242,8 @@ impl Guess {
                 .iter()
                 .flat_map(|formula| called_with_time(formula.tex.as_deref().unwrap_or_default()))
             {
-                if !functions.contains(&name) {
+                // `\dif{r}{t}(t)` makes time no function of itself
+                if !functions.contains(&name) && name.to_string() != TIME {
                     functions.push(name);
                 }
             }
@@ -615,16 +616,21 @@ impl Guess {
             let next = self.functions.contains(&next).then(|| next.to_string());
             format!("{name} = {}", next.unwrap_or_default())
         };
-        Some(Symbols {
+        let symbols = Symbols {
             parameters: parameters.into_iter().collect(),
-            times: if !self.functions.is_empty() {
-                vec![TIME.to_owned()]
-            } else {
+            ..Symbols::default()
+        };
+        let with_functions = Symbols {
+            times: if self.functions.is_empty() {
                 Vec::new()
+            } else {
+                vec![TIME.to_owned()]
             },
             functions: Pairs::List(self.functions.iter().map(derivative).collect()),
-            ..Symbols::default()
-        })
+            ..symbols.clone()
+        };
+        let is_consistent = Vocabulary::read(&with_functions).is_ok_and(|vocabulary| vocabulary.check().is_ok());
+        Some(if is_consistent { with_functions } else { symbols })
     }
 
     /// What is guessed of the document as a whole.
@@ -666,7 +672,7 @@ fn labels_below<'a>(label: &str, below: &'a HashMap<String, Vec<String>>) -> BTr
 }
 
 /// The names in a tree, those of functions too; names of elementary functions are none.
-fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
+pub(super) fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
     any(tree, &mut |node| {
         match node {
             Tree::Symbol(name, _) => {

@@ -100,6 +100,14 @@ impl Marks {
             .iter()
             .fold(false, |grew, equation| marks.spread(equation, &is_unit) || grew)
         {}
+        // what an expectation with a hat is added to is a number
+        let mut names = BTreeSet::new();
+        for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
+            super::guess::names_in(side, &mut names);
+        }
+        let is_capital = |name: &Name| name.base.chars().all(|c| c.is_ascii_uppercase());
+        let is_hatted = |name: &Name| is_capital(name) && has_accent(name, &[r"\hat", r"\widehat"]);
+        marks.operators.extend(names.into_iter().filter(is_hatted));
         marks.operators.retain(|name| !is_constant(name));
         marks.complex.retain(|name| !is_constant(name));
         marks
@@ -109,9 +117,7 @@ impl Marks {
     fn read(&mut self, node: &Tree) {
         match node {
             Tree::Symbol(name, _) | Tree::Call(name, ..) => {
-                let has = |accents: &[&str]| name.accents.iter().any(|accent| accents.contains(&accent.as_str()));
-                let is_capital = name.base.chars().all(|c| c.is_ascii_uppercase());
-                if has(&[r"\vec", r"\overrightarrow"]) || (is_capital && has(&[r"\hat", r"\widehat"])) {
+                if has_accent(name, &[r"\vec", r"\overrightarrow"]) {
                     self.operators.insert(name.clone());
                 }
                 let mut plain = name.clone();
@@ -291,6 +297,10 @@ fn holds(tree: &Tree, test: &dyn Fn(&Name) -> bool) -> bool {
         Tree::Call(name, ..) if test(name) => true,
         _ => tree.find_below(&mut |part| holds(part, test).then_some(())).is_some(),
     }
+}
+
+fn has_accent(name: &Name, accents: &[&str]) -> bool {
+    name.accents.iter().any(|accent| accents.contains(&accent.as_str()))
 }
 
 /// Returns true if an exponent is the sign of a transpose or an adjoint.
