@@ -2,6 +2,7 @@
 
 use super::definition::is_constant_of_integration;
 use super::definition::{Local, circular, inlined_in, is_constant, is_defined, two_of_pair};
+use super::doubts::noted;
 use super::fault::{Fault, Source, Text};
 use super::function::Given;
 use super::implication::{
@@ -15,7 +16,9 @@ use super::substitute::{flies, number_of, rewrite, tree_runs};
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree, read, read_conditions, with_commands};
+use crate::tex::{
+    At, Condition, Doubt, DoubtKind, Equation, Name, Operation, Relation, Tree, read, read_conditions, with_commands,
+};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashSet};
 use toml::Spanned;
@@ -66,15 +69,15 @@ pub struct Entry {
     pub names: Vec<String>,
     /// What its verdict rests on that nobody said, as a document without comments makes one guess.
     pub guessed: Vec<String>,
-    /// Guesses about what its notation means, without which it may be another claim.
-    pub doubts: Vec<String>,
     /// Whether it is a claim `A \Rightarrow B`.
     pub is_implication: bool,
     /// Whether it is a way of `A \Leftrightarrow B`.
     pub is_way: bool,
     /// Integers in its equations of which no condition says how they stand to other symbols, and parameters that may be
-    /// constants of integration.
-    pub of_some: Vec<Name>,
+    /// constants of a solution.
+    pub(super) of_some: Vec<Name>,
+    /// The places of what was read of it that have more than one meaning.
+    pub(super) doubts: Vec<Doubt>,
     /// The letters of which it says that it holds for all of them.
     pub for_all: Vec<Name>,
     /// The equations of which it says or assumes that one holds.
@@ -114,7 +117,7 @@ pub(super) struct RawEntry {
     /// Guesses of a document, a clause each: with one of them nothing is refuted.
     #[serde(default)]
     pub guessed: Vec<String>,
-    /// Guesses about what the notation means: with one of them nothing is proved either.
+    /// What the notation leaves open, a question each: with one of them nothing is proved either.
     #[serde(default)]
     pub doubts: Vec<String>,
     /// A reason why the entry is not read, beyond its formulas.
@@ -1196,9 +1199,27 @@ pub(super) fn read_entry(
         let problem = new.or(is_unseen).or_else(|| listed_values(&equations));
         faults.extend(problem.map(|(at, problem)| tex.fault(at, problem)));
     }
+    let conditions = assume.iter().filter_map(|(condition, _)| match condition {
+        Condition::Relation(relation) => Some(relation),
+        Condition::Integer(_) => None,
+    });
+    let beside = local.iter().chain(&with).map(|(equation, _)| equation);
+    let mut doubts = noted(
+        equations
+            .iter()
+            .chain(&alternatives)
+            .chain(&among)
+            .chain(beside)
+            .chain(conditions),
+    );
+    doubts.extend(raw.doubts.iter().map(|open| Doubt {
+        kind: DoubtKind::Open(open.clone()),
+        at: At::default(),
+    }));
     Entry {
         label: raw.label.get_ref().clone(),
         role: raw.role,
+        doubts,
         equations,
         local,
         with,
@@ -1213,7 +1234,6 @@ pub(super) fn read_entry(
         expect: raw.expect,
         names: raw.names.clone(),
         guessed: raw.guessed.clone(),
-        doubts: raw.doubts.clone(),
         unread: faults
             .into_iter()
             .reduce(Fault::and)
@@ -1227,7 +1247,7 @@ pub(super) fn read_entry(
 }
 
 /// What a condition says to tend to something.
-fn approached(condition: &Condition) -> Option<Name> {
+pub(super) fn approached(condition: &Condition) -> Option<Name> {
     match condition {
         Condition::Relation(relation) => match (&relation.left, &relation.right) {
             (Tree::Symbol(name, _), Tree::Operation(operation, _)) => {

@@ -5,6 +5,7 @@ mod circle;
 mod declared;
 mod definition;
 mod document;
+mod doubts;
 mod entry;
 mod fault;
 mod function;

@@ -7,7 +7,7 @@ use super::fault::{Fault, Source, Text};
 use super::function::{Given, names_given};
 use super::nodes::speaks_of;
 use super::spelling::{
-    note_constants_of_motion, refuse_alternative_matrices, refuse_constants_of_solutions, refuse_indexed_parameters,
+    note_constants_of_solutions, refuse_alternative_matrices, refuse_constants_of_solutions, refuse_indexed_parameters,
     refuse_products_of_vectors, refuse_two_spellings,
 };
 use super::symbols::{MapEntry, Symbols};
@@ -100,7 +100,7 @@ impl Sheet {
         if raw.symbols.is_some() {
             refuse_indexed_parameters(&mut entries, &vocabulary);
             refuse_constants_of_solutions(&mut entries, &vocabulary);
-            note_constants_of_motion(&mut entries, &vocabulary);
+            note_constants_of_solutions(&mut entries, &vocabulary);
         }
         if entries.iter().all(|entry: &Entry| entry.role != Role::Claim) {
             let problem = "the sheet has no claim: give an equation that is to be decided `role = \"claim\"`";
@@ -362,25 +362,6 @@ impl Sheet {
             }
         }
         unread
-    }
-
-    /// The integers and constants that stand in the claim at a position alone, where something restricts its other symbols:
-    /// with such a letter authors mean that there is one.
-    pub fn of_some(&self, position: usize) -> Vec<&Name> {
-        let Some(claim) = self.entries.get(position) else {
-            return Vec::new();
-        };
-        let below = claim.follows_from.iter().filter_map(|&n| self.entries.get(n));
-        let below: Vec<&Entry> = below.collect();
-        let is_restricted = below.iter().any(|entry| entry.role != Role::Definition);
-        if !is_restricted && !claim.is_implication {
-            return Vec::new();
-        }
-        let beside = claim.local.iter().chain(&claim.with).map(|(equation, _)| equation);
-        let known = below.iter().flat_map(|entry| &entry.equations).chain(beside);
-        let known: Vec<&Tree> = known.flat_map(|equation| [&equation.left, &equation.right]).collect();
-        let is_known = |name: &Name| known.iter().any(|side| speaks_of(side, name));
-        claim.of_some.iter().filter(|name| !is_known(name)).collect()
     }
 
     /// The position of the entry with this label; else of the only one that a document calls so.

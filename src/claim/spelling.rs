@@ -3,7 +3,7 @@
 
 use super::entry::{Entry, RawEntry, Role};
 use super::nodes::{any, any_side};
-use super::vocabulary::Vocabulary;
+use super::vocabulary::{Vocabulary, index_of};
 use crate::tex::{Condition, Equation, Name, Operation, Tree, letters};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
@@ -120,13 +120,22 @@ fn is_derivative(node: &Tree, vocabulary: &Vocabulary) -> bool {
     }
 }
 
-/// Notes the parameters of which nothing that a claim rests on speaks, where that is a differential equation: authors mean
-/// constants of integration.
-pub(super) fn note_constants_of_motion(entries: &mut [Entry], vocabulary: &Vocabulary) {
+/// Notes the parameters of which nothing that a claim rests on speaks, where that is a differential equation or a recurrence:
+/// authors mean constants of its solution.
+pub(super) fn note_constants_of_solutions(entries: &mut [Entry], vocabulary: &Vocabulary) {
     let found = |entry: &Entry| -> Vec<Name> {
         let below = entry.follows_from.iter().filter_map(|&number| entries.get(number));
         let mut said = below.flat_map(|premise| &premise.equations);
-        let is_moved = said.any(|equation| any_side(equation, &mut |node| is_derivative(node, vocabulary)));
+        let runs = |letter: &str| vocabulary.indices.iter().any(|name| name.base == letter);
+        let is_step = |node: &Tree| match node {
+            Tree::Symbol(name, _) => index_of(&name.subscript, &vocabulary.index).is_some_and(|shift| shift != 0),
+            _ => false,
+        };
+        let is_moved = said.any(|equation| {
+            any_side(equation, &mut |node| {
+                is_derivative(node, vocabulary) || (runs(&vocabulary.index) && is_step(node))
+            })
+        });
         let stands = |name: &&Name| {
             let is_it = |node: &Tree| matches!(node, Tree::Symbol(own, _) if own == *name);
             entry

@@ -184,6 +184,8 @@ struct Builder<'a> {
     opaque: bool,
     /// Whether what `[symbols]` says of signs is among the givens.
     is_declared: bool,
+    /// The labels of premises whose own conditions may hold at single points only: no map is differentiated there.
+    pointwise: Vec<String>,
     /// The maps from one impact to the next whose derivatives are written, where the vocabulary names no map.
     implied: Vec<(Name, Step)>,
     /// The names that the premises write, and whether one of them is a law of flight.
@@ -228,6 +230,7 @@ impl<'a> Builder<'a> {
             real_only: false,
             opaque: false,
             is_declared: false,
+            pointwise: Vec::new(),
             implied: Vec::new(),
             spoken: BTreeSet::new(),
             has_flight: false,
@@ -307,6 +310,9 @@ impl<'a> Builder<'a> {
 
     /// Takes what was read as given: once, or as a law where it runs over times or indices.
     fn give(&mut self, label: &str, property: Property, term: Term, mut conditions: Vec<(Property, Term)>) {
+        if !self.holds_near(&conditions) {
+            self.pointwise.push(label.to_string());
+        }
         conditions.append(&mut self.brought);
         let said: Vec<Term> = conditions.iter().map(|(_, of)| *of).chain([term]).collect();
         let time = self.running_symbol().filter(|&time| {
@@ -336,6 +342,17 @@ impl<'a> Builder<'a> {
             conditions,
         };
         self.push(label, property, term, Some(law));
+    }
+
+    /// Whether these conditions hold near any point at which they hold, as times and states change.
+    fn holds_near(&mut self, conditions: &[(Property, Term)]) -> bool {
+        let terms: Vec<Term> = conditions.iter().map(|(_, of)| self.statement.written_out(*of)).collect();
+        let mut all: Vec<(Property, Term)> = conditions.iter().map(|(property, _)| *property).zip(terms.clone()).collect();
+        for &term in &terms {
+            all.extend(self.statement.domain(term));
+        }
+        let near = self.statement.holding_near(&all, &terms, &Statement::moves_along);
+        near.is_some_and(|near| near.is_empty())
     }
 
     fn push(&mut self, label: &str, property: Property, term: Term, law: Option<Law>) {
@@ -1347,6 +1364,13 @@ impl<'a> Builder<'a> {
         };
         self.written.push(image);
         self.follows(step);
+        // the derivative of an equation that holds at single points only says nothing
+        let domain = self.statement.domain(image);
+        let near = self.statement.holding_near(&domain, &[image], &Statement::moves_along);
+        let label = format!("{DERIVATIVES_EXIST} {}", self.statement.terms.symbol_name(of));
+        for (property, of) in near.unwrap_or_default() {
+            self.push(&label, property, of, None);
+        }
         self.statement.along(image, step, by)
     }
 
@@ -1615,7 +1639,7 @@ impl<'a> Builder<'a> {
             self.real_only |= step.real_only;
             match rival {
                 _ if step.equations.is_empty() => {
-                    step.equations = determining(&mut self.statement, &step);
+                    step.equations = determining(&mut self.statement, &step, &self.pointwise);
                 }
                 None => {
                     for (label, term) in step.equations.clone() {

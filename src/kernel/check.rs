@@ -306,18 +306,21 @@ impl<'a> Checker<'a> {
             } => self.cases(on, *order, *property, target, branches),
             Inference::Derivative(source) => {
                 let mut law = self.derived(*source)?;
-                // where a law holds at single times only, its derivative says nothing
-                let open =
-                    |(property, _): &(Property, Term)| matches!(property, Property::Positive | Property::Nonzero);
-                if !law.conditions.iter().all(open) {
-                    return refused("the law does not hold on an open set");
-                }
                 let time = law.time;
-                if !self.statement.is_differentiable(law.term, &|symbol| symbol == time) {
+                let mut terms = vec![law.term];
+                terms.extend(law.conditions.iter().map(|(_, of)| *of));
+                let moves = |_: &Statement, symbol| symbol == time;
+                if !terms.iter().all(|&of| self.statement.is_differentiable(of, &|symbol| symbol == time)) {
                     return refused("a branch of a complex function is differentiated");
                 }
-                let term = self.statement.derivative(law.term, time);
                 law.domain.extend(self.statement.domain(law.term));
+                // where a law holds at single times only, its derivative says nothing
+                let conditions: Vec<(Property, Term)> = law.conditions.iter().chain(&law.domain).copied().collect();
+                let Some(near) = self.statement.holding_near(&conditions, &terms, &moves) else {
+                    return refused("the law does not hold on an open set");
+                };
+                law.domain.extend(near);
+                let term = self.statement.derivative(law.term, time);
                 self.laws.push(Derived { term, ..law });
                 Ok(())
             }
@@ -367,8 +370,20 @@ impl<'a> Checker<'a> {
                 if !self.statement.is_smooth_along(written) {
                     return refused("an equation of a map is not differentiated");
                 }
+                let by_term = self.statement.terms.symbol(*by);
+                if self.assumed.contains(&(Property::Integer, by_term)) {
+                    return refused("a map is differentiated by an integer");
+                }
                 let slope = self.statement.along(term, &step, *by);
                 self.defined(&[term, slope])?;
+                // where the equation has a value at single points only, its derivative says nothing
+                let domain = self.statement.domain(written);
+                let Some(near) = self.statement.holding_near(&domain, &[written], &Statement::moves_along) else {
+                    return refused("an equation of a map does not hold on an open set");
+                };
+                for (property, of) in near {
+                    self.need(property, of)?;
+                }
                 self.conclude(Property::Zero, slope)
             }
         }

@@ -12,14 +12,16 @@ const PRIME: u128 = (1 << 61) - 1;
 /// The vanishing terms among the givens that determine the map: of those that speak of no other impact, the ones with
 /// a state before the others, each taken if it makes the rank of the slopes by what the map gives larger. What is left
 /// and does not lead from one impact to the next, or speaks of times alone where those with states suffice, restricts the
-/// point; where something else is left, nothing tells which of these is the map, and none determines it.
-pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)> {
+/// point; where something else is left, nothing tells which of these is the map, and none determines it. What is given
+/// under a label of `pointwise` may hold at single points only.
+pub fn determining(statement: &mut Statement, step: &Step, pointwise: &[String]) -> Vec<(String, Term)> {
     let mut candidates: Vec<(String, Term)> = Vec::new();
     let mut slopes: Vec<(String, Term)> = Vec::new();
     for number in 0..statement.givens.len() {
         let given = statement.givens[number].clone();
         // what is assumed of the claim is said of the point, and a law that holds at times only of these
         let everywhere = given.law.as_ref().is_none_or(|law| law.conditions.is_empty());
+        let everywhere = everywhere && !pointwise.contains(&given.label);
         if given.property != Property::Zero || given.label == ASSUMPTIONS || !everywhere {
             continue;
         }
@@ -39,7 +41,11 @@ pub fn determining(statement: &mut Statement, step: &Step) -> Vec<(String, Term)
                     let running = statement.fresh("t");
                     let now = statement.terms.symbol(running);
                     let of = Some((running, index - 1));
-                    if let Some(instance) = statement.instance(number, Some(now), shift, of) {
+                    let moves = |_: &Statement, symbol| symbol == running;
+                    if let Some(instance) = statement.instance(number, Some(now), shift, of)
+                        && let Some(near) = statement.holding_near(&instance.conditions, &[instance.term], &moves)
+                        && near.is_empty()
+                    {
                         let slope = statement.derivative(instance.term, running);
                         slopes.push((label.clone(), statement.moved(slope, Some((running, time)), 0)));
                     }

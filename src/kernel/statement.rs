@@ -584,6 +584,41 @@ impl Statement {
         conditions
     }
 
+    /// What must hold besides these conditions, for what holds at a point under them to hold near it too, as symbols move:
+    /// no root or inverse function is at the end of its domain there, no power has the base 0. `None` where a condition
+    /// holds at single points only, as an equation does.
+    ///
+    /// The conditions must include the domains of the terms.
+    pub fn holding_near(
+        &self,
+        conditions: &[(Property, Term)],
+        terms: &[Term],
+        moves: &dyn Fn(&Self, Symbol) -> bool,
+    ) -> Option<Vec<(Property, Term)>> {
+        let is_moving = |term: Term| self.symbols_in(term).into_iter().any(|symbol| moves(self, symbol));
+        let mut near = Vec::new();
+        for &(property, of) in conditions.iter().filter(|(_, of)| is_moving(*of)) {
+            match property {
+                Property::Positive | Property::Nonzero => {}
+                Property::NonNegative => near.push((Property::Nonzero, of)),
+                Property::Zero | Property::Integer => return None,
+            }
+        }
+        for inner in terms.iter().flat_map(|&term| self.terms.inside(term)) {
+            match self.terms.node(inner) {
+                Node::RealPower(base, exponent) if is_moving(*exponent) => near.push((Property::Positive, *base)),
+                Node::RealPower(base, _) if is_moving(*base) => near.push((Property::Nonzero, *base)),
+                _ => {}
+            }
+        }
+        Some(near)
+    }
+
+    /// Whether a symbol changes along a map.
+    pub fn moves_along(&self, symbol: Symbol) -> bool {
+        matches!(self.quantity(symbol), Some(Quantity::Time { .. } | Quantity::State { .. }))
+    }
+
     /// The derivative of a term by a symbol, all else held fixed; abbreviations are differentiated.
     pub fn derivative(&mut self, term: Term, by: Symbol) -> Term {
         let term = self.written_out(term);
@@ -601,11 +636,7 @@ impl Statement {
             if symbol == by {
                 return terms.integer(1);
             }
-            let moves = matches!(
-                self.quantities.get(symbol.0 as usize),
-                Some(Quantity::Time { .. } | Quantity::State { .. })
-            );
-            if !moves || step.by.contains(&symbol) {
+            if !self.moves_along(symbol) || step.by.contains(&symbol) {
                 return terms.integer(0);
             }
             std::mem::swap(&mut self.terms, terms);
@@ -677,10 +708,15 @@ impl Statement {
         !self.complex || !self.terms.inside(term).iter().any(jumps)
     }
 
-    /// Whether an equation of a map may be differentiated along it: a flight changes with what the map starts from.
+    /// Whether an equation of a map may be differentiated along it: a flight changes with what the map starts from, and so
+    /// do derivatives along maps.
     pub(super) fn is_smooth_along(&self, term: Term) -> bool {
         let flies = |inner: &Term| match self.terms.node(*inner) {
             Node::Value(function, ..) => !matches!(self.functions.get(function.0 as usize), Some(FunctionOf::Line(_))),
+            Node::Symbol(symbol) => matches!(
+                self.quantity(*symbol),
+                Some(Quantity::Partial { .. } | Quantity::Invariant { .. })
+            ),
             _ => false,
         };
         !self.terms.inside(term).iter().any(flies) && self.is_differentiable(term, &|_| true)

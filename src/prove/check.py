@@ -461,6 +461,23 @@ class Statement:
                     conditions.append((NONNEGATIVE, self.sum([one, node[1]])))
         return conditions
 
+    def holding_near(self, conditions, terms, moves):
+        """What must hold besides for what holds at a point under conditions to hold near it too, as symbols move."""
+        moving = lambda term: any(node[0] == "symbol" and moves(node[1]) for node in map(self.nodes.__getitem__, self.inside(term)))
+        near = []
+        for holds, of in conditions:
+            if moving(of):
+                require(holds in (POSITIVE, NONZERO, NONNEGATIVE), "what is differentiated does not hold on an open set")
+                if holds == NONNEGATIVE:
+                    near.append((NONZERO, of))
+        for inner in self.inside(*terms):
+            node = self.nodes[inner]
+            if node[0] == "realpower" and moving(node[2]):
+                near.append((POSITIVE, node[1]))
+            elif node[0] == "realpower" and moving(node[1]):
+                near.append((NONZERO, node[1]))
+        return near
+
     # values of numbers
 
     def evaluate(self, term, symbol=None, value=None):
@@ -873,9 +890,12 @@ class Proof:
 
     def step_derivative(self, source):
         time, term, conditions, domain, flight = self.source(source)
-        require(all(holds in (POSITIVE, NONZERO) for holds, _ in conditions), "the law does not hold on an open set")
-        # the law holds only where all that it came from has values; where its derivative has one too, this is an open set
-        domain = domain + self.s.domain(term)
+        terms = [term] + [of for _, of in conditions]
+        for of in terms:
+            self.s.by(of, time)  # refuses what is not continuous
+        # the law holds only where all that it came from has values: at a single time that says nothing of the derivative
+        domain = domain + self.s.domain(*terms)
+        domain = domain + self.s.holding_near(conditions + domain, terms, lambda symbol: symbol == time)
         self.laws.append((time, self.s.by(term, time), conditions, domain, flight))
 
     def step_constant(self, of, time, at, flight, steps):
@@ -905,9 +925,15 @@ class Proof:
     def step_along(self, number, equation, by):
         map_ = self.s.maps[number]
         require(number >= 0 and equation >= 0 and by in map_[1], "a map is differentiated by what it starts from")
-        term = map_[2][equation]
+        require((INTEGER, self.s.symbol(by)) not in self.assumed, "a map is differentiated by an integer")
+        term = self.s.written_out(map_[2][equation])
+        fixed = lambda node: node[0] == "symbol" and self.s.meaning(node[1])[0] in ("partial", "invariant")
+        require(not any(fixed(self.s.nodes[inner]) for inner in self.s.inside(term)), "what changes is taken as fixed")
         slope = self.s.along(term, map_, by)
         self.defined(term, slope)
+        moves = lambda symbol: self.s.meaning(symbol)[0] in ("time", "state")
+        for holds, of in self.s.holding_near(self.s.domain(term), [term], moves):
+            self.need(holds, of)
         self.conclude(ZERO, slope)
 
     def step_generic(self, term):

@@ -2,7 +2,7 @@
 
 use super::counterexample::Counterexample;
 use crate::claim::{Fault, Sheet, Statements, Verdict};
-use crate::tex::{Equation, Name};
+use crate::tex::{DoubtKind, Equation};
 use std::collections::HashSet;
 
 /// What was decided of one claim, and why.
@@ -61,34 +61,33 @@ impl Decision {
         self
     }
 
-    /// Says what the verdict rests on that nobody said. A formula is not refuted on a guess of what it follows from, nor where
-    /// a letter stands in it alone that may be meant for some value; on a doubt about its notation it is not proved either.
-    pub(super) fn on_guesses(mut self, sheet: &Sheet, position: usize) -> Self {
-        let entry = sheet.entries.get(position);
-        let guessed = entry.map_or(&[][..], |entry| &entry.guessed);
-        let doubts = match self.verdict {
-            Verdict::Unread => &[][..],
-            _ => entry.map_or(&[][..], |entry| &entry.doubts),
+    /// Says what the verdict rests on that nobody said, and which other meanings the claim may have: nothing is refuted on a
+    /// guess, or under one meaning of several, nor proved where that is not the usual one.
+    pub(super) fn on_doubts(mut self, doubts: &[DoubtKind]) -> Self {
+        let (guesses, others): (Vec<&DoubtKind>, Vec<&DoubtKind>) =
+            doubts.iter().partition(|kind| matches!(kind, DoubtKind::Guess(_)));
+        let joined = |kinds: &[&DoubtKind]| kinds.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
+        let is_refuted = self.verdict == Verdict::Refuted;
+        let binding: Vec<&DoubtKind> = match self.verdict {
+            Verdict::Refuted => others,
+            Verdict::Proved => others.into_iter().filter(|kind| !kind.spares_proofs()).collect(),
+            Verdict::Undecided | Verdict::Unread => Vec::new(),
         };
-        let mut guessed: Vec<String> = doubts.iter().chain(guessed).cloned().collect();
-        if self.verdict == Verdict::Refuted {
-            let of_every = |name: &Name| format!("it is meant for every `{name}`, not for some");
-            guessed.extend(sheet.of_some(position).into_iter().map(of_every));
-        }
-        if guessed.is_empty() {
+        if guesses.is_empty() && binding.is_empty() {
             return self;
         }
-        let is_doubted = self.verdict == Verdict::Proved && !doubts.is_empty();
-        let guessed = guessed.join("; ");
-        self.reason = match (self.verdict, self.counterexample.take()) {
-            (Verdict::Refuted, Some(point)) => format!("fails at {point}, if the guess is right that {guessed}"),
-            (Verdict::Refuted, None) => format!("{}, if the guess is right that {guessed}", self.reason),
-            _ if is_doubted => format!("{}, if the guess is right that {guessed}", self.reason),
-            _ => format!("{}; guessed: {guessed}", self.reason),
-        };
-        if self.verdict == Verdict::Refuted || is_doubted {
+        if let Some(point) = self.counterexample.take() {
+            self.reason = format!("fails at {point}");
+        }
+        if !guesses.is_empty() {
+            let link = if is_refuted { ", if the guess is right that " } else { "; guessed: " };
+            self.reason = format!("{}{link}{}", self.reason, joined(&guesses));
+        }
+        if !binding.is_empty() {
+            self.reason = format!("{}; it may be meant in another way: {}", self.reason, joined(&binding));
+        }
+        if is_refuted || !binding.is_empty() {
             self.verdict = Verdict::Undecided;
-            self.provided.clear();
         }
         self
     }

@@ -63,19 +63,14 @@ impl Default for Options {
 /// `undecided`.
 pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     let mut search = Search::of(sheet, position, options);
-    search.decide(sheet, position).on_guesses(sheet, position)
+    search.decide(sheet, position).on_doubts(&sheet.doubts(position))
 }
 
 /// What decides the claim at a position, question by question: nothing for a claim that stays undecided.
 pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided> {
     let mut search = Search::of(sheet, position, options);
     search.kept = Some(Vec::new());
-    let decision = search.decide(sheet, position);
-    let verdict = decision.verdict;
-    // what proves a claim that its notation may not state is kept to itself
-    if verdict == Verdict::Proved && decision.on_guesses(sheet, position).verdict != verdict {
-        return Vec::new();
-    }
+    let verdict = search.decide(sheet, position).on_doubts(&sheet.doubts(position)).verdict;
     let mut kept = search.kept.unwrap_or_default();
     kept.retain(|one| one.found.verdict() == verdict);
     kept

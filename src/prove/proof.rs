@@ -477,6 +477,8 @@ fn along(session: &mut Session, goals: &[Polynomial]) {
                 let (_, term) = step.equations[equation].clone();
                 let slope = session.checker.statement.along(term, &step, by);
                 let mut needed = session.checker.statement.domain(term);
+                let near = session.checker.statement.holding_near(&needed, &[term], &Statement::moves_along);
+                needed.extend(near.unwrap_or_default());
                 needed.extend(session.checker.statement.domain(slope));
                 if session.show_all(needed).is_some() {
                     let _ = session.step(along);

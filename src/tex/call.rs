@@ -10,7 +10,7 @@ use super::part::{Form, Part};
 use super::reader::Reader;
 use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
-use super::{At, Invariant, Name, Tree};
+use super::{At, DoubtKind, Invariant, Name, Tree};
 use crate::number::{Field, Rational};
 
 impl<'a> Reader<'a> {
@@ -73,6 +73,9 @@ impl<'a> Reader<'a> {
             && let Some(argument) = self.bracketed_argument()?
         {
             let power = power.map(Exponent::before_argument).transpose()?;
+            if power.is_some() {
+                self.doubt(at, DoubtKind::PowerOfFunction { of: name.clone() });
+            }
             return self.call(Box::new(Tree::Call(name, argument, At(at))), power);
         }
         let is_plain = power.is_none();

@@ -4,7 +4,7 @@ use super::error::{Fault, Reason};
 use super::reader::Reader;
 use super::statement::{Statement, divided};
 use super::token::{Bracket, Kind, Set};
-use super::{At, Condition, Equation, Name, Names, Operation, ReadError, Relation, Tree};
+use super::{At, Condition, Doubts, Equation, Name, Names, Operation, ReadError, Relation, Tree};
 use crate::number::{Field, Rational};
 
 /// Reads conditions parted by commas: relations and chains of them, `n \in \mathbb{Z}`, `x \in [a, b)`. An interval
@@ -253,6 +253,7 @@ impl Reader<'_> {
                 at,
                 end,
                 explains: false,
+                doubts: Doubts::default(),
             }));
         };
         let relation = |closed| match closed {

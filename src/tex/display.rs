@@ -5,7 +5,7 @@ use super::error::{Fault, Reason};
 use super::reader::Reader;
 use super::statement::{Stands, Statement, divided, end_at_conditions, is_relation};
 use super::token::{Bracket, Kind, Token};
-use super::{At, Condition, Equation, Name, Names, ReadError, Relation, Tree};
+use super::{At, Condition, Doubts, Equation, Name, Names, ReadError, Relation, Tree};
 
 /// What a display says.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -210,7 +210,7 @@ impl Reader<'_> {
         equations: &mut Vec<Equation>,
     ) -> Result<(), Fault> {
         // where the tokens of the left side start
-        let mut before = 0;
+        let (mut before, known) = (0, equations.len());
         while let Some(kind) = self.peek_kind() {
             let relation = match kind {
                 Kind::Relation(relation) => Some(relation),
@@ -236,8 +236,12 @@ impl Reader<'_> {
                 at: At(at),
                 end: At(end),
                 explains: false,
+                doubts: Doubts::default(),
             });
             at = start;
+        }
+        for equation in equations.iter_mut().skip(known) {
+            equation.doubts = Doubts(self.doubts.clone());
         }
         Ok(())
     }

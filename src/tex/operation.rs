@@ -6,7 +6,7 @@ use super::part::{Form, Part, starts_factor};
 use super::reader::Reader;
 use super::symbol::base;
 use super::token::{Bracket, Kind, Rows, Token};
-use super::{At, Case, Condition, Equation, Invariant, Name, Operation, Relation, Series, Tree};
+use super::{At, Case, Condition, DoubtKind, Doubts, Equation, Invariant, Name, Operation, Relation, Series, Tree};
 use crate::number::{Field, Rational};
 
 /// The most rows, and columns, of a matrix.
@@ -440,6 +440,10 @@ impl<'a> Reader<'a> {
         if !self.integrated.contains(&by) {
             self.integrated.push(by.clone());
         }
+        if let Some(inner) = nested(&of, limits.as_ref()) {
+            let kind = DoubtKind::Nesting { inner: inner.clone() };
+            self.doubt(token.at, kind);
+        }
         let operation = Operation::Integral { of, by, limits };
         Ok(Part {
             tree: boxed(operation, token.at),
@@ -492,6 +496,9 @@ impl<'a> Reader<'a> {
             return Err(Fault::unsupported(at, "this bracket", instead));
         }
         self.refuse_running(of, at)?;
+        if also.is_none() && may_be_power(&high) {
+            self.doubt(at, DoubtKind::Difference { upper: high.clone() });
+        }
         let by = match named.or(also) {
             Some(by) => by,
             None => self.letter_between(of, [&low, &high], at)?,
@@ -651,6 +658,9 @@ impl<'a> Reader<'a> {
             Some(of) => of,
             None => self.differentiated()?,
         };
+        if letters.iter().any(|(by, _)| self.may_be_taken_later(&of, by)) {
+            self.doubt(at, DoubtKind::DerivativeOfValue { of: (*of).clone() });
+        }
         let derived = |of: Tree, (by, order): (Name, u32)| {
             let value = Tree::Symbol(by.clone(), At(at));
             let operation = Operation::Derivative {
@@ -663,6 +673,26 @@ impl<'a> Reader<'a> {
         };
         // the last letter below is the first by which is differentiated
         Ok(Some(letters.into_iter().rev().fold(*of, derived)))
+    }
+
+    /// Whether `of`, differentiated by a letter, is the value at a point that may be put in after that: `[F]_{x=a}`, or `R(a)`.
+    fn may_be_taken_later(&self, of: &Tree, by: &Name) -> bool {
+        let is_value = |node: &Tree| match node {
+            Tree::Operation(operation, _) => match &**operation {
+                Operation::Derivative { by: own, order: 0, at, .. } | Operation::Limit { by: own, to: at, .. } => {
+                    own == by || at.has_free(by)
+                }
+                _ => false,
+            },
+            Tree::Call(name, argument, _) => self.names.is_function(name) && !argument.has_free(by),
+            _ => false,
+        };
+        let mut met = is_value(of);
+        of.find_below(&mut |part| {
+            met |= is_value(part) || matches!(part, Tree::Negate(inner) if is_value(inner));
+            None::<()>
+        });
+        met && !of.has_free(by)
     }
 
     /// What stands behind `\frac{d}{dx}`: one factor.
@@ -869,6 +899,7 @@ impl<'a> Reader<'a> {
             at: At(at),
             end: At(self.look_back()),
             explains: false,
+            doubts: Doubts::default(),
         };
         Ok([
             equation(Relation::GreaterOrEqual, Tree::Negate(Box::new(unit.clone()))),
@@ -887,6 +918,30 @@ struct Shape {
 
 fn boxed(operation: Operation, at: usize) -> Box<Tree> {
     Box::new(Tree::Operation(Box::new(operation), At(at)))
+}
+
+/// The letter of an integral right below another with other limits.
+fn nested<'t>(of: &'t Tree, limits: Option<&(Tree, Tree)>) -> Option<&'t Name> {
+    let inner = |tree: &'t Tree| match tree {
+        Tree::Operation(operation, _) => match &**operation {
+            Operation::Integral { by, limits: own, .. } => (own.as_ref() != limits).then_some(by),
+            _ => None,
+        },
+        _ => None,
+    };
+    match of {
+        Tree::Product(factors) => factors.iter().find_map(inner),
+        of => inner(of),
+    }
+}
+
+/// Whether the upper limit of a bracket may be its power.
+fn may_be_power(upper: &Tree) -> bool {
+    match upper {
+        Tree::Number(value) => value.to_integer().is_some_and(|value| value > 1),
+        Tree::Symbol(name, _) => *name != base("\\pi"),
+        _ => false,
+    }
 }
 
 fn holds_integral(tree: &Tree) -> bool {

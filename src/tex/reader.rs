@@ -4,7 +4,7 @@
 use super::error::{Fault, Reason};
 use super::part::{Form, Part, readable, starts_factor};
 use super::token::{Bracket, Kind, Token};
-use super::{At, Name, Names, Tree};
+use super::{At, Doubt, DoubtKind, Name, Names, Operation, Tree};
 
 /// The deepest nesting that is read: it bounds the stack that reading and all later walks of the tree need.
 pub(super) const DEEPEST: usize = 100;
@@ -22,6 +22,8 @@ pub(super) struct Reader<'a> {
     pub(super) integral: Option<Option<Name>>,
     /// The letters that the integrals read so far are by.
     pub(super) integrated: Vec<Name>,
+    /// The places read so far that have more than one meaning.
+    pub(super) doubts: Vec<Doubt>,
     pub(super) names: &'a Names,
 }
 
@@ -36,6 +38,7 @@ impl<'a> Reader<'a> {
             divisions: 0,
             integral: None,
             integrated: Vec::new(),
+            doubts: Vec::new(),
             names,
         }
     }
@@ -88,6 +91,13 @@ impl<'a> Reader<'a> {
 
     pub(super) fn reset(&mut self, (next, depth): (usize, usize)) {
         (self.next, self.depth) = (next, depth);
+        let here = self.here();
+        self.doubts.retain(|doubt| doubt.at.0 < here);
+    }
+
+    /// Notes that a place has another meaning than the one taken.
+    pub(super) fn doubt(&mut self, at: usize, kind: DoubtKind) {
+        self.doubts.push(Doubt { kind, at: At(at) });
     }
 
     pub(super) fn rise(&mut self) {
@@ -129,6 +139,9 @@ impl<'a> Reader<'a> {
             if let Some(letter) = open.iter().find(|letter| term.tree.has_free_letter(letter)) {
                 let found = format!("how far the sum or limit over `{letter}` reaches");
                 return Err(Fault::ambiguous(at, &found, "write brackets around what it is of"));
+            }
+            if let Some(letter) = open.last().cloned() {
+                self.doubt(at, DoubtKind::Reach { letter });
             }
             open.extend(open_letter(&term));
             terms.push(*self.beside(term)?);
@@ -216,6 +229,9 @@ impl<'a> Reader<'a> {
             if juxtaposed {
                 readable(form, &factor, printed.unwrap_or(token))?;
             }
+            if juxtaposed && matches!(token.kind, Kind::Open(Bracket::Round | Bracket::Square)) {
+                self.doubt_bracket(factors.last(), &factor.tree, token.at);
+            }
             if token.kind != Kind::Slash {
                 Self::parted(factors.last(), form, &factor.tree, token)?;
             }
@@ -272,6 +288,20 @@ impl<'a> Reader<'a> {
             }
             false => Ok(()),
         }
+    }
+
+    /// Notes that `inside`, which stands between brackets right behind a letter or a derivative, may be its argument.
+    fn doubt_bracket(&mut self, before: Option<&Tree>, inside: &Tree, at: usize) {
+        let inside = inside.clone();
+        let kind = match before {
+            Some(Tree::Symbol(of, _)) => DoubtKind::Argument { of: of.clone(), inside },
+            Some(of @ Tree::Partial { .. }) => DoubtKind::DerivativeBeforeBracket { of: of.clone(), inside },
+            Some(of @ Tree::Operation(operation, _)) if matches!(**operation, Operation::Derivative { order: 1.., .. }) => {
+                DoubtKind::DerivativeBeforeBracket { of: of.clone(), inside }
+            }
+            _ => return,
+        };
+        self.doubt(at, kind);
     }
 
     /// Refuses a divisor that holds a slash itself, and too many slashes in a term.

@@ -1,5 +1,6 @@
 //! The tree of a formula, as written: nothing is simplified, nothing is known of what the names mean.
 
+use super::Doubts;
 use crate::number::Rational;
 use std::hash::{Hash, Hasher};
 
@@ -395,6 +396,8 @@ pub struct Equation {
     pub end: At,
     /// Whether it stands behind "where" or "with".
     pub explains: bool,
+    /// The places of its display that have more than one meaning.
+    pub doubts: Doubts,
 }
 
 impl Equation {
@@ -407,6 +410,7 @@ impl Equation {
             at: At::default(),
             end: At::default(),
             explains: false,
+            doubts: Doubts::default(),
         }
     }
 }

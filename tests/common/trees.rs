@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
 use vibro_audit::number::{Field, Rational};
-use vibro_audit::tex::{At, Equation, Invariant, Name, Relation, Scope, Tree, Unsupported, evaluate};
+use vibro_audit::tex::{At, Doubts, Equation, Invariant, Name, Relation, Scope, Tree, Unsupported, evaluate};
 
 fn word(choices: &'static [&'static str]) -> impl Strategy<Value = String> {
     prop::sample::select(choices).prop_map(str::to_owned)
@@ -105,6 +105,7 @@ pub fn equation() -> impl Strategy<Value = Equation> {
         at: At::default(),
         end: At::default(),
         explains: false,
+        doubts: Doubts::default(),
     })
 }
 

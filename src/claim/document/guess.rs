@@ -9,7 +9,8 @@ use super::super::vocabulary::Vocabulary;
 use super::marks::{Marks, Stated};
 use super::scan::Formula;
 use crate::tex::{
-    Display, Equation, Name, Names, Operation, ReadError, Relation, Tree, read_display, read_name, with_commands,
+    Display, DoubtKind, Equation, Name, Names, Operation, ReadError, Relation, Tree, read_display, read_name,
+    with_commands,
 };
 use std::collections::{BTreeSet, HashMap, HashSet};
 
@@ -508,7 +509,26 @@ impl Guess {
             below: labels.iter().flat_map(|label| equations(label)).collect(),
             is_restricted,
         };
-        self.marks.doubts(&stated, &|name| !self.definitions.contains_key(name))
+        let noted = stated
+            .own
+            .iter()
+            .chain(&stated.below)
+            .flat_map(|equation| &equation.doubts.0);
+        let is_argument = |kind: &&DoubtKind| {
+            // a sum is put in brackets behind a factor too
+            matches!(kind, DoubtKind::Argument { inside, .. } if !matches!(inside, Tree::Sum(_)))
+        };
+        let mut doubts = self.marks.doubts(&stated, &|name| !self.definitions.contains_key(name));
+        for argument in noted
+            .map(|doubt| &doubt.kind)
+            .filter(is_argument)
+            .map(ToString::to_string)
+        {
+            if !doubts.contains(&argument) {
+                doubts.push(argument);
+            }
+        }
+        doubts
     }
 
     /// Whether this is a capital letter that nothing gives, in a document with matrices.

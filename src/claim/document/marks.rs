@@ -247,25 +247,19 @@ impl Marks {
         let mut doubts = Vec::new();
         let may_depend = operators.len() > 1 && !is_identity();
         if !operators.is_empty() && (may_depend || is_real_only(&self.operators)) {
-            let are = numbers(&operators);
             doubts.push(format!(
-                "{are}, although the document marks matrices, vectors or operators so"
+                "{}: real numbers, or matrices, vectors or operators, as the document marks them?",
+                operators.join(", ")
             ));
         }
         let complex = found(&self.complex);
         if !complex.is_empty() && is_real_only(&self.complex) {
-            let are = numbers(&complex);
-            doubts.push(format!("{are}, although the document marks complex numbers so"));
+            doubts.push(format!(
+                "{}: real, or complex, as the document marks them?",
+                complex.join(", ")
+            ));
         }
         doubts
-    }
-}
-
-/// Says that these are real numbers.
-fn numbers(letters: &[String]) -> String {
-    match letters {
-        [letter] => format!("{letter} is a real number"),
-        letters => format!("{} are real numbers", letters.join(" and ")),
     }
 }
 

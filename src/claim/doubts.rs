@@ -1,0 +1,181 @@
+//! The other meanings that a claim may have: what its verdict may not rest on.
+
+use super::definition::is_constant;
+use super::entry::{Entry, Role, approached};
+use super::nodes::{any, any_side, holds, speaks_of};
+use super::sheet::Sheet;
+use super::substitute::flies;
+use crate::tex::{Condition, Doubt, DoubtKind, Equation, Name, Operation, Relation, Tree};
+use std::collections::BTreeSet;
+
+/// The doubts of what was read.
+pub(super) fn noted<'e>(equations: impl Iterator<Item = &'e Equation>) -> Vec<Doubt> {
+    let mut found: Vec<Doubt> = Vec::new();
+    for doubt in equations.flat_map(|equation| &equation.doubts.0) {
+        if !found.contains(doubt) {
+            found.push(doubt.clone());
+        }
+    }
+    found
+}
+
+impl Sheet {
+    /// The places at which the claim at a position, or something that it rests on, has a meaning that was not taken.
+    pub fn doubts(&self, position: usize) -> Vec<DoubtKind> {
+        let Some(claim) = self.entries.get(position) else {
+            return Vec::new();
+        };
+        let mut found: Vec<DoubtKind> = claim.guessed.iter().cloned().map(DoubtKind::Guess).collect();
+        let below = self.below(claim);
+        let read = std::iter::once(claim).chain(below.iter().copied());
+        let read = read.flat_map(|entry| &entry.doubts).map(|doubt| &doubt.kind);
+        for kind in read.filter(|kind| self.is_plausible(kind, claim, &below)) {
+            if !found.contains(kind) {
+                found.push(kind.clone());
+            }
+        }
+        found.extend(self.of_some(claim, &below).into_iter().map(DoubtKind::OfSome));
+        found.extend(self.one_step(claim, &below));
+        found.extend(tends(claim).map(DoubtKind::Tends));
+        found
+    }
+
+    /// What a claim follows from, and the definitions below that.
+    fn below<'e>(&'e self, claim: &Entry) -> Vec<&'e Entry> {
+        let mut below: Vec<&Entry> = claim.follows_from.iter().filter_map(|&n| self.entries.get(n)).collect();
+        for definition in self.definitions_below(claim) {
+            if !below.iter().any(|known| known.label == definition.label) {
+                below.push(definition);
+            }
+        }
+        below
+    }
+
+    /// Whether a reader would think of the other meaning: a letter has an argument where what it stands for is written with
+    /// a letter that stands in the bracket.
+    fn is_plausible(&self, kind: &DoubtKind, claim: &Entry, below: &[&Entry]) -> bool {
+        let DoubtKind::Argument { of, inside } = kind else {
+            return true;
+        };
+        let shares = |meaning: &Tree| {
+            any(meaning, &mut |node| match node {
+                Tree::Symbol(name, _) => !is_constant(name) && speaks_of(inside, name),
+                _ => false,
+            })
+        };
+        let is_it = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name == of);
+        let own = std::iter::once(claim).chain(below.iter().copied());
+        let said = own.clone().flat_map(|entry| {
+            let local = entry.local.iter().map(|(equation, _)| equation);
+            let equations = entry.equations.iter().filter(|_| entry.role != Role::Claim);
+            local.chain(equations)
+        });
+        let mut sides = said.flat_map(|equation| {
+            [(&equation.left, &equation.right), (&equation.right, &equation.left)]
+        });
+        let mut locals = own.flat_map(|entry| &entry.own);
+        let mut abbreviations = self.vocabulary.abbreviations.iter();
+        sides.any(|(name, meaning)| is_it(name) && shares(meaning))
+            || locals.any(|local| local.name == *of && shares(&local.tree))
+            || abbreviations.any(|(name, meaning)| name == of && shares(meaning))
+    }
+
+    /// The letters of a claim that authors mean for some value: integers and constants of which nothing speaks that the
+    /// claim rests on, letters behind an implication alone, and letters between bounds at which an unknown function is taken.
+    fn of_some(&self, claim: &Entry, below: &[&Entry]) -> Vec<Name> {
+        let beside = claim.local.iter().chain(&claim.with).map(|(equation, _)| equation);
+        let known = below.iter().flat_map(|entry| &entry.equations).chain(beside);
+        let known: Vec<&Tree> = known.flat_map(|equation| [&equation.left, &equation.right]).collect();
+        let is_known = |name: &Name| known.iter().any(|side| speaks_of(side, name));
+        let is_restricted = claim.is_implication || below.iter().any(|entry| entry.role != Role::Definition);
+        let noted = claim.of_some.iter().filter(|name| is_restricted || is_added(name, &claim.equations));
+        let mut found: Vec<Name> = noted.cloned().collect();
+        let assumed: Vec<&Tree> = claim.assume.iter().flat_map(|(condition, _)| condition.sides()).collect();
+        for name in &self.vocabulary.parameters {
+            let stands = || claim.equations.iter().any(|equation| any_side(equation, &mut |node| is_symbol(node, name)));
+            let is_assumed = assumed.iter().any(|side| speaks_of(side, name));
+            let is_new = claim.is_implication && !is_assumed;
+            if (is_new || (is_assumed && self.is_between(name, claim))) && stands() {
+                found.push(name.clone());
+            }
+        }
+        found.retain(|name| !is_known(name));
+        found.dedup();
+        found
+    }
+
+    /// Whether a letter stands between two bounds that are assumed, and an unknown function is taken there.
+    fn is_between(&self, name: &Name, claim: &Entry) -> bool {
+        let bound = |is_above: bool| {
+            claim.assume.iter().any(|(condition, _)| match condition {
+                Condition::Relation(Equation { left, relation, right, .. }) => {
+                    let (low, high) = match relation {
+                        Relation::Less | Relation::LessOrEqual => (left, right),
+                        Relation::Greater | Relation::GreaterOrEqual => (right, left),
+                        Relation::Equal | Relation::NotEqual => return false,
+                    };
+                    is_symbol(if is_above { low } else { high }, name)
+                }
+                Condition::Integer(_) => false,
+            })
+        };
+        let is_argument = |node: &Tree| match node {
+            Tree::Call(function, argument, _) => self.vocabulary.names.is_function(function) && speaks_of(argument, name),
+            _ => false,
+        };
+        bound(true) && bound(false) && claim.equations.iter().any(|equation| any_side(equation, &mut |node| is_argument(node)))
+    }
+
+    /// That the claim speaks of a step of an index which premises say of another: they may be meant for each step.
+    fn one_step(&self, claim: &Entry, below: &[&Entry]) -> Option<DoubtKind> {
+        let letter = &self.vocabulary.index;
+        let runs = self.vocabulary.indices.iter().any(|name| name.base == *letter);
+        let steps = below.iter().filter(|entry| entry.role != Role::Definition).flat_map(|entry| &entry.equations);
+        let steps: Vec<BTreeSet<i32>> = steps
+            .filter(|equation| !flies(equation, &self.vocabulary))
+            .map(|equation| self.vocabulary.impacts(equation))
+            .collect();
+        let said: BTreeSet<i32> = steps.iter().flatten().copied().collect();
+        let asked = claim.equations.iter().flat_map(|equation| self.vocabulary.impacts(equation));
+        let goes_on = asked.into_iter().any(|index| !said.contains(&index));
+        let is_step = steps.iter().any(|step| step.len() > 1);
+        (!runs && is_step && goes_on).then(|| DoubtKind::OneStep { index: letter.clone() })
+    }
+}
+
+fn is_symbol(tree: &Tree, name: &Name) -> bool {
+    matches!(tree, Tree::Symbol(own, _) if own == name)
+}
+
+/// Whether a letter stands in the equations once, as a factor of a term of a whole side, beside letters of its own.
+fn is_added(name: &Name, equations: &[Equation]) -> bool {
+    let mut places = 0;
+    for equation in equations {
+        any_side(equation, &mut |node| {
+            places += usize::from(is_symbol(node, name));
+            false
+        });
+    }
+    let is_added = equations.iter().any(|equation| {
+        [&equation.left, &equation.right]
+            .into_iter()
+            .any(|side| matches!(side, Tree::Sum(terms) if terms.iter().any(|term| has_factor(term, name))))
+    });
+    places == 1 && is_added
+}
+
+fn has_factor(term: &Tree, name: &Name) -> bool {
+    match term {
+        Tree::Negate(inner) | Tree::PlusMinus(inner) | Tree::MinusPlus(inner) => has_factor(inner, name),
+        Tree::Product(factors) => factors.iter().any(|factor| is_symbol(factor, name)),
+        Tree::Quotient(above, ..) => has_factor(above, name),
+        term => is_symbol(term, name),
+    }
+}
+
+/// What tends to a value by what is assumed of a claim that is no expansion.
+fn tends(claim: &Entry) -> Option<Name> {
+    let is_expansion = |equation: &Equation| holds(equation, &|operation| matches!(operation, Operation::Order(_)));
+    let mut assumed = claim.assume.iter().filter_map(|(condition, _)| approached(condition));
+    assumed.next().filter(|_| !claim.equations.iter().any(is_expansion))
+}

@@ -1,0 +1,130 @@
+//! Places of a formula that have more than one meaning, of which the reader took one.
+
+use super::{At, Name, Tree};
+use std::fmt;
+use std::hash::{Hash, Hasher};
+
+/// A place with more than one meaning, of which one was taken.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Doubt {
+    pub kind: DoubtKind,
+    /// The place in the TeX.
+    pub at: At,
+}
+
+/// The meanings that a place may have.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DoubtKind {
+    /// `V(x^2)`, taken as a product.
+    Argument { of: Name, inside: Tree },
+    /// `\frac{d}{dx}[F]_{x=a}`, taken as the derivative of the value.
+    DerivativeOfValue { of: Tree },
+    /// `(F)'(a)`, `\frac{dV}{dx}(a)`, taken as a product.
+    DerivativeBeforeBracket { of: Tree, inside: Tree },
+    /// `\sum_k F + G`, taken as a sum that ends at the sign.
+    Reach { letter: Name },
+    /// `\int_a^b \int_c^d F \, dx \, dy`, taken as closed from the inside.
+    Nesting { inner: Name },
+    /// `[F]_{x=a}^2`, taken as a difference.
+    Difference { upper: Tree },
+    /// `f^2(x)`, taken as a power of the value.
+    PowerOfFunction { of: Name },
+    /// A letter in a claim that nothing bounds, taken for every value.
+    OfSome(Name),
+    /// A premise that is written for one step of an index, taken for that step alone.
+    OneStep { index: String },
+    /// `x \to a` in what is assumed, taken as if it were not there.
+    Tends(Name),
+    /// A factor of every term of a premise, which is 0 where the claim fails.
+    Factor { factor: String, premise: String },
+    /// What was guessed of a formula that nothing is said of.
+    Guess(String),
+    /// What a document leaves open: letters that it marks as more than real numbers, a letter before a bracket.
+    Open(String),
+}
+
+impl DoubtKind {
+    /// Whether a proof stands: the meaning that was taken is the usual one, or the claim holds under the others where it
+    /// does under this one.
+    pub fn spares_proofs(&self) -> bool {
+        match self {
+            // for a product of one factor nobody writes brackets
+            Self::Argument { inside, .. } => matches!(inside, Tree::Sum(_)),
+            Self::DerivativeOfValue { .. } | Self::DerivativeBeforeBracket { .. } | Self::Open(_) => false,
+            _ => true,
+        }
+    }
+}
+
+impl fmt::Display for DoubtKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Argument { of, inside } => {
+                write!(
+                    f,
+                    "`{of}({inside})`: the value of `{of}` at `{inside}`, or `{of}` times `{inside}`?"
+                )
+            }
+            Self::DerivativeOfValue { of } => {
+                write!(
+                    f,
+                    "the derivative of `{of}`: taken at that point, or of the value there?"
+                )
+            }
+            Self::DerivativeBeforeBracket { of, inside } => {
+                write!(
+                    f,
+                    "`({inside})` behind `{of}`: where the derivative is taken, or a factor?"
+                )
+            }
+            Self::Reach { letter } => {
+                write!(
+                    f,
+                    "the sum, product or limit over `{letter}`: up to the next sign, or to the end?"
+                )
+            }
+            Self::Nesting { inner } => {
+                write!(
+                    f,
+                    "the integral over `{inner}`: with the limits of the inner sign, or of the outer?"
+                )
+            }
+            Self::Difference { upper } => {
+                write!(f, "`{upper}` behind the bracket: the upper limit, or a power?")
+            }
+            Self::PowerOfFunction { of } => {
+                write!(
+                    f,
+                    "the power of `{of}` before its argument: of the value, or `{of}` applied again?"
+                )
+            }
+            Self::OfSome(name) => write!(f, "`{name}`: every value, or some value?"),
+            Self::OneStep { index } => {
+                write!(
+                    f,
+                    "the premises that take one `{index}` to the next: for this `{index}` alone, or for each?"
+                )
+            }
+            Self::Tends(name) => write!(f, "`{name}` tends to a value: for every `{name}`, or near that value?"),
+            Self::Factor { factor, premise } => write!(
+                f,
+                "`{factor}` is a factor of every term of ({premise}): 0 too, or divided out?"
+            ),
+            Self::Guess(what) | Self::Open(what) => write!(f, "{what}"),
+        }
+    }
+}
+
+/// The doubts of an equation. They take no part in comparisons.
+#[derive(Clone, Debug, Default)]
+pub struct Doubts(pub Vec<Doubt>);
+
+impl PartialEq for Doubts {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+impl Eq for Doubts {}
+impl Hash for Doubts {
+    fn hash<H: Hasher>(&self, _: &mut H) {}
+}
