@@ -117,7 +117,7 @@ pub(super) struct RawEntry {
     /// Guesses of a document, a clause each: with one of them nothing is refuted.
     #[serde(default)]
     pub guessed: Vec<String>,
-    /// Guesses about what the notation means: with one of them nothing is proved either.
+    /// What the notation leaves open, a question each: with one of them nothing is proved either.
     #[serde(default)]
     pub doubts: Vec<String>,
     /// A reason why the entry is not read, beyond its formulas.
@@ -1212,9 +1212,9 @@ pub(super) fn read_entry(
             .chain(beside)
             .chain(conditions),
     );
-    doubts.extend(raw.doubts.iter().map(|doubt| Doubt {
-        kind: DoubtKind::Declared(doubt.clone()),
-        at: At(0),
+    doubts.extend(raw.doubts.iter().map(|open| Doubt {
+        kind: DoubtKind::Open(open.clone()),
+        at: At::default(),
     }));
     Entry {
         label: raw.label.get_ref().clone(),

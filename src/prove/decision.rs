@@ -136,7 +136,6 @@ impl Decision {
         }
         if is_refuted || !binding.is_empty() {
             self.verdict = Verdict::Undecided;
-            self.provided.clear();
         }
         self
     }

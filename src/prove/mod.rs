@@ -71,10 +71,7 @@ pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
 pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided> {
     let mut search = Search::of(sheet, position, options);
     search.kept = Some(Vec::new());
-    let verdict = search
-        .decide(sheet, position)
-        .on_doubts(&sheet.doubts(position))
-        .verdict;
+    let verdict = search.decide(sheet, position).on_doubts(&sheet.doubts(position)).verdict;
     let mut kept = search.kept.unwrap_or_default();
     kept.retain(|one| one.found.verdict() == verdict);
     kept

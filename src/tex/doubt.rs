@@ -37,10 +37,10 @@ pub enum DoubtKind {
     Tends(Name),
     /// A factor of every term of a premise, which is 0 where the claim fails.
     Factor { factor: String, premise: String },
-    /// A guess about the notation, without which the formula may state something else.
-    Declared(String),
     /// What was guessed of a formula that nothing is said of.
     Guess(String),
+    /// What a document leaves open: letters that it marks as more than real numbers, a letter before a bracket.
+    Open(String),
 }
 
 impl DoubtKind {
@@ -50,7 +50,7 @@ impl DoubtKind {
         match self {
             // for a product of one factor nobody writes brackets
             Self::Argument { inside, .. } => matches!(inside, Tree::Sum(_)),
-            Self::DerivativeOfValue { .. } | Self::DerivativeBeforeBracket { .. } | Self::Declared(_) => false,
+            Self::DerivativeOfValue { .. } | Self::DerivativeBeforeBracket { .. } | Self::Open(_) => false,
             _ => true,
         }
     }
@@ -110,7 +110,7 @@ impl fmt::Display for DoubtKind {
                 f,
                 "`{factor}` is a factor of every term of ({premise}): 0 too, or divided out?"
             ),
-            Self::Declared(what) | Self::Guess(what) => write!(f, "{what}"),
+            Self::Guess(what) | Self::Open(what) => write!(f, "{what}"),
         }
     }
 }

@@ -622,31 +622,344 @@ fn a_claim_that_its_author_rests_on_a_guess_is_not_refuted() {
     assert!(rows[0].reason.contains("(1) is a definition"), "{}", rows[0].reason);
 }
 
+/// Label, verdict and reason of each row of a sheet.
+fn rows(sheet: &Sheet) -> Vec<(String, Verdict, String)> {
+    let all = prove::audit(sheet, &Options::default()).into_iter();
+    all.map(|own| (own.label, own.verdict, own.reason)).collect()
+}
+
+/// Checks that the draft of a document, read as a sheet, is decided as the document is; returns the verdicts.
+fn decided_as_its_draft(found: &Document) -> Vec<Verdict> {
+    let Ok(sheet) = found.sheet(&vocabulary()) else {
+        return Vec::new();
+    };
+    let draft = found.draft("paper.tex");
+    let again = Sheet::read(&draft, &vocabulary()).unwrap_or_else(|fault| panic!("{draft}\n{fault}"));
+    let entries = |sheet: &Sheet| -> Vec<(String, String, Vec<usize>)> {
+        let all = sheet.entries.iter();
+        all.map(|own| (own.label.clone(), own.tex.tex.clone(), own.follows_from.clone()))
+            .collect()
+    };
+    assert_eq!(entries(&sheet), entries(&again), "{draft}");
+    let wanted = rows(&sheet);
+    let verdicts = |rows: &[(String, Verdict, String)]| -> Vec<(String, Verdict)> {
+        rows.iter()
+            .map(|(label, verdict, _)| (label.clone(), *verdict))
+            .collect()
+    };
+    assert_eq!(verdicts(&rows(&again)), verdicts(&wanted), "{draft}");
+    wanted.into_iter().map(|(_, verdict, _)| verdict).collect()
+}
+
 #[test]
-fn a_draft_is_a_sheet_with_the_same_entries() {
-    for text in [
+fn a_draft_is_decided_as_its_document_is() {
+    let written = [
         include_str!("../../golden/paper/paper.tex").to_owned(),
+        include_str!("../papers/misprinted/bouncing_ball.tex").to_owned(),
         "\\[ y = a x'' \\]\n\\[ y^2 = a^2 x''^2 \\]\n$$ f'(t) = f(t) $$".to_owned(),
         format!("{SYMBOLS}\\begin{{align}} a + b &= b + a \\\\ &= b + a + 0 \\end{{align}} % audit: claim"),
-    ] {
-        let found = document(&text, &[]);
-        let sheet = found.sheet(&vocabulary()).unwrap();
-        let draft = found.draft("paper.tex");
-        let again = Sheet::read(&draft, &vocabulary()).unwrap_or_else(|fault| panic!("{draft}\n{fault}"));
-        let entries = |sheet: &Sheet| -> Vec<(String, String, Vec<usize>, bool)> {
-            let all = sheet.entries.iter();
-            all.map(|own| {
-                (
-                    own.label.clone(),
-                    own.tex.tex.clone(),
-                    own.follows_from.clone(),
-                    own.unread.is_some(),
-                )
-            })
-            .collect()
-        };
-        assert_eq!(entries(&sheet), entries(&again), "{draft}");
+        r"\[ \mathbf{A}\mathbf{B} = \mathbf{B}\mathbf{A} \] \[ a + a = 2 a \]".to_owned(),
+        r"\[ S^{-1} A S = A \] \[ a + b = 3 \] \[ f(x) = x^2 \] \[ |z| = z \]".to_owned(),
+        "\\begin{equation} a + b = 3 \\end{equation} % audit: claim; expect refuted".to_owned(),
+        "\\[ a = \"b\" \\\\ '''c''' = 2 \\]\n\\[ a = a \\]".to_owned(),
+    ];
+    for text in &written {
+        decided_as_its_draft(&document(text, &[]));
     }
+}
+
+/// A formula of letters, some of them marked, and of what makes a document guess.
+fn formula() -> impl Strategy<Value = String> {
+    let letter = prop::sample::select(vec![
+        "a",
+        "b",
+        "x",
+        "A",
+        "B",
+        r"\vec a",
+        r"\mathbf{A}",
+        r"\bar z",
+        "z",
+        "x(t)",
+        r"\dot x",
+        "f(x)",
+        "h_{1,2}",
+        "h(t)",
+        "t",
+        r"\Delta x",
+        "F(x^2)",
+        "A^T",
+        r"\det A",
+        "e",
+        "i",
+        "|z|",
+        r"\hat H",
+        "t_{1,2}",
+        r"\mathrm{Re} z",
+        r"\dif{r}{t}(t)",
+    ]);
+    let term = prop::collection::vec(letter, 1..4).prop_map(|factors| factors.join(" "));
+    let side = prop::collection::vec(term, 1..3).prop_map(|terms| terms.join(" + "));
+    (side.clone(), side).prop_map(|(left, right)| format!("{left} = {right}"))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn a_draft_decides_nothing_that_its_document_does_not(
+        formulas in prop::collection::vec(formula(), 1..6),
+        comments in prop::collection::vec(prop::sample::select(vec!["", "", "", "% audit: claim", "% audit: premise"]), 6),
+    ) {
+        let displays = formulas.iter().zip(&comments);
+        let displays: Vec<String> =
+            displays.map(|(formula, comment)| format!("\\[ {formula} \\] {comment}\n")).collect();
+        let text = displays.concat() + "\\[ (a + b)^2 = a^2 + 2 a b + b^2 \\]\n";
+        let found = document(&text, &[]);
+        // a formula that makes no sense costs no other
+        prop_assert!(found.sheet(&vocabulary()).is_ok(), "{}", text);
+        let verdicts = decided_as_its_draft(&found);
+        let says_nothing = comments.iter().all(|comment| comment.is_empty());
+        prop_assert!(!says_nothing || !verdicts.contains(&Verdict::Refuted), "{}", text);
+    }
+}
+
+#[test]
+fn a_letter_of_two_meanings_costs_the_formulas_that_hold_it() {
+    for (text, wanted) in [
+        (
+            "\\[ g_{1,2} = k h_{1,2} \\]\n\\[ h(t) = 2 q(t) \\]\n\\[ (a+b)^2 = a^2 + 2 a b + b^2 \\]\n",
+            "line 1 unread, line 3 proved",
+        ),
+        (
+            "\\[ t_{1,2} = a \\]\n\\[ x(t) = 2 a t \\]\n\\[ a + b = b + a + 0 \\]\n",
+            "line 1 unread, line 3 proved",
+        ),
+        (
+            "\\[ v = \\dif{r}{t}(t) \\]\n\\[ x(t) = 2 a t \\]\n\\[ a + b = b + a + 0 \\]\n",
+            "line 1 unread, line 3 proved",
+        ),
+    ] {
+        assert_eq!(verdicts(&document(text, &[])).join(", "), wanted, "{text}");
+    }
+}
+
+#[test]
+fn what_goes_on_from_a_premise_is_claimed() {
+    let row = |comment: &str| {
+        format!(
+            "% audit: symbols a, b, D\n\\begin{{align}}\n D &= (a-b)^2 \\\\ {comment}\n &= a^2 + b^2\n\\end{{align}}\n\
+             \\begin{{equation}} a b = 0 \\end{{equation}} % audit: claim; follows from (1), (2)\n"
+        )
+    };
+    let found = decisions(&document(&row("% audit: premise"), &[]));
+    let shown: Vec<String> = found
+        .iter()
+        .map(|own| format!("{} {}", own.label, own.verdict))
+        .collect();
+    assert_eq!(shown, ["2 refuted", "3 proved"]);
+    assert!(found[1].reason.contains("although refuted: (2)"), "{}", found[1].reason);
+    // an author who says it of all rows gives all of them
+    let whole = row("").replace(r"\begin{align}", "% audit: premise\n\\begin{align}");
+    assert_eq!(verdicts(&document(&whole, &[])), ["3 proved"]);
+    let each = row("% audit: premise").replace("a^2 + b^2\n", "a^2 + b^2 % audit: premise\n");
+    assert_eq!(verdicts(&document(&each, &[])), ["3 proved"]);
+}
+
+#[test]
+fn a_declared_letter_before_a_bracket_may_be_a_function() {
+    for argument in [
+        r"\dot x",
+        "x^2",
+        r"\frac x2",
+        "t_{k+1}",
+        "x_{n+1}",
+        "x/2",
+        r"\omega^2 x",
+        r"\cos x",
+    ] {
+        for letter in ["F", r"\hat F", r"2 \pi F", "F_{n+1}"] {
+            for wrong in ["m", "F x"] {
+                let text = format!(
+                    "% audit: symbols m, F, \\hat F, F_{{n+1}}, x, \\dot x, x_{{n+1}}, t_{{k+1}}, \\omega\n\
+                     \\[ F_{{n+1}} = m \\] % audit: premise; label a\n\
+                     \\[ {letter}({argument}) = {wrong} \\] % audit: claim; follows from a\n"
+                );
+                let found = decisions(&document(&text, &[]));
+                assert!(
+                    matches!(found[0].verdict, Verdict::Undecided | Verdict::Unread),
+                    "{letter}({argument}): {} {}",
+                    found[0].verdict,
+                    found[0].reason
+                );
+            }
+        }
+    }
+    let text = "% audit: symbols m, a, b\n\\[ m(a + b) = m a + m b \\] % audit: claim\n\\[ m(a + b) = m a \\] % audit: claim\n";
+    assert_eq!(verdicts(&document(text, &[])), ["line 2 proved", "line 3 refuted"]);
+}
+
+#[test]
+fn letters_that_a_document_marks_are_not_taken_for_real_numbers() {
+    let product = r"\[ (A + B)(A - B) = A^2 - B^2 \]";
+    let power = r"\[ e^{A + B} = e^A e^B \]";
+    let modulus = r"\[ |z|^2 = z^2 \]";
+    let literal = r"\[ C = A + B \] \[ C + D = \begin{pmatrix} 1 & 2 \\ 3 & 4 \end{pmatrix} \]";
+    for (mark, formula) in [
+        ("", r"\[ S^{-1} A S = A \]"),
+        ("", r"\[ S A S^{-1} + B = A + B \]"),
+        ("", r"\[ S^{-2} A S^2 = A \]"),
+        (r"\[ \mathbf{N} = A + B \]", product),
+        (r"\[ \vec{N} = A + 2 B \]", power),
+        (literal, product),
+        (r"\[ \det(A) = 1 \] \[ \operatorname{tr}(A B) = 2 \]", power),
+        (r"\[ A^\top = A \] \[ B^T = B \]", product),
+        (r"\[ [A, B] = 0 \]", power),
+        (r"\[ P^{-1} A P = B \]", product),
+        (
+            r"\[ a^\top b = 1 \] \[ b^T a = 1 \]",
+            r"\[ (a + b)(a - b) = a^2 - b^2 \]",
+        ),
+        (
+            "",
+            r"\[ (\hat{A} + \hat{B})(\hat{A} - \hat{B}) = \hat{A}^2 - \hat{B}^2 \]",
+        ),
+        (r"\[ \bar z + w = 1 \]", modulus),
+        (r"\[ \overline{z} w = 1 \]", modulus),
+        (r"\[ w = \Re z \]", modulus),
+        (r"\[ z = x + i y \] \[ e^{i x} = y \]", modulus),
+        (r"\[ \bar w = 1 \] \[ z = 2 w \]", modulus),
+        (r"\[ z^* = 3 \]", r"\[ \sqrt{z^2} = |z| \]"),
+    ] {
+        let found = decisions(&document(&format!("{mark}\n{formula}\n"), &[]));
+        let last = found.last().unwrap();
+        assert!(
+            matches!(last.verdict, Verdict::Undecided | Verdict::Unread),
+            "{mark} {formula}: {} {}",
+            last.verdict,
+            last.reason
+        );
+    }
+    let group = r"\[ (a_1 b_1)(a_2 b_2)^{-1} = a_1 a_2^{-1} (a_2 b_1 a_2^{-1})(a_2 b_2^{-1} a_2^{-1}) \]";
+    for (mark, formula) in [
+        ("", r"\[ S^{-1} A S + S^{-1} B S = S^{-1} B S + S^{-1} A S + 0 \]"),
+        (r"\[ \vec{N} = A + B \]", r"\[ (A + B) C = A C + B C \]"),
+        (r"\[ \vec{N} = A + B \]", r"\[ (p + q)^2 = p^2 + 2 p q + q^2 \]"),
+        ("", group),
+        (
+            r"\[ p = a + b \hat{E} p \]",
+            r"\[ \beta (1 - b) = a \implies \beta = \frac{a}{1 - b} \text{ for } b \neq 1 \]",
+        ),
+        (r"\[ \bar z + w = 1 \]", r"\[ (z + w)^2 = z^2 + 2 z w + w^2 \]"),
+        (
+            r"\[ \bar z + w = 1 \]",
+            r"\[ \sin(z + w) = \sin(z) \cos(w) + \cos(z) \sin(w) \]",
+        ),
+    ] {
+        let found = decisions(&document(&format!("{mark}\n{formula}\n"), &[]));
+        let last = found.last().unwrap();
+        assert_eq!(last.verdict, Verdict::Proved, "{mark} {formula}: {}", last.reason);
+    }
+}
+
+#[test]
+fn displays_in_directives_of_markdown_are_read() {
+    let text = "# Notes\n
+```{admonition} Lemma
+$$ (a+b)^2 = a^2 + 2ab + b^2 $$
+```
+
+$$
+\\begin{aligned}
+ D &= (a-b)^2 \\\\ % audit: definition
+   &= a^2 - 2ab + b^2
+\\end{aligned}
+$$
+
+:::{math}
+:label: swapped
+
+a + b = b + a + 0
+:::
+  ```{prf:lemma} X
+  $$ a - b = -b + a $$
+  ```
+````{tip}
+```{math}
+:label: doubled
+a + a = 2 a
+```
+```python
+$$ 1 = 2 $$
+```
+````
+:::{theory}
+$$ a a = a^2 $$
+:::
+```{python}
+x = \"$$ a = b $$\"
+```
+```mathematica
+a = b
+```
+~~~{note}
+$$ b b = b^2 $$ <!-- audit: claim -->
+~~~
+";
+    let found = markdown(text);
+    assert_eq!(faults(&found), "");
+    let wanted = [
+        "line 4 proved",
+        "line 9.2 proved",
+        "swapped proved",
+        "line 20 proved",
+        "doubled proved",
+        "line 32 proved",
+        "line 41 proved",
+    ];
+    assert_eq!(verdicts(&found), wanted);
+    let said = |guess: &String| guess.contains("`{python}` is taken for code");
+    assert!(found.guesses.iter().any(said), "{:?}", found.guesses);
+    assert!(found.draft("x").contains("label = \"line 9.1\"\nrole = \"definition\""));
+}
+
+#[test]
+fn comments_within_displays_of_markdown_say_what_formulas_are() {
+    let text = "$$ a + b = 3 % audit: premise\n$$\n```math\n% audit: claim; follows from line 1\na = 3 - b\n```\n\
+                $$ 5 \\% = x % a note\n$$\n";
+    let found = markdown(text);
+    assert_eq!(faults(&found), "");
+    assert_eq!(verdicts(&found)[0], "line 5 proved");
+}
+
+#[test]
+fn a_misspelt_comment_is_reported_and_prose_is_not() {
+    let good = r"\begin{equation} a + b = b + a \end{equation} % audit: claim";
+    for comment in [
+        "% audti: premise",
+        "% Audit : claim",
+        "% adit: claim; label z",
+        "% audit claim",
+    ] {
+        let found = document(&format!("{SYMBOLS}{good}\n\\[ a = b \\] {comment}\n"), &[]);
+        let said = faults(&found);
+        assert!(said.contains("did you mean `audit:`?"), "{comment}: {said}");
+        assert_eq!(verdicts(&found), ["1 proved", "line 3 unread"], "{comment}");
+    }
+    let found = markdown("$$ a + b = b + a $$ <!-- audti: claim -->\n");
+    assert!(faults(&found).contains("did you mean `audit:`?"), "{}", faults(&found));
+    for comment in [
+        "% audited by two",
+        "% Audit: see the report",
+        "% edit: claim",
+        "% audit with care",
+    ] {
+        let found = document(&format!("{SYMBOLS}{good}\n{comment}\n\\[ a + a = 2 a \\]\n"), &[]);
+        assert_eq!(faults(&found), "", "{comment}");
+    }
+    // what does not print says nothing
+    let found = document(&format!("{SYMBOLS}{good}\n\\iffalse % audti: claim\n\\fi\n"), &[]);
+    assert_eq!(faults(&found), "");
 }
 
 #[test]

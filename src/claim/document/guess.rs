@@ -9,7 +9,8 @@ use super::super::vocabulary::Vocabulary;
 use super::marks::{Marks, Stated};
 use super::scan::Formula;
 use crate::tex::{
-    Display, Equation, Name, Names, Operation, ReadError, Relation, Tree, read_display, read_name, with_commands,
+    Display, DoubtKind, Equation, Name, Names, Operation, ReadError, Relation, Tree, read_display, read_name,
+    with_commands,
 };
 use std::collections::{BTreeSet, HashMap, HashSet};
 
@@ -242,7 +243,8 @@ impl Guess {
                 .iter()
                 .flat_map(|formula| called_with_time(formula.tex.as_deref().unwrap_or_default()))
             {
-                if !functions.contains(&name) {
+                // `\dif{r}{t}(t)` makes time no function of itself
+                if !functions.contains(&name) && name.to_string() != TIME {
                     functions.push(name);
                 }
             }
@@ -507,7 +509,26 @@ impl Guess {
             below: labels.iter().flat_map(|label| equations(label)).collect(),
             is_restricted,
         };
-        self.marks.doubts(&stated, &|name| !self.definitions.contains_key(name))
+        let noted = stated
+            .own
+            .iter()
+            .chain(&stated.below)
+            .flat_map(|equation| &equation.doubts.0);
+        let is_argument = |kind: &&DoubtKind| {
+            // a sum is put in brackets behind a factor too
+            matches!(kind, DoubtKind::Argument { inside, .. } if !matches!(inside, Tree::Sum(_)))
+        };
+        let mut doubts = self.marks.doubts(&stated, &|name| !self.definitions.contains_key(name));
+        for argument in noted
+            .map(|doubt| &doubt.kind)
+            .filter(is_argument)
+            .map(ToString::to_string)
+        {
+            if !doubts.contains(&argument) {
+                doubts.push(argument);
+            }
+        }
+        doubts
     }
 
     /// Whether this is a capital letter that nothing gives, in a document with matrices.
@@ -615,16 +636,21 @@ impl Guess {
             let next = self.functions.contains(&next).then(|| next.to_string());
             format!("{name} = {}", next.unwrap_or_default())
         };
-        Some(Symbols {
+        let symbols = Symbols {
             parameters: parameters.into_iter().collect(),
-            times: if !self.functions.is_empty() {
-                vec![TIME.to_owned()]
-            } else {
+            ..Symbols::default()
+        };
+        let with_functions = Symbols {
+            times: if self.functions.is_empty() {
                 Vec::new()
+            } else {
+                vec![TIME.to_owned()]
             },
             functions: Pairs::List(self.functions.iter().map(derivative).collect()),
-            ..Symbols::default()
-        })
+            ..symbols.clone()
+        };
+        let is_consistent = Vocabulary::read(&with_functions).is_ok_and(|vocabulary| vocabulary.check().is_ok());
+        Some(if is_consistent { with_functions } else { symbols })
     }
 
     /// What is guessed of the document as a whole.
@@ -666,7 +692,7 @@ fn labels_below<'a>(label: &str, below: &'a HashMap<String, Vec<String>>) -> BTr
 }
 
 /// The names in a tree, those of functions too; names of elementary functions are none.
-fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
+pub(super) fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
     any(tree, &mut |node| {
         match node {
             Tree::Symbol(name, _) => {

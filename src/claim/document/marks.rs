@@ -100,6 +100,14 @@ impl Marks {
             .iter()
             .fold(false, |grew, equation| marks.spread(equation, &is_unit) || grew)
         {}
+        // what an expectation with a hat is added to is a number
+        let mut names = BTreeSet::new();
+        for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
+            super::guess::names_in(side, &mut names);
+        }
+        let is_capital = |name: &Name| name.base.chars().all(|c| c.is_ascii_uppercase());
+        let is_hatted = |name: &Name| is_capital(name) && has_accent(name, &[r"\hat", r"\widehat"]);
+        marks.operators.extend(names.into_iter().filter(is_hatted));
         marks.operators.retain(|name| !is_constant(name));
         marks.complex.retain(|name| !is_constant(name));
         marks
@@ -109,9 +117,7 @@ impl Marks {
     fn read(&mut self, node: &Tree) {
         match node {
             Tree::Symbol(name, _) | Tree::Call(name, ..) => {
-                let has = |accents: &[&str]| name.accents.iter().any(|accent| accents.contains(&accent.as_str()));
-                let is_capital = name.base.chars().all(|c| c.is_ascii_uppercase());
-                if has(&[r"\vec", r"\overrightarrow"]) || (is_capital && has(&[r"\hat", r"\widehat"])) {
+                if has_accent(name, &[r"\vec", r"\overrightarrow"]) {
                     self.operators.insert(name.clone());
                 }
                 let mut plain = name.clone();
@@ -241,25 +247,19 @@ impl Marks {
         let mut doubts = Vec::new();
         let may_depend = operators.len() > 1 && !is_identity();
         if !operators.is_empty() && (may_depend || is_real_only(&self.operators)) {
-            let are = numbers(&operators);
             doubts.push(format!(
-                "{are}, although the document marks matrices, vectors or operators so"
+                "{}: real numbers, or matrices, vectors or operators, as the document marks them?",
+                operators.join(", ")
             ));
         }
         let complex = found(&self.complex);
         if !complex.is_empty() && is_real_only(&self.complex) {
-            let are = numbers(&complex);
-            doubts.push(format!("{are}, although the document marks complex numbers so"));
+            doubts.push(format!(
+                "{}: real, or complex, as the document marks them?",
+                complex.join(", ")
+            ));
         }
         doubts
-    }
-}
-
-/// Says that these are real numbers.
-fn numbers(letters: &[String]) -> String {
-    match letters {
-        [letter] => format!("{letter} is a real number"),
-        letters => format!("{} are real numbers", letters.join(" and ")),
     }
 }
 
@@ -291,6 +291,10 @@ fn holds(tree: &Tree, test: &dyn Fn(&Name) -> bool) -> bool {
         Tree::Call(name, ..) if test(name) => true,
         _ => tree.find_below(&mut |part| holds(part, test).then_some(())).is_some(),
     }
+}
+
+fn has_accent(name: &Name, accents: &[&str]) -> bool {
+    name.accents.iter().any(|accent| accents.contains(&accent.as_str()))
 }
 
 /// Returns true if an exponent is the sign of a transpose or an adjoint.

@@ -220,6 +220,8 @@ pub(super) struct Scan<'a> {
     pub comments: Vec<Comment>,
     /// What is wrong, and where.
     pub faults: Vec<(usize, String)>,
+    /// The length of the shortest fence that no later one ends: those of its length are looked for once.
+    endless: Option<usize>,
     /// What is passed over although it may be meant, and where.
     pub notes: Vec<(usize, String)>,
     macros: Macros,
@@ -268,6 +270,7 @@ impl<'a> Scan<'a> {
             comments: Vec::new(),
             faults: Vec::new(),
             notes: Vec::new(),
+            endless: None,
             macros: Macros::default(),
             waiting: VecDeque::new(),
             environments: HashMap::new(),
@@ -305,9 +308,10 @@ impl<'a> Scan<'a> {
             Markup::Markdown => self.comments_of_markdown(start..end),
         };
         let outer = std::mem::replace(&mut self.waiting, comments.into());
+        let endless = self.endless.take();
         self.displays(start..end);
         self.take_comments(usize::MAX, None);
-        self.waiting = outer;
+        (self.waiting, self.endless) = (outer, endless);
     }
 
     fn comments_of_tex(&mut self, part: Range<usize>) -> Vec<usize> {
@@ -469,14 +473,20 @@ impl<'a> Scan<'a> {
         let directive = directive(information).filter(|_| fence.len() >= 3).map(str::to_owned);
         let is_text = directive.as_deref().is_some_and(holds_text);
         // a fence of colons holds text unless its directive says otherwise
-        if sign == ':' && (directive.is_none() || is_text) {
+        let is_apart = |name: &str| name == MATH || name.starts_with("code");
+        if sign == ':' && !directive.as_deref().is_some_and(is_apart) {
             return body + line;
         }
+        let is_endless = self.endless.is_some_and(|shortest| fence.len() >= shortest);
         let close = match directive {
+            Some(_) if is_endless => None,
             Some(_) => end_of_fence(rest, &fence, sign),
             None => rest.find(&fence),
         };
         let Some(close) = close.map(|found| body + found) else {
+            if directive.is_some() {
+                self.endless = Some(fence.len().min(self.endless.unwrap_or(usize::MAX)));
+            }
             return body;
         };
         let is_math = fence.len() >= 3 && information.split_whitespace().next() == Some("math");

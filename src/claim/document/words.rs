@@ -76,8 +76,16 @@ fn expanded(tree: &Tree, operators: &BTreeSet<Name>) -> Option<Words> {
             let of = expand(of)?;
             (0..*exponent).try_fold(constant(Rational::one()), |product, _| times(&product, &of))
         }
-        Tree::Power(of, exponent, _) if matches!(**of, Tree::Symbol(..)) => Some(atom(of, *exponent, operators)),
-        Tree::Quotient(above, below, _) => times(&expand(above)?, &inverse(&expand(below)?)?),
+        Tree::Power(of, exponent, _) if (-HIGHEST_POWER..0).contains(exponent) => {
+            let of = inverse(&expand(of)?).unwrap_or_else(|| atom(of, -1, operators));
+            (0..-*exponent).try_fold(constant(Rational::one()), |product, _| times(&product, &of))
+        }
+        // a quotient does not say on which side the divisor stands
+        Tree::Quotient(above, below, _) => {
+            let below = expand(below)?;
+            let commutes = below.keys().all(|word| word.others.is_empty());
+            times(&expand(above)?, &inverse(&below).filter(|_| commutes)?)
+        }
         tree => Some(atom(tree, 1, operators)),
     }
 }
@@ -124,17 +132,22 @@ fn times(left: &Words, right: &Words) -> Option<Words> {
     Some(product)
 }
 
-/// The inverse of a product of commuting factors.
+/// The inverse of a product, whose factors stand in the other order.
 fn inverse(words: &Words) -> Option<Words> {
     let mut terms = words.iter();
     let (word, coefficient) = terms.next()?;
-    if terms.next().is_some() || !word.others.is_empty() {
+    if terms.next().is_some() {
         return None;
     }
-    let commuting = word.commuting.iter().map(|(factor, power)| (factor.clone(), -power));
+    let inverted = |(factor, power): (&String, &i32)| (factor.clone(), -power);
     let word = Word {
-        commuting: commuting.collect(),
-        others: Vec::new(),
+        commuting: word.commuting.iter().map(inverted).collect(),
+        others: word
+            .others
+            .iter()
+            .rev()
+            .map(|(factor, power)| inverted((factor, power)))
+            .collect(),
     };
     Some(Words::from([(word, Rational::one() / coefficient.clone())]))
 }
@@ -161,6 +174,8 @@ mod tests {
             "(A + B)^2 = A^2 + A B + B A + B^2",
             r"\frac{A m B}{2 n} = \frac{1}{2} m A B n^{-1}",
             "A^{-1} A B = B",
+            "(A m B)^{-1} = m^{-1} B^{-1} A^{-1}",
+            "(A C)(B C)^{-1} = A B^{-1}",
             "A B - A B = 0",
         ] {
             assert!(holds(tex, &["A", "B", "C"]), "{tex}");
@@ -172,6 +187,7 @@ mod tests {
             "A + B = A",
             "e^{A + B} = e^A e^B",
             r"\frac{B}{A} A = B",
+            "(A B)^{-1} = A^{-1} B^{-1}",
         ] {
             assert!(!holds(tex, &["A", "B", "C"]), "{tex}");
         }
