@@ -120,6 +120,7 @@ impl System {
         let parts = self.formulas.parts(rows).into_iter();
         let turns = parts.filter_map(|part| match self.formulas.op(part) {
             Op::Apply(Function::Abs | Function::Sgn, inside) => Some(inside),
+            Op::If { test, .. } => Some(test),
             _ => None,
         });
         let turns: Vec<Formula> = turns.collect();

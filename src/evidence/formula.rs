@@ -485,13 +485,21 @@ impl Formulas {
                     yes,
                     no,
                 } => {
-                    let (yes, no) = (of(yes), of(no));
-                    self.make(Op::If {
+                    let (yes, no, none) = (of(yes), of(no), self.float(f64::NAN));
+                    let inner = Op::If {
                         relation,
                         test,
                         yes,
                         no,
-                    })
+                    };
+                    // where a case ends there is none
+                    let outer = Op::If {
+                        relation: Relation::NotEqual,
+                        test,
+                        yes: self.make(inner),
+                        no: none,
+                    };
+                    self.make(outer)
                 }
                 Op::Bind { body, from, to, .. } => self.slope_of_bound(part, op, [of(body), of(from), of(to)]),
                 _ => self.float(f64::NAN),

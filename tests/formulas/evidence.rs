@@ -196,6 +196,275 @@ const TRUE: [(&str, &[&str], &str); 15] = [
     (FUNCTIONS, &["g(t) = -4 F(t)"], "f(t)^2 + 4 F(t)^2 = f(0)^2 + 4 F(0)^2"),
 ];
 
+const REAL: &str = "parameters = ['x', 'y', 'a', 'b', 'c', 'n', 'N']\ngeneric = []\nintegers = ['n', 'N']\npositive = ['a', 'b', 'n', 'N']";
+const PARTS: &str = "parameters = ['z', 'w', 'x', 'a', 'b']\ngeneric = []\ncomplex = ['z', 'w']\npositive = ['a', 'b']";
+
+/// The kinds of printed operations: symbols, premises, a true claim and one that differs from it by a misprint.
+const PRINTED: [(&str, &[&str], &str, &str); 32] = [
+    // sums and products
+    (
+        REAL,
+        &[],
+        r"\sum_{k=1}^{n} k^2 = \frac{n (n+1) (2 n+1)}{6}",
+        r"\sum_{k=1}^{n} k^2 = \frac{n (n+1) (2 n-1)}{6}",
+    ),
+    (
+        REAL,
+        &[],
+        r"\sum_{k=0}^{n} x^k (1 - x) = 1 - x^{n+1}",
+        r"\sum_{k=0}^{n} x^k (1 - x) = 1 - x^{n}",
+    ),
+    (
+        REAL,
+        &[],
+        r"\sum_{k=0}^{n} \binom{n}{k} x^k = (1+x)^n",
+        r"\sum_{k=0}^{n} \binom{n}{k} x^k = (1-x)^n",
+    ),
+    (REAL, &[], r"\prod_{k=1}^{n} k = n!", r"\prod_{k=1}^{n} k = (n+1)!"),
+    (
+        REAL,
+        &[],
+        r"\sum_{j=1}^{n} \sum_{k=1}^{j} k = \frac{n (n+1) (n+2)}{6}",
+        r"\sum_{j=1}^{n} \sum_{k=1}^{j} j = \frac{n (n+1) (n+2)}{6}",
+    ),
+    (
+        REAL,
+        &[r"y = \sum_{k=1}^{n} a k"],
+        r"y = \frac{a n (n+1)}{2}",
+        r"y = \frac{a n (n-1)}{2}",
+    ),
+    // integrals
+    (
+        REAL,
+        &[],
+        r"\int_0^x s e^{-a s} ds = \frac{1 - (1 + a x) e^{-a x}}{a^2}",
+        r"\int_0^x s e^{-a s} ds = \frac{1 - (1 - a x) e^{-a x}}{a^2}",
+    ),
+    (
+        REAL,
+        &[],
+        r"\int_0^\infty e^{-a s} \cos(b s) ds = \frac{a}{a^2+b^2}",
+        r"\int_0^\infty e^{-a s} \cos(b s) ds = \frac{b}{a^2+b^2}",
+    ),
+    (
+        REAL,
+        &[],
+        r"\int_{-\infty}^\infty e^{-a s^2} ds = \sqrt{\frac{\pi}{a}}",
+        r"\int_{-\infty}^\infty e^{-a s^2} ds = \sqrt{\pi a}",
+    ),
+    (
+        REAL,
+        &[],
+        r"\int_0^a \frac{1}{\sqrt{s}} ds = 2 \sqrt{a}",
+        r"\int_0^a \frac{1}{\sqrt{s}} ds = \sqrt{a}",
+    ),
+    (
+        REAL,
+        &[],
+        r"\int_{-a}^{b} |s| ds = \frac{a^2 + b^2}{2}",
+        r"\int_{-a}^{b} |s| ds = \frac{b^2 - a^2}{2}",
+    ),
+    (
+        REAL,
+        &[],
+        r"\int_0^a \int_0^s u \, du ds = \frac{a^3}{6}",
+        r"\int_0^a \int_0^s s \, du ds = \frac{a^3}{6}",
+    ),
+    (REAL, &[r"y = \int_0^a e^{s} ds"], r"y + 1 = e^{a}", r"y - 1 = e^{a}"),
+    (
+        REAL,
+        &[],
+        r"\int x e^{x} dx = (x - 1) e^{x} + C",
+        r"\int x e^{x} dx = (x + 1) e^{x} + C",
+    ),
+    // limits and orders
+    (
+        REAL,
+        &[],
+        r"\lim_{x \to 0} \frac{\sin(a x)}{x} = a",
+        r"\lim_{x \to 0} \frac{\sin(a x)}{x} = a^2",
+    ),
+    (
+        REAL,
+        &[],
+        r"\lim_{x \to 0} \frac{1 - \cos(a x)}{x^2} = \frac{a^2}{2}",
+        r"\lim_{x \to 0} \frac{1 - \cos(a x)}{x^2} = \frac{a}{2}",
+    ),
+    (
+        REAL,
+        &[],
+        r"\lim_{x \to a} \frac{x^3 - a^3}{x - a} = 3 a^2",
+        r"\lim_{x \to a} \frac{x^3 - a^3}{x - a} = 2 a^2",
+    ),
+    (
+        REAL,
+        &[],
+        r"\sqrt{1 + x} = 1 + \frac{x}{2} + O(x^2)",
+        r"\sqrt{1 + x} = 1 - \frac{x}{2} + O(x^2)",
+    ),
+    (
+        REAL,
+        &[],
+        r"\frac{\sin(x)}{x} = 1 - \frac{x^2}{6} + O(x^4)",
+        r"\frac{\sin(x)}{x} = 1 + \frac{x^2}{6} + O(x^4)",
+    ),
+    // derivatives
+    (
+        REAL,
+        &[],
+        r"\frac{d}{dx} e^{a x^2} = 2 a x e^{a x^2}",
+        r"\frac{d}{dx} e^{a x^2} = a x e^{a x^2}",
+    ),
+    (
+        REAL,
+        &[],
+        r"\frac{d^2}{dx^2} \sin(a x) = -a^2 \sin(a x)",
+        r"\frac{d^2}{dx^2} \sin(a x) = a^2 \sin(a x)",
+    ),
+    (
+        REAL,
+        &[],
+        r"\frac{d}{dx} \int_0^{x^2} e^{s^2} ds = 2 x e^{x^4}",
+        r"\frac{d}{dx} \int_0^{x^2} e^{s^2} ds = e^{x^4}",
+    ),
+    // matrices
+    (
+        REAL,
+        &[],
+        r"\det \begin{pmatrix} a & b \\ c & x \end{pmatrix} = a x - b c",
+        r"\det \begin{pmatrix} a & b \\ c & x \end{pmatrix} = a x + b c",
+    ),
+    (
+        REAL,
+        &[],
+        r"\begin{pmatrix} a & b \\ c & x \end{pmatrix}^{-1} = \frac{1}{a x - b c} \begin{pmatrix} x & -b \\ -c & a \end{pmatrix}",
+        r"\begin{pmatrix} a & b \\ c & x \end{pmatrix}^{-1} = \frac{1}{a x - b c} \begin{pmatrix} x & b \\ -c & a \end{pmatrix}",
+    ),
+    (
+        REAL,
+        &[],
+        r"\begin{pmatrix} a & b \\ 0 & a \end{pmatrix}^3 = \begin{pmatrix} a^3 & 3 a^2 b \\ 0 & a^3 \end{pmatrix}",
+        r"\begin{pmatrix} a & b \\ 0 & a \end{pmatrix}^3 = \begin{pmatrix} a^3 & 2 a^2 b \\ 0 & a^3 \end{pmatrix}",
+    ),
+    (
+        REAL,
+        &[],
+        r"\begin{pmatrix} a & b \end{pmatrix}^\top = \begin{pmatrix} a \\ b \end{pmatrix}",
+        r"\begin{pmatrix} a & b \end{pmatrix}^\top = \begin{pmatrix} b \\ a \end{pmatrix}",
+    ),
+    // cases
+    (
+        REAL,
+        &[],
+        r"|x| = \begin{cases} x & x \ge 0 \\ -x & x < 0 \end{cases}",
+        r"|x| = \begin{cases} x & x \ge 1 \\ -x & x < 1 \end{cases}",
+    ),
+    (
+        REAL,
+        &[r"y = \begin{cases} a & x > 0 \\ b & x \le 0 \end{cases}"],
+        r"(y - a) (y - b) = 0",
+        r"y = a",
+    ),
+    // complex numbers
+    (PARTS, &[], r"z \bar{z} = |z|^2", r"z^2 = |z|^2"),
+    (
+        PARTS,
+        &[],
+        r"\overline{z w} = \bar{z} \bar{w}",
+        r"\overline{z w} = \bar{z} w",
+    ),
+    (
+        PARTS,
+        &[],
+        r"\operatorname{Re}(z w) = \operatorname{Re} z \operatorname{Re} w - \operatorname{Im} z \operatorname{Im} w",
+        r"\operatorname{Re}(z w) = \operatorname{Re} z \operatorname{Re} w",
+    ),
+    (
+        PARTS,
+        &[],
+        r"\arg(\frac{1}{a + i x}) = -\arctan(\frac{x}{a})",
+        r"\arg(\frac{1}{a + i x}) = \arctan(\frac{x}{a})",
+    ),
+];
+
+#[test]
+fn printed_operations_are_evaluated_as_they_stand() {
+    for (symbols, premises, right, wrong) in PRINTED {
+        let found = of(symbols, premises, right, Verdict::Proved);
+        assert_eq!(found.against, None, "{right}");
+        assert!(found.points >= 3 && found.digits > Some(8.0), "{right} {found:?}");
+        let found = of(symbols, premises, wrong, Verdict::Proved);
+        assert!(found.against.is_some(), "{wrong} {found:?}");
+        // and where the verdict is right there is no alarm
+        let found = of(symbols, premises, wrong, Verdict::Refuted);
+        assert_eq!(found.against, None, "{wrong}");
+    }
+}
+
+/// Claims of which steps that do not converge say nothing.
+#[test]
+fn what_does_not_converge_has_no_digits() {
+    for claim in [
+        r"\int_0^\infty \frac{\sin(s)}{s} ds = a",
+        r"\int_{-1}^{1} \frac{1}{s} ds = 0",
+        r"\int_1^\infty \frac{1}{s} ds = a",
+        r"\lim_{x \to 0} \sin(\frac{1}{x}) = 0",
+        r"\lim_{x \to 0} \frac{|x|}{x} = 1",
+    ] {
+        for verdict in [Verdict::Proved, Verdict::Refuted] {
+            let found = of(REAL, &[], claim, verdict);
+            assert_eq!((found.digits, found.against), (None, None), "{claim}");
+        }
+    }
+}
+
+const OF_TIME: &str =
+    "parameters = ['a', 'b']\ngeneric = []\ntimes = ['t']\nfunctions = { c = '', p = '', r = '', s = '' }";
+
+/// Premises that hold at every time and give no function by themselves, with what follows from them.
+const MULTIPLIED_OUT: [(&str, &str); 12] = [
+    (
+        r"a = \frac{c(t) \sin(p(t)) + r(t)}{c(t) \cos(p(t)) - r(t)}",
+        r"a (c(t) \cos(p(t)) - r(t)) = c(t) \sin(p(t)) + r(t)",
+    ),
+    (r"a = \frac{c(t)}{r(t) + 1}", r"a r(t) + a = c(t)"),
+    (r"a = \frac{c(t) + s(t)}{c(t) - s(t)}", r"a (c(t) - s(t)) = c(t) + s(t)"),
+    (
+        r"a^2 = \frac{\sin(p(t))}{c(t) + r(t)}",
+        r"a^2 (c(t) + r(t)) = \sin(p(t))",
+    ),
+    (r"a = \frac{c(t) + r(t)}{c(t)^2 + 1}", r"a c(t)^2 + a - c(t) = r(t)"),
+    (r"a = c(t) e^{p(t)} + r(t)", r"(a - r(t)) e^{-p(t)} = c(t)"),
+    (r"a = \sqrt{c(t)^2 + r(t)^2}", r"a^2 = c(t)^2 + r(t)^2"),
+    (r"\tan(p(t)) = \frac{a}{b}", r"b \sin(p(t)) = a \cos(p(t))"),
+    (r"c(t)^2 + r(t)^2 = a^2 + 1", r"(c(t) + r(t))^2 = a^2 + 1 + 2 c(t) r(t)"),
+    (r"c(t)^2 + r(t)^2 = a^2 + 1", r"c(t) \dot{c}(t) + r(t) \dot{r}(t) = 0"),
+    (
+        r"c(t) r(t)^2 = \cos(p(t)) + 2",
+        r"\frac{c(t)}{\cos(p(t)) + 2} = \frac{1}{r(t)^2}",
+    ),
+    (r"\sin(p(t)) = a c(t)^3", r"\sin(p(t))^2 = a^2 c(t)^6"),
+];
+
+#[test]
+fn a_point_counts_only_where_laws_hold_at_the_time_of_the_claim() {
+    for (premise, claim) in MULTIPLIED_OUT {
+        for verdict in [Verdict::Proved, Verdict::Undecided] {
+            let found = of(OF_TIME, &[premise], claim, verdict);
+            assert_eq!(found.against, None, "{claim}");
+            // where no point is found, nothing is said
+            assert!(found.digits.is_none_or(|digits| digits > 8.0), "{claim} {found:?}");
+            let fails = found.notes.iter().any(|note| note.starts_with("fails"));
+            assert!(!fails, "{claim} {found:?}");
+        }
+        let doubled = claim.replacen(" = ", " + 1 = ", 1);
+        let found = of(OF_TIME, &[premise], &doubled, Verdict::Undecided);
+        assert!(found.digits.is_none_or(|digits| digits < 8.0), "{doubled} {found:?}");
+    }
+    let found = of(OF_TIME, &[MULTIPLIED_OUT[0].0], MULTIPLIED_OUT[0].1, Verdict::Proved);
+    assert!(found.points >= 3, "{found:?}");
+}
+
 #[test]
 fn a_proof_of_what_is_false_is_contradicted() {
     for (symbols, premises, claim) in FALSE {
