@@ -379,3 +379,23 @@ fn with_setting(row: &TradeRow) -> Cell {
 fn setting(row: &TradeRow) -> Cell {
     Cell::from(Some(row.setting.as_str()).filter(|setting| !setting.is_empty()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_meets_a_need_of_its_task_in_the_numbers_that_it_has() {
+        for (part, need, is_met) in [
+            ("orbit/guess-5%", "digits=60", true),
+            ("orbit/guess-5%", "digits=60,proved=true", true),
+            ("orbit/guess-5%", "digits=500", false),
+            ("impact/random", "digits=60", true),
+            ("impact/random", "digits=60,proved=true", false),
+            ("multipliers/random", "digits=60", false),
+            ("orbit/guess-5%", "error=0.01", false),
+        ] {
+            assert_eq!(Taker::is_met(part, &need.parse().unwrap()), is_met, "{part} {need}");
+        }
+    }
+}

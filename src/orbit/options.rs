@@ -39,7 +39,8 @@ pub struct OrbitOptions {
     /// passes 1e-9; and the two impacts into which a period doubling splits one part as the square root of the distance
     /// from it, so that they are taken for one only where the parameter is within some 1e-18 of the bifurcation.
     pub settled: f64,
-    /// Long runs: the most impacts for which a cycle is followed on until it repeats to rounding.
+    /// Long runs: the most impacts for which a cycle is followed on until it repeats to rounding, and a motion that does not
+    /// repeat until it comes to rest: a chaotic transient may do so after some thousand impacts.
     pub settling_impacts: u32,
     /// Long runs: the digits that may be spent on a cycle through a rest. A release forgets what was before, so that the
     /// motion repeats from there; but in a chaotic one each impact takes a third of a digit or so, and one cycle of some

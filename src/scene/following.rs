@@ -295,7 +295,7 @@ impl<P: Parameters> Following<'_, P> {
             voltage: voltage.map(|voltage| voltage as OfImpact),
             with_growth: self.depth == Depth::Reliable,
             at_release: AtRelease::Ends {
-                followed: options.settling_impacts,
+                followed: Some(options),
             },
         }
     }
@@ -359,6 +359,16 @@ impl<P: Parameters> Following<'_, P> {
     ) -> Result<Option<Means>, MotionError> {
         let found = match long_run {
             LongRun::Measured(found) => found,
+            LongRun::Repeats(cycle) => {
+                let further = cycle
+                    .impacts
+                    .last()
+                    .map(|last| Widening::after(self.motion, last).without_growth());
+                let cycle = cycle.settled_further(further.into_iter().flatten(), &self.diagram.options);
+                let means = self.of_cycle(measure, &cycle)?;
+                settled.attractor = Some(cycle);
+                return Ok(Some(means));
+            }
             LongRun::Released(release, after) => match self.through(release.side, after)? {
                 Ok(cycle) => {
                     let means = self.of_cycle(measure, &cycle)?;
@@ -372,7 +382,7 @@ impl<P: Parameters> Following<'_, P> {
                     };
                     match anew.after(&release) {
                         LongRun::Measured(found) => found,
-                        LongRun::Released(..) => return Ok(None),
+                        LongRun::Released(..) | LongRun::Repeats(_) => return Ok(None),
                     }
                 }
             },

@@ -196,11 +196,11 @@ fn measured(motion: &Motion<f64>, length: AveragingLength) -> Option<Statistics>
         length,
         voltage: Some(&voltage),
         with_growth: false,
-        at_release: AtRelease::Ends { followed: 0 },
+        at_release: AtRelease::Ends { followed: None },
     };
     match measure.after(&settled.end.filter(|_| settled.attractor.is_none())?) {
         LongRun::Measured(found) => Some(found),
-        LongRun::Released(..) => None,
+        LongRun::Released(..) | LongRun::Repeats(_) => None,
     }
 }
 

@@ -489,11 +489,11 @@ fn measured(motion: &Motion<f64>, start: u64, impacts: u32) -> Option<Statistics
         },
         voltage: Some(&|impact| impact.velocity.abs().powf(1.1)),
         with_growth: true,
-        at_release: AtRelease::Ends { followed: 0 },
+        at_release: AtRelease::Ends { followed: None },
     };
     match measure.after(&settled.end?) {
         LongRun::Measured(found) => Some(found),
-        LongRun::Released(..) => None,
+        LongRun::Released(..) | LongRun::Repeats(_) => None,
     }
 }
 
@@ -619,4 +619,97 @@ fn an_error_that_is_asked_for_is_met_or_said_not_to_be() {
     );
     let lossless = ["sweep.from=0.36", "sweep.points=1", "motion.r_b=1", "motion.r_t=1"];
     assert_eq!(Sheet::summary("fig04", &lossless).texts("mean_voltage_error"), [""]);
+}
+
+/// A device that comes to a cycle through a rest only after a chaotic transient of some thousand impacts.
+const LATE_REST: &str = r#"
+want = ["sweep", "voltage"]
+[device]
+capsule_mass = 0.1245
+forcing_amplitude = 5.0
+angular_frequency = "5 pi"
+incline = 0.3349
+gravity = 9.8
+[membrane]
+ball_mass = 0.0035
+stiffness = 4.0847e5
+exponent = 2.6
+ball_radius = 0.005
+membrane_radius = 0.0063
+input_voltage = 2000.0
+[motion]
+r_b = 0.627
+r_t = 0.627
+[start]
+phase = 4.221
+velocity = 0.64
+[sweep]
+over = "d"
+from = 0.062
+to = 0.062
+points = 1
+impacts = 500
+keep = 60
+start = "each"
+"#;
+
+fn late_rest(sets: &[&str]) -> Vec<String> {
+    let output = run_with(&arguments("-", sets, &["--summary"]), LATE_REST, None);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{message}");
+    let text = String::from_utf8(output.stdout).unwrap();
+    let row = text.lines().nth(1).unwrap();
+    row.split(',').map(str::to_owned).collect()
+}
+
+#[test]
+fn a_cycle_through_a_rest_is_found_after_a_transient_however_few_impacts_are_asked_for() {
+    for impacts in [500, 1000, 2000, 5000] {
+        let row = late_rest(&[&format!("sweep.impacts={impacts}")]);
+        let [periods, count] = [&row[2], &row[3]];
+        assert_eq!((periods.as_str(), count.as_str()), ("14", "74"), "{impacts}: {row:?}");
+        let [mean, rate] = [4, 9].map(|column| row[column].parse::<f64>().unwrap());
+        // the means of the cycle are known to these decimals
+        assert!(
+            (mean - 7775.92).abs() < 0.005 && (rate - 41_101.3).abs() < 0.05,
+            "{row:?}"
+        );
+    }
+}
+
+/// Devices like that of [`LATE_REST`], some with a rest: the means after few impacts are those of a long run, or of the cycle
+/// that it comes to, within the standard errors that are given.
+#[test]
+fn standard_errors_hold_the_long_run_of_devices_that_rest_late() {
+    let mut sequence = Sequence::new(12);
+    let (mut scores, mut cycles) = (Vec::new(), 0);
+    for _ in 0..12 {
+        let mut between = |low: f64, high: f64| sequence.between(low, high);
+        let device = [
+            format!("device.incline={}", between(0.15, 0.5)),
+            format!("motion.r_b={}", between(0.55, 0.7)),
+            format!("motion.r_t={}", between(0.55, 0.7)),
+            format!("start.phase={}", between(0.0, 6.28)),
+            format!("start.velocity={}", between(0.2, 1.0)),
+        ];
+        let d = between(0.05, 0.08);
+        let gap = [format!("sweep.from={d}"), format!("sweep.to={d}")];
+        let run = |impacts: &str| {
+            let sets: Vec<&str> = device.iter().chain(&gap).map(String::as_str).chain([impacts]).collect();
+            late_rest(&sets)
+        };
+        let [few, many] = ["sweep.impacts=500", "sweep.impacts=100000"].map(run);
+        cycles += usize::from(few[7] == "periods");
+        for (value, error) in [(4, 8), (9, 10)] {
+            let number = |row: &[String], column: usize| row[column].parse::<f64>().unwrap();
+            let apart = (number(&few, value) - number(&many, value)).abs();
+            // what two runs round differently
+            let rounding = 1e-9 * number(&many, value);
+            scores.push(apart / number(&few, error).hypot(number(&many, error)).max(rounding));
+        }
+    }
+    // 2.09 standard errors are to hold in 95%: of 24, 4 or more outside have a probability of 3%; none is far outside
+    let outside = scores.iter().filter(|score| **score > 2.09).count();
+    assert!(outside <= 3 && scores.iter().all(|score| *score < 4.0), "{scores:?}");
+    assert!((2..12).contains(&cycles), "{cycles} devices come to a cycle");
 }

@@ -455,3 +455,147 @@ fn the_cusp_without_gravity_is_where_the_symmetry_breaks() {
         .expect("a curve");
     assert!(standing.iter().all(|point| point.is_joined != Some(false)));
 }
+
+/// Devices over g and r = r_B = r_T, at one gap.
+#[derive(Clone, Copy, Debug)]
+struct LikeWalls {
+    d: f64,
+    g: [f64; 2],
+    r: [f64; 2],
+}
+
+/// Those with one of the two parameters fixed.
+#[derive(Clone, Copy, Debug)]
+struct OfLikeWalls {
+    d: f64,
+    fixed: usize,
+    value: f64,
+}
+
+impl Family for OfLikeWalls {
+    fn motion_at<T: Analytic>(&self, other: &T) -> Result<Motion<T>, MotionError> {
+        let value = T::from_f64(self.value);
+        let [g, r] = if self.fixed == 0 {
+            [value, other.clone()]
+        } else {
+            [other.clone(), value]
+        };
+        Motion::new(g, T::from_f64(self.d), r.clone(), r)
+    }
+
+    fn is_symmetric(&self) -> bool {
+        false
+    }
+}
+
+impl ParameterPlane for LikeWalls {
+    type Line = OfLikeWalls;
+
+    fn motion_at<T: Analytic>(&self, [g, r]: [&T; 2]) -> Result<Motion<T>, MotionError> {
+        Motion::new(g.clone(), T::from_f64(self.d), r.clone(), r.clone())
+    }
+
+    fn ranges(&self) -> [Interval<f64>; 2] {
+        [self.g, self.r].map(|[from, to]| Interval::new(from, to))
+    }
+
+    fn line(&self, fixed: usize, index: u32, count: u32) -> (OfLikeWalls, f64) {
+        let [from, to] = [self.g, self.r][fixed];
+        let part = f64::from(index) / f64::from(count);
+        let value = from * (1.0 - part) + to * part;
+        let d = self.d;
+        (OfLikeWalls { d, fixed, value }, value)
+    }
+
+    fn is_symmetric(&self) -> bool {
+        false
+    }
+}
+
+/// Around the degenerate grazing at g = -.28997, r = .33914.
+const NEAR_DEGENERATE: LikeWalls = LikeWalls {
+    d: 0.3462,
+    g: [-0.295, -0.27],
+    r: [0.30, 0.35],
+};
+
+/// Touches close to a degenerate grazing, by an independent solution of (9) to (12) and of the touch.
+#[test]
+fn a_curve_of_touches_is_followed_through_the_neighbourhood_of_a_degenerate_grazing() {
+    for [r, g] in [
+        [0.3345, -0.287_641_494_139_692],
+        [0.335, -0.287_893_505_854_113],
+        [0.336, -0.288_397_039_515_872],
+        [0.337, -0.288_899_833_330_255],
+        [0.338, -0.289_401_721_059_183],
+    ] {
+        let plane = LikeWalls {
+            r: [0.30, r],
+            ..NEAR_DEGENERATE
+        };
+        let found = OneOneCurves::new(plane, 2, 1, &OrbitOptions::DEFAULT).expect("curves");
+        assert!(found.undecided().is_empty());
+        let curves: Vec<Vec<CurvePoint>> = found.collect();
+        // the values have 15 decimals
+        let is_at = |point: &CurvePoint| point.y == r && (point.motion.parameter - g).abs() < 1e-14;
+        let ends = |curve: &&Vec<CurvePoint>| is_at(&curve[0]) || is_at(&curve[curve.len() - 1]);
+        let through: Vec<&Vec<CurvePoint>> = curves.iter().filter(ends).collect();
+        let [curve] = through[..] else {
+            panic!("{} curves lead to {g} {r}", through.len());
+        };
+        assert!(curve.iter().all(|point| point.motion.kind == BifurcationKind::Grazing));
+        let other = if is_at(&curve[0]) {
+            &curve[curve.len() - 1]
+        } else {
+            &curve[0]
+        };
+        assert!(other.special == SpecialPoint::Edge && curve.len() > 20, "{other:?}");
+        for point in curves.iter().flatten() {
+            assert!(
+                point.special != SpecialPoint::Lost && point.is_joined != Some(false),
+                "{point:?}"
+            );
+        }
+    }
+}
+
+/// A curve of touches has the point where it ends: there the touch and its impact are one.
+#[test]
+fn a_curve_of_touches_ends_at_a_degenerate_grazing_to_which_every_step_is_proved() {
+    let found = OneOneCurves::new(NEAR_DEGENERATE, 2, 1, &OrbitOptions::DEFAULT).expect("curves");
+    assert!(found.undecided().is_empty());
+    let curves: Vec<Vec<CurvePoint>> = found.collect();
+    let ends = curves.iter().flat_map(|curve| [&curve[0], &curve[curve.len() - 1]]);
+    let degenerate = ends
+        .filter(|end| end.motion.kind == BifurcationKind::Grazing && end.special == SpecialPoint::DegenerateGrazing);
+    // of the four curves that meet there only that of touches ends as a grazing
+    assert_eq!(degenerate.count(), 1);
+    for point in curves.iter().flatten() {
+        assert!(
+            point.special != SpecialPoint::Lost && point.is_joined != Some(false),
+            "{point:?}"
+        );
+    }
+}
+
+#[test]
+fn a_curve_that_is_left_before_its_end_says_so() {
+    let few = OrbitOptions {
+        most_steps: 3,
+        ..OrbitOptions::DEFAULT
+    };
+    let curves: Vec<Vec<CurvePoint>> = OneOneCurves::new(NEAR_DEGENERATE, 2, 1, &few)
+        .expect("curves")
+        .collect();
+    assert!(!curves.is_empty());
+    let has_end = |point: &CurvePoint| match point.special {
+        SpecialPoint::Edge | SpecialPoint::Grazing | SpecialPoint::DegenerateGrazing => true,
+        SpecialPoint::Lost => false,
+        other => panic!("a curve ends at a {other}"),
+    };
+    let ends: Vec<bool> = curves
+        .iter()
+        .flat_map(|curve| [has_end(&curve[0]), has_end(&curve[curve.len() - 1])])
+        .collect();
+    assert!(ends.contains(&true) && ends.contains(&false), "{ends:?}");
+}

@@ -201,7 +201,7 @@ fn voltages(motion: &Motion<f64>, attractor: &Attractor, known: &Known) -> Optio
     let cycle = CycleMeans::of(&measure, motion, attractor).ok()?;
     let measured = match measure.after(attractor.impacts.last()?) {
         LongRun::Measured(statistics) => statistics.rate?.value,
-        LongRun::Released(..) => return None,
+        LongRun::Released(..) | LongRun::Repeats(_) => return None,
     };
     let mut sum = <Exact as Analytic>::from_f64(0.0);
     for fix in &known.fixes {

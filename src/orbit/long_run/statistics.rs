@@ -2,8 +2,10 @@
 
 use crate::impact::{Event, Kind, Widening};
 use crate::model::{Motion, Side};
+use crate::orbit::long_run::attractor::Attractor;
 use crate::orbit::long_run::resting::Releases;
-use crate::orbit::long_run::steady_state::BETWEEN_STOPS;
+use crate::orbit::long_run::steady_state::{BETWEEN_STOPS, Settling};
+use crate::orbit::options::OrbitOptions;
 use crate::stop;
 
 /// The frequencies of the periodogram that a standard error is taken from, the lowest: each has two degrees of freedom,
@@ -71,6 +73,8 @@ pub struct Statistics {
 pub enum LongRun {
     /// It has not repeated.
     Measured(Statistics),
+    /// It repeats after a transient.
+    Repeats(Attractor),
     /// A second release from a wall, after so many impacts.
     Released(Event<f64>, u64),
 }
@@ -79,15 +83,16 @@ pub enum LongRun {
 pub type OfImpact<'a> = &'a dyn Fn(&Event<f64>) -> f64;
 
 /// The effect of a release on the means along a motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AtRelease {
     /// The second release from a wall closes a cycle and ends the run; the means begin anew at the first.
     ///
-    /// A chaotic motion may come to its first rest after thousands of impacts, and repeat from there: its means before that
-    /// are those of a transient. So it is followed on after its means are taken, and they are taken back at a release.
+    /// A chaotic motion may come to rest, or to any other cycle, after thousands of impacts only: its means before that are
+    /// those of a transient. So with options it is followed on after its means are taken, for
+    /// [`settling_impacts`](OrbitOptions::settling_impacts), and they are taken back at a release.
     Ends {
-        /// The impacts after the means for which it is followed on.
-        followed: u32,
+        /// The options of the search for a cycle, if it is followed on.
+        followed: Option<OrbitOptions>,
     },
     /// The motion repeats, but its cycle is longer than the impacts that could be computed of it.
     ///
@@ -253,8 +258,8 @@ pub struct RunningMeans<'a> {
     releases: Releases,
     lengths: Lengths,
     length: Option<u64>,
-    /// The means, and the impacts at which they were taken.
-    measured: Option<(Statistics, u64)>,
+    /// The means, and the motion after them.
+    measured: Option<(Statistics, Option<Settling>)>,
     /// The release that closed a cycle.
     released: Option<Event<f64>>,
 }
@@ -271,8 +276,8 @@ impl RunningMeans<'_> {
         if self.impacts.is_multiple_of(BETWEEN_STOPS) && !stop::goes_on() {
             return false;
         }
-        if self.measured.is_some() {
-            return self.is_followed();
+        if let Some((_, followed)) = &mut self.measured {
+            return followed.as_mut().is_some_and(|followed| followed.take(event));
         }
         self.taken += 1;
         let averaging = self.averaging;
@@ -296,17 +301,15 @@ impl RunningMeans<'_> {
         if found.is_met == Some(false) && self.length.is_some() {
             return true;
         }
-        self.measured = Some((found, self.impacts));
-        self.is_followed()
-    }
-
-    /// Returns true as long as a release may still take back the means.
-    fn is_followed(&self) -> bool {
-        match (self.averaging.at_release, &self.measured) {
-            (AtRelease::Ends { followed }, Some((_, at))) => self.impacts - at < u64::from(followed),
-            (AtRelease::Passes { .. }, Some(_)) => false,
-            (_, None) => true,
-        }
+        let followed = match self.averaging.at_release {
+            AtRelease::Ends { followed } => {
+                followed.map(|options| Settling::new(options.settling_impacts, 1, &options))
+            }
+            AtRelease::Passes { .. } => None,
+        };
+        let goes_on = followed.is_some();
+        self.measured = Some((found, followed));
+        goes_on
     }
 
     /// Takes in an event that is no impact.
@@ -330,7 +333,10 @@ impl RunningMeans<'_> {
                 (self.before, self.stretch) = (event.clone(), 0.0);
                 true
             }
-            (Kind::Rest | Kind::Impact, _) => true,
+            (Kind::Rest | Kind::Impact, _) => match &mut self.measured {
+                Some((_, Some(followed))) => followed.take(event),
+                _ => true,
+            },
         }
     }
 
@@ -339,11 +345,12 @@ impl RunningMeans<'_> {
         if let Some(release) = self.released {
             return LongRun::Released(release, self.impacts);
         }
-        let measured = self.measured.map(|(found, _)| found);
-        LongRun::Measured(measured.unwrap_or_else(|| {
+        let Some((found, followed)) = self.measured else {
             let all = self.cells.sums.iter().fold(Sums::default(), Sums::plus);
-            self.averaging.statistics(&[all])
-        }))
+            return LongRun::Measured(self.averaging.statistics(&[all]));
+        };
+        let cycle = followed.and_then(|followed| followed.steady_state().attractor);
+        cycle.map_or(LongRun::Measured(found), LongRun::Repeats)
     }
 }
 
@@ -417,11 +424,11 @@ mod tests {
             length,
             voltage: Some(&voltage),
             with_growth: true,
-            at_release: AtRelease::Ends { followed: 0 },
+            at_release: AtRelease::Ends { followed: None },
         };
         match measure.after(&settled.end?) {
             LongRun::Measured(found) => Some(found),
-            LongRun::Released(..) => None,
+            LongRun::Released(..) | LongRun::Repeats(_) => None,
         }
     }
 
