@@ -3,7 +3,7 @@
 use super::super::fault::File;
 use super::macros::Macros;
 use super::rows::{Row, blank, rows};
-use super::tex::{BRACES, Outside, SQUARE, after_blanks, command, environment, group, outside};
+use super::tex::{BRACES, Groups, Outside, SQUARE, after_blanks, command, outside, words};
 use std::collections::{HashMap, HashSet, VecDeque};
 use std::ops::Range;
 
@@ -153,7 +153,13 @@ const BRACED: [&str; 10] = [
 ];
 
 /// How far ends of conditionals are looked for, taken together, in bytes.
-const MOST_SEARCHED: usize = 64 * LONGEST;
+const MOST_SEARCHED: usize = 8 * LONGEST;
+
+/// The most text of a line that is kept with a comment, in bytes.
+const LONGEST_LINE: usize = 4096;
+
+/// The longest text of `\\verb`, in characters.
+const LONGEST_VERB: usize = 10_000;
 
 /// The last letter of a group of equations.
 const MOST_LETTERS: u32 = 25;
@@ -169,6 +175,14 @@ pub(super) struct Scan<'a> {
     /// What is wrong, and where.
     pub faults: Vec<(usize, String)>,
     macros: Macros,
+    /// Where the groups of the text close.
+    groups_of_text: Groups,
+    /// For signs that are searched for: from where on up to where there is none.
+    absent: HashMap<&'static str, Range<usize>>,
+    /// For environments without an end: where those within them end, by where their bodies start; and how far was searched.
+    endings: HashMap<String, (HashMap<usize, (usize, usize)>, Range<usize>)>,
+    /// The line that was found last for a comment that stands alone.
+    line: Range<usize>,
     /// The comments of the file at hand that no formula has taken yet.
     waiting: VecDeque<usize>,
     /// The author's environments: which one each stands for; none where it is more.
@@ -214,6 +228,10 @@ impl<'a> Scan<'a> {
             comments: Vec::new(),
             faults: Vec::new(),
             macros: Macros::default(),
+            groups_of_text: Groups::default(),
+            absent: HashMap::new(),
+            endings: HashMap::new(),
+            line: 0..0,
             waiting: VecDeque::new(),
             environments: HashMap::new(),
             hidden: Vec::new(),
@@ -249,10 +267,29 @@ impl<'a> Scan<'a> {
             Markup::Tex => self.comments_of_tex(start..end),
             Markup::Markdown => self.comments_of_markdown(start..end),
         };
+        self.groups_of_text.add(&self.text, start..end);
         let outer = std::mem::replace(&mut self.waiting, comments.into());
         self.displays(start..end);
         self.take_comments(usize::MAX, None);
         self.waiting = outer;
+    }
+
+    /// What stands between the braces, or these other brackets, that open at byte `at`, or blanks later.
+    fn group(&self, at: usize, brackets: [u8; 2]) -> Option<Range<usize>> {
+        self.groups_of_text.group(&self.text, at, brackets)
+    }
+
+    /// The first place of a sign between two bytes.
+    fn find(&mut self, sign: &'static str, from: usize, end: usize) -> Option<usize> {
+        let is_absent = |none: &Range<usize>| none.start <= from && end <= none.end;
+        if self.absent.get(sign).is_some_and(is_absent) {
+            return None;
+        }
+        let found = self.text.get(from..end).and_then(|rest| rest.find(sign));
+        if found.is_none() {
+            self.absent.insert(sign, from..end);
+        }
+        found.map(|found| from + found)
     }
 
     fn comments_of_tex(&mut self, part: Range<usize>) -> Vec<usize> {
@@ -318,18 +355,18 @@ impl<'a> Scan<'a> {
             .strip_prefix("audit:")?
             .trim()
             .to_owned();
-        let from = self.text.get(..start)?.rfind('\n').map_or(0, |end| end + 1);
+        let bound = start.saturating_sub(LONGEST_LINE);
+        let bound = (bound..=start).find(|at| self.text.is_char_boundary(*at))?;
+        let from = self.text.get(bound..start)?.rfind('\n').map_or(bound, |end| bound + end + 1);
         let before = self.text.get(from..start)?.trim();
         let is_on_line = !before.is_empty();
-        let line = match before {
-            "" => self
-                .text
-                .get(part.end..)?
-                .lines()
-                .find(|line| !line.trim().is_empty() && !line.contains("-->"))?,
-            before => before,
+        let line = if is_on_line {
+            before.to_owned()
+        } else {
+            let next = self.next_line(part.end)?;
+            let line = self.text.get(next)?;
+            line.chars().take(LONGEST_LINE).collect()
         };
-        let line = line.to_owned();
         self.comments.push(Comment {
             part,
             text,
@@ -338,6 +375,22 @@ impl<'a> Scan<'a> {
             after: 0,
         });
         Some(self.comments.len() - 1)
+    }
+
+    /// The first line from byte `at` on that prints something.
+    fn next_line(&mut self, at: usize) -> Option<Range<usize>> {
+        if self.line.start < at {
+            let (mut from, rest) = (at, self.text.get(at..)?);
+            let lines = rest.split('\n').map(|line| {
+                let own = from..from + line.len();
+                from = own.end + 1;
+                (own, line)
+            });
+            let prints = |(_, line): &(Range<usize>, &str)| !line.trim().is_empty() && !line.contains("-->");
+            let none = self.text.len()..self.text.len();
+            self.line = lines.into_iter().find(prints).map_or(none, |(own, _)| own);
+        }
+        Some(self.line.clone()).filter(|line| !line.is_empty())
     }
 
     /// Hands the comments before byte `end` to a formula; what is left at the end of a file is about none.
@@ -424,12 +477,8 @@ impl<'a> Scan<'a> {
         let start = here + sign.len();
         let mut at = start;
         loop {
-            let Some(found) = self
-                .text
-                .get(at..end)
-                .and_then(|rest| rest.find(sign))
-                .map(|found| at + found)
-            else {
+            let Some(found) = self.find(sign, at, end) else {
+                self.absent.insert(sign, here + 1..end);
                 if is_display {
                     self.faults
                         .push((here, "this display does not end: there is no second `$$`".to_owned()));
@@ -467,7 +516,7 @@ impl<'a> Scan<'a> {
         }
         if let Some(close) = self
             .macros
-            .leaves_out(&name, &self.text, next)
+            .leaves_out(&name, &self.text, next, &self.groups_of_text)
             .filter(|close| *close <= end)
         {
             return self.leave_out(here, close);
@@ -488,7 +537,7 @@ impl<'a> Scan<'a> {
         };
         match name.as_str() {
             "begin" => {
-                let Some(environment_name) = group(&self.text, next, BRACES) else {
+                let Some(environment_name) = self.group(next, BRACES) else {
                     return next;
                 };
                 let inside = environment_name.end + 1;
@@ -509,9 +558,8 @@ impl<'a> Scan<'a> {
                     self.has_lost_count = true;
                 }
                 if VERBATIM.contains(&own.as_str()) || self.hidden.contains(&own) {
-                    let close = environment(&self.text, here).map(|(.., close)| close);
-                    return match close.filter(|close| *close <= end) {
-                        Some(close) => self.leave_out(here, close),
+                    return match self.ending(inside, end, &own) {
+                        Some((_, close)) => self.leave_out(here, close),
                         None => self.without_end(here, inside, &own),
                     };
                 }
@@ -523,7 +571,7 @@ impl<'a> Scan<'a> {
                 inside
             }
             "end" => {
-                let own = group(&self.text, next, BRACES);
+                let own = self.group(next, BRACES);
                 let close = own.as_ref().map_or(next, |own| own.end + 1);
                 let own = own.and_then(|own| self.text.get(own)).unwrap_or_default();
                 if own == "document" {
@@ -545,12 +593,7 @@ impl<'a> Scan<'a> {
                 next
             }
             "[" => {
-                let close = self
-                    .text
-                    .get(next..end)
-                    .and_then(|rest| rest.find(r"\]"))
-                    .map(|found| next + found);
-                let Some(close) = close else {
+                let Some(close) = self.find(r"\]", next, end) else {
                     self.faults
                         .push((here, r"this display does not end: there is no `\]`".to_owned()));
                     return next;
@@ -562,8 +605,9 @@ impl<'a> Scan<'a> {
                 let sign = self.text.get(next..).and_then(|rest| rest.chars().next());
                 let close = sign.and_then(|sign| {
                     let start = next + sign.len_utf8();
-                    let line = self.text.get(start..)?.lines().next()?;
-                    Some(start + line.find(sign)? + sign.len_utf8())
+                    let mut line = self.text.get(start..)?.char_indices().take(LONGEST_VERB);
+                    let (at, end) = line.find(|(_, c)| *c == sign || *c == '\n')?;
+                    (end == sign).then_some(start + at + sign.len_utf8())
                 });
                 close.unwrap_or(next)
             }
@@ -572,7 +616,7 @@ impl<'a> Scan<'a> {
             }
             "newenvironment" | "renewenvironment" => self.own_environment(next),
             "excludecomment" => {
-                let own = group(&self.text, next, BRACES);
+                let own = self.group(next, BRACES);
                 self.hidden
                     .extend(own.and_then(|own| self.text.get(own)).map(str::to_owned));
                 next
@@ -618,8 +662,8 @@ impl<'a> Scan<'a> {
                 next
             }
             "documentclass" => {
-                let options = group(&self.text, next, SQUARE).map_or(next, |own| own.end + 1);
-                let class = group(&self.text, options, BRACES).and_then(|own| self.text.get(own));
+                let options = self.group(next, SQUARE).map_or(next, |own| own.end + 1);
+                let class = self.group(options, BRACES).and_then(|own| self.text.get(own));
                 self.has_chapters = class.is_some_and(|class| CLASSES_WITH_CHAPTERS.contains(&class.trim()));
                 self.within_sections |= self.has_chapters;
                 next
@@ -638,7 +682,7 @@ impl<'a> Scan<'a> {
                 next
             }
             "input" | "include" | "subfile" => {
-                let argument = group(&self.text, next, BRACES);
+                let argument = self.group(next, BRACES);
                 let close = argument.as_ref().map_or(next, |own| own.end + 1);
                 if let Some(file) = argument
                     .and_then(|own| self.text.get(own))
@@ -664,16 +708,16 @@ impl<'a> Scan<'a> {
     /// Takes note of an environment of the author's own; says where its definition ends.
     fn own_environment(&mut self, next: usize) -> usize {
         let star = usize::from(self.text.as_bytes().get(next) == Some(&b'*'));
-        let Some(name) = group(&self.text, next + star, BRACES) else {
+        let Some(name) = self.group(next + star, BRACES) else {
             return next;
         };
         let mut close = name.end + 1;
-        while let Some(own) = group(&self.text, close, SQUARE) {
+        while let Some(own) = self.group(close, SQUARE) {
             close = own.end + 1;
         }
         let mut parts: [&str; 2] = [""; 2];
         for part in &mut parts {
-            let Some(own) = group(&self.text, close, BRACES) else {
+            let Some(own) = self.group(close, BRACES) else {
                 return close;
             };
             close = own.end + 1;
@@ -707,7 +751,7 @@ impl<'a> Scan<'a> {
         };
         let mut body = inside..body;
         if meant.contains("alignat") || meant.contains("IEEE") {
-            body.start = group(&self.text, body.start, BRACES).map_or(body.start, |count| count.end + 1);
+            body.start = self.group(body.start, BRACES).map_or(body.start, |count| count.end + 1);
         }
         let shown = self.text.get(body.clone()).unwrap_or_default();
         if words(shown).any(|(word, next)| is_counter(shown, word, next)) {
@@ -725,14 +769,21 @@ impl<'a> Scan<'a> {
     }
 
     /// Where the body of an environment ends that starts at byte `start`, and where its end does.
-    fn ending(&self, start: usize, end: usize, own: &str) -> Option<(usize, usize)> {
-        let mut depth = 1_usize;
+    fn ending(&mut self, start: usize, end: usize, own: &str) -> Option<(usize, usize)> {
+        if let Some((known, searched)) = self.endings.get(own)
+            && searched.contains(&start)
+            && searched.end == end
+        {
+            return known.get(&start).copied();
+        }
+        // the bodies that are open, and the ends of those that are not
+        let (mut open, mut known) = (vec![start], HashMap::new());
         for (word, next) in words(self.text.get(start..end)?) {
             let next = start + next;
             let here = next - word.len() - 1;
             let (opens, name, close) = match word {
                 "begin" | "end" => {
-                    let Some(name) = group(&self.text, next, BRACES) else {
+                    let Some(name) = self.group(next, BRACES) else {
                         continue;
                     };
                     (word == "begin", self.text.get(name.clone())?, name.end + 1)
@@ -742,13 +793,20 @@ impl<'a> Scan<'a> {
                     None => continue,
                 },
             };
-            if name == own {
-                depth = if opens { depth + 1 } else { depth - 1 };
+            match (name == own, opens) {
+                (false, _) => {}
+                (true, true) => open.push(close),
+                (true, false) => {
+                    if let Some(body) = open.pop() {
+                        known.insert(body, (here, close));
+                    }
+                }
             }
-            if depth == 0 {
+            if open.is_empty() {
                 return Some((here, close)).filter(|(_, close)| *close <= end);
             }
         }
+        self.endings.insert(own.to_owned(), (known, start..end));
         None
     }
 
@@ -763,7 +821,7 @@ impl<'a> Scan<'a> {
         } else {
             None
         };
-        let Some((defined, close)) = self.macros.read(&self.text, name, next, problem) else {
+        let Some((defined, close)) = self.macros.read(&self.text, name, next, &self.groups_of_text, problem) else {
             self.faults.push((here, format!(r"this `\{name}` cannot be read")));
             return next;
         };
@@ -797,32 +855,38 @@ impl<'a> Scan<'a> {
 
     /// Passes over what does not print, with its comments.
     fn leave_out(&mut self, start: usize, end: usize) -> usize {
-        let is_within = |comment: &&mut Comment| (start..end).contains(&comment.part.start);
-        for comment in self.comments.iter_mut().filter(is_within) {
-            comment.text.clear();
-        }
         let comments = &self.comments;
-        self.waiting
-            .retain(|number| comments.get(*number).is_some_and(|comment| !comment.text.is_empty()));
+        let count_before = |at: usize| {
+            let is_before = |number: &usize| comments.get(*number).is_some_and(|comment| comment.part.start < at);
+            self.waiting.partition_point(is_before)
+        };
+        let left_out = count_before(start)..count_before(end);
+        for number in self.waiting.drain(left_out) {
+            if let Some(comment) = self.comments.get_mut(number) {
+                comment.text.clear();
+            }
+        }
         end
     }
 
     /// A conditional of which nobody says which branch prints: both are read, and what would matter is a fault.
     fn conditional(&mut self, here: usize, name: &str, next: usize, end: usize) -> usize {
-        let close = match self.branches(next, end).filter(|_| !BRACED.contains(&name)) {
+        let is_braced = BRACED.contains(&name);
+        let branches = if is_braced { None } else { self.branches(next, end) };
+        let close = match branches {
             Some((_, close)) => {
                 self.conditionals.push(false);
                 close
             }
             None => {
                 let mut close = next;
-                while let Some(own) = group(&self.text, close, BRACES) {
+                while let Some(own) = self.group(close, BRACES) {
                     close = own.end + 1;
                 }
                 close
             }
         };
-        let own = self.text.get(next..close).unwrap_or_default();
+        let (start, own) = (next, self.text.get(next..close).unwrap_or_default());
         // what it sets is not known from here on
         let set: Vec<String> = words(own)
             .filter_map(|(word, _)| self.switched(word))
@@ -831,7 +895,7 @@ impl<'a> Scan<'a> {
         self.switches.retain(|switch, _| !set.contains(switch));
         let counts = |(word, next): (&str, usize)| {
             let opens = || {
-                let name = group(own, next, BRACES).and_then(|name| own.get(name));
+                let name = self.group(start + next, BRACES).and_then(|name| self.text.get(name));
                 name.is_some_and(|name| name == "subequations" || numbers_of(name).is_some())
             };
             (word == "begin" && opens()) || is_counter(own, word, next) || self.macros.layout(word).is_some()
@@ -852,10 +916,10 @@ impl<'a> Scan<'a> {
         if !is_counter(&self.text, name, next) {
             return next;
         }
-        let own = group(&self.text, next, BRACES);
+        let own = self.group(next, BRACES);
         let inside = own.as_ref().map_or(next, |own| own.end + 1);
         let own = own.and_then(|own| self.text.get(own)).unwrap_or_default().to_owned();
-        let written = group(&self.text, inside, BRACES).and_then(|value| self.text.get(value));
+        let written = self.group(inside, BRACES).and_then(|value| self.text.get(value));
         let written = written.and_then(|value| value.trim().parse::<i64>().ok());
         let steps = matches!(name, "stepcounter" | "refstepcounter");
         let count = match (&self.group, own.as_str()) {
@@ -974,10 +1038,12 @@ impl<'a> Scan<'a> {
             .iter()
             .find(|sign| behind.starts_with(**sign))
             .map_or(0, |sign| sign.len());
-        let next = ["$$", r"\[", r"\begin"]
-            .iter()
-            .filter_map(|sign| behind.get(closing..)?.find(sign))
-            .min();
+        let behind = behind.get(closing..).unwrap_or_default();
+        let opens = |at: &usize| {
+            let rest = behind.get(*at..).unwrap_or_default();
+            ["$$", r"\[", r"\begin"].iter().any(|sign| rest.starts_with(sign))
+        };
+        let next = behind.match_indices(['$', '\\']).map(|(at, _)| at).find(opens);
         let line = next.map_or(line, |next| end + closing + next);
         if self.formulas.len() > first {
             self.take_comments(line, Some(formula));
@@ -1044,17 +1110,6 @@ impl<'a> Scan<'a> {
     }
 }
 
-/// The commands of a text, each with where it ends.
-fn words(text: &str) -> impl Iterator<Item = (&str, usize)> {
-    let mut at = 0;
-    std::iter::from_fn(move || {
-        let here = at + text.get(at..)?.find('\\')?;
-        let (word, next) = command(text, here);
-        at = next;
-        Some((word, next))
-    })
-}
-
 /// Where the `\else` and the `\fi` of a conditional stand that begins at byte `start`.
 fn branches(text: &str, start: usize, end: usize) -> Option<(Option<usize>, usize)> {
     let own = text.get(start..end)?;
@@ -1077,9 +1132,12 @@ fn branches(text: &str, start: usize, end: usize) -> Option<(Option<usize>, usiz
 
 /// Whether a command changes the number of equations or sections.
 fn is_counter(text: &str, word: &str, next: usize) -> bool {
-    let own = group(text, next, BRACES).and_then(|own| text.get(own));
+    let own = text
+        .get(after_blanks(text, next)..)
+        .and_then(|rest| rest.strip_prefix('{'));
+    let is = |name: &&str| own.is_some_and(|own| own.strip_prefix(*name).is_some_and(|rest| rest.starts_with('}')));
     matches!(word, "setcounter" | "addtocounter" | "stepcounter" | "refstepcounter")
-        && own.is_some_and(|own| matches!(own, "equation" | "parentequation" | "section"))
+        && ["equation", "parentequation", "section"].iter().any(|name| is(name))
 }
 
 /// Whether a line between the first and the last holds nothing.
