@@ -9,7 +9,7 @@ use std::ops::Range;
 pub(super) struct Row {
     /// Where it stands, labels and tags blanked out.
     pub part: Range<usize>,
-    /// Where its last line ends.
+    /// Where its last line ends, or the display.
     pub line_end: usize,
     pub labels: Vec<String>,
     pub tag: Option<String>,
@@ -63,10 +63,10 @@ const MOST_COMPARED: usize = 1_000_000;
 /// Takes a display apart: `text` is what it stands in, `body` where, `name` the environment. Labels, tags and column signs become
 /// blanks, but for a comma between columns that are equations of their own.
 pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row> {
+    let end = body.end;
     let line_end = |text: &str, at: usize| {
-        text.get(at..)
-            .and_then(|rest| rest.find('\n'))
-            .map_or(text.len(), |end| at + end)
+        let rest = text.get(at..end).and_then(|rest| rest.find('\n'));
+        rest.map_or(end, |found| at + found)
     };
     let mut whole = Row::new(body.clone(), line_end(text, body.end));
     // what is said outside a layer is said of all of it

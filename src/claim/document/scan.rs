@@ -181,6 +181,8 @@ pub(super) struct Scan<'a> {
     absent: HashMap<&'static str, Range<usize>>,
     /// For environments without an end: where those within them end, by where their bodies start; and how far was searched.
     endings: HashMap<String, (HashMap<usize, (usize, usize)>, Range<usize>)>,
+    /// Where the line ends that was looked for last, and from where on.
+    line_end: Range<usize>,
     /// The line that was found last for a comment that stands alone.
     line: Range<usize>,
     /// The comments of the file at hand that no formula has taken yet.
@@ -232,6 +234,7 @@ impl<'a> Scan<'a> {
             absent: HashMap::new(),
             endings: HashMap::new(),
             line: 0..0,
+            line_end: 1..0,
             waiting: VecDeque::new(),
             environments: HashMap::new(),
             hidden: Vec::new(),
@@ -1018,11 +1021,11 @@ impl<'a> Scan<'a> {
             self.count();
         }
         // what is said behind a display of one number is said of all of it
-        let line = self
-            .text
-            .get(end..)
-            .and_then(|rest| rest.find('\n'))
-            .map_or(self.text.len(), |found| end + found);
+        if !(self.line_end.start..=self.line_end.end).contains(&end) {
+            let rest = self.text.get(end..).unwrap_or_default();
+            self.line_end = end..rest.find('\n').map_or(self.text.len(), |found| end + found);
+        }
+        let line = self.line_end.end;
         let last = self.formulas.len().wrapping_sub(1);
         let own = self.text.get(start..end).unwrap_or_default();
         let is_apart = !own.contains('\n') || own.trim_end_matches([' ', '\t']).ends_with('\n');
