@@ -1,9 +1,10 @@
 //! Whether a vocabulary makes sense: every name in it declared, nothing defined by itself.
 
 use super::circle::circle;
-use super::definition::{Local, circular, inlined};
+use super::definition::{Local, circular};
 use super::fault::Fault;
 use super::nodes::any;
+use super::size::Budget;
 use super::vocabulary::{Map, Vocabulary};
 use crate::tex::{Name, Tree};
 use std::collections::HashMap;
@@ -41,12 +42,7 @@ impl Vocabulary {
         if let Some(name) = circular(&abbreviations) {
             return Err(Fault::new(format!("`{name}` is defined by itself")));
         }
-        if let Some(long) = abbreviations
-            .iter()
-            .find(|own| inlined(&own.tree, &abbreviations).is_none())
-        {
-            return Err(Fault::new(format!("`{}` is too long when written out", long.name)));
-        }
+        self.check_sizes()?;
         let lists = [
             ("generic", &self.generic),
             ("at_most_one", &self.at_most_one),
@@ -87,6 +83,25 @@ impl Vocabulary {
             }
         }
         self.check_maps()
+    }
+
+    /// Refuses formulas that would be too large with abbreviations put in.
+    fn check_sizes(&self) -> Result<(), Fault> {
+        let mut sizes = self.sizes(std::iter::empty());
+        let budget = Budget::of_claim();
+        let named = self.abbreviations.iter().chain(&self.periods);
+        let named = named.map(|(name, tree)| (name.to_string(), tree));
+        let derivatives = self.functions.iter();
+        let derivatives = derivatives.filter_map(|(name, tree)| Some((name.to_string(), tree.as_ref()?)));
+        let equations = self.relations.iter().chain(&self.laws);
+        let sides = equations.flat_map(|law| [(law.to_string(), &law.left), (law.to_string(), &law.right)]);
+        for (about, tree) in named.chain(derivatives).chain(sides) {
+            sizes
+                .of(tree)
+                .and_then(|size| budget.spend(size))
+                .map_err(|problem| Fault::new(format!("`{about}` is {problem}")))?;
+        }
+        Ok(())
     }
 
     /// Refuses names that carry the index of the impacts, or one that runs, without running with it.

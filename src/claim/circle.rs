@@ -2,6 +2,15 @@
 
 /// The first of those that use each other in a circle, where `uses` lists what each uses.
 pub(super) fn circle(uses: &[Vec<usize>]) -> Option<usize> {
+    ordered(uses).err()
+}
+
+/// Orders things so that each comes after those that it uses.
+///
+/// # Errors
+/// The first of those that use each other in a circle.
+pub(super) fn ordered(uses: &[Vec<usize>]) -> Result<Vec<usize>, usize> {
+    let mut order = Vec::new();
     let mut users = vec![Vec::new(); uses.len()];
     let mut waits: Vec<usize> = uses.iter().map(Vec::len).collect();
     for (user, list) in uses.iter().enumerate() {
@@ -14,6 +23,7 @@ pub(super) fn circle(uses: &[Vec<usize>]) -> Option<usize> {
     // What uses nothing that is left is taken away, until circles are left and what uses them.
     let mut free: Vec<usize> = (0..uses.len()).filter(|&n| waits.get(n) == Some(&0)).collect();
     while let Some(done) = free.pop() {
+        order.push(done);
         for &user in users.get(done).into_iter().flatten() {
             if let Some(count) = waits.get_mut(user) {
                 *count -= 1;
@@ -28,10 +38,12 @@ pub(super) fn circle(uses: &[Vec<usize>]) -> Option<usize> {
         uses.get(n)
             .and_then(|list| list.iter().copied().find(|&used| left(used)))
     };
-    let mut at = (0..uses.len()).find(|&n| left(n))?;
+    let Some(mut at) = (0..uses.len()).find(|&n| left(n)) else {
+        return Ok(order);
+    };
     // As many steps as there are things end on a circle; once around it gives its first.
     for _ in 0..uses.len() {
-        at = next(at)?;
+        at = next(at).unwrap_or(at);
     }
     let start = at;
     let mut first = start;
@@ -39,7 +51,7 @@ pub(super) fn circle(uses: &[Vec<usize>]) -> Option<usize> {
         first = first.min(following);
         at = following;
     }
-    Some(first)
+    Err(first)
 }
 
 #[cfg(test)]
@@ -53,6 +65,7 @@ mod tests {
         assert_eq!(circle(&[vec![1], vec![2, 3], vec![], vec![1]]), Some(1));
         assert_eq!(circle(&[vec![], vec![3, 0], vec![1], vec![2]]), Some(1));
         assert_eq!(circle(&[vec![1, 1], vec![]]), None);
+        assert_eq!(ordered(&[vec![1], vec![2, 3], vec![], vec![2]]), Ok(vec![2, 3, 1, 0]));
         let long: Vec<Vec<usize>> = (0..20_000).map(|n| vec![(n + 1) % 20_000]).collect();
         assert_eq!(circle(&long), Some(0));
     }

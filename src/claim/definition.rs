@@ -1,8 +1,9 @@
 //! Symbols that a formula defines for itself.
 
 use super::circle::circle;
-use super::nodes::{any, nodes_of, speaks_of};
-use super::substitute::put_in;
+use super::nodes::{any, speaks_of};
+use super::size::Sizes;
+use super::substitute::put_in_throughout;
 use super::vocabulary::Vocabulary;
 use crate::tex::{Equation, Name, Relation, Tree};
 use std::collections::HashMap;
@@ -93,9 +94,6 @@ pub(super) fn with_sign(tree: &Tree, upper: bool) -> Tree {
     }
 }
 
-/// Nodes of the largest tree that definitions put into each other may make.
-const LARGEST: usize = 100_000;
-
 impl Vocabulary {
     /// The definition that an equation is: a new name alone on its left.
     pub(super) fn definition(&self, equation: &Equation) -> Option<Local> {
@@ -160,26 +158,11 @@ pub(super) fn joined(mut locals: Vec<Local>, more: &[Local]) -> Vec<Local> {
     locals
 }
 
-/// The tree with definitions put in, which must not be circular; `None` where it would become too large.
+/// The tree with definitions put in; `None` where it would become too large, or where they are circular.
 pub(super) fn inlined(tree: &Tree, own: &[Local]) -> Option<Tree> {
-    let mut tree = tree.clone();
-    for _ in own {
-        let mut size = 0_usize;
-        any(&tree, &mut |node| {
-            let put_in = match node {
-                Tree::Symbol(name, _) => own.iter().find(|local| local.name == *name),
-                _ => None,
-            };
-            size += put_in.map_or(1, |local| nodes_of(&local.tree));
-            false
-        });
-        if size > LARGEST {
-            return None;
-        }
-        let find = |name: &Name| own.iter().find(|local| local.name == *name);
-        tree = put_in(&tree, &|name| find(name).map(|local| local.tree.clone()));
-    }
-    Some(tree)
+    let mut sizes = Sizes::of_locals(own);
+    sizes.of(tree).ok()?;
+    Some(put_in_throughout(tree, &|name| sizes.meaning(name).cloned()))
 }
 
 /// The equation with definitions put in; `None` where it would become too large.

@@ -12,6 +12,7 @@ use super::implication::{
 use super::nearest::nearest;
 use super::nodes::holds_indefinite;
 use super::nodes::{any, any_side, speaks_of};
+use super::size::Budget;
 use super::substitute::{flies, number_of, rewrite, tree_runs};
 use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
@@ -323,6 +324,7 @@ impl Entry {
             let message = format!("{}; {problem}{}", unknown.message, unknown.known);
             return Err(self.tex.fault(0, message).of(&self.label));
         }
+        self.check_size(vocabulary, shared)?;
         let (mut borrowed, mut faults, mut messages) = (Vec::new(), Vec::new(), HashSet::new());
         let mine = |name: &Name| is_defined(name, &self.own) || is_defined(name, shared);
         let borrows = self.role != Role::Claim;
@@ -468,6 +470,19 @@ impl Entry {
         let declared = self.declared_of_with(vocabulary)?;
         self.assume.extend(declared);
         self.borrowed = borrowed;
+        Ok(())
+    }
+
+    /// Refuses what would be too large with its definitions and abbreviations put in.
+    fn check_size(&self, vocabulary: &Vocabulary, shared: &[Local]) -> Result<(), Fault> {
+        let mut sizes = vocabulary.sizes(self.own.iter().chain(shared));
+        let budget = Budget::of_entry();
+        for (tree, source) in self.trees(vocabulary) {
+            sizes
+                .of(tree)
+                .and_then(|size| budget.spend(size))
+                .map_err(|problem| source.fault(0, problem.to_string()).of(&self.label))?;
+        }
         Ok(())
     }
 

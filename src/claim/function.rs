@@ -1,16 +1,14 @@
 //! Functions that definitions give, as `f(x) = x^2`, written out where they are applied; and partial derivatives of
 //! what definitions give.
 
-use super::circle::circle;
+use super::circle::ordered;
 use super::definition::Local;
-use super::nodes::{any, nodes_of, speaks_of};
+use super::nodes::{any, speaks_of};
+use super::size::{Budget, Size};
 use super::substitute::{mapped, rewrite};
 use super::vocabulary::{Vocabulary, index_of};
 use crate::tex::{At, Equation, Name, Operation, Relation, Tree, functions_given};
 use std::cell::RefCell;
-
-/// Nodes of the largest tree that functions put into each other may make.
-const LARGEST: usize = 100_000;
 
 /// A function that a definition gives.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -166,13 +164,17 @@ impl Given {
                 .collect()
         };
         let uses: Vec<Vec<usize>> = self.functions.iter().map(used).collect();
-        if let Some(function) = circle(&uses).and_then(|n| self.functions.get(n)) {
-            return Err((0, format!("`{}` is defined by itself", function.name)));
-        }
-        for _ in 0..self.functions.len() {
-            let before = self.clone();
-            for function in &mut self.functions {
-                function.value = before.written_out(&function.value, vocabulary)?;
+        let order = ordered(&uses).map_err(|n| {
+            let name = self.functions.get(n).map(|function| function.name.to_string());
+            (0, format!("`{}` is defined by itself", name.unwrap_or_default()))
+        })?;
+        for n in order {
+            let Some(function) = self.functions.get(n) else {
+                continue;
+            };
+            let value = self.written_out(&function.value, vocabulary)?;
+            if let Some(function) = self.functions.get_mut(n) {
+                function.value = value;
             }
         }
         Ok(())
@@ -184,29 +186,36 @@ impl Given {
     /// The place and the reason: a function that no definition gives here, an argument beyond what `[symbols]` says of
     /// that of the function, a partial derivative that depends on what is held fixed, a tree that becomes too large.
     pub(super) fn written_out(&self, tree: &Tree, vocabulary: &Vocabulary) -> Result<Tree, Problem> {
-        let found: RefCell<Option<Problem>> = RefCell::new(None);
-        let out = mapped(tree, &|node| match self.of_node(node, vocabulary) {
-            Ok(new) => new,
-            Err(problem) => {
-                found.borrow_mut().get_or_insert(problem);
-                None
-            }
-        });
-        match found.into_inner() {
-            Some(problem) => Err(problem),
-            None if nodes_of(&out) > LARGEST => Err((0, "too large once its functions are put in".to_owned())),
-            None => Ok(out),
-        }
+        let out = self.written_within(tree, vocabulary, &Budget::of_entry())?;
+        Size::of(&out).map_err(|problem| (0, problem.to_string()))?;
+        Ok(out)
     }
 
-    fn of_node(&self, node: &Tree, vocabulary: &Vocabulary) -> Result<Option<Tree>, Problem> {
+    fn written_within(&self, tree: &Tree, vocabulary: &Vocabulary, budget: &Budget) -> Result<Tree, Problem> {
+        let found: RefCell<Option<Problem>> = RefCell::new(None);
+        let out = mapped(tree, &|node| {
+            if found.borrow().is_some() {
+                return Some(node.clone());
+            }
+            match self.of_node(node, vocabulary, budget) {
+                Ok(new) => new,
+                Err(problem) => {
+                    found.borrow_mut().get_or_insert(problem);
+                    None
+                }
+            }
+        });
+        found.into_inner().map_or(Ok(out), Err)
+    }
+
+    fn of_node(&self, node: &Tree, vocabulary: &Vocabulary, budget: &Budget) -> Result<Option<Tree>, Problem> {
         match node {
             Tree::Call(name, argument, at) if is_given(name, vocabulary) => {
                 let (function, order) = self.of_name(name).ok_or_else(|| {
                     let problem = "is a function that another definition gives: name it among what this follows from";
                     (at.0, format!("`{name}` {problem}"))
                 })?;
-                let argument = self.written_out(argument, vocabulary)?;
+                let argument = self.written_within(argument, vocabulary, budget)?;
                 vocabulary
                     .may_take(&function.argument, &argument)
                     .map_err(|problem| (at.0, problem))?;
@@ -219,13 +228,16 @@ impl Given {
                         format!("`{held}` stands in `{name}` and {problem}: write it out there"),
                     ));
                 }
-                Ok(Some(function.at(&argument, order, *at)))
+                Ok(Some(function.at(&argument, order, *at, budget)?))
             }
             Tree::Symbol(name, at) if vocabulary.running.is_some() && is_given(name, vocabulary) => {
                 let function = self.of_name(name);
                 let of_time = function.filter(|(function, _)| vocabulary.running.as_ref() == Some(&function.argument));
-                Ok(of_time
-                    .map(|(function, order)| function.at(&Tree::Symbol(function.argument.clone(), *at), order, *at)))
+                of_time
+                    .map(|(function, order)| {
+                        function.at(&Tree::Symbol(function.argument.clone(), *at), order, *at, budget)
+                    })
+                    .transpose()
             }
             Tree::Operation(operation, at) => match &**operation {
                 Operation::Derivative {
@@ -239,11 +251,13 @@ impl Given {
                         .iter()
                         .find(|function| function.name == *name && function.argument == *by)
                         .filter(|_| *there == Tree::Symbol(by.clone(), *at));
-                    Ok(function.map(|function| function.at(there, *order, *at)))
+                    function
+                        .map(|function| function.at(there, *order, *at, budget))
+                        .transpose()
                 }
                 _ => Ok(None),
             },
-            Tree::Partial { of, by, at } if !vocabulary.has_partial(of, by) => self.partial(of, by, *at),
+            Tree::Partial { of, by, at } if !vocabulary.has_partial(of, by) => self.partial(of, by, *at, budget),
             _ => Ok(None),
         }
     }
@@ -255,13 +269,13 @@ impl Given {
     }
 
     /// The partial derivative of what a definition gives.
-    fn partial(&self, of: &Name, by: &Name, at: At) -> Result<Option<Tree>, Problem> {
+    fn partial(&self, of: &Name, by: &Name, at: At, budget: &Budget) -> Result<Option<Tree>, Problem> {
         let function = self
             .functions
             .iter()
             .find(|function| function.name == *of && function.argument == *by);
         if let Some(function) = function {
-            return Ok(Some(function.at(&Tree::Symbol(by.clone(), at), 1, at)));
+            return function.at(&Tree::Symbol(by.clone(), at), 1, at, budget).map(Some);
         }
         let Some(local) = self.names.iter().find(|local| local.name == *of) else {
             return Ok(None);
@@ -359,11 +373,17 @@ impl Function {
     }
 
     /// Its value at an argument, or that of a derivative.
-    fn at(&self, argument: &Tree, order: u32, at: At) -> Tree {
-        match order {
+    ///
+    /// # Errors
+    /// The place and the reason: a value that would be too large.
+    fn at(&self, argument: &Tree, order: u32, at: At, budget: &Budget) -> Result<Tree, Problem> {
+        let size = Size::with(&self.value, &self.argument, argument);
+        size.and_then(|size| budget.spend(size))
+            .map_err(|problem| (at.0, format!("`{}` is {problem}", self.name)))?;
+        Ok(match order {
             0 => rewrite(&self.value, &|name| (*name == self.argument).then(|| argument.clone())),
             _ => derivative(self.value.clone(), &self.argument, order, argument, at),
-        }
+        })
     }
 }
 

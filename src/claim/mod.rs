@@ -16,6 +16,7 @@ mod paper;
 mod premise;
 mod reduce;
 mod sheet;
+mod size;
 mod spelling;
 mod substitute;
 mod symbols;

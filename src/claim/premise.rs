@@ -6,6 +6,7 @@ use super::fault::{Fault, Source};
 use super::nodes::{any, any_side, speaks_of};
 use super::reduce::{Rule, Rules};
 use super::sheet::{RENAME, Sheet};
+use super::size::{Budget, TooLarge};
 use super::substitute::{flies, rewrite_alone, rewrite_condition, runs, tree_runs};
 use super::vocabulary::{Map, Vocabulary, index_of};
 use crate::tex::{At, Condition, Equation, Name, Tree};
@@ -357,6 +358,8 @@ impl Statements {
                 _ => more.push((equation, source)),
             }
         }
+        self.check_size(&pairs, vocabulary)
+            .map_err(|problem| claim.tex.fault(0, problem).of(&claim.label))?;
         if shift != 0 || !pairs.is_empty() {
             for premise in &mut self.premises {
                 let is_other = |local: &&Local| pairs.iter().any(|(_, tree)| speaks_of(tree, &local.name));
@@ -388,6 +391,37 @@ impl Statements {
         }
         for (equation, source) in more {
             self.push(claim, equation, source, Vec::new());
+        }
+        Ok(())
+    }
+
+    /// Refuses premises, definitions and claims that would be too large with everything put in. Each claim is decided with all
+    /// the others beside it.
+    fn check_size(&self, pairs: &[(Name, Tree)], vocabulary: &Vocabulary) -> Result<(), String> {
+        let (budget, claims) = (Budget::of_claim(), self.claims.len());
+        for premise in &self.premises {
+            let problem = |problem: TooLarge| format!("what it follows from, ({}), is {problem}", premise.label);
+            let sizes = vocabulary.sizes(premise.locals.iter());
+            let mut sizes = sizes.replacing(pairs).map_err(problem)?;
+            let conditions = premise.assume.iter().flat_map(Condition::sides);
+            for tree in conditions.chain([&premise.equation.left, &premise.equation.right]) {
+                let size = sizes.of(tree).map_err(problem)?;
+                budget.spend_times(size, claims).map_err(problem)?;
+            }
+        }
+        let mut sizes = vocabulary.sizes(self.locals.iter());
+        for local in &self.locals {
+            sizes
+                .of(&local.tree)
+                .and_then(|size| budget.spend(size))
+                .map_err(|problem| format!("`{}` is {problem}", local.name))?;
+        }
+        for claim in &self.claims {
+            let all = [&claim.left, &claim.right].map(|side| sizes.of(side).map_err(|problem| problem.to_string()));
+            for size in all {
+                let problem = format!("{claims} equations are too many for one entry: give them entries of their own");
+                budget.spend_times(size?, claims).map_err(|_| problem)?;
+            }
         }
         Ok(())
     }

@@ -9,42 +9,68 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The tree with each symbol for which `new` has a tree replaced by it. What is put in keeps its meaning: a letter that an
 /// operation binds there makes way.
 pub fn rewrite(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
-    replaced(tree, new, true)
+    replaced(tree, new, Put::Rewritten)
 }
 
 /// The tree with names replaced by what they stand for: what is put in is read where it stands, as an author who defines
 /// W = x^2 means it in an integral of W over x.
 pub(super) fn put_in(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
-    replaced(tree, new, false)
+    replaced(tree, new, Put::AsWritten)
 }
 
-fn replaced(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>, makes_way: bool) -> Tree {
-    let again = |tree: &Tree| replaced(tree, new, makes_way);
+/// As [`put_in`], with the names in what is put in replaced too. It must come to an end.
+pub(super) fn put_in_throughout(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>) -> Tree {
+    replaced(tree, new, Put::Throughout)
+}
+
+/// What is done with a tree that takes the place of a name.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Put {
+    /// It keeps its meaning: a letter that an operation binds there makes way.
+    Rewritten,
+    /// It is read where it stands.
+    AsWritten,
+    /// It is read where it stands, and its own names are replaced too.
+    Throughout,
+}
+
+fn replaced(tree: &Tree, new: &dyn Fn(&Name) -> Option<Tree>, put: Put) -> Tree {
+    let again = |tree: &Tree| replaced(tree, new, put);
     // A derivative is of and by names: only a name can take the place of one.
-    let renamed = |name: &Name| match new(name) {
-        Some(Tree::Symbol(name, _)) => name,
-        _ => name.clone(),
+    let renamed = |name: &Name| {
+        let mut name = name.clone();
+        while let Some(Tree::Symbol(next, _)) = new(&name) {
+            name = next;
+            if put != Put::Throughout {
+                break;
+            }
+        }
+        name
     };
     match tree {
-        Tree::Symbol(name, _) => new(name).unwrap_or_else(|| tree.clone()),
+        Tree::Symbol(name, _) => match new(name) {
+            Some(tree) if put == Put::Throughout => again(&tree),
+            Some(tree) => tree,
+            None => tree.clone(),
+        },
         Tree::Partial { of, by, at } => Tree::Partial {
             of: renamed(of),
             by: renamed(by),
             at: *at,
         },
         Tree::Operation(operation, at) => {
-            let operation = match makes_way {
-                true => out_of_the_way(operation, new),
-                false => (**operation).clone(),
+            let operation = match put {
+                Put::Rewritten => out_of_the_way(operation, new),
+                Put::AsWritten | Put::Throughout => (**operation).clone(),
             };
             let letter = operation.letter().cloned();
             let operation = operation.map(&mut |part, is_bound| match &letter {
-                Some(letter) if is_bound => replaced(part, &|name| new(name).filter(|_| name != letter), makes_way),
+                Some(letter) if is_bound => replaced(part, &|name| new(name).filter(|_| name != letter), put),
                 _ => again(part),
             });
             Tree::Operation(Box::new(operation), *at)
         }
-        tree => tree.map(&mut |part| replaced(part, new, makes_way)),
+        tree => tree.map(&mut |part| again(part)),
     }
 }
 

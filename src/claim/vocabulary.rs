@@ -1,7 +1,9 @@
 //! What the names of a sheet stand for: its `[symbols]`.
 
+use super::definition::Local;
 use super::fault::Fault;
 use super::nodes::speaks_of;
+use super::size::Sizes;
 use super::symbols::{MapEntry, Symbols};
 use crate::tex::{At, Equation, Name, Names, Relation, Tree, read, read_expression};
 use std::collections::{BTreeMap, HashSet};
@@ -107,6 +109,12 @@ impl Name {
 }
 
 impl Vocabulary {
+    /// The sizes of formulas with these definitions and all abbreviations put in.
+    pub(super) fn sizes<'a>(&'a self, locals: impl Iterator<Item = &'a Local>) -> Sizes<'a> {
+        let abbreviations = self.abbreviations.iter().map(|(name, tree)| (name, tree));
+        Sizes::new(locals.map(|local| (&local.name, &local.tree)).chain(abbreviations))
+    }
+
     /// Reads a `[symbols]` block.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 use super::expand::{Derivatives, derivative, value};
 use super::term::{Elementary, Function, Node, Symbol, Term, Terms};
 use crate::tex::{Invariant, Name};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The label of what must hold for the claim to be defined.
 pub const CLAIM_DOMAIN: &str = "the domain of the claim";
@@ -355,23 +355,43 @@ impl Statement {
         self.symbol_of(Quantity::Fresh(number), || printed.to_string())
     }
 
-    /// The term with all abbreviations written out.
+    /// The term with all abbreviations written out, also those in others; one that stands in itself is left.
     pub fn written_out(&mut self, term: Term) -> Term {
+        if self.definitions.is_empty() {
+            return term;
+        }
         let definitions = std::mem::take(&mut self.definitions);
-        let mut term = term;
-        // an abbreviation may stand in another one; none stands in itself
-        for _ in 0..=definitions.len() {
-            let again = self.terms.rewrite(term, &mut |_, node| match node {
-                Node::Symbol(symbol) => definitions.get(symbol).copied(),
+        let mut written: BTreeMap<Symbol, Term> = BTreeMap::new();
+        let mut begun: BTreeSet<Symbol> = BTreeSet::new();
+        let mut open: Vec<(Option<Symbol>, Term)> = vec![(None, term)];
+        let (mut result, mut has_begun) = (term, false);
+        while let Some(&(symbol, meant)) = open.last() {
+            if symbol.is_some_and(|symbol| written.contains_key(&symbol)) {
+                open.pop();
+                continue;
+            }
+            let is_new = match symbol {
+                Some(symbol) => begun.insert(symbol),
+                None => !std::mem::replace(&mut has_begun, true),
+            };
+            if is_new {
+                // first those that it needs
+                let needed = self.symbols_in(meant).into_iter();
+                let needed = needed.filter(|inner| !begun.contains(inner) && !written.contains_key(inner));
+                open.extend(needed.filter_map(|inner| Some((Some(inner), *definitions.get(&inner)?))));
+                continue;
+            }
+            open.pop();
+            result = self.terms.rewrite(meant, &mut |_, node| match node {
+                Node::Symbol(symbol) => written.get(symbol).copied(),
                 _ => None,
             });
-            if again == term {
-                break;
+            if let Some(symbol) = symbol {
+                written.insert(symbol, result);
             }
-            term = again;
         }
         self.definitions = definitions;
-        term
+        result
     }
 
     /// The symbol of a state, printed with its index and mark.

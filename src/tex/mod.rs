@@ -67,4 +67,5 @@ pub(crate) use lexer::{letters, printed};
 pub use mathml::{letter, mathml, mathml_display, mathml_of_condition, mathml_of_name};
 pub use names::Names;
 pub use place::{Lines, Place};
+pub(crate) use statement::LONGEST;
 pub use tree::{At, Case, Condition, Equation, Invariant, Name, Operation, Relation, Series, Tree};

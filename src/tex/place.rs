@@ -14,6 +14,15 @@ pub struct Place {
 pub struct Lines<'a> {
     pub text: &'a str,
     starts: Vec<usize>,
+    /// The characters that start before each block of [`BLOCK`] bytes: a line may be as long as the text.
+    characters: Vec<usize>,
+}
+
+const BLOCK: usize = 1024;
+
+/// The characters that start within these bytes.
+fn characters(bytes: &[u8]) -> usize {
+    bytes.iter().filter(|byte| **byte & 0xC0 != 0x80).count()
 }
 
 impl<'a> Lines<'a> {
@@ -21,7 +30,23 @@ impl<'a> Lines<'a> {
     pub fn new(text: &'a str) -> Self {
         let ends = text.match_indices('\n').map(|(end, _)| end + 1);
         let starts = std::iter::once(0).chain(ends).collect();
-        Self { text, starts }
+        let blocks = text.as_bytes().chunks(BLOCK).scan(0, |before, block| {
+            *before += characters(block);
+            Some(*before)
+        });
+        let characters = std::iter::once(0).chain(blocks).collect();
+        Self {
+            text,
+            starts,
+            characters,
+        }
+    }
+
+    /// The characters before byte `at`.
+    fn before(&self, at: usize) -> usize {
+        let block = at / BLOCK;
+        let rest = self.text.as_bytes().get(block * BLOCK..at).unwrap_or_default();
+        self.characters.get(block).copied().unwrap_or_default() + characters(rest)
     }
 
     /// The place of byte `at`; within a character, that character's; beyond the end, the end.
@@ -32,10 +57,9 @@ impl<'a> Lines<'a> {
         }
         let line = self.starts.partition_point(|&start| start <= at);
         let start = line.checked_sub(1).and_then(|n| self.starts.get(n)).copied();
-        let before = self.text.get(start.unwrap_or(0)..at).unwrap_or_default();
         Place {
             line,
-            column: before.chars().count() + 1,
+            column: self.before(at) - self.before(start.unwrap_or(0)) + 1,
         }
     }
 }
@@ -65,5 +89,10 @@ mod tests {
         assert_eq!([place(0), place(two), place(999)], [(1, 1), (2, 6), (3, 1)]);
         assert_eq!(place(two - 1), (2, 5), "within the minus sign");
         assert_eq!(Place::of(text, two).to_string(), "line 2, column 6");
+        let long = "é−a".repeat(1000);
+        let lines = Lines::new(&long);
+        for (n, (at, _)) in long.char_indices().enumerate() {
+            assert_eq!(lines.place(at), Place { line: 1, column: n + 1 });
+        }
     }
 }

@@ -12,7 +12,7 @@ use super::lexer::{INTEGERS, lex};
 use super::token::{Bracket, Kind, Set, Token};
 
 /// The longest formula that is read, in bytes.
-pub(super) const LONGEST: usize = 100_000;
+pub(crate) const LONGEST: usize = 100_000;
 
 /// The tokens of an equation, never none.
 pub(super) struct Statement<'a> {

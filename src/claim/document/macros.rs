@@ -1,11 +1,19 @@
 //! The author's own commands.
 
-use super::tex::{BRACES, SQUARE, after_blanks, command, group};
+use super::tex::{BRACES, Groups, SQUARE, after_blanks, command, group};
+use crate::tex::LONGEST;
+use std::cell::Cell;
 use std::collections::HashMap;
+use std::ops::Range;
 
-/// A formula that takes more replacements than this, or grows longer, is given up: its macros recurse.
+/// A formula that takes more replacements than this is given up: its macros recurse.
 const MOST_REPLACED: usize = 10_000;
-const LONGEST: usize = 1_000_000;
+
+/// The most characters that the macros of a document may be read and written over, all formulas taken together.
+const MOST_WRITTEN: usize = 1 << 27;
+
+/// The longest text between a name that `\def` defines and the brace of its body.
+const LONGEST_PARAMETERS: usize = 100;
 
 /// A command of the author's.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,13 +22,27 @@ struct Macro {
     /// What the first parameter is where it is left out.
     default: Option<String>,
     body: String,
+    /// Whether its body prints none of its parameters.
+    is_silent: bool,
+    /// The environment that it begins, or ends, if it does nothing else.
+    layout: Option<(bool, String)>,
     /// Why it cannot be used.
     problem: Option<&'static str>,
 }
 
+/// Why a macro is not replaced.
+enum Unusable {
+    LacksAnArgument,
+    TooLong,
+}
+
 /// The commands that a document has defined so far.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Macros(HashMap<String, Macro>);
+pub(super) struct Macros {
+    known: HashMap<String, Macro>,
+    /// The characters that were read and written over so far.
+    written: Cell<usize>,
+}
 
 impl Macros {
     /// Reads the definition by the command that ends at byte `end`; says what it defines, and where it ends. What is no
@@ -30,8 +52,10 @@ impl Macros {
         text: &str,
         name: &str,
         end: usize,
+        groups: &Groups,
         problem: Option<&'static str>,
     ) -> Option<(String, usize)> {
+        let group = |text: &str, at: usize, brackets: [u8; 2]| groups.group(text, at, brackets);
         let name = if name == "gdef" { "def" } else { name };
         let star = usize::from(text.as_bytes().get(end) == Some(&b'*'));
         let start = after_blanks(text, end + star);
@@ -49,7 +73,7 @@ impl Macros {
         };
         let (parameters, default, body) = match name {
             "def" => {
-                let open = next + text.get(next..)?.find('{')?;
+                let open = next + text.as_bytes().get(next..)?.iter().take(LONGEST_PARAMETERS).position(|c| *c == b'{')?;
                 let parameters = text.get(next..open)?.trim();
                 // only #1#2 in their order
                 let plain: String = (1..=parameters.len() / 2).map(|n| format!("#{n}")).collect();
@@ -77,50 +101,43 @@ impl Macros {
             "DeclareMathOperator" => format!(r"\operatorname{{{body}}}"),
             _ => body,
         };
-        if name != "providecommand" || !self.0.contains_key(&defined) {
+        if name != "providecommand" || !self.known.contains_key(&defined) {
             let known = Macro {
                 parameters,
                 default,
+                is_silent: parameters > 0 && problem.is_none() && !body.contains('#'),
+                layout: layout(&body).filter(|_| problem.is_none() && parameters == 0),
                 body,
                 problem,
             };
-            self.0.insert(defined.clone(), known);
+            self.known.insert(defined.clone(), known);
         }
         Some((defined, end))
     }
 
     /// Where the arguments of a macro end that starts behind byte `next`, if it prints none of them.
-    pub(super) fn leaves_out(&self, name: &str, text: &str, next: usize) -> Option<usize> {
-        let known = self.0.get(name)?;
-        let is_silent = known.parameters > 0 && known.problem.is_none() && !known.body.contains('#');
-        is_silent
-            .then(|| known.applied(text, next).map(|(_, end)| end))
-            .flatten()
+    pub(super) fn leaves_out(&self, name: &str, text: &str, next: usize, groups: &Groups) -> Option<usize> {
+        let known = self.known.get(name).filter(|known| known.is_silent)?;
+        let find = |at: usize, brackets: [u8; 2]| groups.group(text, at, brackets);
+        known.arguments(text, next, &find).map(|(_, end)| end)
     }
 
     /// Whether a macro is the beginning of an environment, or its end, and nothing else; and of which.
     pub(super) fn layout(&self, name: &str) -> Option<(bool, &str)> {
-        let known = self
-            .0
-            .get(name)
-            .filter(|known| known.problem.is_none() && known.parameters == 0)?;
-        let body = known.body.trim();
-        let (word, next) = command(body, 0);
-        let own = group(body, next, BRACES).filter(|own| own.end + 1 == body.len())?;
-        let is_layout = body.starts_with('\\') && matches!(word, "begin" | "end");
-        is_layout.then_some((word == "begin", body.get(own)?.trim()))
+        let (opens, own) = self.known.get(name)?.layout.as_ref()?;
+        Some((*opens, own))
     }
 
     /// The formula with every macro replaced.
     ///
     /// # Errors
-    /// What to say of macros that recurse or lack an argument.
+    /// What to say of macros that recurse, lack an argument or make the formula, or the document, too long.
     pub(super) fn expanded(&self, tex: &str) -> Result<String, String> {
         let (mut text, mut at, mut replaced) = (tex.to_owned(), 0, 0);
         while let Some(found) = text.get(at..).and_then(|rest| rest.find('\\')) {
             let start = at + found;
             let (name, end) = command(&text, start);
-            let Some(known) = self.0.get(name) else {
+            let Some(known) = self.known.get(name) else {
                 at = end;
                 continue;
             };
@@ -128,12 +145,23 @@ impl Macros {
                 return Err(format!(r"the macro `\{name}` {problem}"));
             }
             replaced += 1;
-            if replaced > MOST_REPLACED || text.len() > LONGEST {
+            if replaced > MOST_REPLACED {
                 return Err(format!(r"the macro `\{name}` goes on for ever"));
             }
-            let (put_in, end) = known
-                .applied(&text, end)
-                .ok_or_else(|| format!(r"the macro `\{name}` lacks an argument"))?;
+            let written = self.written.get() + text.len();
+            self.written.set(written);
+            if written > MOST_WRITTEN {
+                return Err(format!(
+                    r"the macro `\{name}` is not replaced: the macros of this document come to more than {} million characters",
+                    MOST_WRITTEN / 1_000_000
+                ));
+            }
+            let (put_in, end) = known.applied(&text, end).map_err(|unusable| match unusable {
+                Unusable::LacksAnArgument => format!(r"the macro `\{name}` lacks an argument"),
+                Unusable::TooLong => {
+                    format!(r"the macro `\{name}` makes the formula longer than {LONGEST} characters")
+                }
+            })?;
             let before = text.get(..start).unwrap_or_default();
             let behind = text.get(end..).unwrap_or_default();
             let space = if goes_on(before, &put_in) { " " } else { "" };
@@ -158,21 +186,22 @@ fn begins_with_letter(text: &str) -> bool {
 }
 
 impl Macro {
-    /// What stands for the macro with the arguments that start at byte `at`, and where these end.
-    fn applied(&self, text: &str, mut at: usize) -> Option<(String, usize)> {
-        let mut arguments: Vec<String> = Vec::new();
-        if let Some(default) = &self.default {
-            match group(text, at, SQUARE) {
-                Some(own) => {
-                    at = own.end + 1;
-                    arguments.push(text.get(own)?.to_owned());
-                }
-                None => arguments.push(default.clone()),
-            }
+    /// Where the arguments of a macro stand that start at byte `at`, the default left out, and where these end.
+    fn arguments(
+        &self,
+        text: &str,
+        mut at: usize,
+        group: &dyn Fn(usize, [u8; 2]) -> Option<Range<usize>>,
+    ) -> Option<(Vec<Option<Range<usize>>>, usize)> {
+        let mut arguments = Vec::new();
+        if self.default.is_some() {
+            let own = group(at, SQUARE);
+            at = own.as_ref().map_or(at, |own| own.end + 1);
+            arguments.push(own);
         }
         while arguments.len() < self.parameters {
             let start = after_blanks(text, at);
-            let own = match group(text, start, BRACES) {
+            let own = match group(start, BRACES) {
                 Some(own) => {
                     at = own.end + 1;
                     own
@@ -187,7 +216,22 @@ impl Macro {
                     start..end
                 }
             };
-            arguments.push(text.get(own)?.to_owned());
+            arguments.push(Some(own));
+        }
+        Some((arguments, at))
+    }
+
+    /// What stands for the macro with the arguments that start at byte `at`, and where these end.
+    fn applied(&self, text: &str, at: usize) -> Result<(String, usize), Unusable> {
+        let find = |at: usize, brackets: [u8; 2]| group(text, at, brackets);
+        let (arguments, at) = self.arguments(text, at, &find).ok_or(Unusable::LacksAnArgument)?;
+        let default = self.default.as_deref().unwrap_or_default();
+        let argument = |own: Option<Range<usize>>| own.map_or(Some(default), |own| text.get(own));
+        let arguments: Option<Vec<&str>> = arguments.into_iter().map(argument).collect();
+        let arguments = arguments.ok_or(Unusable::LacksAnArgument)?;
+        let fits = |text: &str| text.len() <= LONGEST;
+        if !fits(text) || !fits(&self.body) {
+            return Err(Unusable::TooLong);
         }
         let mut parts = self.body.split('#');
         let mut body = parts.next().unwrap_or_default().to_owned();
@@ -196,10 +240,13 @@ impl Macro {
             match number.and_then(|number| arguments.get((number as usize).checked_sub(1)?)) {
                 // TeX puts in tokens: letters never make a command longer
                 Some(argument) => {
-                    for text in [argument, part.get(1..).unwrap_or_default()] {
+                    for text in [*argument, part.get(1..).unwrap_or_default()] {
                         let space = if goes_on(&body, text) { " " } else { "" };
                         body.push_str(space);
                         body.push_str(text);
+                        if !fits(&body) {
+                            return Err(Unusable::TooLong);
+                        }
                     }
                 }
                 None => {
@@ -208,9 +255,19 @@ impl Macro {
                 }
             }
         }
-        Some((body, at))
+        Ok((body, at))
     }
 }
+
+/// The environment that the body of a macro begins, or ends, if it does nothing else.
+fn layout(body: &str) -> Option<(bool, String)> {
+    let body = body.trim();
+    let (word, next) = command(body, 0);
+    let own = group(body, next, BRACES).filter(|own| own.end + 1 == body.len())?;
+    let is_layout = body.starts_with('\\') && matches!(word, "begin" | "end");
+    is_layout.then_some((word == "begin", body.get(own)?.trim().to_owned()))
+}
+
 
 #[cfg(test)]
 mod tests {
@@ -220,7 +277,7 @@ mod tests {
         let mut macros = Macros::default();
         for text in definitions {
             let (name, end) = command(text, 0);
-            let read = macros.read(text, name, end, None);
+            let read = macros.read(text, name, end, &Groups::of(text), None);
             assert_eq!(read.map(|(_, end)| end), Some(text.len()), "{text}");
         }
         macros
@@ -268,6 +325,20 @@ mod tests {
         ]);
         assert!(macros.expanded(r"x = \a").unwrap_err().contains("for ever"));
         assert!(macros.expanded(r"{\c}").unwrap_err().contains("lacks an argument"));
+    }
+
+    #[test]
+    fn a_macro_that_would_make_a_formula_too_long_is_said_before_it_is_written() {
+        let long = format!(r"\newcommand{{\a}}[1]{{{}}}", "#1".repeat(100_000));
+        let body = format!(r"\newcommand{{\b}}{{{}}}", "x".repeat(LONGEST + 1));
+        let macros = macros(&[&long, &body, r"\newcommand{\c}{\c\c}"]);
+        let argument = format!(r"\a{{{}}}", "x".repeat(50_000));
+        for tex in [argument.as_str(), r"\b"] {
+            assert!(macros.expanded(tex).unwrap_err().contains("longer than 100000"), "{tex:.10}");
+        }
+        // what all formulas together may cost
+        let last = (0..200).map(|_| macros.expanded(r"\c").unwrap_err()).last();
+        assert!(last.unwrap().contains("of this document"));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The rows of a display, and the formulas that they make.
 
-use super::tex::{BRACES, Outside, after_blanks, environment, group, is_equating, orders, outside, relates, trimmed};
+use super::tex::{BRACES, Groups, Outside, after_blanks, environment, group, is_equating, orders, outside, relates, trimmed};
 use crate::tex::printed;
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use std::ops::Range;
 pub(super) struct Row {
     /// Where it stands, labels and tags blanked out.
     pub part: Range<usize>,
-    /// Where its last line ends.
+    /// Where its last line ends, or the display.
     pub line_end: usize,
     pub labels: Vec<String>,
     pub tag: Option<String>,
@@ -57,13 +57,16 @@ const PAIRED: [&str; 11] = [
     "split",
 ];
 
+/// The most characters of a row, counted once for each of its columns.
+const MOST_COMPARED: usize = 1_000_000;
+
 /// Takes a display apart: `text` is what it stands in, `body` where, `name` the environment. Labels, tags and column signs become
 /// blanks, but for a comma between columns that are equations of their own.
 pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row> {
+    let end = body.end;
     let line_end = |text: &str, at: usize| {
-        text.get(at..)
-            .and_then(|rest| rest.find('\n'))
-            .map_or(text.len(), |end| at + end)
+        let rest = text.get(at..end).and_then(|rest| rest.find('\n'));
+        rest.map_or(end, |found| at + found)
     };
     let mut whole = Row::new(body.clone(), line_end(text, body.end));
     // what is said outside a layer is said of all of it
@@ -82,7 +85,7 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
             (body, name.to_owned())
         }
     };
-    let mut pieces: Vec<(Range<usize>, bool)> = Vec::new();
+    let mut pieces: Vec<(Range<usize>, bool, bool)> = Vec::new();
     let mut start = inner.start;
     let mut columns: Vec<usize> = Vec::new();
     let mut has_columns = false;
@@ -91,7 +94,13 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
             .get(part.clone())
             .is_some_and(|row| row.trim_start().starts_with('&'));
         let mut column = part.start;
-        for (place, at) in std::mem::take(columns).into_iter().enumerate() {
+        let columns = std::mem::take(columns);
+        // each column is compared with the rest of its row
+        let is_wide = columns.len().saturating_mul(part.len()) > MOST_COMPARED;
+        if is_wide {
+            columns.iter().for_each(|&at| text.replace_range(at..=at, " "));
+        }
+        for (place, at) in columns.into_iter().enumerate().filter(|_| !is_wide) {
             let shown = |side: Range<usize>| text.get(side).unwrap_or_default().replace('&', " ");
             let (left, right) = (shown(column..at), shown(at + 1..part.end));
             let (left, right) = (printed(&left), printed(&right));
@@ -106,7 +115,7 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
             has_columns |= parts && equates(right);
             text.replace_range(at..=at, if parts { "," } else { " " });
         }
-        pieces.push((part, starts));
+        pieces.push((part, starts, is_wide));
     };
     for found in outside(text, inner.clone()) {
         match found {
@@ -123,10 +132,11 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
     // the first side of the chain that a row continues
     let mut head: Option<Range<usize>> = None;
     let (mut goes_on, mut is_implied, mut has_arrow) = (false, false, false);
-    for (piece, is_aligned) in pieces {
+    for (piece, is_aligned, is_wide) in pieces {
         let mut row = Row::new(piece.clone(), line_end(text, trimmed(text, piece.clone()).end));
         row.take_names(text, piece.clone());
         row.part = trimmed(text, piece);
+        row.problem = is_wide.then_some("a row of too many columns: give each formula a display of its own");
         if row.part.is_empty() {
             continue;
         }
@@ -179,7 +189,7 @@ pub(super) fn rows(text: &mut String, body: Range<usize>, name: &str) -> Vec<Row
     let problem = "columns of equations that go on in another row: give each formula a display of its own";
     for row in &mut rows {
         row.is_doubtful = is_doubtful;
-        row.problem = (has_columns && goes_on).then_some(problem);
+        row.problem = row.problem.or((has_columns && goes_on).then_some(problem));
     }
     rows
 }
@@ -258,17 +268,20 @@ impl Row {
 
     /// Takes the labels, the tag and the like out of a part of the text.
     fn take_names(&mut self, text: &mut String, part: Range<usize>) {
-        let commands: Vec<Range<usize>> = outside(text, part)
+        let commands: Vec<Range<usize>> = outside(text, part.clone())
             .into_iter()
             .filter_map(|found| match found {
                 Outside::Command(at) => Some(at),
                 _ => None,
             })
             .collect();
+        let own = text.get(part.clone()).unwrap_or_default().to_owned();
+        let groups = Groups::of(&own);
         for at in commands {
             let name = text.get(at.start + 1..at.end).unwrap_or_default().to_owned();
             let star = usize::from(text.as_bytes().get(at.end) == Some(&b'*'));
-            let argument = group(text, at.end + star, BRACES);
+            let argument = groups.group(&own, at.end + star - part.start, BRACES);
+            let argument = argument.map(|own| part.start + own.start..part.start + own.end);
             let own = argument
                 .clone()
                 .and_then(|own| text.get(own))
@@ -305,6 +318,7 @@ impl Row {
         self.numbers += more.numbers;
         self.labels.extend(more.labels);
         self.tag = self.tag.take().or(more.tag);
+        self.problem = self.problem.or(more.problem);
     }
 }
 

@@ -4,7 +4,7 @@ use super::super::fault::File;
 use super::comment::is_misspelt;
 use super::macros::Macros;
 use super::rows::{Row, blank, rows};
-use super::tex::{BRACES, Outside, SQUARE, after_blanks, command, environment, group, outside};
+use super::tex::{BRACES, Groups, Outside, SQUARE, after_blanks, command, outside, words};
 use std::collections::{HashMap, HashSet, VecDeque};
 use std::ops::Range;
 
@@ -205,7 +205,13 @@ const BRACED: [&str; 10] = [
 ];
 
 /// How far ends of conditionals are looked for, taken together, in bytes.
-const MOST_SEARCHED: usize = 64 * LONGEST;
+const MOST_SEARCHED: usize = 8 * LONGEST;
+
+/// The most text of a line that is kept with a comment, in bytes.
+const LONGEST_LINE: usize = 4096;
+
+/// The longest text of `\\verb`, in characters.
+const LONGEST_VERB: usize = 10_000;
 
 /// The last letter of a group of equations.
 const MOST_LETTERS: u32 = 25;
@@ -225,6 +231,16 @@ pub(super) struct Scan<'a> {
     /// What is passed over although it may be meant, and where.
     pub notes: Vec<(usize, String)>,
     macros: Macros,
+    /// Where the groups of the text close.
+    groups_of_text: Groups,
+    /// For signs that are searched for: from where on up to where there is none.
+    absent: HashMap<&'static str, Range<usize>>,
+    /// For environments without an end: where those within them end, by where their bodies start; and how far was searched.
+    endings: HashMap<String, (HashMap<usize, (usize, usize)>, Range<usize>)>,
+    /// Where the line ends that was looked for last, and from where on.
+    line_end: Range<usize>,
+    /// The line that was found last for a comment that stands alone.
+    line: Range<usize>,
     /// The comments of the file at hand that no formula has taken yet.
     waiting: VecDeque<usize>,
     /// The author's environments: which one each stands for; none where it is more.
@@ -272,6 +288,11 @@ impl<'a> Scan<'a> {
             notes: Vec::new(),
             endless: None,
             macros: Macros::default(),
+            groups_of_text: Groups::default(),
+            absent: HashMap::new(),
+            endings: HashMap::new(),
+            line: 0..0,
+            line_end: 1..0,
             waiting: VecDeque::new(),
             environments: HashMap::new(),
             hidden: Vec::new(),
@@ -307,11 +328,30 @@ impl<'a> Scan<'a> {
             Markup::Tex => self.comments_of_tex(start..end),
             Markup::Markdown => self.comments_of_markdown(start..end),
         };
+        self.groups_of_text.add(&self.text, start..end);
         let outer = std::mem::replace(&mut self.waiting, comments.into());
         let endless = self.endless.take();
         self.displays(start..end);
         self.take_comments(usize::MAX, None);
         (self.waiting, self.endless) = (outer, endless);
+    }
+
+    /// What stands between the braces, or these other brackets, that open at byte `at`, or blanks later.
+    fn group(&self, at: usize, brackets: [u8; 2]) -> Option<Range<usize>> {
+        self.groups_of_text.group(&self.text, at, brackets)
+    }
+
+    /// The first place of a sign between two bytes.
+    fn find(&mut self, sign: &'static str, from: usize, end: usize) -> Option<usize> {
+        let is_absent = |none: &Range<usize>| none.start <= from && end <= none.end;
+        if self.absent.get(sign).is_some_and(is_absent) {
+            return None;
+        }
+        let found = self.text.get(from..end).and_then(|rest| rest.find(sign));
+        if found.is_none() {
+            self.absent.insert(sign, from..end);
+        }
+        found.map(|found| from + found)
     }
 
     fn comments_of_tex(&mut self, part: Range<usize>) -> Vec<usize> {
@@ -376,18 +416,18 @@ impl<'a> Scan<'a> {
             None if is_misspelt(text) => text.to_owned(),
             None => return None,
         };
-        let from = self.text.get(..start)?.rfind('\n').map_or(0, |end| end + 1);
+        let bound = start.saturating_sub(LONGEST_LINE);
+        let bound = (bound..=start).find(|at| self.text.is_char_boundary(*at))?;
+        let from = self.text.get(bound..start)?.rfind('\n').map_or(bound, |end| bound + end + 1);
         let before = self.text.get(from..start)?.trim();
         let is_on_line = !before.is_empty();
-        let line = match before {
-            "" => self
-                .text
-                .get(part.end..)?
-                .lines()
-                .find(|line| !line.trim().is_empty() && !line.contains("-->"))?,
-            before => before,
+        let line = if is_on_line {
+            before.to_owned()
+        } else {
+            let next = self.next_line(part.end)?;
+            let line = self.text.get(next)?;
+            line.chars().take(LONGEST_LINE).collect()
         };
-        let line = line.to_owned();
         self.comments.push(Comment {
             part,
             text,
@@ -396,6 +436,22 @@ impl<'a> Scan<'a> {
             after: 0,
         });
         Some(self.comments.len() - 1)
+    }
+
+    /// The first line from byte `at` on that prints something.
+    fn next_line(&mut self, at: usize) -> Option<Range<usize>> {
+        if self.line.start < at {
+            let (mut from, rest) = (at, self.text.get(at..)?);
+            let lines = rest.split('\n').map(|line| {
+                let own = from..from + line.len();
+                from = own.end + 1;
+                (own, line)
+            });
+            let prints = |(_, line): &(Range<usize>, &str)| !line.trim().is_empty() && !line.contains("-->");
+            let none = self.text.len()..self.text.len();
+            self.line = lines.into_iter().find(prints).map_or(none, |(own, _)| own);
+        }
+        Some(self.line.clone()).filter(|line| !line.is_empty())
     }
 
     /// Hands the comments before byte `end` to a formula; what is left at the end of a file is about none.
@@ -549,12 +605,8 @@ impl<'a> Scan<'a> {
         let start = here + sign.len();
         let mut at = start;
         loop {
-            let Some(found) = self
-                .text
-                .get(at..end)
-                .and_then(|rest| rest.find(sign))
-                .map(|found| at + found)
-            else {
+            let Some(found) = self.find(sign, at, end) else {
+                self.absent.insert(sign, here + 1..end);
                 if is_display {
                     self.faults
                         .push((here, "this display does not end: there is no second `$$`".to_owned()));
@@ -592,7 +644,7 @@ impl<'a> Scan<'a> {
         }
         if let Some(close) = self
             .macros
-            .leaves_out(&name, &self.text, next)
+            .leaves_out(&name, &self.text, next, &self.groups_of_text)
             .filter(|close| *close <= end)
         {
             return self.leave_out(here, close);
@@ -613,7 +665,7 @@ impl<'a> Scan<'a> {
         };
         match name.as_str() {
             "begin" => {
-                let Some(environment_name) = group(&self.text, next, BRACES) else {
+                let Some(environment_name) = self.group(next, BRACES) else {
                     return next;
                 };
                 let inside = environment_name.end + 1;
@@ -634,9 +686,8 @@ impl<'a> Scan<'a> {
                     self.has_lost_count = true;
                 }
                 if VERBATIM.contains(&own.as_str()) || self.hidden.contains(&own) {
-                    let close = environment(&self.text, here).map(|(.., close)| close);
-                    return match close.filter(|close| *close <= end) {
-                        Some(close) => self.leave_out(here, close),
+                    return match self.ending(inside, end, &own) {
+                        Some((_, close)) => self.leave_out(here, close),
                         None => self.without_end(here, inside, &own),
                     };
                 }
@@ -648,7 +699,7 @@ impl<'a> Scan<'a> {
                 inside
             }
             "end" => {
-                let own = group(&self.text, next, BRACES);
+                let own = self.group(next, BRACES);
                 let close = own.as_ref().map_or(next, |own| own.end + 1);
                 let own = own.and_then(|own| self.text.get(own)).unwrap_or_default();
                 if own == "document" {
@@ -670,12 +721,7 @@ impl<'a> Scan<'a> {
                 next
             }
             "[" => {
-                let close = self
-                    .text
-                    .get(next..end)
-                    .and_then(|rest| rest.find(r"\]"))
-                    .map(|found| next + found);
-                let Some(close) = close else {
+                let Some(close) = self.find(r"\]", next, end) else {
                     self.faults
                         .push((here, r"this display does not end: there is no `\]`".to_owned()));
                     return next;
@@ -687,8 +733,9 @@ impl<'a> Scan<'a> {
                 let sign = self.text.get(next..).and_then(|rest| rest.chars().next());
                 let close = sign.and_then(|sign| {
                     let start = next + sign.len_utf8();
-                    let line = self.text.get(start..)?.lines().next()?;
-                    Some(start + line.find(sign)? + sign.len_utf8())
+                    let mut line = self.text.get(start..)?.char_indices().take(LONGEST_VERB);
+                    let (at, end) = line.find(|(_, c)| *c == sign || *c == '\n')?;
+                    (end == sign).then_some(start + at + sign.len_utf8())
                 });
                 close.unwrap_or(next)
             }
@@ -697,7 +744,7 @@ impl<'a> Scan<'a> {
             }
             "newenvironment" | "renewenvironment" => self.own_environment(next),
             "excludecomment" => {
-                let own = group(&self.text, next, BRACES);
+                let own = self.group(next, BRACES);
                 self.hidden
                     .extend(own.and_then(|own| self.text.get(own)).map(str::to_owned));
                 next
@@ -743,8 +790,8 @@ impl<'a> Scan<'a> {
                 next
             }
             "documentclass" => {
-                let options = group(&self.text, next, SQUARE).map_or(next, |own| own.end + 1);
-                let class = group(&self.text, options, BRACES).and_then(|own| self.text.get(own));
+                let options = self.group(next, SQUARE).map_or(next, |own| own.end + 1);
+                let class = self.group(options, BRACES).and_then(|own| self.text.get(own));
                 self.has_chapters = class.is_some_and(|class| CLASSES_WITH_CHAPTERS.contains(&class.trim()));
                 self.within_sections |= self.has_chapters;
                 next
@@ -763,7 +810,7 @@ impl<'a> Scan<'a> {
                 next
             }
             "input" | "include" | "subfile" => {
-                let argument = group(&self.text, next, BRACES);
+                let argument = self.group(next, BRACES);
                 let close = argument.as_ref().map_or(next, |own| own.end + 1);
                 if let Some(file) = argument
                     .and_then(|own| self.text.get(own))
@@ -789,16 +836,16 @@ impl<'a> Scan<'a> {
     /// Takes note of an environment of the author's own; says where its definition ends.
     fn own_environment(&mut self, next: usize) -> usize {
         let star = usize::from(self.text.as_bytes().get(next) == Some(&b'*'));
-        let Some(name) = group(&self.text, next + star, BRACES) else {
+        let Some(name) = self.group(next + star, BRACES) else {
             return next;
         };
         let mut close = name.end + 1;
-        while let Some(own) = group(&self.text, close, SQUARE) {
+        while let Some(own) = self.group(close, SQUARE) {
             close = own.end + 1;
         }
         let mut parts: [&str; 2] = [""; 2];
         for part in &mut parts {
-            let Some(own) = group(&self.text, close, BRACES) else {
+            let Some(own) = self.group(close, BRACES) else {
                 return close;
             };
             close = own.end + 1;
@@ -832,7 +879,7 @@ impl<'a> Scan<'a> {
         };
         let mut body = inside..body;
         if meant.contains("alignat") || meant.contains("IEEE") {
-            body.start = group(&self.text, body.start, BRACES).map_or(body.start, |count| count.end + 1);
+            body.start = self.group(body.start, BRACES).map_or(body.start, |count| count.end + 1);
         }
         let shown = self.text.get(body.clone()).unwrap_or_default();
         if words(shown).any(|(word, next)| is_counter(shown, word, next)) {
@@ -850,14 +897,21 @@ impl<'a> Scan<'a> {
     }
 
     /// Where the body of an environment ends that starts at byte `start`, and where its end does.
-    fn ending(&self, start: usize, end: usize, own: &str) -> Option<(usize, usize)> {
-        let mut depth = 1_usize;
+    fn ending(&mut self, start: usize, end: usize, own: &str) -> Option<(usize, usize)> {
+        if let Some((known, searched)) = self.endings.get(own)
+            && searched.contains(&start)
+            && searched.end == end
+        {
+            return known.get(&start).copied();
+        }
+        // the bodies that are open, and the ends of those that are not
+        let (mut open, mut known) = (vec![start], HashMap::new());
         for (word, next) in words(self.text.get(start..end)?) {
             let next = start + next;
             let here = next - word.len() - 1;
             let (opens, name, close) = match word {
                 "begin" | "end" => {
-                    let Some(name) = group(&self.text, next, BRACES) else {
+                    let Some(name) = self.group(next, BRACES) else {
                         continue;
                     };
                     (word == "begin", self.text.get(name.clone())?, name.end + 1)
@@ -867,13 +921,20 @@ impl<'a> Scan<'a> {
                     None => continue,
                 },
             };
-            if name == own {
-                depth = if opens { depth + 1 } else { depth - 1 };
+            match (name == own, opens) {
+                (false, _) => {}
+                (true, true) => open.push(close),
+                (true, false) => {
+                    if let Some(body) = open.pop() {
+                        known.insert(body, (here, close));
+                    }
+                }
             }
-            if depth == 0 {
+            if open.is_empty() {
                 return Some((here, close)).filter(|(_, close)| *close <= end);
             }
         }
+        self.endings.insert(own.to_owned(), (known, start..end));
         None
     }
 
@@ -888,7 +949,7 @@ impl<'a> Scan<'a> {
         } else {
             None
         };
-        let Some((defined, close)) = self.macros.read(&self.text, name, next, problem) else {
+        let Some((defined, close)) = self.macros.read(&self.text, name, next, &self.groups_of_text, problem) else {
             self.faults.push((here, format!(r"this `\{name}` cannot be read")));
             return next;
         };
@@ -922,32 +983,38 @@ impl<'a> Scan<'a> {
 
     /// Passes over what does not print, with its comments.
     fn leave_out(&mut self, start: usize, end: usize) -> usize {
-        let is_within = |comment: &&mut Comment| (start..end).contains(&comment.part.start);
-        for comment in self.comments.iter_mut().filter(is_within) {
-            comment.text.clear();
-        }
         let comments = &self.comments;
-        self.waiting
-            .retain(|number| comments.get(*number).is_some_and(|comment| !comment.text.is_empty()));
+        let count_before = |at: usize| {
+            let is_before = |number: &usize| comments.get(*number).is_some_and(|comment| comment.part.start < at);
+            self.waiting.partition_point(is_before)
+        };
+        let left_out = count_before(start)..count_before(end);
+        for number in self.waiting.drain(left_out) {
+            if let Some(comment) = self.comments.get_mut(number) {
+                comment.text.clear();
+            }
+        }
         end
     }
 
     /// A conditional of which nobody says which branch prints: both are read, and what would matter is a fault.
     fn conditional(&mut self, here: usize, name: &str, next: usize, end: usize) -> usize {
-        let close = match self.branches(next, end).filter(|_| !BRACED.contains(&name)) {
+        let is_braced = BRACED.contains(&name);
+        let branches = if is_braced { None } else { self.branches(next, end) };
+        let close = match branches {
             Some((_, close)) => {
                 self.conditionals.push(false);
                 close
             }
             None => {
                 let mut close = next;
-                while let Some(own) = group(&self.text, close, BRACES) {
+                while let Some(own) = self.group(close, BRACES) {
                     close = own.end + 1;
                 }
                 close
             }
         };
-        let own = self.text.get(next..close).unwrap_or_default();
+        let (start, own) = (next, self.text.get(next..close).unwrap_or_default());
         // what it sets is not known from here on
         let set: Vec<String> = words(own)
             .filter_map(|(word, _)| self.switched(word))
@@ -956,7 +1023,7 @@ impl<'a> Scan<'a> {
         self.switches.retain(|switch, _| !set.contains(switch));
         let counts = |(word, next): (&str, usize)| {
             let opens = || {
-                let name = group(own, next, BRACES).and_then(|name| own.get(name));
+                let name = self.group(start + next, BRACES).and_then(|name| self.text.get(name));
                 name.is_some_and(|name| name == "subequations" || numbers_of(name).is_some())
             };
             (word == "begin" && opens()) || is_counter(own, word, next) || self.macros.layout(word).is_some()
@@ -977,10 +1044,10 @@ impl<'a> Scan<'a> {
         if !is_counter(&self.text, name, next) {
             return next;
         }
-        let own = group(&self.text, next, BRACES);
+        let own = self.group(next, BRACES);
         let inside = own.as_ref().map_or(next, |own| own.end + 1);
         let own = own.and_then(|own| self.text.get(own)).unwrap_or_default().to_owned();
-        let written = group(&self.text, inside, BRACES).and_then(|value| self.text.get(value));
+        let written = self.group(inside, BRACES).and_then(|value| self.text.get(value));
         let written = written.and_then(|value| value.trim().parse::<i64>().ok());
         let steps = matches!(name, "stepcounter" | "refstepcounter");
         let count = match (&self.group, own.as_str()) {
@@ -1085,11 +1152,11 @@ impl<'a> Scan<'a> {
             self.count();
         }
         // what is said behind a display of one number is said of all of it
-        let line = self
-            .text
-            .get(end..)
-            .and_then(|rest| rest.find('\n'))
-            .map_or(self.text.len(), |found| end + found);
+        if !(self.line_end.start..=self.line_end.end).contains(&end) {
+            let rest = self.text.get(end..).unwrap_or_default();
+            self.line_end = end..rest.find('\n').map_or(self.text.len(), |found| end + found);
+        }
+        let line = self.line_end.end;
         let last = self.formulas.len().wrapping_sub(1);
         let own = self.text.get(start..end).unwrap_or_default();
         let is_apart = !own.contains('\n') || own.trim_end_matches([' ', '\t']).ends_with('\n');
@@ -1105,10 +1172,12 @@ impl<'a> Scan<'a> {
             .iter()
             .find(|sign| behind.starts_with(**sign))
             .map_or(0, |sign| sign.len());
-        let next = ["$$", r"\[", r"\begin"]
-            .iter()
-            .filter_map(|sign| behind.get(closing..)?.find(sign))
-            .min();
+        let behind = behind.get(closing..).unwrap_or_default();
+        let opens = |at: &usize| {
+            let rest = behind.get(*at..).unwrap_or_default();
+            ["$$", r"\[", r"\begin"].iter().any(|sign| rest.starts_with(sign))
+        };
+        let next = behind.match_indices(['$', '\\']).map(|(at, _)| at).find(opens);
         let line = next.map_or(line, |next| end + closing + next);
         if self.formulas.len() > first {
             self.take_comments(line, Some(formula));
@@ -1200,17 +1269,6 @@ fn holds_text(name: &str) -> bool {
     TEXT.contains(&name) || name.starts_with("prf:") || name.starts_with("proof:")
 }
 
-/// The commands of a text, each with where it ends.
-fn words(text: &str) -> impl Iterator<Item = (&str, usize)> {
-    let mut at = 0;
-    std::iter::from_fn(move || {
-        let here = at + text.get(at..)?.find('\\')?;
-        let (word, next) = command(text, here);
-        at = next;
-        Some((word, next))
-    })
-}
-
 /// Where the `\else` and the `\fi` of a conditional stand that begins at byte `start`.
 fn branches(text: &str, start: usize, end: usize) -> Option<(Option<usize>, usize)> {
     let own = text.get(start..end)?;
@@ -1233,9 +1291,12 @@ fn branches(text: &str, start: usize, end: usize) -> Option<(Option<usize>, usiz
 
 /// Whether a command changes the number of equations or sections.
 fn is_counter(text: &str, word: &str, next: usize) -> bool {
-    let own = group(text, next, BRACES).and_then(|own| text.get(own));
+    let own = text
+        .get(after_blanks(text, next)..)
+        .and_then(|rest| rest.strip_prefix('{'));
+    let is = |name: &&str| own.is_some_and(|own| own.strip_prefix(*name).is_some_and(|rest| rest.starts_with('}')));
     matches!(word, "setcounter" | "addtocounter" | "stepcounter" | "refstepcounter")
-        && own.is_some_and(|own| matches!(own, "equation" | "parentequation" | "section"))
+        && ["equation", "parentequation", "section"].iter().any(|name| is(name))
 }
 
 /// Whether a line between the first and the last holds nothing.

@@ -1,5 +1,6 @@
 //! What TeX source looks like from outside: groups, environments, rows, relations. Nothing of its mathematics.
 
+use std::collections::HashMap;
 use std::ops::Range;
 
 /// The command at byte `at`, a backslash: its name, of letters or of one other character, and where it ends.
@@ -44,27 +45,94 @@ pub(super) fn group(text: &str, at: usize, brackets: [u8; 2]) -> Option<Range<us
 pub(super) const BRACES: [u8; 2] = *b"{}";
 pub(super) const SQUARE: [u8; 2] = *b"[]";
 
-/// The environment that `\begin` at byte `at` opens: its name, what it holds, and where its `\end` ends.
-pub(super) fn environment(text: &str, at: usize) -> Option<(&str, Range<usize>, usize)> {
-    let name = group(text, at + r"\begin".len(), BRACES)?;
-    let start = name.end + 1;
-    let name = text.get(name)?;
-    let (mut depth, mut next) = (1_usize, start);
-    while let Some(found) = text.get(next..)?.find('\\') {
-        let here = next + found;
-        let (word, end) = command(text, here);
-        next = end;
-        let same = |text: &str| group(text, end, BRACES).is_some_and(|own| text.get(own) == Some(name));
-        match word {
-            "begin" if same(text) => depth += 1,
-            "end" if same(text) => depth -= 1,
-            _ => {}
+/// Where the braces and square brackets of a text close, found in one pass: looking for the end of each would cost the square
+/// of a text in which nothing closes.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Groups(Vec<(usize, usize)>);
+
+impl Groups {
+    /// Finds those of a whole text.
+    pub(super) fn of(text: &str) -> Self {
+        let mut groups = Self::default();
+        groups.add(text, 0..text.len());
+        groups
+    }
+
+    /// Adds those that open and close in a part behind all parts so far.
+    pub(super) fn add(&mut self, text: &str, part: Range<usize>) {
+        let known = self.0.len();
+        // the braces that are open, each with the square brackets that are open in it
+        let mut open: Vec<(Option<usize>, Vec<usize>)> = vec![(None, Vec::new())];
+        let mut next = part.start;
+        while let Some(byte) = text.as_bytes().get(next).filter(|_| next < part.end) {
+            match (byte, open.last_mut()) {
+                (b'\\', _) => next += 1,
+                (b'{', _) => open.push((Some(next), Vec::new())),
+                (b'[', Some((_, squares))) => squares.push(next),
+                (b']', Some((_, squares))) => self.0.extend(squares.drain(..).map(|at| (at, next))),
+                (b'}', Some((brace, squares))) => match brace {
+                    Some(at) => {
+                        self.0.push((*at, next));
+                        open.pop();
+                    }
+                    None => squares.clear(),
+                },
+                _ => {}
+            }
+            next += 1;
         }
-        if depth == 0 {
-            return Some((name, start..here, group(text, end, BRACES)?.end + 1));
+        if let Some(new) = self.0.get_mut(known..) {
+            new.sort_unstable();
         }
     }
-    None
+
+    /// What stands between the braces, or these other brackets, that open at byte `at`, or blanks later.
+    pub(super) fn group(&self, text: &str, at: usize, brackets: [u8; 2]) -> Option<Range<usize>> {
+        let start = after_blanks(text, at);
+        text.as_bytes().get(start).filter(|byte| **byte == brackets[0])?;
+        let found = self.0.binary_search_by_key(&start, |(open, _)| *open).ok()?;
+        self.0.get(found).map(|(_, close)| start + 1..*close)
+    }
+}
+
+/// The commands of a text, each with where it ends.
+pub(super) fn words(text: &str) -> impl Iterator<Item = (&str, usize)> {
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        let here = at + text.get(at..)?.find('\\')?;
+        let (word, next) = command(text, here);
+        at = next;
+        Some((word, next))
+    })
+}
+
+/// An environment: its name, what it holds, and where its `\end` ends.
+type Environment<'t> = (&'t str, Range<usize>, usize);
+
+/// The environment that `\begin` at byte `at` opens.
+pub(super) fn environment(text: &str, at: usize) -> Option<Environment<'_>> {
+    let rest = text.get(at..)?;
+    let (name, body, end) = environments(rest, &Groups::of(rest)).remove(&0)?;
+    Some((name, at + body.start..at + body.end, at + end))
+}
+
+/// The environments of a text by where their `\begin` stands.
+fn environments<'t>(text: &'t str, groups: &Groups) -> HashMap<usize, Environment<'t>> {
+    let mut found = HashMap::new();
+    let mut open: HashMap<&str, Vec<(usize, usize)>> = HashMap::new();
+    for (word, next) in words(text).filter(|(word, _)| matches!(*word, "begin" | "end")) {
+        let Some(own) = groups.group(text, next, BRACES) else {
+            continue;
+        };
+        let (here, close) = (next - word.len() - 1, own.end + 1);
+        let name = text.get(own).unwrap_or_default();
+        let open = open.entry(name).or_default();
+        match word {
+            "begin" => open.push((here, close)),
+            _ => found.extend(open.pop().map(|(begin, start)| (begin, (name, start..here, close)))),
+        }
+    }
+    found
 }
 
 /// What is met outside braces, brackets and environments within a formula, in order.
@@ -163,6 +231,13 @@ pub(super) fn orders(tex: &str) -> bool {
 
 /// What stands outside all brackets in part of a text.
 pub(super) fn outside(text: &str, part: Range<usize>) -> Vec<Outside> {
+    let own = text.get(part.clone()).unwrap_or_default();
+    let groups = Groups::of(own);
+    let environments = environments(own, &groups);
+    let group = |at: usize, brackets: [u8; 2]| {
+        let own = groups.group(own, at - part.start, brackets);
+        own.map(|own| part.start + own.start..part.start + own.end)
+    };
     let (mut found, mut next, mut depth) = (Vec::new(), part.start, 0_usize);
     while next < part.end {
         let rest = text.get(next..part.end).unwrap_or_default();
@@ -175,7 +250,10 @@ pub(super) fn outside(text: &str, part: Range<usize>) -> Vec<Outside> {
                 let (name, end) = command(text, here);
                 next = end;
                 match name {
-                    "begin" => next = environment(text, here).map_or(end, |(_, _, end)| end),
+                    "begin" => {
+                        let own = environments.get(&(here - part.start));
+                        next = own.map_or(end, |(_, _, close)| part.start + close);
+                    }
                     "left" | "bigl" | "Bigl" | "biggl" | "Biggl" => {
                         depth += 1;
                         next = sized(text, end);
@@ -188,7 +266,7 @@ pub(super) fn outside(text: &str, part: Range<usize>) -> Vec<Outside> {
                     "}" | "rbrace" => depth = depth.saturating_sub(1),
                     "\\" if depth == 0 => {
                         let star = usize::from(text.as_bytes().get(next) == Some(&b'*'));
-                        next = group(text, next + star, SQUARE).map_or(next + star, |space| space.end + 1);
+                        next = group(next + star, SQUARE).map_or(next + star, |space| space.end + 1);
                         found.push(Outside::Row(here..next));
                     }
                     _ if depth > 0 => {}
@@ -196,7 +274,7 @@ pub(super) fn outside(text: &str, part: Range<usize>) -> Vec<Outside> {
                     _ => found.push(Outside::Command(here..next)),
                 }
             }
-            '{' => next = group(text, here, BRACES).map_or(next, |group| group.end + 1),
+            '{' => next = group(here, BRACES).map_or(next, |group| group.end + 1),
             '(' | '[' => depth += 1,
             ')' | ']' => depth = depth.saturating_sub(1),
             _ if depth > 0 => {}
@@ -264,5 +342,16 @@ mod tests {
         assert_eq!(group(text, 1, BRACES).map(|own| &text[own]), Some(r"a {b} \} c"));
         assert_eq!(group(text, 0, BRACES), None);
         assert_eq!(group("{a", 0, BRACES), None);
+        // found one by one or all at once
+        for text in [text, "{a", "{a}} {[b] ]} [c {d] } ] \\{ {", r"{[} ]{\}} [[ ] }{"] {
+            let groups = Groups::of(text);
+            for at in 0..text.len() {
+                for brackets in [BRACES, SQUARE] {
+                    let is_escaped = text[..at].ends_with('\\');
+                    let own = group(text, at, brackets).filter(|_| !is_escaped);
+                    assert_eq!(groups.group(text, at, brackets).filter(|_| !is_escaped), own, "{text} {at}");
+                }
+            }
+        }
     }
 }
