@@ -166,7 +166,9 @@ impl Arguments {
             return Ok(());
         }
         if self.sheets.iter().filter(|source| **source == Source::Stdin).count() > 1 {
-            return Err(Failure::Usage("`-` is stdin, which is read once: name it once".to_owned()));
+            return Err(Failure::Usage(
+                "`-` is stdin, which is read once: name it once".to_owned(),
+            ));
         }
         let given = [
             (self.explain.is_some(), "--explain"),
@@ -220,11 +222,7 @@ fn known(source: &Source) -> Result<Baseline, Failure> {
 }
 
 /// Marks what is known, and says what is known and gone.
-fn tell_gone(
-    all: &mut [(Audited, Option<Document>)],
-    baseline: &Baseline,
-    source: &Source,
-) -> Result<(), Failure> {
+fn tell_gone(all: &mut [(Audited, Option<Document>)], baseline: &Baseline, source: &Source) -> Result<(), Failure> {
     let each = all.iter_mut().map(|(audited, _)| audited);
     let gone = compare(each, baseline).map_err(|problem| Failure::Baseline(source.name(), problem))?;
     if !gone.is_empty() {
@@ -285,7 +283,9 @@ fn with_repairs(
             Some(source) => {
                 let sheet = document::of_text(source, text)?.sheet(vocabulary).ok()?;
                 let entries = sheet.entries.into_iter();
-                Some(mended::Content::Document(entries.map(|entry| (entry.label, entry.tex.tex)).collect()))
+                Some(mended::Content::Document(
+                    entries.map(|entry| (entry.label, entry.tex.tex)).collect(),
+                ))
             }
             None => text.parse().ok().map(mended::Content::Sheet),
         }

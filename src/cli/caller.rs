@@ -128,7 +128,10 @@ fn reply(line: &Line) -> Result<Reply, Failure> {
         // the numbers that a document prints stand behind its verdicts
         Content::Tables(tables) => {
             let names = std::iter::once(name).chain(std::iter::repeat(Some("check")));
-            reply.tables = names.zip(tables).map(|(name, (_, table))| framed(name, table)).collect();
+            reply.tables = names
+                .zip(tables)
+                .map(|(name, (_, table))| framed(name, table))
+                .collect();
         }
         Content::Page(page) => {
             reply.page = Some(written(&page, line.options.figures())?);

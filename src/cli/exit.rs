@@ -54,7 +54,10 @@ mod tests {
     #[test]
     fn the_worse_of_two_is_that_of_both() {
         let [good, open, bad] = [Exit::AsExpected, Exit::NotAsExpected, Exit::Unusable];
-        assert_eq!([good.or_worse(open), bad.or_worse(open), good.or_worse(good)], [open, bad, good]);
+        assert_eq!(
+            [good.or_worse(open), bad.or_worse(open), good.or_worse(good)],
+            [open, bad, good]
+        );
     }
 
     #[test]

@@ -169,9 +169,11 @@ impl Failure {
                 let line = fault.line().and_then(|line| usize::try_from(line).ok());
                 (Some(fault.file()), line, None)
             }
-            Self::NoPlace { name, .. } | Self::NoDocument(name) | Self::Baseline(name, _) | Self::NoReference(name) | Self::NothingDrawn(name) => {
-                (Some(name), None, None)
-            }
+            Self::NoPlace { name, .. }
+            | Self::NoDocument(name)
+            | Self::Baseline(name, _)
+            | Self::NoReference(name)
+            | Self::NothingDrawn(name) => (Some(name), None, None),
             _ => (None, None, None),
         }
     }

@@ -153,7 +153,10 @@ mod tests {
         ] {
             let text = format!("{before}{after}");
             let at = text.rfind("tex = '''").or(text.rfind("tex = 'a")).unwrap() + 6;
-            assert_eq!(with(&text, "a.toml", Start::Byte(at)), Ok(format!("{before}{comment}{after}")));
+            assert_eq!(
+                with(&text, "a.toml", Start::Byte(at)),
+                Ok(format!("{before}{comment}{after}"))
+            );
         }
         // no line before it is free
         let text = format!("x = '''{}'''\n", "\n".repeat(MOST_LINES + 10));

@@ -253,7 +253,13 @@ pub fn answer(
             let (mut verdicts, mut numbers) = (Vec::new(), Vec::new());
             for audited in all {
                 let file = Cell::from(audited.name.as_str());
-                let named = |table: Table| if is_several { table.with_column("file", &file) } else { table };
+                let named = |table: Table| {
+                    if is_several {
+                        table.with_column("file", &file)
+                    } else {
+                        table
+                    }
+                };
                 verdicts.push(named(table(&audited.rows, &audited.sheet, format)?));
                 if !audited.numbers.is_empty() {
                     let brief = format == Format::Text;
@@ -332,7 +338,11 @@ impl Audited {
             end: end.and_then(|source| source.place_of(source.tex.len())),
             formula: source.map(|source| source.tex.clone()).unwrap_or_default(),
             fingerprint: row.fingerprint(&self.sheet),
-            fixes: row.repairs().iter().filter_map(|repair| self.fix(row, repair)).collect(),
+            fixes: row
+                .repairs()
+                .iter()
+                .filter_map(|repair| self.fix(row, repair))
+                .collect(),
         }
     }
 

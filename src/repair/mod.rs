@@ -161,7 +161,14 @@ pub fn repairs(sheet: &Sheet, position: usize, options: &Options) -> Repairs {
     let mut found = Vec::new();
     for stage in search.stages() {
         extent.together = extent.together.max(stage.together());
-        found = proved(sheet, position, &search, search.found(*stage), options, &mut extent.proofs);
+        found = proved(
+            sheet,
+            position,
+            &search,
+            search.found(*stage),
+            options,
+            &mut extent.proofs,
+        );
         if !found.is_empty() {
             break;
         }
@@ -223,7 +230,10 @@ fn says_nothing(equation: &Equation, printed: Option<&Formula>, may_balance: boo
 
 /// Returns true if a symbol stands in a formula.
 fn speaks(tree: &Tree) -> bool {
-    any(tree, &mut |node| matches!(node, Tree::Symbol(name, _) if name.base != r"\pi"))
+    any(
+        tree,
+        &mut |node| matches!(node, Tree::Symbol(name, _) if name.base != r"\pi"),
+    )
 }
 
 /// Puts formulas into the entry at a position of a copy of the sheet.

@@ -108,7 +108,11 @@ pub fn proved_as_printed(
     let printed = reprinted(sheet, position, mended)?;
     let (before, after) = (sheet.entries.get(position)?, printed.sheet.entries.get(position)?);
     let is_faithful = printed.sheet.entries.len() == sheet.entries.len() && keeps_the_rest(before, after, mended);
-    if !is_faithful || !mended.iter().all(|(part, new)| is_a_repair(*part, new, before, after, may_balance)) {
+    if !is_faithful
+        || !mended
+            .iter()
+            .all(|(part, new)| is_a_repair(*part, new, before, after, may_balance))
+    {
         return None;
     }
     let is_proved = |position| {
@@ -129,7 +133,13 @@ fn equation(entry: &Entry, part: Part) -> Option<&Equation> {
 /// Returns true if all that stands around the mended equations is read as before: the conditions, the side of an arrow that is
 /// assumed, the other equations.
 fn keeps_the_rest(before: &Entry, after: &Entry, mended: &[(Part, Equation)]) -> bool {
-    let conditions = |entry: &Entry| entry.assume.iter().map(|(condition, _)| condition.clone()).collect::<Vec<_>>();
+    let conditions = |entry: &Entry| {
+        entry
+            .assume
+            .iter()
+            .map(|(condition, _)| condition.clone())
+            .collect::<Vec<_>>()
+    };
     let parts = (0..before.equations.len()).map(Part::Stated);
     let mut parts = parts.chain((0..before.local.len()).map(Part::Definition));
     // a side that two links of a chain share changes in both
@@ -223,7 +233,11 @@ mod tests {
             let new = read(new, &Names::default()).expect("an equation").remove(0);
             proved_as_printed(&sheet(tex), 0, &[(Part::Stated(n), new)], false, &Options::default()).is_some()
         };
-        assert!(passes(r"\sqrt{x^2} = -x, \quad \text{for } x > 0", 0, r"\sqrt{x^2} = x"));
+        assert!(passes(
+            r"\sqrt{x^2} = -x, \quad \text{for } x > 0",
+            0,
+            r"\sqrt{x^2} = x"
+        ));
         assert!(!passes(r"\sqrt{x^2} = -x", 0, r"\sqrt{x^2} = x"));
         // the link behind it shares the side
         assert!(!passes("x + x = 3 x = x 3", 0, "x + x = 2 x"));

@@ -228,10 +228,20 @@ mod tests {
         for (text, version) in [
             (result(r#"{"vibroAudit/v1":"93670cd32f6bff47"}"#), "v1"),
             (result(r#"{"vibroAudit/v3":"v3:93670cd32f6bff47"}"#), "v3"),
-            ("label,verdict,fingerprint\n2,refuted,93670cd32f6bff47\n".to_owned(), "v1"),
-            (r#"[{"label":"2","verdict":"refuted","fingerprint":"v3:1"}]"#.to_owned(), "v3"),
+            (
+                "label,verdict,fingerprint\n2,refuted,93670cd32f6bff47\n".to_owned(),
+                "v1",
+            ),
+            (
+                r#"[{"label":"2","verdict":"refuted","fingerprint":"v3:1"}]"#.to_owned(),
+                "v3",
+            ),
         ] {
-            assert_eq!(Baseline::read(&text), Err(BaselineError::Version(version.to_owned())), "{text}");
+            assert_eq!(
+                Baseline::read(&text),
+                Err(BaselineError::Version(version.to_owned())),
+                "{text}"
+            );
         }
         assert!(Baseline::read(&result(r#"{"vibroAudit/v2":"v2:1"}"#)).is_ok());
     }

@@ -9,8 +9,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 use vibro_audit::claim::{Document, Entry, Markup, Sheet, Verdict, Vocabulary};
-use vibro_audit::prove::{self, Options};
 use vibro_audit::evidence::witness;
+use vibro_audit::prove::{self, Options};
 use vibro_audit::repair::{Part, Repair, parts, repairs, reprinted};
 use vibro_audit::tex::{Equation, Tree};
 
@@ -239,7 +239,11 @@ fn assert_is_true_as_shown(repair: &Repair, misprint: &Misprint) {
     let shown = repair.to_string();
     let mut texts = shown.trim_matches('$').split("$, $");
     let is_stated = repair.mended.iter().any(|(part, _)| matches!(part, Part::Stated(_)));
-    let tex = if is_stated { texts.next().unwrap() } else { &entry.tex.tex };
+    let tex = if is_stated {
+        texts.next().unwrap()
+    } else {
+        &entry.tex.tex
+    };
     let mut changed: Vec<String> = Vec::new();
     for (part, _) in &repair.mended {
         if let Part::Definition(n) = part
@@ -255,7 +259,11 @@ fn assert_is_true_as_shown(repair: &Repair, misprint: &Misprint) {
     let evidence = witness(&sheet, misprint.position, Verdict::Proved, POINTS).unwrap();
     assert_eq!(evidence.against, None, "{}: {shown}", misprint.name);
     let conditions = |entry: &Entry| entry.assume.len();
-    assert_eq!(conditions(&sheet.entries[misprint.position]), conditions(entry), "{shown}");
+    assert_eq!(
+        conditions(&sheet.entries[misprint.position]),
+        conditions(entry),
+        "{shown}"
+    );
 }
 
 fn print(name: &str, shares: &Shares) {
@@ -447,14 +455,30 @@ fn the_two_wrong_formulas_of_the_paper_are_mended_by_search() {
 /// Claims with what stands around an equation, and what their repairs must keep and may not be.
 const SHOWN_WHOLE: [(&str, &str, &str); 9] = [
     (r"\frac{d}{dx} e^x = e^{-x}", "", r"= e^{-x}$"),
-    (r"\sqrt{x^2} = -x, \quad \text{for } x > 0.", r"\quad \text{for } x > 0$", "0.$"),
+    (
+        r"\sqrt{x^2} = -x, \quad \text{for } x > 0.",
+        r"\quad \text{for } x > 0$",
+        "0.$",
+    ),
     (r"x = 2 \Rightarrow x^2 = 5", r"x = 2 \Rightarrow ", r"$x^2"),
-    (r"x^2 = 4 \Leftrightarrow x = \pm 3", r"\Leftrightarrow x = \pm 3$", "- (x - 3)"),
+    (
+        r"x^2 = 4 \Leftrightarrow x = \pm 3",
+        r"\Leftrightarrow x = \pm 3$",
+        "- (x - 3)",
+    ),
     (r"(x + y)^2 = x^2 + y^2 = (y + x)^2", "", r"= x^2 + y^2 ="),
     (r"e^x e^y = e^{x y}", "", r"\frac{e}{e}"),
     (r"a^0 = 0", "a^0", "a^0 = 0"),
-    (r"\text{for all } x > 0: \ \sqrt{x^2} = -x", r"\text{for all } x > 0", r"$\sqrt"),
-    (r"\ln(x^2) = \ln x \quad (x > 0)", r"\quad (x > 0)$", r"$\ln(x^2) = 2 \ln(x)$"),
+    (
+        r"\text{for all } x > 0: \ \sqrt{x^2} = -x",
+        r"\text{for all } x > 0",
+        r"$\sqrt",
+    ),
+    (
+        r"\ln(x^2) = \ln x \quad (x > 0)",
+        r"\quad (x > 0)$",
+        r"$\ln(x^2) = 2 \ln(x)$",
+    ),
 ];
 
 #[test]
@@ -496,13 +520,22 @@ fn how_far_a_search_without_a_repair_went_is_said() {
     let sheet = Sheet::read(text, &vocabulary()).unwrap();
     let found = repairs(&sheet, 0, &Options::default());
     let extent = found.extent.expect("a search");
-    assert!(found.found.is_empty() && extent.edits > 20 && extent.together == 3, "{found:?}");
+    assert!(
+        found.found.is_empty() && extent.edits > 20 && extent.together == 3,
+        "{found:?}"
+    );
     let said = found.none().expect("words");
     assert!(
-        said.starts_with(&format!("no repair found among {} edits, up to 3 together", extent.edits)),
+        said.starts_with(&format!(
+            "no repair found among {} edits, up to 3 together",
+            extent.edits
+        )),
         "{said}"
     );
     let none = repairs(&sheet, 1, &Options::default());
     assert_eq!(none.extent, None);
-    assert!(none.none().is_some_and(|said| said.starts_with("no repair is looked for")));
+    assert!(
+        none.none()
+            .is_some_and(|said| said.starts_with("no repair is looked for"))
+    );
 }
