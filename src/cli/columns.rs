@@ -1,7 +1,7 @@
 //! `vibro-audit --columns COMMAND [--schema]`: what stands in each column, in a form for programs.
 
 use super::{Answer, Content, Exit, Failure};
-use crate::report::{Cell, Form, Table};
+use crate::report::{Cell, FORMULAS, Form, NUMBERS, Table};
 use clap::builder::PossibleValuesParser;
 use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
@@ -135,13 +135,22 @@ pub fn schema(command: &str) -> Value {
         let meaning = format!("{}{unit}", known.meaning);
         properties.insert(known.column.clone(), json!({"description": meaning, "anyOf": types}));
     }
-    json!({
+    let mut schema = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": format!("vibro-audit {command} --format json"),
         "version": COLUMNS_VERSION,
         "type": "array",
         "items": {"type": "object", "properties": properties, "required": required},
-    })
+    });
+    if command == "audit" {
+        // of a document that prints numbers: both tables
+        let numbers = json!({"type": "array", "items": self::schema("check")["items"]});
+        let formulas = json!({"type": "array", "items": schema["items"]});
+        schema["type"] = json!(["array", "object"]);
+        schema["properties"] = json!({FORMULAS: formulas, NUMBERS: numbers});
+        schema["required"] = json!([FORMULAS, NUMBERS]);
+    }
+    schema
 }
 
 /// A number as a string.

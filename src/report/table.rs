@@ -138,13 +138,23 @@ impl Table {
         Ok(())
     }
 
-    /// Returns the rows of all tables in one, under the columns of all; a cell of a column that a row does not have is empty.
+    /// Returns the rows of all tables in one, under the columns of all, the last one of all of them at the end; a cell of a column
+    /// that a row does not have is empty.
     pub fn joined(tables: &[&Self]) -> Self {
         let mut joined = Self::default();
         for column in tables.iter().flat_map(|table| &table.columns) {
             if joined.position(&column.name).is_none() {
                 joined.columns.push(column.clone());
             }
+        }
+        let mut last = tables.iter().map(|table| table.columns.last());
+        let shared = last
+            .next()
+            .flatten()
+            .filter(|first| last.all(|other| other == Some(*first)));
+        if let Some(place) = shared.and_then(|shared| joined.position(&shared.name)) {
+            let shared = joined.columns.remove(place);
+            joined.columns.push(shared);
         }
         for table in tables {
             let places: Vec<Option<usize>> = joined
@@ -243,6 +253,17 @@ mod tests {
         assert_eq!(names, ["label", "verdict", "id"]);
         assert_eq!(joined.rows()[0], [Cell::from("1"), Cell::from("proved"), Cell::Empty]);
         assert_eq!(joined.rows()[1], [Cell::Empty, Cell::from("wrong"), Cell::from("a")]);
+        let [one, two] = [one, two].map(|table| table.with_column("file", &Cell::from("f")));
+        let joined = Table::joined(&[&one, &two]);
+        let names: Vec<&str> = joined.columns().iter().map(|column| column.name.as_str()).collect();
+        assert_eq!(names, ["label", "verdict", "id", "file"]);
+        assert_eq!(
+            joined.rows()[1],
+            ["", "wrong", "a", "f"].map(|text| match text {
+                "" => Cell::Empty,
+                text => Cell::from(text),
+            })
+        );
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The commands, their input, output and exit statuses.
 
 mod asked_digits;
+mod audits;
 mod check;
 mod cli;
 mod columns;

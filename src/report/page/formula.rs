@@ -125,8 +125,8 @@ impl Given {
 #[derive(Clone, Debug)]
 pub struct Printed {
     formula: Typeset,
-    /// What is printed where it differs from the first repair, and the repair.
-    mended: Option<(Typeset, Typeset)>,
+    /// What is printed where it differs from the first repair, the repair, and the TeX of all that was proved of it.
+    mended: Option<(Typeset, Typeset, String)>,
     others: Vec<Typeset>,
     /// `where`, `with`, `assume`.
     said: Vec<(&'static str, Vec<Typeset>)>,
@@ -174,7 +174,7 @@ impl Printed {
                 before.extend(Typeset::equations(std::slice::from_ref(old), &gone).0);
                 after.extend(Typeset::equations(std::slice::from_ref(new), &come).0);
             }
-            (Typeset(before), Typeset(after))
+            (Typeset(before), Typeset(after), first.formulas.join("\n"))
         });
         let others = repairs.map(|other| {
             let mut lines = Vec::new();
@@ -313,7 +313,7 @@ fn article(
         );
     }
     let mut article = element("article", [element("h3", head)]).and([formula(&own.formula)]);
-    if let Some((before, after)) = &own.mended {
+    if let Some((before, after, whole)) = &own.mended {
         let line = |name: &str, class: &'static str, typeset: &Typeset| {
             element("div", [text_in("p", name), formula(typeset)]).with("class", class)
         };
@@ -321,7 +321,7 @@ fn article(
             line("printed", "printed", before),
             line("repair, proved", "repair", after),
         ];
-        article = article.and([element("div", both).with("class", "mended")]);
+        article = article.and([element("div", both).with("class", "mended"), tex_source(whole)]);
         if !own.others.is_empty() {
             let count = own.others.len();
             let name = if count == 1 {
