@@ -360,6 +360,10 @@ fn article(
     ));
     facts.extend(listed("reason", vec![sentence(&text("reason"), &own.names)]));
     facts.extend(listed("provided", excluded(&text("provided"), &own.names)));
+    let reductions = text("reductions");
+    if !reductions.is_empty() {
+        facts.extend(listed("reduced by", vec![text_in("span", reductions)]));
+    }
     facts.extend(listed("fails at", own.counterexample.clone()));
     let digits = text("digits");
     if !digits.is_empty() {
