@@ -29,6 +29,8 @@ pub enum DoubtKind {
     Difference { upper: Tree },
     /// `f^2(x)`, taken as a power of the value.
     PowerOfFunction { of: Name },
+    /// `x^{n/2}`, taken of bases that are not negative.
+    PowerOfSign { base: Tree, exponent: Tree },
     /// A letter in a claim that nothing bounds, taken for every value.
     OfSome(Name),
     /// A premise that is written for one step of an index, taken for that step alone.
@@ -48,7 +50,7 @@ impl DoubtKind {
         match self {
             // for a product of one factor nobody writes brackets
             Self::Argument { inside, .. } => matches!(inside, Tree::Sum(_)),
-            Self::DerivativeOfValue { .. } | Self::DerivativeBeforeBracket { .. } => false,
+            Self::DerivativeOfValue { .. } | Self::DerivativeBeforeBracket { .. } | Self::PowerOfSign { .. } => false,
             _ => true,
         }
     }
@@ -78,6 +80,10 @@ impl fmt::Display for DoubtKind {
             Self::PowerOfFunction { of } => {
                 write!(f, "the power of `{of}` before its argument: of the value, or `{of}` applied again?")
             }
+            Self::PowerOfSign { base, exponent } => write!(
+                f,
+                "`{base}` to the power `{exponent}`: where `{base}` is not negative, or where `{exponent}` is an integer too?"
+            ),
             Self::OfSome(name) => write!(f, "`{name}`: every value, or some value?"),
             Self::OneStep { index } => {
                 write!(f, "the premises that take one `{index}` to the next: for this `{index}` alone, or for each?")
