@@ -2,6 +2,7 @@
 
 use super::definition::is_constant;
 use super::entry::{Entry, Role, approached};
+use super::exponents::{is_at_times_whole, is_plainly_not_negative};
 use super::nodes::{any, any_side, holds, speaks_of};
 use super::sheet::Sheet;
 use super::substitute::flies;
@@ -34,6 +35,7 @@ impl Sheet {
                 found.push(kind.clone());
             }
         }
+        found.extend(self.powers_of_signs(claim, &below));
         found.extend(self.of_some(claim, &below).into_iter().map(DoubtKind::OfSome));
         found.extend(self.one_step(claim, &below));
         found.extend(tends(claim).map(DoubtKind::Tends));
@@ -77,6 +79,32 @@ impl Sheet {
         sides.any(|(name, meaning)| is_it(name) && shares(meaning))
             || locals.any(|local| local.name == *of && shares(&local.tree))
             || abbreviations.any(|(name, meaning)| name == of && shares(meaning))
+    }
+
+    /// The powers with exponents that are integers at times of bases that may be negative.
+    fn powers_of_signs(&self, claim: &Entry, below: &[&Entry]) -> Vec<DoubtKind> {
+        let assumed: Vec<&Condition> = claim.assume.iter().map(|(condition, _)| condition).collect();
+        let mut integers = self.vocabulary.integers.clone();
+        integers.extend(assumed.iter().filter_map(|condition| match condition {
+            Condition::Integer(Tree::Symbol(name, _)) => Some(name.clone()),
+            _ => None,
+        }));
+        let entries = std::iter::once(claim).chain(below.iter().copied());
+        let mut found = Vec::new();
+        for side in entries.flat_map(|entry| &entry.equations).flat_map(|equation| [&equation.left, &equation.right]) {
+            any(side, &mut |node| {
+                if let Tree::RealPower(base, exponent, _) = node
+                    && is_at_times_whole(exponent, &integers)
+                    && !is_plainly_not_negative(base, &self.vocabulary, &assumed)
+                {
+                    let (base, exponent) = ((**base).clone(), (**exponent).clone());
+                    found.push(DoubtKind::PowerOfSign { base, exponent });
+                }
+                false
+            });
+        }
+        found.truncate(1);
+        found
     }
 
     /// The letters of a claim that authors mean for some value: integers and constants of which nothing speaks that the

@@ -7,6 +7,7 @@ mod definition;
 mod document;
 mod doubts;
 mod entry;
+mod exponents;
 mod fault;
 mod function;
 mod implication;

@@ -28,6 +28,8 @@ pub struct Decision {
     pub file: Option<String>,
     /// Whether nothing is left to decide: what is given contradicts itself, or the claim is nowhere defined.
     pub is_vacuous: bool,
+    /// The other meanings that its premises may have, where they bear on the verdict.
+    pub(super) doubts: Vec<DoubtKind>,
     /// Line and column in the file: of what cannot be read, else of the formula.
     pub place: Option<(usize, usize)>,
 }
@@ -107,7 +109,8 @@ impl Decision {
 
     /// Says what the verdict rests on that nobody said, and which other meanings the claim may have: nothing is refuted on a
     /// guess, or under one meaning of several, nor proved where that is not the usual one.
-    pub(super) fn on_doubts(mut self, doubts: &[DoubtKind]) -> Self {
+    pub(super) fn on_doubts(mut self, mut doubts: Vec<DoubtKind>) -> Self {
+        doubts.append(&mut self.doubts);
         let (guesses, others): (Vec<&DoubtKind>, Vec<&DoubtKind>) =
             doubts.iter().partition(|kind| matches!(kind, DoubtKind::Guess(_)));
         let joined = |kinds: &[&DoubtKind]| kinds.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");

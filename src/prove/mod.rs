@@ -5,6 +5,7 @@ mod angles;
 mod constants;
 mod counterexample;
 mod decision;
+mod dividing;
 mod evaluation;
 mod explanation;
 mod float;
@@ -64,14 +65,14 @@ impl Default for Options {
 /// `undecided`.
 pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
     let mut search = Search::of(sheet, position, options);
-    search.decide(sheet, position).on_doubts(&sheet.doubts(position))
+    search.decide(sheet, position).on_doubts(sheet.doubts(position))
 }
 
 /// What decides the claim at a position, question by question: nothing for a claim that stays undecided.
 pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided> {
     let mut search = Search::of(sheet, position, options);
     search.kept = Some(Vec::new());
-    let verdict = search.decide(sheet, position).on_doubts(&sheet.doubts(position)).verdict;
+    let verdict = search.decide(sheet, position).on_doubts(sheet.doubts(position)).verdict;
     let mut kept = search.kept.unwrap_or_default();
     kept.retain(|one| one.found.verdict() == verdict);
     kept
@@ -345,6 +346,7 @@ impl<'a> Search<'a> {
                     }
                     decision.reason = "does not follow from its premises".into();
                     decision.counterexample = counterexample::at(&witness, question.equation.relation);
+                    decision.doubts = dividing::doubts(goal, &question, self.options.effort);
                     self.keep(goal, question, Found::Refuted { witness });
                     break;
                 }

@@ -29,6 +29,8 @@ pub enum DoubtKind {
     Difference { upper: Tree },
     /// `f^2(x)`, taken as a power of the value.
     PowerOfFunction { of: Name },
+    /// `x^{n/2}`, taken of bases that are not negative.
+    PowerOfSign { base: Tree, exponent: Tree },
     /// A letter in a claim that nothing bounds, taken for every value.
     OfSome(Name),
     /// A premise that is written for one step of an index, taken for that step alone.
@@ -50,7 +52,8 @@ impl DoubtKind {
         match self {
             // for a product of one factor nobody writes brackets
             Self::Argument { inside, .. } => matches!(inside, Tree::Sum(_)),
-            Self::DerivativeOfValue { .. } | Self::DerivativeBeforeBracket { .. } | Self::Open(_) => false,
+            Self::DerivativeOfValue { .. } | Self::DerivativeBeforeBracket { .. } => false,
+            Self::PowerOfSign { .. } | Self::Open(_) => false,
             _ => true,
         }
     }
@@ -98,6 +101,10 @@ impl fmt::Display for DoubtKind {
                     "the power of `{of}` before its argument: of the value, or `{of}` applied again?"
                 )
             }
+            Self::PowerOfSign { base, exponent } => write!(
+                f,
+                "`{base}` to the power `{exponent}`: where `{base}` is not negative, or where `{exponent}` is an integer too?"
+            ),
             Self::OfSome(name) => write!(f, "`{name}`: every value, or some value?"),
             Self::OneStep { index } => {
                 write!(

@@ -1,5 +1,6 @@
 //! A claim over integers at numbers: what must hold if the claim does.
 
+use super::super::exponents::bases;
 use super::super::nodes::any;
 use super::super::premise::Statements;
 use super::super::substitute::{mapped, number_of, rewrite};
@@ -9,7 +10,7 @@ use super::evaluate::evaluated;
 use super::integers::free_integers;
 use super::integral::by_antiderivatives;
 use super::{Goal, Reduced, Rule, rewritten, trees};
-use crate::number::Rational;
+use crate::number::{Field, Rational};
 use crate::tex::{Condition, Equation, Name, Relation, Tree};
 
 /// The highest number that is put in, the most letters, and the most goals.
@@ -120,6 +121,21 @@ pub(super) fn at(statements: &Statements, vocabulary: &Vocabulary, pairs: &[(&Na
     let mut instance = rewritten(statements, Rule::IntegerInstances, &|tree| {
         folded(&rewrite(tree, &put_in))
     });
+    // a power keeps the condition on its base where its exponent comes out as an integer
+    let letters: Vec<Name> = pairs.iter().map(|(name, _)| (*name).clone()).collect();
+    let mut powers = Vec::new();
+    for tree in trees(statements) {
+        bases(tree, &letters, &mut powers)?;
+    }
+    for (base, _) in powers {
+        let base = folded(&rewrite(base, &put_in));
+        if number_of(&base).is_some_and(|value: Rational| value >= Rational::from_integer(0)) {
+            continue;
+        }
+        let mut relation = Equation::between(base, integer(0));
+        relation.relation = Relation::GreaterOrEqual;
+        instance.assume.push(Condition::Relation(relation));
+    }
     for condition in &instance.assume {
         let holds = match condition {
             Condition::Relation(relation) => relation_holds(relation),
