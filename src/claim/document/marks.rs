@@ -96,10 +96,19 @@ impl Marks {
             }
         }
         let is_unit = |name: &Name| unit_is_number && is_constant(name) && name.base == "i";
-        while equations
-            .iter()
-            .fold(false, |grew, equation| marks.spread(equation, &is_unit) || grew)
-        {}
+        // forwards and backwards, as equations refer to those before and behind
+        let mut is_forward = true;
+        loop {
+            let known = marks.operators.len() + marks.complex.len();
+            match is_forward {
+                true => equations.iter().for_each(|equation| marks.spread(equation, &is_unit)),
+                false => equations.iter().rev().for_each(|equation| marks.spread(equation, &is_unit)),
+            }
+            is_forward = !is_forward;
+            if marks.operators.len() + marks.complex.len() == known {
+                break;
+            }
+        }
         // what an expectation with a hat is added to is a number
         let mut names = BTreeSet::new();
         for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
@@ -175,9 +184,8 @@ impl Marks {
         }
     }
 
-    /// Marks the letters that are added or equated to what is marked; returns true if any is new.
-    fn spread(&mut self, equation: &Equation, is_unit: &dyn Fn(&Name) -> bool) -> bool {
-        let known = self.operators.len() + self.complex.len();
+    /// Marks the letters that are added or equated to what is marked.
+    fn spread(&mut self, equation: &Equation, is_unit: &dyn Fn(&Name) -> bool) {
         let mut sums = vec![vec![&equation.left, &equation.right]];
         for side in [&equation.left, &equation.right] {
             collect_sums(side, &mut sums);
@@ -198,7 +206,6 @@ impl Marks {
                 self.complex.insert(name.clone());
             }
         }
-        self.operators.len() + self.complex.len() > known
     }
 
     /// Returns true if the value of a term is a matrix, a vector or an operator.
