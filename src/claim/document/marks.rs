@@ -102,7 +102,10 @@ impl Marks {
             let known = marks.operators.len() + marks.complex.len();
             match is_forward {
                 true => equations.iter().for_each(|equation| marks.spread(equation, &is_unit)),
-                false => equations.iter().rev().for_each(|equation| marks.spread(equation, &is_unit)),
+                false => equations
+                    .iter()
+                    .rev()
+                    .for_each(|equation| marks.spread(equation, &is_unit)),
             }
             is_forward = !is_forward;
             if marks.operators.len() + marks.complex.len() == known {
