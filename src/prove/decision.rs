@@ -94,6 +94,7 @@ impl Decision {
             rules: Rules::new(),
             failed: None,
             file: entry.and_then(|entry| entry.tex.file.clone()),
+            doubts: Vec::new(),
             is_vacuous: false,
             place: entry.map(|entry| entry.tex.place()),
         }
