@@ -179,27 +179,6 @@ pub fn against_the_stack(sources: &[File]) -> Vec<String> {
     complaints
 }
 
-/// Files of the evidence that use what rewrites claims: the evidence starts from what is printed, so that it sees a
-/// mistake of the rewriting.
-pub fn evidence_by_rewriting(sources: &[File]) -> Vec<String> {
-    let of_claim = sources.iter().filter(|file| file.path == "src/claim/mod.rs");
-    let rewriting: BTreeSet<String> = of_claim
-        .flat_map(exports)
-        .filter(|(_, path)| path.get(1).is_some_and(|module| module == "reduce"))
-        .filter_map(|(name, _)| name.rsplit('/').next().map(str::to_owned))
-        .chain(["reduce".to_owned(), String::new()])
-        .collect();
-    let files = sources.iter().filter(|file| file.path.starts_with("src/evidence/"));
-    let used = files.flat_map(|file| uses(file).into_iter().map(move |(line, path)| (file, line, path)));
-    let is_rewriting = |path: &[String]| {
-        let name = path.get(1).map_or("", String::as_str);
-        path.first().is_some_and(|folder| folder == "claim") && rewriting.contains(name)
-    };
-    used.filter(|(_, _, path)| is_rewriting(path))
-        .map(|(file, line, path)| format!("{}:{line}: evidence may not use `{}`", file.path, path.join("::")))
-        .collect()
-}
-
 /// Files, and sub-folders of a folder, that use each other in circles. What a file takes from a `mod.rs` that has it from
 /// another file is used of that one; what stands in the `mod.rs` itself says of no file that it is used.
 pub fn circles(sources: &[File]) -> Vec<String> {
@@ -286,33 +265,6 @@ fn a_use_against_the_stack_is_found() {
         ("src/util/mod.rs", ""),
     ] {
         assert_eq!(complaints(path, text).len(), 1, "{path}: {text}");
-    }
-}
-
-#[test]
-fn evidence_that_starts_after_the_rewriting_is_found() {
-    let claim = File::new(
-        "src/claim/mod.rs",
-        "mod reduce;\npub use reduce::{Goal, reduced as r};\npub use sheet::Sheet;",
-    );
-    let found = |text: &str| {
-        let files = [claim.clone(), File::new("src/evidence/point.rs", text)];
-        evidence_by_rewriting(&files).len()
-    };
-    for text in [
-        "use crate::claim::{Goal, Sheet};",
-        "fn f() { crate::claim::r() }",
-        "use crate::claim::reduce::x;",
-        "use crate::claim::*;",
-    ] {
-        assert_eq!(found(text), 1, "{text}");
-    }
-    for text in [
-        "use crate::claim::Sheet;",
-        "// crate::claim::Goal",
-        "use super::point::Goal;",
-    ] {
-        assert_eq!(found(text), 0, "{text}");
     }
 }
 

@@ -73,11 +73,6 @@ fn each_folder_uses_only_what_stands_before_it_in_its_stack() {
 }
 
 #[test]
-fn evidence_starts_from_what_is_printed() {
-    assert_clean(&imports::evidence_by_rewriting(&sources()));
-}
-
-#[test]
 fn files_import_each_other_in_no_circle() {
     assert_clean(&imports::circles(&sources()));
 }
