@@ -1,11 +1,13 @@
 //! Numeric witnesses beside verdicts.
 //!
-//! A witness shares no code with the proof. Premises and claim become programs over slots (`formula`), evaluated over
-//! the reals or the complex numbers (`value`), in f64, in duals and in 40 digits. Random points are moved onto the
-//! premises by Gauss-Newton steps (`newton`, `point`); functions of time flow by their laws (`evaluation`), or are
-//! trigonometric polynomials where no premise gives them; derivatives of maps come by implicit differentiation
-//! (`derivative`). There the sides of the claim are compared (`judgement`). No elimination, no polynomial, no closed
-//! form.
+//! A witness shares no code with the proof, and starts from the formulas as they are printed: nothing of `claim::reduce`
+//! is used. Premises and claim become programs over slots (`formula`), evaluated over the reals or the complex numbers
+//! (`value`), in f64, in duals and in 40 digits. Printed operations (`operation`) are evaluated in loops over the values
+//! of their letter (`loops`): sums by their terms (`series`), integrals by quadrature (`quadrature`), limits by
+//! extrapolation (`limit`), each with an estimate of its error. Random points are moved onto the premises by
+//! Gauss-Newton steps (`newton`, `point`); functions of time flow by their laws (`evaluation`), or are trigonometric
+//! polynomials where no premise gives them; derivatives of maps come by implicit differentiation (`derivative`). There
+//! the sides of the claim are compared (`claimed`, `judgement`). No elimination, no polynomial, no closed form.
 
 mod claimed;
 mod compiler;

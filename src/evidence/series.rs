@@ -104,7 +104,7 @@ fn transformed<V: Value>(terms: &[V], sums: &[V], size: f64) -> Option<Estimate<
     for (n, (term, sum)) in terms.iter().zip(sums).enumerate() {
         // (n + 1) a_n estimates what is left, up to a factor
         let place = V::integer(n as i64 + 1);
-        let rest = (place.clone() * place.clone() * term.clone()).clone();
+        let rest = place.clone() * place.clone() * term.clone();
         above.push(sum.over(&rest));
         below.push(V::integer(1).over(&rest));
         let mut weight = V::integer(1).over(&place);
