@@ -205,3 +205,60 @@ fn refined<V: Value>(
     }
     best
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Wide;
+
+    fn term<V: Value>(value: V) -> Term<V> {
+        let size = value.size();
+        Term { value, size }
+    }
+
+    fn between(low: f64, high: f64, of: impl Fn(f64) -> f64) -> Option<Estimate<f64>> {
+        integral(&low, &high, &mut |x| term(of(x)))
+    }
+
+    #[test]
+    fn integrals_are_found_with_an_error_that_holds() {
+        let pi = std::f64::consts::PI;
+        for (found, right, most) in [
+            (between(0.0, 1.0, |x| x * x), 1.0 / 3.0, 1e-14),
+            (between(0.0, pi, f64::sin), 2.0, 1e-14),
+            (between(0.0, 1.0, |x| 1.0 / x.sqrt()), 2.0, 1e-12),
+            (between(-1.0, 2.0, f64::abs), 2.5, 1e-10),
+            (
+                between(2.0, -1.0, |x| (x - 0.3).abs()),
+                -(1.7 * 1.7 + 1.3 * 1.3) / 2.0,
+                1e-10,
+            ),
+            (ray(&0.0, &mut |x: f64| term((-x).exp())), 1.0, 1e-12),
+            (ray(&1.0, &mut |x: f64| term(1.0 / (x * x))), 1.0, 1e-12),
+            (ray(&0.0, &mut |x: f64| term((-x * x).exp())), pi.sqrt() / 2.0, 1e-12),
+        ] {
+            let found = found.unwrap();
+            assert!((found.value - right).abs() <= most, "{found:?} {right}");
+            assert!(found.error <= 1e-9 * found.size, "{found:?} {right}");
+        }
+    }
+
+    #[test]
+    fn many_digits_are_found() {
+        let number = <Wide<40> as Analytic>::from_f64;
+        let found = integral(&number(0.0), &number(1.0), &mut |x| term(DualNum::exp(&x))).unwrap();
+        let right = DualNum::exp(&number(1.0)) - number(1.0);
+        assert!((found.value.clone() - right).size() < 1e-35, "{found:?}");
+    }
+
+    #[test]
+    fn what_does_not_converge_has_no_value() {
+        let tells = |found: Option<Estimate<f64>>| found.is_some_and(|found| found.error <= 1e-9 * found.size);
+        assert!(!tells(between(0.0, 1.0, |x| 1.0 / x)));
+        assert!(!tells(between(-1.0, 1.0, |x| 1.0 / (x - 0.1))));
+        assert!(!tells(between(-1.0, 1.0, |x| 1.0 / x)));
+        assert!(!tells(between(-1.0, 1.0, |x| 1.0 / (x * x))));
+        assert!(!tells(ray(&1.0, &mut |x: f64| term(1.0 / x))));
+        assert!(!tells(ray(&1.0, &mut |x: f64| term(x.sin()))));
+    }
+}
