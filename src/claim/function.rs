@@ -186,7 +186,7 @@ impl Given {
     /// The place and the reason: a function that no definition gives here, an argument beyond what `[symbols]` says of
     /// that of the function, a partial derivative that depends on what is held fixed, a tree that becomes too large.
     pub(super) fn written_out(&self, tree: &Tree, vocabulary: &Vocabulary) -> Result<Tree, Problem> {
-        let out = self.written_within(tree, vocabulary, &Budget::of_entry())?;
+        let out = self.written_within(tree, vocabulary, &Budget::of_formula())?;
         Size::of(&out).map_err(|problem| (0, problem.to_string()))?;
         Ok(out)
     }

@@ -151,12 +151,12 @@ fn fitting(size: Size) -> Result<Size, TooLarge> {
 pub(super) struct Budget(Cell<usize>);
 
 impl Budget {
-    /// Allows what is built for one entry.
-    pub(super) fn of_entry() -> Self {
+    /// Allows one formula.
+    pub(super) fn of_formula() -> Self {
         Self(Cell::new(LARGEST.nodes))
     }
 
-    /// Allows what is built for a claim and all that it follows from.
+    /// Allows the formulas of an entry and of all that it follows from.
     pub(super) fn of_claim() -> Self {
         Self(Cell::new(10 * LARGEST.nodes))
     }

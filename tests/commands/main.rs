@@ -7,6 +7,7 @@ mod cli;
 mod columns;
 mod features;
 mod fuzz;
+mod hostile;
 mod merge;
 mod page;
 mod peers;

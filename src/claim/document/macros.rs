@@ -73,7 +73,13 @@ impl Macros {
         };
         let (parameters, default, body) = match name {
             "def" => {
-                let open = next + text.as_bytes().get(next..)?.iter().take(LONGEST_PARAMETERS).position(|c| *c == b'{')?;
+                let open = next
+                    + text
+                        .as_bytes()
+                        .get(next..)?
+                        .iter()
+                        .take(LONGEST_PARAMETERS)
+                        .position(|c| *c == b'{')?;
                 let parameters = text.get(next..open)?.trim();
                 // only #1#2 in their order
                 let plain: String = (1..=parameters.len() / 2).map(|n| format!("#{n}")).collect();
@@ -268,7 +274,6 @@ fn layout(body: &str) -> Option<(bool, String)> {
     is_layout.then_some((word == "begin", body.get(own)?.trim().to_owned()))
 }
 
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -334,7 +339,10 @@ mod tests {
         let macros = macros(&[&long, &body, r"\newcommand{\c}{\c\c}"]);
         let argument = format!(r"\a{{{}}}", "x".repeat(50_000));
         for tex in [argument.as_str(), r"\b"] {
-            assert!(macros.expanded(tex).unwrap_err().contains("longer than 100000"), "{tex:.10}");
+            assert!(
+                macros.expanded(tex).unwrap_err().contains("longer than 100000"),
+                "{tex:.10}"
+            );
         }
         // what all formulas together may cost
         let last = (0..200).map(|_| macros.expanded(r"\c").unwrap_err()).last();

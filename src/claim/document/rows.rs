@@ -1,6 +1,8 @@
 //! The rows of a display, and the formulas that they make.
 
-use super::tex::{BRACES, Groups, Outside, after_blanks, environment, group, is_equating, orders, outside, relates, trimmed};
+use super::tex::{
+    BRACES, Groups, Outside, after_blanks, environment, group, is_equating, orders, outside, relates, trimmed,
+};
 use crate::tex::printed;
 use std::ops::Range;
 

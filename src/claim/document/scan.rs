@@ -418,7 +418,11 @@ impl<'a> Scan<'a> {
         };
         let bound = start.saturating_sub(LONGEST_LINE);
         let bound = (bound..=start).find(|at| self.text.is_char_boundary(*at))?;
-        let from = self.text.get(bound..start)?.rfind('\n').map_or(bound, |end| bound + end + 1);
+        let from = self
+            .text
+            .get(bound..start)?
+            .rfind('\n')
+            .map_or(bound, |end| bound + end + 1);
         let before = self.text.get(from..start)?.trim();
         let is_on_line = !before.is_empty();
         let line = if is_on_line {

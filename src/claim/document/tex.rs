@@ -349,7 +349,11 @@ mod tests {
                 for brackets in [BRACES, SQUARE] {
                     let is_escaped = text[..at].ends_with('\\');
                     let own = group(text, at, brackets).filter(|_| !is_escaped);
-                    assert_eq!(groups.group(text, at, brackets).filter(|_| !is_escaped), own, "{text} {at}");
+                    assert_eq!(
+                        groups.group(text, at, brackets).filter(|_| !is_escaped),
+                        own,
+                        "{text} {at}"
+                    );
                 }
             }
         }
