@@ -81,6 +81,9 @@ const SMALL: f64 = 1.0;
 /// Maximum number of terms of the series: enough for some 2000 digits.
 const MOST_TERMS: i64 = 400;
 
+/// The terms after the first that does not count: they count in the derivatives by x, up to the third.
+const FURTHER: u32 = 2;
+
 /// j_0(x) = sin(x)/x and j_1(x) = -j_0'(x).
 ///
 /// The series of j_0 is its Taylor polynomial. Since j_0(x) is the integral of cos(x c) over c from 0 to 1, its derivative
@@ -99,8 +102,11 @@ pub fn spherical_bessel<T: Analytic>(x: &T) -> [T; 2] {
     // (-x²)^k / (2k + 1)!, and its size
     let (mut term, mut left) = (T::one(), 1.0);
     let [mut j_0, mut j_1] = [T::zero(), T::zero()];
-    let mut k = 0;
-    while k < MOST_TERMS && left > enough {
+    let (mut k, mut further) = (0, FURTHER);
+    while k < MOST_TERMS && further > 0 {
+        if left <= enough {
+            further -= 1;
+        }
         j_0 += term.clone();
         j_1 += term.clone() / T::from_integer(2 * k + 3);
         k += 1;
