@@ -34,7 +34,7 @@ pub struct RowToAdd {
     /// Its unit, for readers
     #[arg(long, value_name = "UNIT", requires = "id")]
     unit: Option<String>,
-    /// The verdict: reproduced, rounded, wrong or undetermined
+    /// The verdict: reproduced, truncated, off-by-one, rounded, wrong or undetermined
     #[arg(long, value_name = "VERDICT", requires = "id", default_value = Verdict::Reproduced.name())]
     expected: String,
     /// What was inferred for it

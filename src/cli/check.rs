@@ -2,7 +2,7 @@
 
 use super::caller::quietly;
 use super::outcomes::table;
-use super::{Answer, Content, Exit, Failure, Options, added, golden};
+use super::{Answer, Content, Exit, Failure, Options, added, golden, note};
 use crate::reference::{Certified, Directory, Outcome, bless, check};
 use crate::report::{Cell, Format, Output, Page, Part, Table, note_input};
 use std::path::PathBuf;
@@ -47,6 +47,9 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
         }
     }
     let certified = directory.certified()?;
+    for scene in directory.unused_scenes(&printed, &certified)? {
+        note(&format!("{}: no row names this scene", directory.name(&scene)));
+    }
     let mut compute = |request: &_| golden::answer(&directory, request, options).map_err(|failure| failure.to_string());
     let mut outcomes = || check(&printed, &certified, &mut compute);
     let outcomes = match &directory {

@@ -34,8 +34,10 @@ impl Comparison {
 /// Compares what is printed with what is computed, in exact decimals.
 ///
 /// - A count, which CSV prints without a point, is `reproduced` where it is equal, else `wrong`.
-/// - Any other number is `reproduced` where it is within one unit of its last figure of the computed value, `rounded`
-///   where it is within one unit of the figure before, if it has one, and `wrong` otherwise.
+/// - Any other number is `reproduced` if it is within half a unit of its last figure of the computed value (or within the
+///   uncertainty that is printed with it, if that is more); `truncated` if it is the computed value with its last figures cut
+///   off; `off-by-one` if it is within one unit otherwise; `rounded` if it is within one unit of the figure before, if it has
+///   one; and `wrong` otherwise. A 0 without places after the point is nothing else than 0.
 /// - A range `(a, b)`, or one open to a side, `< b` or `> a`, is `reproduced` where the computed value lies strictly
 ///   within, else `wrong`.
 /// - A word is `reproduced` where the computed one is the same, else `wrong`.
@@ -53,7 +55,7 @@ pub fn compare(printed: &str, computed: &Value) -> Result<Comparison, String> {
     // `inf` and `NaN` are what numbers may come to, not words.
     let is_number = number.is_some() || computed.text.parse::<f64>().is_ok();
     match (Printed::read(printed), number) {
-        (Printed::Number(printed), Some(number)) => Ok(numbers(&printed, &number.value, computed)),
+        (Printed::Number(number), Some(found)) => Ok(numbers(printed.trim(), &number, &found.value, computed)),
         (Printed::Range(range), Some(number)) => Ok(within(&range, &number.value, computed)),
         (Printed::Number(_) | Printed::Range(_), None) if is_number => {
             let reason = format!("printed {printed}, computed {}", computed.text);
@@ -64,7 +66,7 @@ pub fn compare(printed: &str, computed: &Value) -> Result<Comparison, String> {
             computed.text
         )),
         (Printed::Word, _) if is_number => Err(format!(
-            "`{printed}` is not a number such as 0.677449 or 5.3e-3, nor a range (a, b), < b or > a, and what is computed is \
+            "`{printed}` is not a number such as 0.677449, 5.3e-3, 5.3 \\times 10^{{-3}} or 0.6774(5), nor a range (a, b), < b or > a, and what is computed is \
              one: {}",
             computed.text
         )),
@@ -95,7 +97,7 @@ pub fn certified_against(certified: &str, computed: &Value) -> Result<Comparison
     }
     let reason = format!(
         "differs from the {} figure on, by up to {} where the bound is {}: certified {certified}, computed {}",
-        ordinal(value.first_differing(&difference)),
+        ordinal(value.first_differing(&found.value)),
         power_above(&difference),
         power_above(bound),
         computed.text
@@ -103,16 +105,22 @@ pub fn certified_against(certified: &str, computed: &Value) -> Result<Comparison
     Ok(Comparison::new(Verdict::Wrong, Some(digits), reason))
 }
 
+/// A printed number, and the uncertainty that is printed with it.
+struct Uncertain {
+    figures: Figures,
+    uncertainty: Option<Rational>,
+}
+
 enum Printed {
-    Number(Figures),
+    Number(Uncertain),
     Range(Range),
     Word,
 }
 
 impl Printed {
     fn read(text: &str) -> Self {
-        if let Some(figures) = Figures::read(text) {
-            return Self::Number(figures);
+        if let Some((figures, uncertainty)) = Figures::read_printed(text) {
+            return Self::Number(Uncertain { figures, uncertainty });
         }
         Range::read(text).map_or(Self::Word, Self::Range)
     }
@@ -134,48 +142,64 @@ fn words(printed: &str, computed: &str) -> Comparison {
     Comparison::new(Verdict::Wrong, None, reason)
 }
 
-/// Whether at least one figure agrees: of a single one, that the value rounds or truncates to it; of 0.00, that it rounds to
-/// it; of 0 alone, that it is 0.
-fn agrees(printed: &Figures, number: &Rational) -> bool {
-    let places = printed.places;
-    if printed.is_zero_alone() {
-        return number.is_zero();
+/// Returns the verdict on a printed number if this is exactly the computed one.
+fn exact_verdict(printed: &Uncertain, number: &Rational) -> Verdict {
+    let figures = &printed.figures;
+    let difference = size(number.clone() - figures.value.clone());
+    let (unit, half) = (figures.unit(), figures.unit() / Rational::from_integer(2));
+    if figures.is_zero_alone() {
+        return match difference.is_zero() {
+            true => Verdict::Reproduced,
+            false => Verdict::Wrong,
+        };
     }
-    let shown = |value: &Rational| rounded(&(value.clone() * power_of_ten(places)), 0);
-    let size_of = |value: &Rational| size(value.clone());
-    let truncated = size_of(number) - printed.unit() / Rational::from_integer(2);
-    printed.count > 1 && !printed.value.is_zero()
-        || shown(number) == shown(&printed.value)
-        || shown(&truncated) == shown(&size_of(&printed.value))
-            && (*number < Rational::zero()) == (printed.value < Rational::zero())
+    let zero = Rational::zero();
+    let has_its_sign = figures.value.is_zero() || (figures.value < zero) == (*number < zero);
+    let is_larger = size(number.clone()) > size(figures.value.clone());
+    // a value that rounds to 0 there leaves no figure to be off by one
+    let has_figures = figures.count > 1 || size(number.clone()) >= half;
+    if difference <= half || printed.uncertainty.as_ref().is_some_and(|most| difference <= *most) {
+        Verdict::Reproduced
+    } else if difference < unit && is_larger && has_its_sign {
+        Verdict::Truncated
+    } else if difference <= unit && has_figures {
+        Verdict::OffByOne
+    } else if difference <= unit.clone() * Rational::from_integer(10) && figures.count > 1 {
+        Verdict::Rounded
+    } else {
+        Verdict::Wrong
+    }
 }
 
-/// Whether at least one figure agrees with a number that is known to within a bound; `None` where the bound leaves it open.
-fn agrees_within(printed: &Figures, number: &Rational, bound: &Rational) -> Option<bool> {
-    if printed.is_zero_alone() && number.is_zero() {
-        return Some(true);
+/// Returns the verdict on a printed number if the computed one is known to within a bound; `undecided` if the bound leaves
+/// it open.
+fn verdict_within(printed: &Uncertain, number: &Rational, bound: &Rational) -> Verdict {
+    let [low, high] = [number.clone() - bound.clone(), number.clone() + bound.clone()];
+    // on either side of the printed value a verdict holds on one interval: the ends and the nearest point tell
+    let value = &printed.figures.value;
+    let nearest = if *value < low {
+        low.clone()
+    } else if *value > high {
+        high.clone()
+    } else {
+        value.clone()
+    };
+    let [low, nearest, high] = [low, nearest, high].map(|number| exact_verdict(printed, &number));
+    match low == nearest && nearest == high {
+        true => nearest,
+        false => Verdict::Undecided,
     }
-    let all = [
-        number.clone() - bound.clone(),
-        number.clone(),
-        number.clone() + bound.clone(),
-    ];
-    let reaches_zero = printed.is_zero_alone() && all[0] <= Rational::zero() && all[2] >= Rational::zero();
-    let [low, middle, high] = all.map(|value| agrees(printed, &value));
-    (low == middle && middle == high && !reaches_zero).then_some(middle)
 }
 
-fn numbers(printed: &Figures, number: &Rational, computed: &Value) -> Comparison {
-    let difference = size(number.clone() - printed.value.clone());
+fn numbers(text: &str, printed: &Uncertain, number: &Rational, computed: &Value) -> Comparison {
+    let figures = &printed.figures;
+    let difference = size(number.clone() - figures.value.clone());
     let digits = if difference.is_zero() {
-        f64::from(printed.count)
+        f64::from(figures.count)
     } else {
         agreeing(&difference, number)
     };
-    let both = format!(
-        "printed {printed}, computed {}",
-        shown(number, printed.places, computed)
-    );
+    let both = format!("printed {text}, computed {}", shown(number, figures.places, computed));
     if !computed.text.contains(['.', 'e', 'E']) {
         let (verdict, reason) = if difference.is_zero() {
             (Verdict::Reproduced, String::new())
@@ -188,35 +212,23 @@ fn numbers(printed: &Figures, number: &Rational, computed: &Value) -> Comparison
         let reason = format!("no bound of the computed value is certified: nothing is decided; {both}");
         return Comparison::new(Verdict::Undecided, Some(digits), reason);
     };
-    let unit = printed.unit();
-    let before = unit.clone() * Rational::from_integer(10);
-    let (least, most) = (difference.clone() - bound.clone(), difference.clone() + bound.clone());
-    let has_figure_before = printed.count > 1;
-    let agrees = agrees_within(printed, number, bound);
-    let verdict = if most <= unit && agrees == Some(true) {
-        Verdict::Reproduced
-    } else if least > unit && has_figure_before && most <= before {
-        Verdict::Rounded
-    } else if least > before || !has_figure_before && (least > unit || agrees == Some(false)) {
-        Verdict::Wrong
-    } else {
-        Verdict::Undecided
-    };
+    let verdict = verdict_within(printed, number, bound);
     let reason = match verdict {
         Verdict::Reproduced => String::new(),
+        Verdict::Truncated => format!("cut off instead of rounded: {both}"),
+        Verdict::OffByOne => format!("the last figure is off by one: {both}"),
         Verdict::Rounded => {
-            let off = rounded(&(difference / unit), 1);
+            let off = rounded(&(difference / figures.unit()), 1);
             format!("right but for the last figure, off by {off}: {both}")
         }
         Verdict::Undecided => format!(
             "computed only to within {}, which leaves the verdict open; {both}",
             power_above(bound)
         ),
-        _ if difference < unit => format!("no figure agrees: {both}"),
-        _ => format!(
-            "differs from the {} figure on: {both}",
-            ordinal(printed.first_differing(&difference))
-        ),
+        _ => match figures.first_differing(number) {
+            1 => format!("no figure agrees: {both}"),
+            figure => format!("differs from the {} figure on: {both}", ordinal(figure)),
+        },
     };
     Comparison::new(verdict, Some(digits), reason)
 }
@@ -289,10 +301,13 @@ mod tests {
 
     #[test]
     fn the_verdict_follows_the_last_printed_figure() {
-        use Verdict::{Reproduced, Rounded, Wrong};
+        use Verdict::{OffByOne, Reproduced, Rounded, Truncated, Wrong};
         for (printed, computed, wanted) in [
             ("0.677449", "0.6774485037", Reproduced),
-            ("0.677448", "0.6774485037", Reproduced),
+            ("0.677448", "0.6774485037", Truncated),
+            ("0.677450", "0.6774492", OffByOne),
+            ("-0.677450", "-0.6774492", OffByOne),
+            ("-0.677448", "-0.6774488", Truncated),
             ("0.677447", "0.6774485037", Rounded),
             ("0.677444", "0.6774485037", Rounded),
             ("0.677438", "0.6774485037", Wrong),
@@ -306,17 +321,21 @@ mod tests {
             ("3", "2", Wrong),
             ("1", "0.8868720826", Reproduced),
             ("-0.8", "-0.9038271786", Wrong),
-            // of one figure that figure agrees, rounded or truncated; a 0 is nothing else
-            ("5", "5.7", Reproduced),
+            // of one figure something is left at its place; a 0 is nothing else
+            ("5", "5.7", Truncated),
             ("5", "4.6", Reproduced),
-            ("5", "4.2", Wrong),
-            ("-5", "-5.7", Reproduced),
+            ("5", "4.2", OffByOne),
+            ("5", "3.9", Wrong),
+            ("1", "0.3", Wrong),
+            ("-5", "-5.7", Truncated),
+            ("-5", "5.7", Wrong),
             ("0", "0.0", Reproduced),
             ("0", "0.4", Wrong),
             ("0", "1e-9", Wrong),
             ("0.000", "1e-9", Reproduced),
             ("0.000", "-0.0004", Reproduced),
-            ("0.000", "0.0006", Reproduced),
+            ("0.000", "0.0006", Truncated),
+            ("0.000", "-0.0006", Truncated),
             ("0.000", "0.002", Wrong),
             ("1e300", "9.6e299", Reproduced),
             ("1e300", "1.0e299", Wrong),
@@ -334,34 +353,62 @@ mod tests {
     }
 
     #[test]
-    fn exactly_one_unit_off_is_still_reproduced() {
-        assert_eq!(verdict("0.26", "0.25", "0"), Some(Verdict::Reproduced));
+    fn exactly_half_a_unit_is_reproduced_and_exactly_one_is_off_by_one() {
+        for exact in ["0.255", "0.265"] {
+            assert_eq!(verdict("0.26", exact, "0"), Some(Verdict::Reproduced));
+        }
+        for exact in ["0.25", "0.27"] {
+            assert_eq!(verdict("0.26", exact, "0"), Some(Verdict::OffByOne));
+        }
         assert_eq!(verdict("0.26", "0.16", "0"), Some(Verdict::Rounded));
     }
 
     #[test]
-    fn a_reproduced_figure_changed_by_three_or_more_is_no_longer_reproduced() {
+    fn a_reproduced_figure_that_is_changed_is_no_longer_reproduced() {
         let computed = value("0.6774485037", "1e-12");
         for last in 0..=9 {
             let changed: i32 = last - 9;
             let found = compare(&format!("0.67744{last}"), &computed).map(|found| found.verdict);
-            assert_eq!(found == Ok(Verdict::Reproduced), changed.abs() < 2, "{last}");
+            assert_eq!(found == Ok(Verdict::Reproduced), changed == 0, "{last}");
         }
     }
 
     #[test]
     fn what_the_bound_leaves_open_is_undecided_and_never_a_pass() {
         assert_eq!(verdict("0.677449", "0.6774485", "1e-6"), Some(Verdict::Undecided));
-        assert_eq!(verdict("0.677449", "0.6774485", "4e-7"), Some(Verdict::Reproduced));
+        assert_eq!(verdict("0.677449", "0.6774488", "2e-7"), Some(Verdict::Reproduced));
+        // on both sides wrong, and the printed value is between
+        assert_eq!(verdict("0.677449", "0.6774", "0.1"), Some(Verdict::Undecided));
         assert_eq!(verdict("0.677449", "0.6774485", ""), Some(Verdict::Undecided));
         assert_eq!(verdict("0.677449", "", ""), Some(Verdict::Undecided));
         // whether it rounds to the only figure, and whether it is 0
         assert_eq!(verdict("5", "4.5001", "1e-3"), Some(Verdict::Undecided));
         assert_eq!(verdict("5", "4.51", "1e-3"), Some(Verdict::Reproduced));
+        assert_eq!(verdict("5", "4.48", "1e-3"), Some(Verdict::OffByOne));
         assert_eq!(verdict("0", "1e-13", "1e-12"), Some(Verdict::Undecided));
         assert_eq!(verdict("0", "1e-11", "1e-12"), Some(Verdict::Wrong));
         assert_eq!(verdict("(0.4, 1)", "0.999999", "1e-3"), Some(Verdict::Undecided));
         assert_eq!(verdict("proved", "undecided", "0"), Some(Verdict::Undecided));
+    }
+
+    #[test]
+    fn an_uncertainty_takes_the_place_of_half_a_unit() {
+        use Verdict::{OffByOne, Reproduced, Rounded, Wrong};
+        for (printed, computed, wanted) in [
+            (r"8.327 \times 10^{-1}", "0.83272", Reproduced),
+            ("0.8327(1)", "0.83279", Reproduced),
+            ("0.8327(2)", "0.83251", Reproduced),
+            ("0.8327(2)", "0.83249", Rounded),
+            (r"0.8327 \pm 0.00001", "0.83264", OffByOne),
+            (r"0.8327 \pm 0.01", "0.8411", Reproduced),
+            (r"0.8327 \pm 0.01", "0.8511", Wrong),
+        ] {
+            assert_eq!(
+                verdict(printed, computed, "1e-12"),
+                Some(wanted),
+                "{printed} {computed}"
+            );
+        }
     }
 
     #[test]
@@ -411,26 +458,30 @@ mod tests {
             "right but for the last figure, off by 3.7: printed -0.555468, computed -0.555471663"
         );
         assert_eq!(reason("0.677449", "0.6774485037"), "");
+        assert_eq!(
+            reason("0.677448", "0.6774485037"),
+            "cut off instead of rounded: printed 0.677448, computed 0.6774485037"
+        );
+        assert_eq!(
+            reason("0.677450", "0.6774492"),
+            "the last figure is off by one: printed 0.677450, computed 0.6774492"
+        );
+        assert_eq!(
+            reason("0.8330", "0.8318"),
+            "differs from the 3rd figure on: printed 0.8330, computed 0.8318"
+        );
         for (printed, computed, both) in [
             ("0", "0.4", "printed 0, computed 0.4"),
-            ("5", "4.2", "printed 5, computed 4.2"),
+            ("5", "3.2", "printed 5, computed 3.2"),
             ("1e300", "2.5", "printed 1e300, computed 2.5"),
             ("-1e400", "2.5e-7", "printed -1e400, computed 2.5e-7"),
         ] {
-            let all = [
-                format!("no figure agrees: {both}"),
-                format!("differs from the 1st figure on: {both}"),
-            ];
-            assert!(
-                all.contains(&reason(printed, computed)),
-                "{}",
-                reason(printed, computed)
-            );
+            assert_eq!(reason(printed, computed), format!("no figure agrees: {both}"));
         }
         let tiny = compare("1.5e-300", &value("2.6e-300", "1e-310")).map(|found| found.reason);
         assert_eq!(
             tiny.as_deref(),
-            Ok("differs from the 1st figure on: printed 15e-301, computed 2.6e-300")
+            Ok("no figure agrees: printed 1.5e-300, computed 2.6e-300")
         );
         assert_eq!(
             reason("(-0.2, -0.15)", "0.165"),

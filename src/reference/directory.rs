@@ -13,6 +13,9 @@ pub const PRINTED: &str = "printed.csv";
 /// The folder of certified values, which a directory may have.
 const REFERENCE: &str = "reference";
 
+/// The folder of scenes, which a directory may have.
+const SCENES: &str = "scenes";
+
 /// The longest file that is read: 16 MB.
 const MOST_BYTES: u64 = 16 << 20;
 
@@ -146,26 +149,53 @@ impl Directory {
             let names = BUILT_IN.iter().map(|(name, _)| (*name).to_owned());
             return Ok(names.filter(|name| name.starts_with("reference/")).collect());
         };
-        let directory = path.join(REFERENCE);
-        let fault = |message: String| Fault::of_file(&self.name(REFERENCE), message);
-        let entries = match fs::read_dir(&directory) {
+        let files = self.listed(path, REFERENCE, ".csv")?;
+        if files.is_empty() && path.join(REFERENCE).exists() {
+            let message = "it has no .csv file; remove the folder, or put back what it had";
+            return Err(Fault::of_file(&self.name(REFERENCE), message));
+        }
+        Ok(files)
+    }
+
+    /// The scenes in the folder `scenes/` that no row names, by their paths relative to the directory, in the order of
+    /// their names; none of the paper's own, which are built in.
+    ///
+    /// # Errors
+    /// The folder cannot be listed.
+    pub fn unused_scenes(&self, printed: &[Printed], certified: &[Certified]) -> Result<Vec<String>, Fault> {
+        let records = printed
+            .iter()
+            .map(|row| &row.record)
+            .chain(certified.iter().map(|row| &row.record));
+        let plain = |path: &str| -> PathBuf {
+            let parts = Path::new(path).components();
+            parts.filter(|part| *part != Component::CurDir).collect()
+        };
+        let used: Vec<PathBuf> = records.map(|record| plain(record.field("scene"))).collect();
+        let mut scenes = match self.path() {
+            Some(path) => self.listed(path, SCENES, ".toml")?,
+            None => Vec::new(),
+        };
+        scenes.retain(|scene| !used.contains(&plain(scene)));
+        Ok(scenes)
+    }
+
+    /// The files of a folder whose names end so, by their paths relative to the directory, in the order of their names.
+    fn listed(&self, directory: &Path, folder: &str, end: &str) -> Result<Vec<String>, Fault> {
+        let fault = |error: io::Error| Fault::of_file(&self.name(folder), error.to_string());
+        let entries = match fs::read_dir(directory.join(folder)) {
             Ok(entries) => entries,
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
-            Err(error) => return Err(fault(error.to_string())),
+            Err(error) => return Err(fault(error)),
         };
         let mut files = Vec::new();
         for entry in entries {
-            let name = entry.map_err(|error| fault(error.to_string()))?.file_name();
+            let name = entry.map_err(fault)?.file_name();
             let name = name.to_string_lossy();
             // Editors and --bless itself leave hidden files beside the one they write.
-            if name.ends_with(".csv") && !name.starts_with('.') {
-                files.push(format!("{REFERENCE}/{name}"));
+            if name.ends_with(end) && !name.starts_with('.') {
+                files.push(format!("{folder}/{name}"));
             }
-        }
-        if files.is_empty() {
-            return Err(fault(
-                "it has no .csv file; remove the folder, or put back what it had".to_owned(),
-            ));
         }
         files.sort();
         Ok(files)

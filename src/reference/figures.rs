@@ -60,18 +60,90 @@ impl Figures {
         power_of_ten(-self.places)
     }
 
-    /// The first figure, counted from 1, whose unit a difference of this size reaches; past the last one where
-    /// the difference is smaller than every unit.
-    pub fn first_differing(&self, difference: &Rational) -> i32 {
-        let mut unit = self.unit() * power_of_ten(self.count - 1);
-        for figure in 1..=self.count {
-            if *difference >= unit {
-                return figure;
-            }
-            unit /= Rational::from_integer(10);
+    /// Reads a number as papers print it: as [`Figures::read`] does, or with a power of ten as in `8.327 \times 10^{-1}`,
+    /// `8.327 \cdot 10^{-1}` or `8.327×10^-1`, with an uncertainty as in `0.8327(1)` or `0.8327 \pm 0.0001`, or with both;
+    /// between dollar signs or not. The second value is the uncertainty.
+    pub fn read_printed(text: &str) -> Option<(Self, Option<Rational>)> {
+        let text = text.trim();
+        let text = text
+            .strip_prefix('$')
+            .and_then(|text| text.strip_suffix('$'))
+            .unwrap_or(text);
+        let plain = text
+            .replace("\\,", "")
+            .replace("\\times", "×")
+            .replace("\\cdot", "×")
+            .replace('·', "×");
+        let plain: String = plain.replace("\\pm", "±").split_whitespace().collect();
+        // blanks stand around signs, never within a number
+        let is_cut = |pair: &[&str]| matches!(pair, [a, b] if a.ends_with(is_numeral) && b.starts_with(is_numeral));
+        if text.split_whitespace().collect::<Vec<_>>().windows(2).any(is_cut) {
+            return None;
         }
-        self.count + 1
+        let (mantissa, power) = match plain.split_once('×') {
+            Some((mantissa, power)) => {
+                let power = power.strip_prefix("10^")?;
+                let power = power
+                    .strip_prefix('{')
+                    .and_then(|power| power.strip_suffix('}'))
+                    .unwrap_or(power);
+                (mantissa, power.replace('\u{2212}', "-").parse::<i32>().ok()?)
+            }
+            None => (plain.as_str(), 0),
+        };
+        if power.abs() > LARGEST_POWER {
+            return None;
+        }
+        let (value, uncertainty) = uncertain(mantissa)?;
+        let scaled = Self {
+            value: value.value * power_of_ten(power),
+            places: value.places.checked_sub(power)?,
+            count: value.count,
+        };
+        Some((scaled, uncertainty.map(|uncertainty| uncertainty * power_of_ten(power))))
     }
+
+    /// The first figure, counted from 1, in which this and a number that is rounded to as many places differ; past the
+    /// last one if they do not.
+    pub fn first_differing(&self, number: &Rational) -> i32 {
+        let digits = |value: &Rational| rounded(&(size(value.clone()) * power_of_ten(self.places)), 0);
+        let (own, other) = (digits(&self.value), digits(number));
+        let is_negative = |value: &Rational| *value < Rational::zero();
+        if other.len() > own.len() || is_negative(&self.value) != is_negative(number) {
+            return 1;
+        }
+        let zeros = own.len() - other.len();
+        let padded = "0".repeat(zeros) + &other;
+        let same = own.bytes().zip(padded.bytes()).take_while(|(a, b)| a == b).count();
+        // of a number such as 0.00 the zeros are no figures
+        let leading = own.len().saturating_sub(usize::try_from(self.count).unwrap_or(0));
+        i32::try_from(same.saturating_sub(leading)).map_or(self.count, |same| same + 1)
+    }
+}
+
+/// Returns true for a character of a decimal.
+fn is_numeral(c: char) -> bool {
+    c.is_ascii_digit() || c == '.'
+}
+
+/// Parses a decimal with an uncertainty or without one: `0.8327(1)`, whose bracket counts units of the last figure,
+/// `0.8327±0.0001`, `(0.8327±0.0001)`.
+fn uncertain(text: &str) -> Option<(Figures, Option<Rational>)> {
+    let inner = text
+        .strip_prefix('(')
+        .and_then(|text| text.strip_suffix(')'))
+        .unwrap_or(text);
+    if let Some((value, uncertainty)) = inner.split_once('±') {
+        let uncertainty = Figures::read(uncertainty)?.value;
+        return (uncertainty >= Rational::zero()).then_some((Figures::read(value)?, Some(uncertainty)));
+    }
+    if let Some((value, units)) = text.strip_suffix(')').and_then(|text| text.split_once('(')) {
+        let value = Figures::read(value)?;
+        let is_plain = !units.is_empty() && units.bytes().all(|byte| byte.is_ascii_digit());
+        let uncertainty = Rational::from_decimal(units).filter(|_| is_plain)? * value.unit();
+        return Some((value, Some(uncertainty)));
+    }
+    Some((Figures::read(text)?, None))
 }
 
 /// In full, or with a power of ten where that is long.
@@ -166,11 +238,67 @@ mod tests {
     }
 
     #[test]
-    fn a_difference_is_placed_at_the_figure_whose_unit_it_reaches() {
-        let printed = Figures::read("0.701752");
-        let off = Rational::from_decimal("0.0000385686");
-        let figure = printed.zip(off).map(|(printed, off)| printed.first_differing(&off));
-        assert_eq!(figure, Some(5));
+    fn the_first_figure_that_differs_is_counted_from_the_first_that_is_not_0() {
+        for (printed, computed, figure) in [
+            ("0.701752", "0.7017134", 5),
+            ("0.8330", "0.8328", 3),
+            ("0.08330", "0.08328", 3),
+            ("0.83284", "0.83272", 4),
+            ("1.002", "0.998", 1),
+            ("37876", "37976", 3),
+            ("12", "123", 1),
+            ("-5.1", "5.1", 1),
+            ("0.00", "0.02", 1),
+            ("5.31e-3", "0.00537", 3),
+            ("0.25", "0.2501", 3),
+        ] {
+            let both = Figures::read(printed).zip(Figures::read(computed));
+            let found = both.map(|(printed, computed)| printed.first_differing(&computed.value));
+            assert_eq!(found, Some(figure), "{printed} {computed}");
+        }
+    }
+
+    #[test]
+    fn numbers_are_read_as_papers_print_them() {
+        for (text, plain, uncertainty) in [
+            ("0.8327", "0.8327", None),
+            (r"8.327 \times 10^{-1}", "8.327e-1", None),
+            (r"$8.327 \cdot 10^{-1}$", "8.327e-1", None),
+            (r"-8.327\,\times\,10^3", "-8.327e3", None),
+            ("\u{2212}8.327×10^{\u{2212}1}", "-8.327e-1", None),
+            ("0.8327(1)", "0.8327", Some("0.0001")),
+            ("0.8327(12)", "0.8327", Some("0.0012")),
+            ("832(5)", "832", Some("5")),
+            (r"0.8327 \pm 0.0001", "0.8327", Some("0.0001")),
+            ("0.8327 ± 0.0001", "0.8327", Some("0.0001")),
+            (r"8.327(1) \times 10^{-1}", "8.327e-1", Some("0.0001")),
+            (r"(8.327 \pm 0.001) \times 10^{-1}", "8.327e-1", Some("0.0001")),
+        ] {
+            let wanted = Figures::read(plain).map(|figures| (figures, uncertainty.and_then(Rational::from_decimal)));
+            assert_eq!(Figures::read_printed(text), wanted, "{text}");
+        }
+        for text in [
+            "0.83 27",
+            "1 2",
+            "(0.4, 1)",
+            "< 3",
+            "1 \\times 2",
+            "1 \\times 10",
+            "0.8(x)",
+            "0.8()",
+            "0.8(0.1)",
+            "(1)",
+            "1e400×10^{5}",
+            "1 \\pm -2",
+            "1 \\pm",
+            "word",
+            "",
+            "$",
+            "10^{-1}",
+            "1×10^{999}",
+        ] {
+            assert_eq!(Figures::read_printed(text), None, "{text}");
+        }
     }
 
     #[test]

@@ -6,11 +6,15 @@ use std::str::FromStr;
 /// What is found of a printed value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
-    /// Within one unit of the last printed figure; of words, the same.
+    /// Within half a unit of the last printed figure: correctly rounded; of words, the same.
     Reproduced,
+    /// The computed value with its last figures cut off instead of rounded.
+    Truncated,
+    /// Any other value within one unit of the last printed figure.
+    OffByOne,
     /// Within one unit of the figure before the last.
     Rounded,
-    /// Neither; the computed value is the true one.
+    /// None of these; the computed value is the true one.
     Wrong,
     /// The paper does not say enough for anything to be computed.
     Undetermined,
@@ -20,12 +24,21 @@ pub enum Verdict {
 
 impl Verdict {
     /// Those that a row may expect.
-    pub const EXPECTED: [Self; 4] = [Self::Reproduced, Self::Rounded, Self::Wrong, Self::Undetermined];
+    pub const EXPECTED: [Self; 6] = [
+        Self::Reproduced,
+        Self::Truncated,
+        Self::OffByOne,
+        Self::Rounded,
+        Self::Wrong,
+        Self::Undetermined,
+    ];
 
     /// The name in files and tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Reproduced => "reproduced",
+            Self::Truncated => "truncated",
+            Self::OffByOne => "off-by-one",
             Self::Rounded => "rounded",
             Self::Wrong => "wrong",
             Self::Undetermined => "undetermined",
@@ -42,7 +55,7 @@ impl fmt::Display for Verdict {
 
 /// A word that no row may expect.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no verdict to expect: reproduced, rounded, wrong and undetermined are")]
+#[error("`{0}` is no verdict to expect: reproduced, truncated, off-by-one, rounded, wrong and undetermined are")]
 pub struct UnknownVerdict(pub String);
 
 impl FromStr for Verdict {

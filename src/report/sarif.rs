@@ -40,7 +40,7 @@ pub struct Finding {
 }
 
 /// The rules: kind, verdict, how serious it is where it was not expected, and what it says.
-const RULES: [(Kind, &str, &str, &str); 9] = [
+const RULES: [(Kind, &str, &str, &str); 11] = [
     (
         Kind::Formula,
         "proved",
@@ -65,6 +65,18 @@ const RULES: [(Kind, &str, &str, &str); 9] = [
         "reproduced",
         "warning",
         "The number is reproduced; the source says that it is not.",
+    ),
+    (
+        Kind::Number,
+        "truncated",
+        "warning",
+        "The last figures of the number are cut off instead of rounded.",
+    ),
+    (
+        Kind::Number,
+        "off-by-one",
+        "warning",
+        "The last figure of the number is off by one.",
     ),
     (
         Kind::Number,

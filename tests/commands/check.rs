@@ -263,6 +263,51 @@ fn the_first_row_makes_a_directory_that_stands_alone() {
 }
 
 #[test]
+fn a_scene_that_no_row_names_is_said() {
+    let golden = Golden::new("unused", &[&RIGHT.replace("scenes/own.toml", "./scenes/own.toml")]);
+    golden.write("scenes/other.toml", SCENE.to_owned());
+    let output = check(&[golden.path()]);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{message}");
+    assert!(
+        message.contains("scenes/other.toml: no row names this scene") && !message.contains("own.toml"),
+        "{message}"
+    );
+}
+
+#[test]
+fn numbers_are_held_as_papers_print_them_and_each_verdict_can_be_expected() {
+    // the computed value is 0.12201, and 0.101675 of six newtons
+    let rows = [
+        ("a", r"1.2201 \times 10^{-1}", "reproduced"),
+        ("b", "0.12202(2)", "reproduced"),
+        ("c", "0.12", "reproduced"),
+        ("d", r"0.1219 \pm 0.0002", "reproduced"),
+        ("e", "0.1016", "truncated"),
+        ("f", "0.1221", "off-by-one"),
+        ("g", "0.1225", "rounded"),
+        ("h", "0.13", "off-by-one"),
+        ("i", "0.2", "off-by-one"),
+        ("j", "0.9", "wrong"),
+    ];
+    let expecting = |expected: fn(&'static str) -> &'static str| {
+        let row = |(id, printed, verdict)| {
+            let expected = expected(verdict);
+            let set = if id == "e" { "device.forcing_amplitude=6" } else { "" };
+            format!("{id},p,scenes/own.toml,{set},motion.g,{printed},,{expected},,")
+        };
+        let lines: Vec<String> = rows.map(row).to_vec();
+        let golden = Golden::new("as-printed", &lines.iter().map(String::as_str).collect::<Vec<_>>());
+        let (status, found) = golden.verdicts();
+        let found: Vec<String> = found.into_iter().map(|row| row[1].clone()).collect();
+        assert_eq!(found, rows.map(|row| row.2));
+        status
+    };
+    assert_eq!(expecting(|verdict| verdict), Some(0));
+    assert_eq!(expecting(|_| "reproduced"), Some(1));
+}
+
+#[test]
 fn rows_that_are_added_at_once_are_all_there() {
     let scratch = Golden::new("at-once", &[]);
     let mine = scratch.0.join("mine/deep");
@@ -353,7 +398,7 @@ fn what_is_wrong_in_printed_csv_is_named_by_file_line_and_column() {
             vec![
                 "line 3, column `expected`",
                 "`right` is no verdict",
-                "reproduced, rounded, wrong and undetermined",
+                "reproduced, truncated, off-by-one, rounded, wrong and undetermined",
             ],
         ),
         (

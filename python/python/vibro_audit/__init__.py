@@ -80,7 +80,8 @@ def explain(sheet: Given | None, label: str, *, effort: int = 1) -> str:
 def check(directory: Path | None = None) -> Report:
     """Golden values of a directory of CSV against what is computed; without, those of the paper.
 
-    A row per value. `verdict` is "reproduced", "rounded", "wrong", "undetermined" or "undecided".
+    A row per value. `verdict` is "reproduced", "truncated", "off-by-one", "rounded", "wrong",
+    "undetermined" or "undecided".
     """
     named = _path(directory, "directory")
     return _report("check", {}, None if named is None else ([named], None))

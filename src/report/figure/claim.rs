@@ -30,7 +30,7 @@ pub(super) fn in_kilovolts(claims: &[Claim]) -> Vec<Claim> {
 pub(super) fn series(claims: &[Claim]) -> Vec<Series> {
     let mut labelled: Vec<Point> = Vec::new();
     let mut series = Vec::new();
-    for verdict in [Verdict::Reproduced, Verdict::Rounded, Verdict::Wrong] {
+    for verdict in Verdict::EXPECTED {
         for at_bifurcation in [false, true] {
             let found = claims
                 .iter()
@@ -66,8 +66,8 @@ fn marker(verdict: Verdict, at_bifurcation: bool) -> Marker {
     let (colour, form, size) = match (verdict, at_bifurcation) {
         (Verdict::Wrong, false) => (Colour::Vermillion, Form::Cross, 10.0),
         (Verdict::Wrong, true) => (Colour::Vermillion, Form::Plus, 15.0),
-        (Verdict::Rounded, false) => (Colour::Vermillion, Form::Diamond, 12.0),
-        (Verdict::Rounded, true) => (Colour::Vermillion, Form::Wedge, 12.0),
+        (Verdict::OffByOne | Verdict::Rounded, false) => (Colour::Vermillion, Form::Diamond, 12.0),
+        (Verdict::OffByOne | Verdict::Rounded, true) => (Colour::Vermillion, Form::Wedge, 12.0),
         (_, false) => (Colour::Green, Form::Circle, 11.0),
         (_, true) => (Colour::Green, Form::Square, 12.0),
     };

@@ -138,7 +138,7 @@ fn badge(verdict: &str) -> Element {
     let class = match verdict {
         "proved" | "reproduced" => "verdict good",
         "refuted" | "wrong" | "unread" => "verdict bad",
-        "rounded" => "verdict fair",
+        "truncated" | "off-by-one" | "rounded" => "verdict fair",
         _ => "verdict open",
     };
     text_in("span", verdict).with("class", class)
