@@ -8,6 +8,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
+use vibro_audit::cli::STACK;
 use vibro_audit::stop::Token;
 
 /// How often the interpreter is asked whether to go on.
@@ -15,9 +16,6 @@ const PAUSE: Duration = Duration::from_millis(50);
 
 /// How long stopped work may take to its next step; after it nobody waits for it.
 const GRACE: Duration = Duration::from_secs(2);
-
-/// What deep formulas need: as much as the program's main thread has.
-const STACK: usize = 8 << 20;
 
 /// The threads that compute, and the process that they belong to.
 static POOL: Mutex<Option<(u32, &'static ThreadPool)>> = Mutex::new(None);

@@ -91,7 +91,10 @@ impl Sheet {
         }));
         let entries = std::iter::once(claim).chain(below.iter().copied());
         let mut found = Vec::new();
-        for side in entries.flat_map(|entry| &entry.equations).flat_map(|equation| [&equation.left, &equation.right]) {
+        for side in entries
+            .flat_map(|entry| &entry.equations)
+            .flat_map(|equation| [&equation.left, &equation.right])
+        {
             any(side, &mut |node| {
                 if let Tree::RealPower(base, exponent, _) = node
                     && is_at_times_whole(exponent, &integers)

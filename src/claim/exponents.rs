@@ -16,7 +16,10 @@ const MOST_LETTERS: u32 = 3;
 pub(super) fn is_at_times_whole(exponent: &Tree, integers: &[Name]) -> bool {
     let mut letters: BTreeSet<&Name> = BTreeSet::new();
     let is_plain = !any(exponent, &mut |node| {
-        matches!(node, Tree::Call(..) | Tree::Operation(..) | Tree::Partial { .. } | Tree::Invariant { .. })
+        matches!(
+            node,
+            Tree::Call(..) | Tree::Operation(..) | Tree::Partial { .. } | Tree::Invariant { .. }
+        )
     });
     for name in integers.iter().filter(|name| speaks_of(exponent, name)) {
         letters.insert(name);
@@ -45,7 +48,10 @@ pub(super) fn bases<'t>(tree: &'t Tree, integers: &[Name], found: &mut Vec<(&'t 
         found.push((base, exponent));
     }
     let known = found.len();
-    if tree.find_below(&mut |part| bases(part, integers, found).is_none().then_some(())).is_some() {
+    if tree
+        .find_below(&mut |part| bases(part, integers, found).is_none().then_some(()))
+        .is_some()
+    {
         return None;
     }
     let letter = match tree {

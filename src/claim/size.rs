@@ -15,7 +15,7 @@ pub(super) struct Size {
 /// The largest formula that definitions put into each other may make: it bounds the time of all later walks and their stack.
 pub(super) const LARGEST: Size = Size {
     nodes: 100_000,
-    depth: 1_000,
+    depth: 600,
 };
 
 /// Why a formula is not built.

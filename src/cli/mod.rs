@@ -62,6 +62,9 @@ use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::Write;
 
+/// The stack of the threads that decide formulas: what the deepest that are read need, in a build without optimisation too.
+pub const STACK: usize = 16 << 20;
+
 const STATUS_HELP: &str = "Exit status: 0 all as expected; 1 a verdict or value is not as expected; 2 the input \
                            cannot be used; 130 a signal has stopped it.";
 

@@ -31,9 +31,8 @@ pub(super) fn doubts(goal: &Goal, question: &kernel::Question, effort: u64) -> V
         nonzero.relation = Relation::NotEqual;
         divided.assume.push(Condition::Relation(nonzero));
         let questions = kernel::questions(&divided, &goal.vocabulary).unwrap_or_default();
-        let is_same = |other: &&kernel::Question| {
-            other.equation == question.equation && other.instance == question.instance
-        };
+        let is_same =
+            |other: &&kernel::Question| other.equation == question.equation && other.instance == question.instance;
         let fails = questions
             .iter()
             .find(is_same)
@@ -58,14 +57,26 @@ fn common_factors(statement: &Statement) -> Vec<(String, String)> {
         };
         statement.givens().iter().any(known)
     };
-    for given in statement.givens().iter().filter(|given| given.property == Property::Zero) {
+    for given in statement
+        .givens()
+        .iter()
+        .filter(|given| given.property == Property::Zero)
+    {
         let form = Expansion::new(BTreeSet::new(), MOST_STEPS).of(statement.terms(), given.term);
         let Ok(numerator) = form.map(|form| form.numerator) else {
             continue;
         };
-        let [(first, _), rest @ ..] = numerator.terms() else { continue };
-        let is_common = |term: Term| rest.iter().all(|(monomial, _)| monomial.iter().any(|(own, _)| *own == term));
-        for &(term, _) in first.iter().filter(|(term, _)| !rest.is_empty() && is_common(*term) && !is_nonzero(*term)) {
+        let [(first, _), rest @ ..] = numerator.terms() else {
+            continue;
+        };
+        let is_common = |term: Term| {
+            rest.iter()
+                .all(|(monomial, _)| monomial.iter().any(|(own, _)| *own == term))
+        };
+        for &(term, _) in first
+            .iter()
+            .filter(|(term, _)| !rest.is_empty() && is_common(*term) && !is_nonzero(*term))
+        {
             found.push((given.label.clone(), print::tex(statement.terms(), term)));
         }
     }

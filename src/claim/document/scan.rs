@@ -18,6 +18,9 @@ const LONGEST: usize = 16 << 20;
 /// The most formulas of a document.
 const MOST_FORMULAS: usize = 20_000;
 
+/// The most faults that are listed.
+const MOST_FAULTS: usize = 100;
+
 /// How a document is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Markup {
@@ -313,6 +316,12 @@ impl<'a> Scan<'a> {
             ended: false,
         };
         scan.file(None, text);
+        if let Some((at, _)) = scan.faults.get(MOST_FAULTS).cloned() {
+            let more = scan.faults.len() - MOST_FAULTS;
+            scan.faults.truncate(MOST_FAULTS);
+            scan.faults
+                .push((at, format!("{more} more things from here on cannot be read")));
+        }
         scan
     }
 
