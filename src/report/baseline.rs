@@ -219,7 +219,7 @@ mod tests {
     #[test]
     fn fingerprints_of_another_version_are_refused() {
         // what a fingerprint is computed from changes with its version alone
-        assert_eq!(fingerprint("22", "refuted", "a = b"), "v2:PINNED");
+        assert_eq!(fingerprint("22", "refuted", "a = b"), "v2:a8ecc8de1038313a");
         let result = |prints: &str| {
             let place = r#"[{"logicalLocations":[{"name":"2"}]}]"#;
             let prints = format!("{{\"locations\":{place},\"partialFingerprints\":{prints}}}");

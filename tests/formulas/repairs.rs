@@ -5,8 +5,8 @@ use crate::common::paper;
 use crate::common::trees;
 
 use paper::{Bench, PAPER, display, vocabulary};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use std::time::Instant;
 use vibro_audit::claim::{Document, Entry, Markup, Sheet, Verdict, Vocabulary};
 use vibro_audit::evidence::witness;
@@ -14,14 +14,26 @@ use vibro_audit::prove::{self, Options};
 use vibro_audit::repair::{Part, Repair, parts, repairs, reprinted};
 use vibro_audit::tex::{Equation, Tree};
 
-/// A sheet with one wrong formula, and that formula as it was.
+/// A sheet, and one of its formulas as it stands there and misprinted.
 struct Misprint {
     name: String,
-    sheet: Sheet,
+    sheet: Arc<Sheet>,
     position: usize,
     part: Part,
     right: Equation,
     wrong: Equation,
+}
+
+impl Misprint {
+    /// The sheet with the formula as an author misprints it: in its text.
+    fn printed(&self) -> Option<Sheet> {
+        let entry = &self.sheet.entries[self.position];
+        let sheet = reprinted(&self.sheet, self.position, &[(self.part, self.wrong.clone())])?.sheet;
+        let is_alike = sheet.entries.get(self.position).is_some_and(|new| {
+            new.unread.is_none() && new.equations.len() == entry.equations.len() && new.local.len() == entry.local.len()
+        });
+        is_alike.then_some(sheet)
+    }
 }
 
 fn nodes(tree: &Tree) -> usize {
@@ -37,7 +49,7 @@ fn flat(equation: &Equation) -> [Tree; 2] {
 }
 
 /// Every single edit of a formula of the claim at a position of a sheet.
-fn misprints_of(name: &str, sheet: &Sheet, position: usize, into: &mut Vec<Misprint>) {
+fn misprints_of(name: &str, sheet: &Arc<Sheet>, position: usize, into: &mut Vec<Misprint>) {
     let entry = &sheet.entries[position];
     let stated = entry
         .equations
@@ -52,22 +64,9 @@ fn misprints_of(name: &str, sheet: &Sheet, position: usize, into: &mut Vec<Mispr
     for (part, right) in stated.chain(local) {
         let gives = matches!(&right.left, Tree::Symbol(name, _) if entry.gives().contains(name));
         for wrong in mutants::edited(right, !gives && entry.label != "19") {
-            // as an author misprints it: in the text
-            let Some(printed) = reprinted(sheet, position, &[(part, wrong.clone())]) else {
-                continue;
-            };
-            let copy = printed.sheet;
-            let is_alike = copy.entries.get(position).is_some_and(|new| {
-                new.unread.is_none()
-                    && new.equations.len() == entry.equations.len()
-                    && new.local.len() == entry.local.len()
-            });
-            if !is_alike {
-                continue;
-            }
             into.push(Misprint {
                 name: format!("{name} ({})", entry.label),
-                sheet: copy,
+                sheet: Arc::clone(sheet),
                 position,
                 part,
                 right: right.clone(),
@@ -90,7 +89,7 @@ fn of_the_paper() -> Vec<Misprint> {
         };
         for equations in alone {
             let text = bench.sheet(claim.label, &display(&equations), &claim.local);
-            let sheet = Sheet::read(&text, &bench.vocabulary).unwrap();
+            let sheet = Arc::new(Sheet::read(&text, &bench.vocabulary).unwrap());
             let position = sheet.find("claim").unwrap();
             misprints_of(&format!("paper ({})", claim.label), &sheet, position, &mut all);
         }
@@ -118,9 +117,10 @@ fn of_others() -> Vec<Misprint> {
         ),
     ];
     let mut all = Vec::new();
-    for (name, sheet) in &sheets {
+    for (name, sheet) in sheets {
+        let sheet = Arc::new(sheet);
         for position in sheet.rows() {
-            misprints_of(name, sheet, position, &mut all);
+            misprints_of(name, &sheet, position, &mut all);
         }
     }
     all
@@ -166,8 +166,7 @@ fn is_meant(repair: &Repair, misprint: &Misprint) -> bool {
 
 /// Whether the formula was proved before it was misprinted.
 fn is_true(misprint: &Misprint) -> bool {
-    let right = [(misprint.part, misprint.right.clone())];
-    prove::decide(&with(misprint, &right), misprint.position, &Options::default()).verdict == Verdict::Proved
+    prove::decide(&misprint.sheet, misprint.position, &Options::default()).verdict == Verdict::Proved
 }
 
 fn measured(misprints: &[Misprint]) -> Shares {
@@ -175,17 +174,18 @@ fn measured(misprints: &[Misprint]) -> Shares {
     let work = || {
         while let Some(misprint) = misprints.get(next.fetch_add(1, Ordering::Relaxed)) {
             let options = Options::default();
-            let decision = prove::decide(&misprint.sheet, misprint.position, &options);
+            let Some(sheet) = misprint.printed() else { continue };
+            let decision = prove::decide(&sheet, misprint.position, &options);
             // what is compared with printed figures has no repairs
-            let printed = &misprint.sheet.entries[misprint.position].tex.tex;
+            let printed = &sheet.entries[misprint.position].tex.tex;
             if decision.verdict != Verdict::Refuted || printed.contains(r"\approx") || !is_true(misprint) {
                 continue;
             }
             let start = Instant::now();
-            let found = repairs(&misprint.sheet, misprint.position, &options).found;
+            let found = repairs(&sheet, misprint.position, &options).found;
             let seconds = start.elapsed().as_secs_f64();
             for repair in &found {
-                assert_is_true_as_shown(repair, misprint);
+                assert_is_true_as_shown(repair, &sheet, misprint);
             }
             let place = found.iter().position(|repair| is_meant(repair, misprint));
             let mut shares = shares.lock().unwrap();
@@ -225,17 +225,12 @@ fn measured(misprints: &[Misprint]) -> Shares {
     shares
 }
 
-/// The sheet with formulas put in the place of those of the misprinted claim.
-fn with(misprint: &Misprint, new: &[(Part, Equation)]) -> Sheet {
-    reprinted(&misprint.sheet, misprint.position, new).unwrap().sheet
-}
-
 /// Points at which a repair is tried beside its proof.
 const POINTS: usize = 8;
 
 /// Reads a repair from what is shown of it, by a search for its texts in the file that is not the gate's, and decides it anew.
-fn assert_is_true_as_shown(repair: &Repair, misprint: &Misprint) {
-    let entry = &misprint.sheet.entries[misprint.position];
+fn assert_is_true_as_shown(repair: &Repair, wrong: &Sheet, misprint: &Misprint) {
+    let entry = &wrong.entries[misprint.position];
     let shown = repair.to_string();
     let mut texts = shown.trim_matches('$').split("$, $");
     let is_stated = repair.mended.iter().any(|(part, _)| matches!(part, Part::Stated(_)));
@@ -253,7 +248,7 @@ fn assert_is_true_as_shown(repair: &Repair, misprint: &Misprint) {
         }
     }
     let local: Vec<(String, String)> = changed.into_iter().zip(texts.map(str::to_owned)).collect();
-    let sheet = misprint.sheet.reprinted(misprint.position, tex, &local).unwrap();
+    let sheet = wrong.reprinted(misprint.position, tex, &local).unwrap();
     let decision = prove::decide(&sheet, misprint.position, &Options::default());
     assert_eq!(decision.verdict, Verdict::Proved, "{}: {shown}", misprint.name);
     let evidence = witness(&sheet, misprint.position, Verdict::Proved, POINTS).unwrap();
