@@ -53,15 +53,27 @@ impl Sheet {
         below
     }
 
-    /// Whether a reader would think of the other meaning: a letter has an argument where what it stands for is written with
-    /// a letter that stands in the bracket.
+    /// Returns true if a reader would think of the other meaning: a letter has an argument where what it stands for is
+    /// written with a letter that stands in the bracket, and a sum in a bracket behind a derivative is the point at which
+    /// it is taken where the sum contains the variable.
     fn is_plausible(&self, kind: &DoubtKind, claim: &Entry, below: &[&Entry]) -> bool {
-        let DoubtKind::Argument { of, inside } = kind else {
-            return true;
+        let (of, inside) = match kind {
+            DoubtKind::Argument { of, inside } => (of, inside),
+            DoubtKind::DerivativeBeforeBracket { of, inside: inside @ Tree::Sum(_) } => {
+                return match of {
+                    Tree::Partial { by, .. } => has_outside_calls(inside, by),
+                    Tree::Operation(operation, _) => match &**operation {
+                        Operation::Derivative { by, .. } => has_outside_calls(inside, by),
+                        _ => true,
+                    },
+                    _ => true,
+                };
+            }
+            _ => return true,
         };
         let shares = |meaning: &Tree| {
             any(meaning, &mut |node| match node {
-                Tree::Symbol(name, _) => !is_constant(name) && speaks_of(inside, name),
+                Tree::Symbol(name, _) => !is_constant(name) && has_outside_calls(inside, name),
                 _ => false,
             })
         };
@@ -235,4 +247,13 @@ fn tends(claim: &Entry) -> Option<Name> {
     let is_expansion = |equation: &Equation| holds(equation, &|operation| matches!(operation, Operation::Order(_)));
     let mut assumed = claim.assume.iter().filter_map(|(condition, _)| approached(condition));
     assumed.next().filter(|_| !claim.equations.iter().any(is_expansion))
+}
+
+/// Returns true if a name stands in a tree otherwise than in the argument of a function.
+fn has_outside_calls(tree: &Tree, name: &Name) -> bool {
+    match tree {
+        Tree::Symbol(own, _) => own == name,
+        Tree::Call(..) => false,
+        _ => tree.find_below(&mut |part| has_outside_calls(part, name).then_some(())).is_some(),
+    }
 }
