@@ -174,6 +174,9 @@ fn exact_verdict(printed: &Uncertain, number: &Rational) -> Verdict {
 /// Returns the verdict on a printed number if the computed one is known to within a bound; `undecided` if the bound leaves
 /// it open.
 fn verdict_within(printed: &Uncertain, number: &Rational, bound: &Rational) -> Verdict {
+    if printed.figures.is_zero_alone() && number.is_zero() {
+        return Verdict::Reproduced;
+    }
     let [low, high] = [number.clone() - bound.clone(), number.clone() + bound.clone()];
     // on either side of the printed value a verdict holds on one interval: the ends and the nearest point tell
     let value = &printed.figures.value;

@@ -91,7 +91,7 @@ impl Figures {
             }
             None => (plain.as_str(), 0),
         };
-        if power.abs() > LARGEST_POWER {
+        if power.abs() > LARGEST_POWER || (power != 0 && mantissa.contains(['e', 'E'])) {
             return None;
         }
         let (value, uncertainty) = uncertain(mantissa)?;
@@ -109,7 +109,7 @@ impl Figures {
         let digits = |value: &Rational| rounded(&(size(value.clone()) * power_of_ten(self.places)), 0);
         let (own, other) = (digits(&self.value), digits(number));
         let is_negative = |value: &Rational| *value < Rational::zero();
-        if other.len() > own.len() || is_negative(&self.value) != is_negative(number) {
+        if self.is_zero_alone() || other.len() > own.len() || is_negative(&self.value) != is_negative(number) {
             return 1;
         }
         let zeros = own.len() - other.len();

@@ -250,13 +250,13 @@ mod tests {
         two.push(["a", "wrong"].map(Cell::from)).unwrap();
         let joined = Table::joined(&[&one, &two]);
         let names: Vec<&str> = joined.columns().iter().map(|column| column.name.as_str()).collect();
-        assert_eq!(names, ["label", "verdict", "id"]);
-        assert_eq!(joined.rows()[0], [Cell::from("1"), Cell::from("proved"), Cell::Empty]);
-        assert_eq!(joined.rows()[1], [Cell::Empty, Cell::from("wrong"), Cell::from("a")]);
+        assert_eq!(names, ["label", "id", "verdict"]);
+        assert_eq!(joined.rows()[0], [Cell::from("1"), Cell::Empty, Cell::from("proved")]);
+        assert_eq!(joined.rows()[1], [Cell::Empty, Cell::from("a"), Cell::from("wrong")]);
         let [one, two] = [one, two].map(|table| table.with_column("file", &Cell::from("f")));
         let joined = Table::joined(&[&one, &two]);
         let names: Vec<&str> = joined.columns().iter().map(|column| column.name.as_str()).collect();
-        assert_eq!(names, ["label", "verdict", "id", "file"]);
+        assert_eq!(names, ["label", "verdict", "id", "file"], "the column that both end with is the last");
         assert_eq!(
             joined.rows()[1],
             ["", "wrong", "a", "f"].map(|text| match text {

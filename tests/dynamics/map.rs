@@ -238,7 +238,10 @@ fn at_200_random_points_a_map_says_what_31_digits_say_wherever_it_claims_a_digit
             }
             claimed += 1;
             let word = map.texts("word")[row];
-            let exact = in_many_digits(&motion, &start, 500);
+            let is_cycle = !word.is_empty();
+            // a map follows what has not repeated yet for `options.settling_impacts` more
+            let exact = in_many_digits(&motion, &start, 500)
+                .or_else(|| is_cycle.then(|| in_many_digits(&motion, &start, 20_500)).flatten());
             // a cycle through a rest is looked for farther than within these impacts; what comes to one comes to no other
             let rests = |word: &str| word.contains('*');
             match &exact {
