@@ -6,6 +6,7 @@ use super::exponents::{is_at_times_whole, is_plainly_not_negative};
 use super::nodes::{any, any_side, holds, speaks_of};
 use super::sheet::Sheet;
 use super::substitute::flies;
+use crate::number::{Field, Rational};
 use crate::tex::{Condition, Doubt, DoubtKind, Equation, Name, Operation, Relation, Tree};
 use std::collections::BTreeSet;
 
@@ -59,7 +60,10 @@ impl Sheet {
     fn is_plausible(&self, kind: &DoubtKind, claim: &Entry, below: &[&Entry]) -> bool {
         let (of, inside) = match kind {
             DoubtKind::Argument { of, inside } => (of, inside),
-            DoubtKind::DerivativeBeforeBracket { of, inside: inside @ Tree::Sum(_) } => {
+            DoubtKind::DerivativeBeforeBracket {
+                of,
+                inside: inside @ Tree::Sum(_),
+            } => {
                 return match of {
                     Tree::Partial { by, .. } => has_outside_calls(inside, by),
                     Tree::Operation(operation, _) => match &**operation {
@@ -189,7 +193,8 @@ impl Sheet {
                 .any(|equation| any_side(equation, &mut |node| is_argument(node)))
     }
 
-    /// That the claim speaks of a step of an index which premises say of another: they may be meant for each step.
+    /// Returns the doubt of a claim on a step of an index that no premise is about, although one is about another step: it
+    /// may be meant for each. An abbreviation of states at two impacts, such as T_1 = t_{k+1} - t_k, fixes the index.
     fn one_step(&self, claim: &Entry, below: &[&Entry]) -> Option<DoubtKind> {
         let letter = &self.vocabulary.index;
         let runs = self.vocabulary.indices.iter().any(|name| name.base == *letter);
@@ -207,6 +212,13 @@ impl Sheet {
             .iter()
             .flat_map(|equation| self.vocabulary.impacts(equation));
         let goes_on = asked.into_iter().any(|index| !said.contains(&index));
+        let fixes = |meaning: &Tree| {
+            let zero = Tree::Number(Rational::from_integer(0));
+            self.vocabulary.impacts(&Equation::between(meaning.clone(), zero)).len() > 1
+        };
+        if self.vocabulary.abbreviations.iter().any(|(_, meaning)| fixes(meaning)) {
+            return None;
+        }
         let is_step = steps.iter().any(|step| step.len() > 1);
         (!runs && is_step && goes_on).then(|| DoubtKind::OneStep { index: letter.clone() })
     }
@@ -254,6 +266,8 @@ fn has_outside_calls(tree: &Tree, name: &Name) -> bool {
     match tree {
         Tree::Symbol(own, _) => own == name,
         Tree::Call(..) => false,
-        _ => tree.find_below(&mut |part| has_outside_calls(part, name).then_some(())).is_some(),
+        _ => tree
+            .find_below(&mut |part| has_outside_calls(part, name).then_some(()))
+            .is_some(),
     }
 }

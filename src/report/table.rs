@@ -256,7 +256,11 @@ mod tests {
         let [one, two] = [one, two].map(|table| table.with_column("file", &Cell::from("f")));
         let joined = Table::joined(&[&one, &two]);
         let names: Vec<&str> = joined.columns().iter().map(|column| column.name.as_str()).collect();
-        assert_eq!(names, ["label", "verdict", "id", "file"], "the column that both end with is the last");
+        assert_eq!(
+            names,
+            ["label", "verdict", "id", "file"],
+            "the column that both end with is the last"
+        );
         assert_eq!(
             joined.rows()[1],
             ["", "wrong", "a", "f"].map(|text| match text {

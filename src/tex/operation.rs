@@ -440,7 +440,7 @@ impl<'a> Reader<'a> {
         if !self.integrated.contains(&by) {
             self.integrated.push(by.clone());
         }
-        if let Some(inner) = nested(&of, limits.as_ref()) {
+        if let Some(inner) = nested(&of, limits.as_ref(), &by) {
             let kind = DoubtKind::Nesting { inner: inner.clone() };
             self.doubt(token.at, kind);
         }
@@ -922,10 +922,15 @@ fn boxed(operation: Operation, at: usize) -> Box<Tree> {
 }
 
 /// The letter of an integral right below another with other limits.
-fn nested<'t>(of: &'t Tree, limits: Option<&(Tree, Tree)>) -> Option<&'t Name> {
+fn nested<'t>(of: &'t Tree, limits: Option<&(Tree, Tree)>, by: &Name) -> Option<&'t Name> {
+    // limits with the outer variable are those of the inner sign
+    let is_bound = |own: &Option<(Tree, Tree)>| {
+        own.as_ref()
+            .is_some_and(|(low, high)| contains(low, by) || contains(high, by))
+    };
     let inner = |tree: &'t Tree| match tree {
         Tree::Operation(operation, _) => match &**operation {
-            Operation::Integral { by, limits: own, .. } => (own.as_ref() != limits).then_some(by),
+            Operation::Integral { by, limits: own, .. } => (own.as_ref() != limits && !is_bound(own)).then_some(by),
             _ => None,
         },
         _ => None,
@@ -934,6 +939,14 @@ fn nested<'t>(of: &'t Tree, limits: Option<&(Tree, Tree)>) -> Option<&'t Name> {
         Tree::Product(factors) => factors.iter().find_map(inner),
         of => inner(of),
     }
+}
+
+/// Returns true if a tree contains a symbol.
+fn contains(tree: &Tree, name: &Name) -> bool {
+    matches!(tree, Tree::Symbol(own, _) if own == name)
+        || tree
+            .find_below(&mut |part| contains(part, name).then_some(()))
+            .is_some()
 }
 
 /// Whether the upper limit of a bracket may be its power.

@@ -1119,7 +1119,7 @@ fn the_command_reads_documents_includes_what_lies_below_and_checks_printed_numbe
         said.contains("leads out of the directory")
             && shown.contains("proved")
             && shown.contains("0.9")
-            && shown.contains("wrong"),
+            && shown.contains("off-by-one"),
         "{shown}{said}"
     );
     let output = run(path, &["sub/main.tex", "--draft"]);

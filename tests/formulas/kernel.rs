@@ -61,11 +61,6 @@ fn the_kernel_makes_its_values_in_one_place_each() {
 const MAKERS: [(&str, &str, &str); 7] = [
     ("claim/document/comment.rs", "verdict", "a verdict that is expected"),
     (
-        "evidence/judgement.rs",
-        "witness_near",
-        "the verdict that evidence is looked for against",
-    ),
-    (
         "prove/decision.rs",
         "accept_proofs",
         "takes what the kernel accepted of each question",

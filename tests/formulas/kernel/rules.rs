@@ -529,7 +529,9 @@ fn derivatives_of_laws_hold_where_the_laws_do() {
     assert!(slope("f(t) = t^2 | assume = ['t > 0']", "f'(a) = 2 a"));
     assert!(!slope("f(t) = t^2 | assume = ['t < 0']", "f'(a) = 2 a"));
     assert!(!slope("f(t) = t^2 | assume = ['t = 1']", "f'(a) = 2 a"));
-    assert!(!slope("f(t) = t^2 | assume = ['t \\ge 0']", "f'(a) = 2 a"));
+    // a is positive, and a law for t >= 0 holds on both sides of it
+    assert!(slope("f(t) = t^2 | assume = ['t \\ge 0']", "f'(a) = 2 a"));
+    assert!(!slope("f(t) = t^2 | assume = ['-t^2 \\ge 0']", "f'(a) = 2 a"));
     assert!(!slope(r"f(t) \ge t^2", "f'(a) = 2 a"));
 }
 
