@@ -292,7 +292,11 @@ impl<'a> Reader<'a> {
 
     /// Notes that `inside`, which stands between brackets right behind a letter or a derivative, may be its argument.
     fn doubt_bracket(&mut self, before: Option<&Tree>, inside: &Tree, at: usize) {
-        let inside = inside.clone();
+        // a power behind the bracket is none of what stands in it
+        let inside = match inside {
+            Tree::Power(base, ..) if matches!(**base, Tree::Sum(_)) => (**base).clone(),
+            inside => inside.clone(),
+        };
         let kind = match before {
             Some(Tree::Symbol(of, _)) => DoubtKind::Argument { of: of.clone(), inside },
             Some(of @ Tree::Partial { .. }) => DoubtKind::DerivativeBeforeBracket { of: of.clone(), inside },
