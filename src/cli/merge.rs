@@ -9,7 +9,7 @@ use crate::orbit::Estimate;
 use crate::report::{Checksum, Format, note_input};
 use crate::scene::{ReachedAttractor, ReachedAttractors};
 use std::io::{self, BufReader, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The parts of a run that `--shard` computed, joined as one run would have written them
 #[derive(Debug, clap::Args)]
@@ -39,7 +39,7 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
             "parts are CSV, and so is what they are joined to".to_owned(),
         ));
     }
-    let mut parts: Vec<Part> = arguments.files.iter().map(Part::read).collect::<Result<_, _>>()?;
+    let mut parts: Vec<Part> = arguments.files.iter().map(|path| Part::read(path)).collect::<Result<_, _>>()?;
     parts.sort_by_key(|part| part.label.number);
     check(&parts)?;
     Ok(Answer {
@@ -49,7 +49,7 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
 }
 
 impl Part {
-    fn read(path: &PathBuf) -> Result<Self, Failure> {
+    fn read(path: &Path) -> Result<Self, Failure> {
         let shown = path.display();
         let wrong = |problem: String| Failure::Usage(format!("{shown}: {problem}"));
         let unread = |error: io::Error| wrong(format!("cannot be read: {error}"));
@@ -102,7 +102,7 @@ impl Part {
         let starts = |found: &ReachedAttractors| found.list.iter().map(|found| found.starts).collect();
         let attractors = attractors.filter(|found| named == Some(starts(found)));
         Ok(Self {
-            path: path.clone(),
+            path: path.to_owned(),
             label,
             columns,
             rows: rows as u64,

@@ -219,6 +219,9 @@ const LONGEST_VERB: usize = 10_000;
 /// The last letter of a group of equations.
 const MOST_LETTERS: u32 = 25;
 
+/// Ends of environments by where their bodies start, and how far was searched.
+type Endings = (HashMap<usize, (usize, usize)>, Range<usize>);
+
 pub(super) struct Scan<'a> {
     markup: Markup,
     include: Include<'a>,
@@ -239,9 +242,9 @@ pub(super) struct Scan<'a> {
     /// For signs that are searched for: from where on up to where there is none.
     absent: HashMap<&'static str, Range<usize>>,
     /// For environments without an end: where those within them end, by where their bodies start; and how far was searched.
-    endings: HashMap<String, (HashMap<usize, (usize, usize)>, Range<usize>)>,
+    endings: HashMap<String, Endings>,
     /// Where the line ends that was looked for last, and from where on.
-    line_end: Range<usize>,
+    line_end: Option<Range<usize>>,
     /// The line that was found last for a comment that stands alone.
     line: Range<usize>,
     /// The comments of the file at hand that no formula has taken yet.
@@ -295,7 +298,7 @@ impl<'a> Scan<'a> {
             absent: HashMap::new(),
             endings: HashMap::new(),
             line: 0..0,
-            line_end: 1..0,
+            line_end: None,
             waiting: VecDeque::new(),
             environments: HashMap::new(),
             hidden: Vec::new(),
@@ -1165,11 +1168,12 @@ impl<'a> Scan<'a> {
             self.count();
         }
         // what is said behind a display of one number is said of all of it
-        if !(self.line_end.start..=self.line_end.end).contains(&end) {
+        let known = self.line_end.as_ref();
+        if !known.is_some_and(|known| (known.start..=known.end).contains(&end)) {
             let rest = self.text.get(end..).unwrap_or_default();
-            self.line_end = end..rest.find('\n').map_or(self.text.len(), |found| end + found);
+            self.line_end = Some(end..rest.find('\n').map_or(self.text.len(), |found| end + found));
         }
-        let line = self.line_end.end;
+        let line = self.line_end.as_ref().map_or(end, |known| known.end);
         let last = self.formulas.len().wrapping_sub(1);
         let own = self.text.get(start..end).unwrap_or_default();
         let is_apart = !own.contains('\n') || own.trim_end_matches([' ', '\t']).ends_with('\n');
@@ -1309,7 +1313,7 @@ fn is_counter(text: &str, word: &str, next: usize) -> bool {
         .and_then(|rest| rest.strip_prefix('{'));
     let is = |name: &&str| own.is_some_and(|own| own.strip_prefix(*name).is_some_and(|rest| rest.starts_with('}')));
     matches!(word, "setcounter" | "addtocounter" | "stepcounter" | "refstepcounter")
-        && ["equation", "parentequation", "section"].iter().any(|name| is(name))
+        && ["equation", "parentequation", "section"].iter().any(is)
 }
 
 /// Whether a line between the first and the last holds nothing.
