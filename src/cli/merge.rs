@@ -39,7 +39,11 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
             "parts are CSV, and so is what they are joined to".to_owned(),
         ));
     }
-    let mut parts: Vec<Part> = arguments.files.iter().map(|path| Part::read(path)).collect::<Result<_, _>>()?;
+    let mut parts: Vec<Part> = arguments
+        .files
+        .iter()
+        .map(|path| Part::read(path))
+        .collect::<Result<_, _>>()?;
     parts.sort_by_key(|part| part.label.number);
     check(&parts)?;
     Ok(Answer {

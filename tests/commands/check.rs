@@ -265,7 +265,7 @@ fn the_first_row_makes_a_directory_that_stands_alone() {
 #[test]
 fn a_scene_that_no_row_names_is_said() {
     let golden = Golden::new("unused", &[&RIGHT.replace("scenes/own.toml", "./scenes/own.toml")]);
-    golden.write("scenes/other.toml", SCENE.to_owned());
+    golden.write("scenes/other.toml", SCENE);
     let output = check(&[golden.path()]);
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(0), "{message}");
