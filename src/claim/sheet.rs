@@ -194,6 +194,7 @@ impl Sheet {
 
     /// Puts other formulas in the place of those of the entry at a position: what it states, and as many definitions of
     /// `where` as it has. What cannot be read then is `unread` as it would be in a sheet.
+    #[cfg(feature = "audit")]
     pub(crate) fn replace(&mut self, position: usize, equations: Vec<Equation>, local: Vec<Equation>) {
         let Some(entry) = self.entries.get_mut(position) else {
             return;
