@@ -162,7 +162,7 @@ impl Sheet {
         found
     }
 
-    /// Whether a letter stands between two bounds that are assumed, and an unknown function is taken there.
+    /// Returns true if a letter stands between two bounds that are assumed, and an unknown function is taken there.
     fn is_between(&self, name: &Name, claim: &Entry) -> bool {
         let bound = |is_above: bool| {
             claim.assume.iter().any(|(condition, _)| match condition {
@@ -228,7 +228,7 @@ fn is_symbol(tree: &Tree, name: &Name) -> bool {
     matches!(tree, Tree::Symbol(own, _) if own == name)
 }
 
-/// Whether a letter stands in the equations once, as a factor of a term of a whole side, beside letters of its own.
+/// Returns true if a letter stands in the equations once, as a factor of a term of a whole side, beside letters of its own.
 fn is_added(name: &Name, equations: &[Equation]) -> bool {
     let mut places = 0;
     for equation in equations {

@@ -12,7 +12,9 @@ use super::spelling::{
 };
 use super::symbols::{MapEntry, Symbols};
 use super::vocabulary::Vocabulary;
-use crate::tex::{Equation, Name, Tree};
+#[cfg(feature = "audit")]
+use crate::tex::Equation;
+use crate::tex::{Name, Tree};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;

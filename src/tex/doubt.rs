@@ -46,7 +46,7 @@ pub enum DoubtKind {
 }
 
 impl DoubtKind {
-    /// Whether a proof stands: the meaning that was taken is the usual one, or the claim holds under the others where it
+    /// Returns true if a proof stands: the meaning that was taken is the usual one, or the claim holds under the others where it
     /// does under this one.
     pub fn spares_proofs(&self) -> bool {
         match self {

@@ -926,7 +926,7 @@ fn nested<'t>(of: &'t Tree, limits: Option<&(Tree, Tree)>, by: &Name) -> Option<
     // limits with the outer variable are those of the inner sign
     let is_bound = |own: &Option<(Tree, Tree)>| {
         own.as_ref()
-            .is_some_and(|(low, high)| contains(low, by) || contains(high, by))
+            .is_some_and(|(low, high)| low.has_free(by) || high.has_free(by))
     };
     let inner = |tree: &'t Tree| match tree {
         Tree::Operation(operation, _) => match &**operation {
@@ -939,14 +939,6 @@ fn nested<'t>(of: &'t Tree, limits: Option<&(Tree, Tree)>, by: &Name) -> Option<
         Tree::Product(factors) => factors.iter().find_map(inner),
         of => inner(of),
     }
-}
-
-/// Returns true if a tree contains a symbol.
-fn contains(tree: &Tree, name: &Name) -> bool {
-    matches!(tree, Tree::Symbol(own, _) if own == name)
-        || tree
-            .find_below(&mut |part| contains(part, name).then_some(()))
-            .is_some()
 }
 
 /// Whether the upper limit of a bracket may be its power.

@@ -689,7 +689,7 @@ fn standard_errors_hold_the_long_run_of_devices_that_rest_late() {
             format!("device.incline={}", between(0.15, 0.5)),
             format!("motion.r_b={}", between(0.55, 0.7)),
             format!("motion.r_t={}", between(0.55, 0.7)),
-            format!("start.phase={}", between(0.0, 6.2)),
+            format!("start.phase={}", between(0.0, std::f64::consts::TAU)),
             format!("start.velocity={}", between(0.2, 1.0)),
         ];
         let d = between(0.05, 0.08);
