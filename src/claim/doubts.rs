@@ -55,23 +55,13 @@ impl Sheet {
     }
 
     /// Returns true if a reader would think of the other meaning: a letter has an argument where what it stands for is
-    /// written with a letter that stands in the bracket, and a sum in a bracket behind a derivative is the point at which
-    /// it is taken where the sum contains the variable.
+    /// written with a letter that stands in the bracket, and a bracket behind a derivative is the point at which it is taken,
+    /// but a sum behind the derivative of a state at an impact, which has no argument, is a factor.
     fn is_plausible(&self, kind: &DoubtKind, claim: &Entry, below: &[&Entry]) -> bool {
         let (of, inside) = match kind {
             DoubtKind::Argument { of, inside } => (of, inside),
-            DoubtKind::DerivativeBeforeBracket {
-                of,
-                inside: inside @ Tree::Sum(_),
-            } => {
-                return match of {
-                    Tree::Partial { by, .. } => has_outside_calls(inside, by),
-                    Tree::Operation(operation, _) => match &**operation {
-                        Operation::Derivative { by, .. } => has_outside_calls(inside, by),
-                        _ => true,
-                    },
-                    _ => true,
-                };
+            DoubtKind::DerivativeBeforeBracket { of, inside } => {
+                return !(self.is_of_impacts(of) && matches!(inside, Tree::Sum(_)));
             }
             _ => return true,
         };
@@ -95,6 +85,12 @@ impl Sheet {
         sides.any(|(name, meaning)| is_it(name) && shares(meaning))
             || locals.any(|local| local.name == *of && shares(&local.tree))
             || abbreviations.any(|(name, meaning)| name == of && shares(meaning))
+    }
+
+    /// Returns true for the derivative of a state at an impact by one, `\partial t_{k+1}/\partial t_k`.
+    fn is_of_impacts(&self, derivative: &Tree) -> bool {
+        matches!(derivative, Tree::Partial { of, by, .. }
+            if [of, by].iter().all(|name| self.vocabulary.impact(name).is_some()))
     }
 
     /// The powers with exponents that are integers at times of bases that may be negative.
@@ -194,7 +190,8 @@ impl Sheet {
     }
 
     /// Returns the doubt of a claim on a step of an index that no premise is about, although one is about another step: it
-    /// may be meant for each. An abbreviation of states at two impacts, such as T_1 = t_{k+1} - t_k, fixes the index.
+    /// may be meant for each. A premise with an abbreviation of states at two impacts, such as T_1 = t_{k+1} - t_k, is about
+    /// that step alone.
     fn one_step(&self, claim: &Entry, below: &[&Entry]) -> Option<DoubtKind> {
         let letter = &self.vocabulary.index;
         let runs = self.vocabulary.indices.iter().any(|name| name.base == *letter);
@@ -202,24 +199,30 @@ impl Sheet {
             .iter()
             .filter(|entry| entry.role != Role::Definition)
             .flat_map(|entry| &entry.equations);
-        let steps: Vec<BTreeSet<i32>> = steps
+        let steps: Vec<(&Equation, BTreeSet<i32>)> = steps
             .filter(|equation| !flies(equation, &self.vocabulary))
-            .map(|equation| self.vocabulary.impacts(equation))
+            .map(|equation| (equation, self.vocabulary.impacts(equation)))
             .collect();
-        let said: BTreeSet<i32> = steps.iter().flatten().copied().collect();
+        let said: BTreeSet<i32> = steps.iter().flat_map(|(_, impacts)| impacts).copied().collect();
         let asked = claim
             .equations
             .iter()
             .flat_map(|equation| self.vocabulary.impacts(equation));
         let goes_on = asked.into_iter().any(|index| !said.contains(&index));
-        let fixes = |meaning: &Tree| {
-            let zero = Tree::Number(Rational::from_integer(0));
-            self.vocabulary.impacts(&Equation::between(meaning.clone(), zero)).len() > 1
+        let zero = Tree::Number(Rational::from_integer(0));
+        let is_fixed = |equation: &Equation| {
+            self.vocabulary.abbreviations.iter().any(|(name, meaning)| {
+                any_side(equation, &mut |node| is_symbol(node, name))
+                    && self
+                        .vocabulary
+                        .impacts(&Equation::between(meaning.clone(), zero.clone()))
+                        .len()
+                        > 1
+            })
         };
-        if self.vocabulary.abbreviations.iter().any(|(_, meaning)| fixes(meaning)) {
-            return None;
-        }
-        let is_step = steps.iter().any(|step| step.len() > 1);
+        let is_step = steps
+            .iter()
+            .any(|(equation, impacts)| impacts.len() > 1 && !is_fixed(equation));
         (!runs && is_step && goes_on).then(|| DoubtKind::OneStep { index: letter.clone() })
     }
 }

@@ -8,9 +8,8 @@ use std::collections::HashSet;
 
 /// What was decided of one claim, and why.
 ///
-/// The verdict is set by [`accept_proofs`](Self::accept_proofs), [`accept_refutation`](Self::accept_refutation) and
-/// [`conclude`](Self::conclude) alone, or is `undecided` or `unread`. There is no default: that of a verdict is the one that a
-/// sheet expects, `proved`.
+/// The verdict is set by `accept_proofs`, `accept_refutation` and `conclude` alone, or is `undecided` or `unread`. There is no
+/// default: that of a verdict is the one that a sheet expects, `proved`.
 #[derive(Clone, Debug)]
 pub struct Decision {
     pub label: String,

@@ -229,7 +229,12 @@ impl<'a> Reader<'a> {
             if juxtaposed {
                 readable(form, &factor, printed.unwrap_or(token))?;
             }
-            if juxtaposed && matches!(token.kind, Kind::Open(Bracket::Round | Bracket::Square)) {
+            if juxtaposed
+                && matches!(
+                    token.kind,
+                    Kind::Open(Bracket::Round | Bracket::Square | Bracket::Curly)
+                )
+            {
                 self.doubt_bracket(factors.last(), &factor.tree, token.at);
             }
             if token.kind != Kind::Slash {
@@ -292,9 +297,14 @@ impl<'a> Reader<'a> {
 
     /// Notes that `inside`, which stands between brackets right behind a letter or a derivative, may be its argument.
     fn doubt_bracket(&mut self, before: Option<&Tree>, inside: &Tree, at: usize) {
-        // a power behind the bracket is none of what stands in it
+        let last = self.next.checked_sub(1).and_then(|last| self.tokens.get(last));
         let inside = match inside {
-            Tree::Power(base, ..) if matches!(**base, Tree::Sum(_)) => (**base).clone(),
+            // a power behind the bracket is none of what stands in it
+            Tree::Power(base, ..) | Tree::RealPower(base, ..)
+                if last.is_some_and(|last| !matches!(last.kind, Kind::Close(_))) =>
+            {
+                (**base).clone()
+            }
             inside => inside.clone(),
         };
         let kind = match before {

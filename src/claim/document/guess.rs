@@ -6,11 +6,11 @@ use super::super::implication;
 use super::super::nodes::{any, any_side};
 use super::super::symbols::{Pairs, Symbols};
 use super::super::vocabulary::Vocabulary;
+use super::factors::Factors;
 use super::marks::{Marks, Stated};
 use super::scan::Formula;
 use crate::tex::{
-    Display, DoubtKind, Equation, Name, Names, Operation, ReadError, Relation, Tree, read_display, read_name,
-    with_commands,
+    Display, Equation, Name, Names, Operation, ReadError, Relation, Tree, read_display, read_name, with_commands,
 };
 use std::collections::{BTreeSet, HashMap, HashSet};
 
@@ -44,6 +44,8 @@ pub(super) struct Guess {
     complex: BTreeSet<Name>,
     /// Letters that are marked as more than real numbers.
     marks: Marks,
+    /// Letters before brackets.
+    factors: Factors,
     has_symbols: bool,
     /// What the document declares itself.
     vocabulary: Vocabulary,
@@ -321,6 +323,7 @@ impl Guess {
             applied,
             commutators,
             marks,
+            factors: Factors::new(read.iter().flatten()),
             numbers: HashMap::new(),
             read,
             constants,
@@ -509,20 +512,12 @@ impl Guess {
             below: labels.iter().flat_map(|label| equations(label)).collect(),
             is_restricted,
         };
-        let noted = stated
+        let mut doubts = self.marks.doubts(&stated, &|name| !self.definitions.contains_key(name));
+        for argument in stated
             .own
             .iter()
             .chain(&stated.below)
-            .flat_map(|equation| &equation.doubts.0);
-        let is_argument = |kind: &&DoubtKind| {
-            // a sum is put in brackets behind a factor too
-            matches!(kind, DoubtKind::Argument { inside, .. } if !matches!(inside, Tree::Sum(_)))
-        };
-        let mut doubts = self.marks.doubts(&stated, &|name| !self.definitions.contains_key(name));
-        for argument in noted
-            .map(|doubt| &doubt.kind)
-            .filter(is_argument)
-            .map(ToString::to_string)
+            .flat_map(|equation| self.factors.doubts(equation))
         {
             if !doubts.contains(&argument) {
                 doubts.push(argument);

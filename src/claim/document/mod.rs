@@ -3,6 +3,7 @@
 
 mod comment;
 mod draft;
+mod factors;
 mod guess;
 mod macros;
 mod marks;
