@@ -7,8 +7,41 @@ use super::nodes::{any, any_side, holds, speaks_of};
 use super::sheet::Sheet;
 use super::substitute::flies;
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Doubt, DoubtKind, Equation, Name, Operation, Relation, Tree};
+use crate::tex::{Condition, Doubt, DoubtKind, Equation, Name, Operation, Readings, Relation, Tree};
 use std::collections::BTreeSet;
+
+/// The most places of a claim at which two readings are decided each.
+const MOST_PLACES: usize = 3;
+
+impl Entry {
+    /// The entry with the other reading of places of its equations, where all of them stand there.
+    fn read_otherwise(&self, places: &[&Readings]) -> Option<Self> {
+        let mut entry = self.clone();
+        for place in places {
+            let mut met = false;
+            let stated = entry.equations.iter_mut().chain(&mut entry.stated);
+            let sides = stated.flat_map(|equation| [&mut equation.left, &mut equation.right]);
+            for side in sides.chain(entry.own.iter_mut().map(|local| &mut local.tree)) {
+                *side = with_part(side, &place.taken, &place.other, &mut met);
+            }
+            if !met {
+                return None;
+            }
+        }
+        Some(entry)
+    }
+}
+
+/// Returns a tree with a part of it replaced; `met` is set where the part stands in it.
+fn with_part(tree: &Tree, part: &Tree, new: &Tree, met: &mut bool) -> Tree {
+    match tree == part {
+        true => {
+            *met = true;
+            new.clone()
+        }
+        false => tree.map(&mut |below| with_part(below, part, new, met)),
+    }
+}
 
 /// The doubts of what was read.
 pub(super) fn noted<'e>(equations: impl Iterator<Item = &'e Equation>) -> Vec<Doubt> {
@@ -41,6 +74,47 @@ impl Sheet {
         found.extend(self.one_step(claim, &below));
         found.extend(tends(claim).map(DoubtKind::Tends));
         found
+    }
+
+    /// The sheets in which the claim at a position is read otherwise at places of two readings, one for each choice, and the
+    /// places; none where a reading is not of the claim's equations alone, or the places are more than three.
+    pub fn read_otherwise(&self, position: usize) -> (Vec<Sheet>, Vec<DoubtKind>) {
+        let kinds = self.doubts(position);
+        let places: Vec<(DoubtKind, Readings)> = kinds
+            .into_iter()
+            .filter_map(|kind| kind.readings().cloned().map(|readings| (kind, readings)))
+            .collect();
+        let Some(claim) = self.entries.get(position).filter(|_| places.len() <= MOST_PLACES) else {
+            return (Vec::new(), Vec::new());
+        };
+        let below = self.below(claim);
+        let beside = claim.local.iter().chain(&claim.with).map(|(equation, _)| equation);
+        let beside = beside
+            .chain(&claim.alternatives)
+            .chain(below.iter().flat_map(|entry| &entry.equations));
+        let assumed = claim.assume.iter().flat_map(|(condition, _)| condition.sides());
+        let mut elsewhere = beside
+            .flat_map(|equation| [&equation.left, &equation.right])
+            .chain(assumed);
+        if elsewhere.any(|side| any(side, &mut |node| places.iter().any(|(_, place)| place.taken == *node))) {
+            return (Vec::new(), Vec::new());
+        }
+        let choices = 1..1_u32 << places.len();
+        let otherwise = choices.map(|choice| {
+            let chosen = places.iter().enumerate().filter(|(at, _)| choice >> at & 1 == 1);
+            let readings: Vec<&Readings> = chosen.map(|(_, (_, readings))| readings).collect();
+            claim.read_otherwise(&readings).map(|claim| {
+                let mut sheet = self.clone();
+                if let Some(entry) = sheet.entries.get_mut(position) {
+                    *entry = claim;
+                }
+                sheet
+            })
+        });
+        match otherwise.collect::<Option<Vec<Sheet>>>() {
+            Some(sheets) => (sheets, places.into_iter().map(|(kind, _)| kind).collect()),
+            None => (Vec::new(), Vec::new()),
+        }
     }
 
     /// What a claim follows from, and the definitions below that.

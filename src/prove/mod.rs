@@ -64,15 +64,14 @@ impl Default for Options {
 /// Decides the claim at a position of the sheet. What cannot be read is `unread`; what follows from such is
 /// `undecided`.
 pub fn decide(sheet: &Sheet, position: usize, options: &Options) -> Decision {
-    let mut search = Search::of(sheet, position, options);
-    search.decide(sheet, position).on_doubts(sheet.doubts(position))
+    Search::of(sheet, position, options).decide_readings(sheet, position)
 }
 
 /// What decides the claim at a position, question by question: nothing for a claim that stays undecided.
 pub fn decided(sheet: &Sheet, position: usize, options: &Options) -> Vec<Decided> {
     let mut search = Search::of(sheet, position, options);
     search.kept = Some(Vec::new());
-    let verdict = search.decide(sheet, position).on_doubts(sheet.doubts(position)).verdict;
+    let verdict = search.decide_readings(sheet, position).verdict;
     let mut kept = search.kept.unwrap_or_default();
     kept.retain(|one| one.found.verdict() == verdict);
     kept
@@ -103,6 +102,25 @@ impl<'a> Search<'a> {
             options,
             kept: None,
         }
+    }
+
+    /// Decides a claim, and a refuted one in its other readings too, where these are known: a refutation of all stands.
+    fn decide_readings(&mut self, sheet: &Sheet, position: usize) -> Decision {
+        let decision = self.decide(sheet, position);
+        let mut doubts = sheet.doubts(position);
+        if decision.verdict == Verdict::Refuted {
+            let (otherwise, places) = sheet.read_otherwise(position);
+            let is_refuted = |sheet: &Sheet| {
+                Search::of(sheet, position, self.options)
+                    .decide(sheet, position)
+                    .verdict
+                    == Verdict::Refuted
+            };
+            if otherwise.iter().all(is_refuted) {
+                doubts.retain(|kind| !places.contains(kind));
+            }
+        }
+        decision.on_doubts(doubts)
     }
 
     fn decide(&mut self, sheet: &Sheet, position: usize) -> Decision {

@@ -22,9 +22,9 @@ pub enum DoubtKind {
     /// `(F)'(a)`, `\frac{dV}{dx}(a)`, taken as a product.
     DerivativeBeforeBracket { of: Tree, inside: Tree },
     /// `\sum_k F + G`, taken as a sum that ends at the sign.
-    Reach { letter: Name },
+    Reach { letter: Name, readings: Option<Readings> },
     /// `\int_a^b \int_c^d F \, dx \, dy`, taken as closed from the inside.
-    Nesting { inner: Name },
+    Nesting { inner: Name, readings: Option<Readings> },
     /// `[F]_{x=a}^2`, taken as a difference.
     Difference { upper: Tree },
     /// `f^2(x)`, taken as a power of the value.
@@ -45,7 +45,22 @@ pub enum DoubtKind {
     Open(String),
 }
 
+/// The two readings of a place that has no more than two.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Readings {
+    pub taken: Tree,
+    pub other: Tree,
+}
+
 impl DoubtKind {
+    /// The two readings of the place, where there are no more and both are known.
+    pub fn readings(&self) -> Option<&Readings> {
+        match self {
+            Self::Reach { readings, .. } | Self::Nesting { readings, .. } => readings.as_ref(),
+            _ => None,
+        }
+    }
+
     /// Returns true if a proof stands: the meaning that was taken is the usual one, or the claim holds under the others where it
     /// does under this one.
     pub fn spares_proofs(&self) -> bool {
@@ -80,13 +95,13 @@ impl fmt::Display for DoubtKind {
                     "`({inside})` behind `{of}`: where the derivative is taken, or a factor?"
                 )
             }
-            Self::Reach { letter } => {
+            Self::Reach { letter, .. } => {
                 write!(
                     f,
                     "the sum, product or limit over `{letter}`: up to the next sign, or to the end?"
                 )
             }
-            Self::Nesting { inner } => {
+            Self::Nesting { inner, .. } => {
                 write!(
                     f,
                     "the integral over `{inner}`: with the limits of the inner sign, or of the outer?"

@@ -6,7 +6,9 @@ use super::part::{Form, Part, starts_factor};
 use super::reader::Reader;
 use super::symbol::base;
 use super::token::{Bracket, Kind, Rows, Token};
-use super::{At, Case, Condition, DoubtKind, Doubts, Equation, Invariant, Name, Operation, Relation, Series, Tree};
+use super::{
+    At, Case, Condition, DoubtKind, Doubts, Equation, Invariant, Name, Operation, Readings, Relation, Series, Tree,
+};
 use crate::number::{Field, Rational};
 
 /// The most rows, and columns, of a matrix.
@@ -440,15 +442,17 @@ impl<'a> Reader<'a> {
         if !self.integrated.contains(&by) {
             self.integrated.push(by.clone());
         }
-        if let Some(inner) = nested(&of, limits.as_ref(), &by) {
-            let kind = DoubtKind::Nesting { inner: inner.clone() };
-            self.doubt(token.at, kind);
+        let inner = nested(&of, limits.as_ref(), &by).cloned();
+        let tree = boxed(Operation::Integral { of, by, limits }, token.at);
+        if let Some(inner) = inner {
+            let other = from_outside(&tree);
+            let readings = other.map(|other| Readings {
+                taken: (*tree).clone(),
+                other,
+            });
+            self.doubt(token.at, DoubtKind::Nesting { inner, readings });
         }
-        let operation = Operation::Integral { of, by, limits };
-        Ok(Part {
-            tree: boxed(operation, token.at),
-            form: Form::Knot,
-        })
+        Ok(Part { tree, form: Form::Knot })
     }
 
     /// What `of` between square brackets is between the limits that follow: `[F]_a^b`, `[F]_{x=a}^{x=b}` or, at one
@@ -693,7 +697,7 @@ impl<'a> Reader<'a> {
             met |= is_value(part) || matches!(part, Tree::Negate(inner) if is_value(inner));
             None::<()>
         });
-        met && !of.has_free(by)
+        met && !of.has_free(by) && !self.names.has_bare_function(of)
     }
 
     /// What stands behind `\frac{d}{dx}`: one factor.
@@ -939,6 +943,25 @@ fn nested<'t>(of: &'t Tree, limits: Option<&(Tree, Tree)>, by: &Name) -> Option<
         Tree::Product(factors) => factors.iter().find_map(inner),
         of => inner(of),
     }
+}
+
+/// Returns an integral of an integral closed from the outside: each with the differential of the other.
+fn from_outside(integral: &Tree) -> Option<Tree> {
+    let parts = |tree: &Tree| match tree {
+        Tree::Operation(operation, at) => match &**operation {
+            Operation::Integral { of, by, limits } => Some((of.clone(), by.clone(), limits.clone(), *at)),
+            _ => None,
+        },
+        _ => None,
+    };
+    let (of, by, limits, at) = parts(integral)?;
+    let (innermost, inner, inner_limits, inner_at) = parts(&of)?;
+    if holds_integral(&innermost) {
+        return None;
+    }
+    let closed = |of, by, limits, At(at)| *boxed(Operation::Integral { of, by, limits }, at);
+    let within = closed(innermost, by, inner_limits, inner_at);
+    Some(closed(within, inner, limits, at))
 }
 
 /// Whether the upper limit of a bracket may be its power.

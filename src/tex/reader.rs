@@ -4,7 +4,7 @@
 use super::error::{Fault, Reason};
 use super::part::{Form, Part, readable, starts_factor};
 use super::token::{Bracket, Kind, Token};
-use super::{At, Doubt, DoubtKind, Name, Names, Operation, Tree};
+use super::{At, Doubt, DoubtKind, Name, Names, Operation, Readings, Tree};
 
 /// The deepest nesting that is read: it bounds the stack that reading and all later walks of the tree need.
 pub(super) const DEEPEST: usize = 100;
@@ -131,6 +131,7 @@ impl<'a> Reader<'a> {
     }
 
     fn more_terms(&mut self, first: Part) -> Result<Part, Fault> {
+        let start = self.doubts.len();
         let mut open: Vec<Name> = open_letter(&first).into_iter().collect();
         let mut terms = vec![*self.beside(first)?];
         while self.peek_kind().is_some_and(is_sign) {
@@ -141,11 +142,25 @@ impl<'a> Reader<'a> {
                 return Err(Fault::ambiguous(at, &found, "write brackets around what it is of"));
             }
             if let Some(letter) = open.last().cloned() {
-                self.doubt(at, DoubtKind::Reach { letter });
+                self.doubt(at, DoubtKind::Reach { letter, readings: None });
             }
             open.extend(open_letter(&term));
             terms.push(*self.beside(term)?);
             self.skip_empty();
+        }
+        if let ([_], [before @ .., from, last]) = (open.as_slice(), terms.as_slice())
+            && let Some(wide) = reaching_over(from, last)
+        {
+            let other = Tree::Sum([before, &[wide]].concat());
+            let taken = Tree::Sum(terms.clone());
+            for doubt in self.doubts.iter_mut().skip(start) {
+                if let DoubtKind::Reach { letter, readings } = &mut doubt.kind
+                    && from.open_letter() == Some(letter)
+                {
+                    let (taken, other) = (taken.clone(), other.clone());
+                    *readings = Some(Readings { taken, other });
+                }
+            }
         }
         Ok(Part {
             tree: Box::new(Tree::Sum(terms)),
@@ -366,6 +381,28 @@ pub(super) fn product(mut factors: Vec<Tree>) -> Box<Tree> {
 fn open_letter(term: &Part) -> Option<Name> {
     let letter = term.tree.open_letter().cloned();
     letter.filter(|_| term.form != Form::Bracketed)
+}
+
+/// Returns a term that ends in a sum, product or limit with the next term in what that is of.
+fn reaching_over(term: &Tree, next: &Tree) -> Option<Tree> {
+    Some(match term {
+        Tree::Product(factors) => {
+            let (last, before) = factors.split_last()?;
+            Tree::Product([before, &[reaching_over(last, next)?]].concat())
+        }
+        Tree::Negate(inner) => Tree::Negate(Box::new(reaching_over(inner, next)?)),
+        Tree::Operation(operation, at) => {
+            let mut wide = (**operation).clone();
+            match &mut wide {
+                Operation::Series { of, .. } | Operation::Limit { of, .. } if of.open_letter().is_none() => {
+                    *of = Tree::Sum(vec![of.clone(), next.clone()]);
+                }
+                _ => return None,
+            }
+            Tree::Operation(Box::new(wide), *at)
+        }
+        _ => return None,
+    })
 }
 
 fn is_sign(kind: Kind) -> bool {
