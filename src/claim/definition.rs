@@ -160,7 +160,7 @@ pub(super) fn joined(mut locals: Vec<Local>, more: &[Local]) -> Vec<Local> {
 
 /// The tree with definitions put in; `None` where it would become too large, or where they are circular.
 pub(super) fn inlined(tree: &Tree, own: &[Local]) -> Option<Tree> {
-    let mut sizes = Sizes::of_locals(own);
+    let mut sizes = Sizes::new(own.iter().map(|local| (&local.name, &local.tree)));
     sizes.of(tree).ok()?;
     Some(put_in_throughout(tree, &|name| sizes.meaning(name).cloned()))
 }

@@ -7,7 +7,7 @@ use super::nodes::{any, any_side, holds, speaks_of};
 use super::sheet::Sheet;
 use super::substitute::flies;
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Doubt, DoubtKind, Equation, Name, Operation, Readings, Relation, Tree};
+use crate::tex::{Condition, DoubtKind, Equation, Name, Operation, Readings, Relation, Tree};
 use std::collections::BTreeSet;
 
 /// The most places of a claim at which two readings are decided each.
@@ -41,17 +41,6 @@ fn with_part(tree: &Tree, part: &Tree, new: &Tree, met: &mut bool) -> Tree {
         }
         false => tree.map(&mut |below| with_part(below, part, new, met)),
     }
-}
-
-/// The doubts of what was read.
-pub(super) fn noted<'e>(equations: impl Iterator<Item = &'e Equation>) -> Vec<Doubt> {
-    let mut found: Vec<Doubt> = Vec::new();
-    for doubt in equations.flat_map(|equation| &equation.doubts.0) {
-        if !found.contains(doubt) {
-            found.push(doubt.clone());
-        }
-    }
-    found
 }
 
 impl Sheet {

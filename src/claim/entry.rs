@@ -2,7 +2,6 @@
 
 use super::definition::is_constant_of_integration;
 use super::definition::{Local, circular, inlined_in, is_constant, is_defined, two_of_pair};
-use super::doubts::noted;
 use super::fault::{Fault, Source, Text};
 use super::function::Given;
 use super::implication::{
@@ -1387,4 +1386,15 @@ fn read_tex(source: &Source, vocabulary: &Vocabulary) -> Result<Vec<Equation>, F
         .into_iter()
         .flat_map(|equation| two_of_pair(equation, vocabulary));
     Ok(one_or_two.collect())
+}
+
+/// The doubts of what was read.
+fn noted<'e>(equations: impl Iterator<Item = &'e Equation>) -> Vec<Doubt> {
+    let mut found: Vec<Doubt> = Vec::new();
+    for doubt in equations.flat_map(|equation| &equation.doubts.0) {
+        if !found.contains(doubt) {
+            found.push(doubt.clone());
+        }
+    }
+    found
 }

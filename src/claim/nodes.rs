@@ -1,6 +1,7 @@
 //! What stands in a tree.
 
 use crate::tex::{Equation, Name, Operation, Tree};
+use std::collections::BTreeSet;
 
 /// Whether any node of the tree passes the test.
 pub fn any(tree: &Tree, test: &mut dyn FnMut(&Tree) -> bool) -> bool {
@@ -28,6 +29,22 @@ pub fn with_symbol(tree: &Tree, name: &Name, new: &Tree) -> Tree {
         Tree::Symbol(own, _) if own == name => new.clone(),
         other => other.map(&mut |part| with_symbol(part, name, new)),
     }
+}
+
+/// The names in a tree, those of functions too; names of elementary functions are none.
+pub(super) fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
+    any(tree, &mut |node| {
+        match node {
+            Tree::Symbol(name, _) => {
+                names.insert(name.clone());
+            }
+            Tree::Call(name, ..) if !name.base.starts_with('\\') || !name.accents.is_empty() => {
+                names.insert(name.clone());
+            }
+            _ => {}
+        }
+        false
+    });
 }
 
 /// The number of nodes of a tree.

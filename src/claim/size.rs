@@ -1,6 +1,5 @@
 //! The size of formulas once definitions are put in, computed before any of it is built.
 
-use super::definition::Local;
 use crate::tex::{Name, Tree};
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -33,7 +32,7 @@ impl Size {
     /// # Errors
     /// [`TooLarge`].
     pub(super) fn of(tree: &Tree) -> Result<Self, TooLarge> {
-        Sizes::of_locals(&[]).of(tree)
+        Sizes::new(std::iter::empty()).of(tree)
     }
 
     /// Computes the size of a tree in which `to` replaces a name, which may occur in `to` again.
@@ -42,7 +41,7 @@ impl Size {
     /// [`TooLarge`].
     pub(super) fn with(tree: &Tree, name: &Name, to: &Tree) -> Result<Self, TooLarge> {
         let pairs = [(name.clone(), to.clone())];
-        Sizes::of_locals(&[]).replacing(&pairs)?.of(tree)
+        Sizes::new(std::iter::empty()).replacing(&pairs)?.of(tree)
     }
 }
 
@@ -76,11 +75,6 @@ impl<'a> Sizes<'a> {
             self.known.insert(name, size);
         }
         Ok(self)
-    }
-
-    /// Takes definitions.
-    pub(super) fn of_locals(locals: &'a [Local]) -> Self {
-        Self::new(locals.iter().map(|local| (&local.name, &local.tree)))
     }
 
     /// The tree that a name stands for.

@@ -29,11 +29,6 @@ fn approached(statements: &Statements) -> Option<(Name, Tree)> {
     })
 }
 
-/// Returns true for a condition that says what something tends to.
-pub fn is_approach(equation: &Equation) -> bool {
-    matches!(&equation.right, Tree::Operation(operation, _) if matches!(**operation, Operation::Approaches(_)))
-}
-
 /// What the orders of an equation are of.
 fn orders(equation: &Equation) -> Vec<Tree> {
     let mut found = Vec::new();

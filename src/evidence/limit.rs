@@ -1,9 +1,9 @@
 //! Limits by extrapolation: values nearer and nearer, as a polynomial in the distance (Neville's scheme), with the error
 //! that its columns show (Press and others, Numerical Recipes, section 5.7).
 
+use super::body::{Body, Estimate};
 use super::evaluation::is_wide;
 use super::formula::Side;
-use super::loops::{Body, Estimate};
 use super::value::Value;
 
 /// Values of the body: in f64, and in many digits.

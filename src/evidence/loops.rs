@@ -2,7 +2,8 @@
 //!
 //! Each method estimates its own error. A value whose error is not small has no digits: it is NaN.
 
-use super::evaluation::{evaluate, is_wide};
+use super::body::{Body, Estimate, Term, tolerance};
+use super::evaluation::evaluate;
 use super::formula::{Binder, Formula, Inputs, Op, Program, holds, price};
 use super::limit::limit;
 use super::quadrature::{integral, ray};
@@ -17,36 +18,6 @@ const MOST_TERMS: i64 = 20_000;
 const WHOLE: f64 = 1e-9;
 /// How deep the terms of a body are looked at for their size.
 const DEEPEST: usize = 6;
-
-/// The largest error of a value, as a part of the size of what it is made of: in f64, and in many digits.
-const INEXACT: f64 = 1e-9;
-const INEXACT_WIDE: f64 = 1e-26;
-
-/// A value with the size of the terms that it is made of.
-#[derive(Clone, Debug)]
-pub struct Term<V> {
-    pub value: V,
-    pub size: f64,
-}
-
-/// A value with the size of its terms and an estimate of its error.
-#[derive(Clone, Debug)]
-pub struct Estimate<V> {
-    pub value: V,
-    pub size: f64,
-    pub error: f64,
-}
-
-/// The error that a value may have, as a part of its size.
-pub fn tolerance<V: Value>() -> f64 {
-    match is_wide::<V>() {
-        true => INEXACT_WIDE,
-        false => INEXACT,
-    }
-}
-
-/// The body of an operation at values of its letter.
-pub type Body<'a, V> = dyn FnMut(V) -> Term<V> + 'a;
 
 impl Program {
     /// Evaluates a program with operations that bind letters. What depends on a bound letter is left at NaN.

@@ -9,6 +9,7 @@
 //! polynomials where no premise gives them; derivatives of maps come by implicit differentiation (`derivative`). There
 //! the sides of the claim are compared (`claimed`, `judgement`). No elimination, no polynomial, no closed form.
 
+mod body;
 mod claimed;
 mod compiler;
 mod course;

@@ -1,8 +1,8 @@
 //! Integrals by the double exponential rules (Takahasi and Mori, Publ. RIMS 9 (1974) 721): the step is halved until two
 //! sums agree, and in f64 an interval on which they do not is cut in two.
 
+use super::body::{Body, Estimate, Term, tolerance};
 use super::evaluation::is_wide;
-use super::loops::{Body, Estimate, Term, tolerance};
 use super::value::Value;
 use crate::number::{Analytic, Field};
 use num_dual::DualNum;

@@ -1,8 +1,8 @@
 //! Infinite sums and products by their terms: directly where these become negligible, else by Levin's u transform
 //! (Levin, Int. J. Comput. Math. B3 (1973) 371), whose last steps estimate its error.
 
+use super::body::{Body, Estimate, Term};
 use super::evaluation::is_wide;
-use super::loops::{Body, Estimate, Term};
 use super::value::Value;
 use crate::number::Analytic;
 

@@ -1,6 +1,5 @@
 //! The premises of a claim as equations over slots, and the claim as questions.
 
-use super::claimed::is_approach;
 use super::compiler::{Compiler, Unwitnessed};
 use super::domain::{self, Condition, Kind};
 use super::formula::{Formula, Formulas, Op, Program, Work};
@@ -10,7 +9,7 @@ use super::space::{Slot, Space};
 use super::stated_maps::read_maps;
 use super::value::Function;
 use crate::claim::{Local, Premise, Statements, Vocabulary, any_side, flies, tree_runs};
-use crate::tex::{At, Condition as Assumption, Equation, Invariant, Name, Relation, Tree};
+use crate::tex::{At, Condition as Assumption, Equation, Invariant, Name, Operation, Relation, Tree};
 use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
 
@@ -852,4 +851,9 @@ fn single(name: &Name) -> Name {
 /// Whether a trace or a determinant stands in an equation.
 fn speaks_of_matrix(equation: &Equation) -> bool {
     any_side(equation, &mut |tree| matches!(tree, Tree::Invariant { .. }))
+}
+
+/// Returns true for a condition that says what something tends to.
+pub fn is_approach(equation: &Equation) -> bool {
+    matches!(&equation.right, Tree::Operation(operation, _) if matches!(**operation, Operation::Approaches(_)))
 }

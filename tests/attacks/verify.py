@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Re-checks the stated truth of the attack sheets at 50 digits. Needs mpmath (and Python 3.11 for tomllib).
 
-A sheet is CLASS/NAME.toml: `# truth: true | false | contradictory | unread` and `# because: ...` (with several claims one
+A sheet is CLASS/NAME.toml: `# truth: true | false | contradictory | ambiguous | unread` and `# because: ...` (with several claims one
 of each for every label: `# truth c2: ...`), then an audit sheet. Truth is that of DESIGN.md. `contradictory`: the premises
-have no common solution, so the claim may be neither proved nor refuted. `unread`: the claim, or a premise that it rests
+have no common solution, so the claim may be neither proved nor refuted. `ambiguous`: of the meanings that
+a reader would think of one is true and one false, so that it may be neither too. `unread`: the claim, or a premise that it rests
 on, must be refused by the reader. A wrong sheet NAME-wrong is the misprinted or weakened twin of NAME.
 
     python3 tests/attacks/verify.py            checks all, one line per failure, then a table of counts
@@ -1386,7 +1387,7 @@ def truths(path):
     text = path.read_text()
     sheet = tomllib.loads(text)
     # a claim `A <=> B` has a truth for each of its ways, `c =>` and `c <=`
-    found = dict(re.findall(r"^# truth ?(.*?): (true|false|contradictory|unread|unknown)$", text, re.M))
+    found = dict(re.findall(r"^# truth ?(.*?): (true|false|contradictory|ambiguous|unread|unknown)$", text, re.M))
     faults = [] if "# because" in text else ["no `# because:`"]
     claims = [entry for entry in sheet["equation"] if entry["role"] == "claim"]
     wanted = {"true": "proved", "false": "refuted"}
@@ -1429,7 +1430,7 @@ def main():
             elif shown and "-v" in sys.argv:
                 print(f"{key}: {shown}")
     failures += [f"{key}: a recipe without a sheet" for key in sorted(set(TABLE) - names)]
-    kinds = ["true", "false", "contradictory", "unread"]
+    kinds = ["true", "false", "contradictory", "ambiguous", "unread"]
     print(f"{'class':22}" + "".join(f"{kind:>14}" for kind in kinds))
     for folder in sorted({folder for folder, _ in counts}) + ["all"]:
         row = [sum(n for (f, k), n in counts.items() if k == kind and folder in (f, "all")) for kind in kinds]

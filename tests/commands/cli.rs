@@ -106,11 +106,15 @@ fn advice_names_a_means_that_does_what_is_asked_and_else_the_closest() {
         rows[0].join(","),
         "task,rank,by,number,method,kept,seconds,setting,solved,problems,cost,proved"
     );
-    // (19) as printed keeps fewer digits of a saddle in f64
-    let cheapest = rows.iter().filter(|row| row[1] == "cheapest");
-    let named: Vec<[&str; 2]> = cheapest.map(|row| [row[3].as_str(), row[4].as_str()]).collect();
-    assert_eq!(named, [["f64", "stable"], ["f64", "stable"]]);
-    assert!(rows[1][5].parse::<f64>().unwrap() >= 12.0);
+    let cheapest: Vec<_> = rows.iter().filter(|row| row[1] == "cheapest").collect();
+    assert_eq!(cheapest.len(), 2);
+    for row in cheapest {
+        assert!(row[5].parse::<f64>().unwrap() >= 12.0, "{row:?}");
+        // (19) as printed keeps fewer digits of a saddle in f64; by time another may be cheapest on a busy machine
+        if row[2] == "operations" {
+            assert_eq!((row[3].as_str(), row[4].as_str()), ("f64", "stable"));
+        }
+    }
     let (code, rows) = advised("digits=70,task=multipliers/random");
     assert_eq!(code, Some(1));
     assert_eq!((rows.len(), rows[1][1].as_str()), (2, "closest"));

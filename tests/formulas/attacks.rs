@@ -51,7 +51,7 @@ fn no_verdict_is_wrong_and_few_are_undecided() {
             let right = match (truth.as_str(), decision.verdict) {
                 ("true", Verdict::Proved) | ("false", Verdict::Refuted) | ("unread", Verdict::Unread) => true,
                 (_, Verdict::Undecided) if decision.reason.contains("broke down") => false,
-                ("contradictory" | "unread", Verdict::Undecided) => true,
+                ("contradictory" | "ambiguous" | "unread", Verdict::Undecided) => true,
                 ("true" | "false", Verdict::Undecided) => {
                     class.1 += 1;
                     println!(

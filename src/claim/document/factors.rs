@@ -1,8 +1,7 @@
 //! Letters before a bracket, `M(L/2)^2`: which are factors, and which may have an argument.
 
 use super::super::definition::is_constant;
-use super::super::nodes::any_side;
-use super::guess::names_in;
+use super::super::nodes::{any_side, names_in};
 use crate::tex::{DoubtKind, Equation, Name, Tree};
 use std::collections::{BTreeSet, HashMap, HashSet};
 

@@ -3,7 +3,7 @@
 use super::super::definition::{is_constant, pair_of};
 use super::super::entry::{RawEntry, Role};
 use super::super::implication;
-use super::super::nodes::{any, any_side};
+use super::super::nodes::{any, any_side, names_in};
 use super::super::symbols::{Pairs, Symbols};
 use super::super::vocabulary::Vocabulary;
 use super::factors::Factors;
@@ -684,22 +684,6 @@ fn labels_below<'a>(label: &str, below: &'a HashMap<String, Vec<String>>) -> BTr
         }
     }
     met
-}
-
-/// The names in a tree, those of functions too; names of elementary functions are none.
-pub(super) fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
-    any(tree, &mut |node| {
-        match node {
-            Tree::Symbol(name, _) => {
-                names.insert(name.clone());
-            }
-            Tree::Call(name, ..) if !name.base.starts_with('\\') || !name.accents.is_empty() => {
-                names.insert(name.clone());
-            }
-            _ => {}
-        }
-        false
-    });
 }
 
 /// The names that stand before `(t)`.

@@ -1,7 +1,7 @@
 //! Letters that a document marks as more than real numbers: as matrices, vectors or operators, and as complex.
 
 use super::super::definition::{base_alone, is_constant};
-use super::super::nodes::any;
+use super::super::nodes::{any, names_in};
 use super::words::is_identity_of_words;
 use crate::tex::{Equation, Invariant, Name, Operation, Relation, Tree, letters};
 use std::collections::BTreeSet;
@@ -115,7 +115,7 @@ impl Marks {
         // what an expectation with a hat is added to is a number
         let mut names = BTreeSet::new();
         for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
-            super::guess::names_in(side, &mut names);
+            names_in(side, &mut names);
         }
         let is_capital = |name: &Name| name.base.chars().all(|c| c.is_ascii_uppercase());
         let is_hatted = |name: &Name| is_capital(name) && has_accent(name, &[r"\hat", r"\widehat"]);
