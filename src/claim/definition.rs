@@ -15,6 +15,13 @@ pub struct Local {
     pub tree: Tree,
 }
 
+impl Local {
+    /// The name with what it stands for.
+    pub(super) fn pair(&self) -> (&Name, &Tree) {
+        (&self.name, &self.tree)
+    }
+}
+
 /// The symbol `\lambda` of a pair such as `\lambda_{1,2}`.
 pub fn pair_of(name: &Name) -> Option<Name> {
     (name.subscript == "1,2" || name.subscript == r"\pm").then(|| Name {
@@ -160,7 +167,7 @@ pub(super) fn joined(mut locals: Vec<Local>, more: &[Local]) -> Vec<Local> {
 
 /// The tree with definitions put in; `None` where it would become too large, or where they are circular.
 pub(super) fn inlined(tree: &Tree, own: &[Local]) -> Option<Tree> {
-    let mut sizes = Sizes::new(own.iter().map(|local| (&local.name, &local.tree)));
+    let mut sizes = Sizes::new(own.iter().map(Local::pair));
     sizes.of(tree).ok()?;
     Some(put_in_throughout(tree, &|name| sizes.meaning(name).cloned()))
 }

@@ -474,7 +474,7 @@ impl Entry {
 
     /// Refuses what would be too large with its definitions and abbreviations put in.
     fn check_size(&self, vocabulary: &Vocabulary, shared: &[Local]) -> Result<(), Fault> {
-        let mut sizes = vocabulary.sizes(self.own.iter().chain(shared));
+        let mut sizes = vocabulary.sizes(self.own.iter().chain(shared).map(Local::pair));
         let budget = Budget::of_claim();
         for (tree, source) in self.trees(vocabulary) {
             sizes

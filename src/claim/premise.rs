@@ -401,7 +401,7 @@ impl Statements {
         let (budget, claims) = (Budget::of_claim(), self.claims.len());
         for premise in &self.premises {
             let problem = |problem: TooLarge| format!("what it follows from, ({}), is {problem}", premise.label);
-            let sizes = vocabulary.sizes(premise.locals.iter());
+            let sizes = vocabulary.sizes(premise.locals.iter().map(Local::pair));
             let mut sizes = sizes.replacing(pairs).map_err(problem)?;
             let conditions = premise.assume.iter().flat_map(Condition::sides);
             for tree in conditions.chain([&premise.equation.left, &premise.equation.right]) {
@@ -409,7 +409,7 @@ impl Statements {
                 budget.spend_times(size, claims).map_err(problem)?;
             }
         }
-        let mut sizes = vocabulary.sizes(self.locals.iter());
+        let mut sizes = vocabulary.sizes(self.locals.iter().map(Local::pair));
         for local in &self.locals {
             sizes
                 .of(&local.tree)

@@ -1,6 +1,5 @@
 //! What the names of a sheet stand for: its `[symbols]`.
 
-use super::definition::Local;
 use super::fault::Fault;
 use super::nodes::speaks_of;
 use super::size::Sizes;
@@ -110,9 +109,9 @@ impl Name {
 
 impl Vocabulary {
     /// The sizes of formulas with these definitions and all abbreviations put in.
-    pub(super) fn sizes<'a>(&'a self, locals: impl Iterator<Item = &'a Local>) -> Sizes<'a> {
+    pub(super) fn sizes<'a>(&'a self, definitions: impl Iterator<Item = (&'a Name, &'a Tree)>) -> Sizes<'a> {
         let abbreviations = self.abbreviations.iter().map(|(name, tree)| (name, tree));
-        Sizes::new(locals.map(|local| (&local.name, &local.tree)).chain(abbreviations))
+        Sizes::new(definitions.chain(abbreviations))
     }
 
     /// Reads a `[symbols]` block.
