@@ -184,8 +184,7 @@ impl<'a> Search<'a> {
         let (radicand, _) = found?;
         Some(Decision {
             reason: format!(
-                "has a value only where {radicand} = 0: what stands under a root is nowhere above 0 there, by what is given and the \
-                 other roots"
+                "has a value only where {radicand} = 0: this is nowhere above 0, by what is given and what else must have a value"
             ),
             ..self.start.clone()
         })

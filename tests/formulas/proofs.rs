@@ -513,6 +513,18 @@ fn what_the_kernel_accepts_of_broken_certificates_python_accepts_too() {
     assert!(tried >= breaks / 2, "{tried}");
 }
 
+/// Certificates for derivatives of laws and maps that hold at single points, each of which was accepted once.
+#[test]
+fn nothing_is_differentiated_that_holds_at_single_points() {
+    let Some(python) = python() else { return };
+    let mut served = Served::new(&python);
+    for forged in include_str!("kernel/single-times.jsonl").lines() {
+        let answer = served.ask(forged);
+        assert!(answer.starts_with("refused: step"), "{answer}");
+        assert!(answer.ends_with("a term is not known to be nonzero"), "{answer}");
+    }
+}
+
 /// The first step that differs.
 fn differing(a: &Certificate, b: &Certificate) -> Option<Inference> {
     let pair = a.steps.iter().zip(&b.steps).find(|(a, b)| a != b);

@@ -2,7 +2,7 @@
 
 use super::super::nodes::any;
 use super::super::substitute::number_of;
-use super::build::{integer, power, product};
+use super::build::{difference, integer, power, product};
 use super::defined::conditions;
 use super::{Goal, trees};
 use crate::tex::{Condition, Equation, Relation, Tree};
@@ -10,8 +10,9 @@ use crate::tex::{Condition, Equation, Relation, Tree};
 /// The most roots that are looked at.
 const MOST: usize = 4;
 
-/// For each root of real numbers in a claim what stands under it, and the goal that this is nowhere above 0 where all other
-/// roots of the claim have a value. Where one of these is proved, the claim is about the zeros of a root alone.
+/// For each root of real numbers in a claim what stands under it, for each inverse function with ends of its domain what is
+/// not negative within them, and the goal that this is nowhere above 0 where all others have a value. Where one of these is
+/// proved, the claim is about its zeros alone.
 pub fn thin_domains(goal: &Goal) -> Vec<(Tree, Goal)> {
     let Goal {
         statements, vocabulary, ..
@@ -45,10 +46,16 @@ pub fn thin_domains(goal: &Goal) -> Vec<(Tree, Goal)> {
     radicands.iter().take(MOST).map(of).collect()
 }
 
-/// What stands under an even root; of a product with one, all of it under the root, which has the same sign.
+/// What stands under an even root, or is not negative where an inverse function has a value; of a product with a root, all of it
+/// under the root, which has the same sign.
 fn whole_radicand(node: &Tree) -> Option<Tree> {
     let under = |node: &Tree| match node {
         Tree::Root(radicand, index, _) if index % 2 == 0 && number_of(radicand).is_none() => Some((**radicand).clone()),
+        Tree::Call(name, at, _) if number_of(at).is_none() => match name.base.as_str() {
+            "\\arcsin" | "\\arccos" => Some(difference(integer(1), power((**at).clone(), 2))),
+            "\\arcosh" => Some(difference((**at).clone(), integer(1))),
+            _ => None,
+        },
         _ => None,
     };
     let Tree::Product(factors) = node else {

@@ -323,6 +323,29 @@ fn a_map_is_differentiated_by_what_it_starts_from_alone() {
     let outcome = accepts(&own, |own| along(own, "x_k"));
     assert!(outcome.is_ok(), "{outcome:?}");
     assert!(!steps(&own, |own| along(own, "a")));
+    // nor what holds at single states only, or from one on
+    for premise in [
+        r"x_{k+1} = a x_k + t_k + 0 \sqrt{-(x_k-1)^2}",
+        r"x_{k+1} (\sqrt{-(x_k-1)^2})^0 = a x_k + t_k",
+        r"x_{k+1} = a x_k + t_k + 0 \sqrt{x_k - 1}",
+    ] {
+        let own = statement(symbols, &[premise], claim);
+        assert!(
+            own.maps()[0].equations.is_empty() || !steps(&own, |own| along(own, "x_k")),
+            "{premise}"
+        );
+    }
+    for assumed in [r"-(x_k-1)^2 \ge 0", "x_k = 1", r"\sqrt{-(x_k-1)^2} + 1 > 0"] {
+        let own = statement(
+            symbols,
+            &[&format!("x_{{k+1}} = a x_k + t_k | assume = ['{assumed}']")],
+            claim,
+        );
+        assert!(
+            own.maps()[0].equations.is_empty() || !steps(&own, |own| along(own, "x_k")),
+            "{assumed}"
+        );
+    }
     // what determines a map speaks of no derivatives, and of states before times
     let determining = |of: &str, premises: &[&str]| {
         let own = statement(&symbols.replace("['x_{k+1}']", of), premises, claim);

@@ -535,6 +535,56 @@ fn derivatives_of_laws_hold_where_the_laws_do() {
     assert!(!slope(r"f(t) \ge t^2", "f'(a) = 2 a"));
 }
 
+#[test]
+fn what_holds_at_a_single_time_or_from_it_on_has_no_derivative_there() {
+    let slope_at_1 = |premise: &str| {
+        let own = statement("times = ['t']\nfunctions = { f = '' }", &[premise], "f'(1) = 2");
+        let given = given(&own, "p0", true);
+        accepts(&own, |own| {
+            let one = integer(own, 1);
+            let f = function(own, "f");
+            let value = own.value(f, 1, one);
+            vec![
+                Inference::Derivative(LawSource::Given { given, shift: 0 }),
+                Inference::Law {
+                    source: LawSource::Derived(0),
+                    at: Some(one),
+                },
+                zero(
+                    generator(value).minus(&Polynomial::integer(2)),
+                    vec![(Polynomial::integer(1), 0)],
+                ),
+            ]
+        })
+        .is_ok()
+    };
+    for premise in [
+        "f(t) = 2 t",
+        r"f(t) = 2 t + 0 \sqrt{t}",
+        r"f(t) = 2 t + 0 \ln(t)",
+        r"f(t) = 2 t | assume = ['t \ge 0']",
+        r"f(t) = 2 t | assume = ['\sqrt{t} < 2']",
+        r"f(t) (\sqrt{t})^0 = 2 t",
+    ] {
+        assert!(slope_at_1(premise), "{premise}");
+    }
+    for premise in [
+        r"f(t) (\sqrt{-(t-1)^2})^0 = 2 t",
+        r"f(t) = 2 t + 0 \sqrt{-(t-1)^2}",
+        r"f(t) = 2 t + 0 \sqrt{t-1}",
+        r"f(t) = 2 t + 0 \sqrt{1-t}",
+        r"f(t) = 2 t + 0 \arcsin(1 + (t-1)^2)",
+        r"f(t) = 2 t + 0 \arccos(2 t^2 - 1)",
+        r"f(t) = 2 t | assume = ['-(t-1)^2 \ge 0']",
+        r"f(t) = 2 t | assume = ['t \ge 1']",
+        r"f(t) = 2 t | assume = ['t = 1']",
+        r"f(t) = 2 t | assume = ['0 \sqrt{-(t-1)^2} = 0']",
+        r"f(t) = 2 t | assume = ['\sqrt{-(t-1)^2} + 1 > 0']",
+    ] {
+        assert!(!slope_at_1(premise), "{premise}");
+    }
+}
+
 const SMOOTH: &str = "parameters = ['a', 'b', 'c']\ntimes = ['t']\nfunctions = { F = 'f', f = '' }";
 
 #[test]
