@@ -119,13 +119,15 @@ impl Sheet {
 
     /// Returns true if a reader would think of the other meaning: a letter has an argument where what it stands for is
     /// written with a letter that stands in the bracket, and a bracket behind a derivative is the point at which it is taken,
-    /// but a sum behind the derivative of a state at an impact, which has no argument, is a factor.
+    /// but a sum behind the derivative of a state at an impact, which has no argument, is a factor. A function is applied again
+    /// where its values are given, but no state.
     fn is_plausible(&self, kind: &DoubtKind, claim: &Entry, below: &[&Entry]) -> bool {
         let (of, inside) = match kind {
             DoubtKind::Argument { of, inside } => (of, inside),
             DoubtKind::DerivativeBeforeBracket { of, inside } => {
                 return !(self.is_of_impacts(of) && matches!(inside, Tree::Sum(_)));
             }
+            DoubtKind::PowerOfFunction { of, .. } => return self.is_given(of, below),
             _ => return true,
         };
         let shares = |meaning: &Tree| {
@@ -148,6 +150,13 @@ impl Sheet {
         sides.any(|(name, meaning)| is_it(name) && shares(meaning))
             || locals.any(|local| local.name == *of && shares(&local.tree))
             || abbreviations.any(|(name, meaning)| name == of && shares(meaning))
+    }
+
+    /// Returns true if an equation that a claim follows from gives the values of a function, f(x) = ..., that is no state.
+    fn is_given(&self, function: &Name, below: &[&Entry]) -> bool {
+        let is_value = |side: &Tree| matches!(side, Tree::Call(name, argument, _) if name == function && matches!(**argument, Tree::Symbol(..)));
+        let mut given = below.iter().flat_map(|entry| &entry.equations);
+        !self.vocabulary.is_in_flight(function) && given.any(|given| is_value(&given.left) || is_value(&given.right))
     }
 
     /// Returns true for the derivative of a state at an impact by one, `\partial t_{k+1}/\partial t_k`.

@@ -12,7 +12,7 @@ use crate::stop::Token;
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Decide for each formula of a sheet whether it follows from its premises
+/// Decide for each formula whether it follows from its premises
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = PROMISES)]
 pub struct Arguments {

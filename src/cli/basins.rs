@@ -11,8 +11,9 @@ use crate::scene::{BasinPoints, ReachedAttractor, ReachedAttractors, Scene, Want
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// Which attractor each of a grid of starts comes to, then a row for each attractor
+/// Find which attractor each start of a grid reaches
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: vibro-audit basins examples/basins.toml --attractors")]
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,

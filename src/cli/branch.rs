@@ -13,9 +13,9 @@ use crate::report::{Cell, Column, Table};
 use crate::scene::{Over, Quantity, Scene, Setting, Sweep, Want};
 use std::collections::VecDeque;
 
-/// The motions of the wanted words over a sweep, and every bifurcation on the way; or curves of bifurcations over two
-/// parameters
+/// Follow periodic motions over a parameter and find every bifurcation
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: vibro-audit branch fig02 --format csv --out branch.csv")]
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,

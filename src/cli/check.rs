@@ -7,7 +7,7 @@ use crate::reference::{Certified, Directory, Outcome, bless, check};
 use crate::report::{Cell, Format, Output, Page, Part, Table, note_input};
 use std::path::PathBuf;
 
-/// Hold golden values, the paper's or your own directory's, against what is computed
+/// Compare printed numbers with computed ones: the paper's, or those of your directory
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLE)]
 pub struct Arguments {

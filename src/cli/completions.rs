@@ -3,8 +3,11 @@
 use super::{Answer, Content, Exit, Failure};
 use clap_complete::Shell;
 
-/// Print what a shell completes commands and options by
+/// Print a shell completion script
 #[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Example: vibro-audit completions bash > ~/.local/share/bash-completion/completions/vibro-audit"
+)]
 pub struct Arguments {
     /// The shell; its manual says where the script goes
     #[arg(value_name = "SHELL")]

@@ -42,12 +42,6 @@ pub enum Failure {
     /// A scene cannot be used.
     #[error(transparent)]
     Scene(#[from] crate::scene::SceneError),
-    /// A format that the command does not have.
-    #[error("--format {format} is for {commands} only; choose text, csv, json or markdown")]
-    NoSuchFormat {
-        format: crate::report::Format,
-        commands: &'static str,
-    },
     /// Something of one file, where several are named.
     #[error("{flag} is of one file, and {count} are named: run the command for each of them")]
     OfOneFile { flag: &'static str, count: usize },

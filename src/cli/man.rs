@@ -5,8 +5,9 @@ use crate::report::{Cell, Output, Table};
 use clap_mangen::Man;
 use std::path::PathBuf;
 
-/// Write the manual pages, one for each command
+/// Write a manual page for each command
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: vibro-audit man ~/.local/share/man/man1")]
 pub struct Arguments {
     /// The directory that they go to, such as ~/.local/share/man/man1
     #[arg(value_name = "DIR")]

@@ -10,8 +10,9 @@ use super::{Answer, Exit, Failure, Options, SceneArguments};
 use crate::report::{Cell, Column};
 use crate::scene::{MapPoint, MapPoints, MapWant, Scene, Want};
 
-/// What each point of two parameters comes to, from each start
+/// Compute the long-term motion at each point of two parameters
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: vibro-audit map examples/map.toml --out map.csv --resume")]
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,

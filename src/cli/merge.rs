@@ -11,8 +11,9 @@ use crate::scene::{ReachedAttractor, ReachedAttractors};
 use std::io::{self, BufReader, Write};
 use std::path::{Path, PathBuf};
 
-/// The parts of a run that `--shard` computed, joined as one run would have written them
+/// Join the parts of a run that --shard computed
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: vibro-audit merge part1.csv part2.csv --out whole.csv")]
 pub struct Arguments {
     /// The parts, in any order, all of them
     #[arg(required = true, value_name = "FILE")]

@@ -57,8 +57,8 @@ pub use rows::Rows;
 pub use scene::SceneArguments;
 pub use source::{Source, SourceError, SourceProblem};
 
-use crate::report::{Format, Output, acts_on_a_terminal};
-use clap::{CommandFactory, Parser, Subcommand};
+use crate::report::{Output, acts_on_a_terminal};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::Write;
 
@@ -81,9 +81,39 @@ struct Line {
 }
 
 impl Line {
+    /// The commands, each with the options and formats that it has.
+    fn grammar() -> clap::Command {
+        let line = Self::command();
+        let shared: Vec<clap::Arg> = line
+            .get_arguments()
+            .filter(|option| option.is_global_set())
+            .cloned()
+            .collect();
+        line.mut_subcommands(|command| {
+            let own = shared
+                .iter()
+                .map(|option| options::of_command(option.clone(), command.get_name()));
+            let own: Vec<clap::Arg> = own.collect();
+            command.args(own)
+        })
+    }
+
     /// Reads a command line; it names a command, or asks for columns.
     fn read(arguments: impl IntoIterator<Item = OsString>) -> Result<Self, clap::Error> {
-        let line = Self::try_parse_from(arguments)?;
+        let matches = Self::grammar().try_get_matches_from(arguments)?;
+        let line = Self::from_arg_matches(&matches)?;
+        if let Some(name) = matches.subcommand_name() {
+            let formats = options::formats(name);
+            if !formats.contains(&line.options.format) {
+                let names: Vec<&str> = formats.iter().map(|format| format.name()).collect();
+                let problem = format!(
+                    "`{name}` has no --format {}; choose {}",
+                    line.options.format,
+                    names.join(", ")
+                );
+                return Err(Self::command().error(clap::error::ErrorKind::InvalidValue, problem));
+            }
+        }
         let problem = match (&line.columns.columns, &line.command) {
             (None, None) => "a command is required",
             (Some(_), Some(_)) => "--columns stands without a command",
@@ -95,11 +125,7 @@ impl Line {
     /// What is found, before anything of it is printed.
     fn answer(&self) -> Result<Answer, Failure> {
         match &self.command {
-            Some(command) => {
-                // Before a long computation, not after.
-                command.has(self.options.format)?;
-                command.run(&self.options)
-            }
+            Some(command) => command.run(&self.options),
             None => self.columns.answer(),
         }
     }
@@ -150,8 +176,8 @@ impl Command {
             Self::Problems(arguments) => problems::run(arguments, options),
             Self::Score(arguments) => score::run(arguments, options),
             Self::Stress(arguments) => stress::run(arguments, options),
-            Self::Completions(arguments) => completions::run(arguments, Line::command()),
-            Self::Man(arguments) => man::run(arguments, Line::command()),
+            Self::Completions(arguments) => completions::run(arguments, Line::grammar()),
+            Self::Man(arguments) => man::run(arguments, Line::grammar()),
         }
     }
 
@@ -189,27 +215,6 @@ impl Command {
         })
     }
 
-    /// Refuses a format that the command does not have.
-    fn has(&self, format: Format) -> Result<(), Failure> {
-        let (has, commands) = match format {
-            Format::Junit => (matches!(self, Self::Audit(_) | Self::Check(_)), "`audit` and `check`"),
-            Format::Sarif => (matches!(self, Self::Audit(_)), "`audit`"),
-            Format::Html => (
-                matches!(
-                    self,
-                    Self::Audit(_) | Self::Check(_) | Self::Trade(_) | Self::Score(_) | Self::Run(_)
-                ),
-                "`audit`, `check`, `trade`, `score` and `run`",
-            ),
-            _ => (true, ""),
-        };
-        if has {
-            Ok(())
-        } else {
-            Err(Failure::NoSuchFormat { format, commands })
-        }
-    }
-
     /// Where the answer goes: to `--out`, but for `run` and `plot all`, whose files go there.
     fn output(&self, options: &Options) -> Output {
         match self {
@@ -227,6 +232,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
     let line = match Line::read(arguments) {
         Ok(line) => line,
         Err(error) => {
+            if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+                let _ = error.print();
+                return Exit::Unusable;
+            }
             if error.use_stderr() {
                 let text = error.to_string();
                 say("error", text.strip_prefix("error: ").unwrap_or(&text).trim_end());
@@ -303,7 +312,7 @@ mod tests {
 
     #[test]
     fn the_command_line_is_consistent() {
-        Line::command().debug_assert();
+        Line::grammar().debug_assert();
     }
 
     #[test]

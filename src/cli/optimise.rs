@@ -11,8 +11,11 @@ use crate::orbit::{Active, Optimum, OptimumLimits, OptimumPart, OptimumProgress,
 use crate::report::{Cell, Table};
 use crate::scene::{BoxChoice, Over, Scene, Want};
 
-/// The device of a box whose stable and admissible 1-1 motion gives the largest voltage, proved
+/// Find the device with the largest voltage in a box of parameters, with proof
 #[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Example: vibro-audit optimise fig03 --set 'box={d = [0.1, 0.5], r_b = [0.3, 0.7], r_t = [0.3, 0.7]}'"
+)]
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,

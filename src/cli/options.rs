@@ -22,7 +22,7 @@ pub enum Asked {
 #[derive(Clone, Debug, clap::Args)]
 pub struct Options {
     /// How to print tables
-    #[arg(long, global = true, value_name = "FORMAT", default_value = Format::Text.name(), value_parser = format_parser())]
+    #[arg(long, global = true, value_name = "FORMAT", default_value = Format::Text.name(), value_parser = format_parser(&Format::ALL))]
     pub format: Format,
     /// Write to this file instead of stdout; it is there whole or not at all. For `run` and `plot all`, a directory
     #[arg(long, global = true, value_name = "FILE")]
@@ -109,8 +109,31 @@ impl Options {
 }
 
 /// Lists the formats in help and in errors, which a plain `FromStr` parser could not.
-fn format_parser() -> impl TypedValueParser<Value = Format> {
-    PossibleValuesParser::new(Format::ALL.map(Format::name)).try_map(|name| name.parse::<Format>())
+fn format_parser(formats: &[Format]) -> impl TypedValueParser<Value = Format> + use<> {
+    let names: Vec<&str> = formats.iter().map(|format| format.name()).collect();
+    PossibleValuesParser::new(names).try_map(|name| name.parse::<Format>())
+}
+
+/// The formats that a command has.
+pub(super) fn formats(command: &str) -> Vec<Format> {
+    let has = |format: &Format| match format {
+        Format::Junit => matches!(command, "audit" | "check"),
+        Format::Sarif => command == "audit",
+        Format::Html => matches!(command, "audit" | "check" | "trade" | "score" | "run"),
+        _ => true,
+    };
+    Format::ALL.into_iter().filter(has).collect()
+}
+
+/// Returns an option of every command as the help of one command shows it.
+pub(super) fn of_command(option: clap::Arg, command: &str) -> clap::Arg {
+    match option.get_id().as_str() {
+        "format" => option
+            .value_parser(format_parser(&formats(command)))
+            .hide(command == "completions"),
+        "digits" => option.hide(matches!(command, "completions" | "man" | "merge" | "scenes")),
+        _ => option,
+    }
 }
 
 /// Makes a directory, and those that it lies in.

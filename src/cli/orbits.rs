@@ -10,8 +10,9 @@ use crate::orbit::{
 use crate::report::{Cell, Table};
 use crate::scene::{Scene, Want};
 
-/// Every periodic motion of the wanted words at this scene
+/// Find all periodic motions of a scene, with proof
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: vibro-audit orbits fig02 --set motion.d=0.3 --digits 30")]
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,

@@ -6,7 +6,7 @@ use crate::report::{Cell, Format, Table};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::time::Instant;
 
-/// Export certified problems with answers of 30 digits, as CSV: hold a solver of your own against them by `score`
+/// Print test problems with certified answers of 30 digits, as CSV
 ///
 /// The ball moves by Z'' = cos(pi t + phase) + g between the bottom at Z = +d/2 and the top at Z = -d/2, where Z' turns into
 /// -r_b Z' and -r_t Z'. Time 0 is the impact (side, phase, velocity): phase in rad, velocity just before it, positive
@@ -28,6 +28,7 @@ use std::time::Instant;
 /// What is certified says by which two means the answer was found.
 #[derive(Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
+#[command(after_help = "Example: vibro-audit problems --kind orbit --without-answers")]
 pub struct Arguments {
     #[command(flatten)]
     selection: Selection,

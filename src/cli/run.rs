@@ -11,8 +11,9 @@ use crate::scene::{Scene, Want};
 use std::fs;
 use std::path::Path;
 
-/// Everything the scene wants, a file for each command, into the directory --out
+/// Run every command that a scene asks for; --out names the directory of the results
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: vibro-audit run fig02 --out results")]
 pub struct Arguments {
     #[command(flatten)]
     pub scene: SceneArguments,

@@ -7,6 +7,7 @@ use crate::scene::{self, Want};
 
 /// List the built-in scenes, or print one to start from
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: vibro-audit scenes fig02 > mine.toml")]
 pub struct Arguments {
     /// The scene to print, as TOML
     #[arg(value_name = "NAME")]

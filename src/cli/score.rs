@@ -10,7 +10,7 @@ use crate::report::plot::{Figure, Panel};
 use crate::report::{Cell, Format, Output, Page, Part, Table};
 use std::path::PathBuf;
 
-/// Rate a solver of your own by the digits of its answers to `problems`
+/// Rate a solver by the correct digits of its answers to `problems`
 ///
 /// FILE is CSV with the columns problem, quantity, answer and, if you like, seconds (of the whole problem), in any order;
 /// other columns are passed over. What is no number (nothing, NaN, inf) is no answer, as what is not there.
@@ -20,6 +20,7 @@ use std::path::PathBuf;
 /// of {tolerance}; it reads the problems without answers as CSV from stdin and writes such answers to stdout.
 #[derive(Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
+#[command(after_help = "Example: vibro-audit score answers.csv --summary")]
 pub struct Arguments {
     /// The answers; `-` for stdin
     #[arg(value_name = "FILE", required_unless_present = "exec", conflicts_with = "exec")]

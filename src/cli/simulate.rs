@@ -8,8 +8,9 @@ use crate::number::{FIGURES_OF_F64, Rung, Told};
 use crate::report::{Cell, Column, Table};
 use crate::scene::{Scene, Want};
 
-/// The events of the motion from the start on: impacts, rest and release
+/// Compute the impacts of one motion, with rest and release
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: vibro-audit simulate fig03 --impacts 1000 --last 10")]
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,

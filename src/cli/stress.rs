@@ -7,11 +7,12 @@ use crate::report::figure::extremes;
 use crate::report::{Cell, Format, Output, Table};
 use std::path::PathBuf;
 
-/// Count the digits that printed and default forms keep at the extremes, in each number type
+/// Count the correct digits of each formula at extreme parameters
 ///
 /// Text shows the rows of f64; csv, json and markdown have every number type. Exits with 1 where a default form keeps
 /// fewer of f64's digits than 14.5 less log10 of the condition, or a frozen worst point has lost a digit.
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: vibro-audit stress jacobian")]
 pub struct Arguments {
     /// Only the cases that have this in their names
     #[arg(value_name = "CASE", conflicts_with = "search")]

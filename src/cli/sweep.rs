@@ -12,8 +12,9 @@ use crate::report::{Cell, Column, Table};
 use crate::scene::{Means, Over, Point, Points, Scene, Want};
 use std::ops::Range;
 
-/// The bifurcation diagram of a scene: at each value of its sweep the last impacts and their voltage
+/// Compute a bifurcation diagram: the last impacts at each value of a parameter
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: vibro-audit sweep fig03 --summary")]
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,

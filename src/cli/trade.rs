@@ -11,8 +11,9 @@ use crate::report::{Cell, Format, Output, Page, Part, Table};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 
-/// Measure cost against true error of each means to one end, and mark the Pareto front
+/// Measure time against true error for each method of a task
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: vibro-audit trade --advise digits=8,task=orbit")]
 pub struct Arguments {
     /// What to compute [default: all of them, within a minute]
     #[arg(value_name = "TASK", value_parser = task_parser())]

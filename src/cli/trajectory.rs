@@ -18,13 +18,14 @@ const SAMPLES: u32 = 1001;
 /// The paper's t_final: "the codes are run again with t_final = 10".
 pub const UNTIL: f64 = 10.0;
 
-/// The motion between the impacts, at evenly spaced times, without unit and in SI
+/// Print position and velocity between impacts at evenly spaced times
 ///
 /// z and zdot are the ball's against the capsule: z = d/2 at the bottom, -d/2 at the top. capsule is the middle of the
 /// capsule and ball = capsule - z the ball, in the frame in which the capsule swings about 0; the columns in SI follow,
 /// empty where [device] does not give the units. energy is zdot²/2 - g z, that of the ball against the capsule, and
 /// ball_energy its energy in the frame at rest. At an impact the velocity is that before it.
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: vibro-audit trajectory fig02 --until 4 --samples 401 --format csv")]
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,

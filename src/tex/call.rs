@@ -10,7 +10,7 @@ use super::part::{Form, Part};
 use super::reader::Reader;
 use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
-use super::{At, DoubtKind, Invariant, Name, Tree};
+use super::{At, DoubtKind, Invariant, Name, Readings, Tree};
 use crate::number::{Field, Rational};
 
 impl<'a> Reader<'a> {
@@ -73,10 +73,18 @@ impl<'a> Reader<'a> {
             && let Some(argument) = self.bracketed_argument()?
         {
             let power = power.map(Exponent::before_argument).transpose()?;
-            if power.is_some() {
-                self.doubt(at, DoubtKind::PowerOfFunction { of: name.clone() });
+            let is_power = power.is_some();
+            let part = self.call(Box::new(Tree::Call(name.clone(), argument.clone(), At(at))), power)?;
+            if is_power {
+                let taken = (*part.tree).clone();
+                let readings = matches!(taken, Tree::Power(_, 2, _)).then(|| {
+                    let value = Tree::Call(name.clone(), argument, At(at));
+                    let other = Tree::Call(name.clone(), Box::new(value), At(at));
+                    Readings { taken, other }
+                });
+                self.doubt(at, DoubtKind::PowerOfFunction { of: name, readings });
             }
-            return self.call(Box::new(Tree::Call(name, argument, At(at))), power);
+            return Ok(part);
         }
         let is_plain = power.is_none();
         if is_plain && self.single_term_in_brackets_follows() {

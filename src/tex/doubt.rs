@@ -28,7 +28,7 @@ pub enum DoubtKind {
     /// `[F]_{x=a}^2`, taken as a difference.
     Difference { upper: Tree },
     /// `f^2(x)`, taken as a power of the value.
-    PowerOfFunction { of: Name },
+    PowerOfFunction { of: Name, readings: Option<Readings> },
     /// `x^{n/2}`, taken of bases that are not negative.
     PowerOfSign { base: Tree, exponent: Tree },
     /// A letter in a claim that nothing bounds, taken for every value.
@@ -56,7 +56,9 @@ impl DoubtKind {
     /// The two readings of the place, where there are no more and both are known.
     pub fn readings(&self) -> Option<&Readings> {
         match self {
-            Self::Reach { readings, .. } | Self::Nesting { readings, .. } => readings.as_ref(),
+            Self::Reach { readings, .. } | Self::Nesting { readings, .. } | Self::PowerOfFunction { readings, .. } => {
+                readings.as_ref()
+            }
             _ => None,
         }
     }
@@ -110,7 +112,7 @@ impl fmt::Display for DoubtKind {
             Self::Difference { upper } => {
                 write!(f, "`{upper}` behind the bracket: the upper limit, or a power?")
             }
-            Self::PowerOfFunction { of } => {
+            Self::PowerOfFunction { of, .. } => {
                 write!(
                     f,
                     "the power of `{of}` before its argument: of the value, or `{of}` applied again?"

@@ -16,7 +16,7 @@ use claims::Claims;
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Draw what the scene wants as an SVG; `plot all --out DIR` draws every figure of the paper
+/// Draw a scene as SVG; `plot all --out DIR` draws every figure of the paper
 ///
 /// `branch` and `sweep` give a bifurcation diagram, `voltage` an energy diagram beside it (without it the phase of the
 /// impacts), `trajectory` a phase portrait and the displacements, `map` a map in colours of each thing that it wants,
@@ -25,6 +25,7 @@ use std::path::Path;
 /// same two where the scene wants that too. What the paper prints is marked on its own figures: a ring is
 /// reproduced, a cross is wrong.
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: vibro-audit plot fig03 --out fig03.svg")]
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
