@@ -3,43 +3,86 @@
 use super::definition::is_constant;
 use super::entry::{Entry, Role, approached};
 use super::exponents::{is_at_times_whole, is_plainly_not_negative};
-use super::nodes::{any, any_side, holds, speaks_of};
+use super::nodes::{any, any_side, holds, speaks_of, with_symbol};
 use super::sheet::Sheet;
 use super::substitute::flies;
 use crate::number::{Field, Rational};
 use crate::tex::{Condition, DoubtKind, Equation, Name, Operation, Readings, Relation, Tree};
 use std::collections::BTreeSet;
 
-/// The most places of a claim at which two readings are decided each.
-const MOST_PLACES: usize = 3;
+/// The most other readings of a claim that are decided.
+const MOST_READINGS: usize = 15;
+
+/// The most letters of a formula in whose place an argument is put.
+const MOST_LETTERS: usize = 4;
+
+/// Another reading of a place.
+enum Reading {
+    /// This for that part.
+    Part(Readings),
+    /// The value of a letter at what stands in the bracket behind it.
+    Value { of: Name, inside: Tree, value: Tree },
+}
+
+impl Reading {
+    /// The tree in this reading; `met` is set where the place stands in it.
+    fn of(&self, tree: &Tree, met: &mut bool) -> Tree {
+        match (self, tree) {
+            (Self::Part(part), tree) if *tree == part.taken => {
+                *met = true;
+                part.other.clone()
+            }
+            (Self::Value { of, inside, value }, Tree::Product(factors)) => {
+                let mut read: Vec<Tree> = Vec::new();
+                for factor in factors {
+                    let new = match factor {
+                        factor if factor == inside => Some(value.clone()),
+                        Tree::Power(base, exponent, at) if **base == *inside => {
+                            Some(Tree::Power(Box::new(value.clone()), *exponent, *at))
+                        }
+                        _ => None,
+                    };
+                    match (read.last(), new) {
+                        (Some(Tree::Symbol(name, _)), Some(new)) if name == of => {
+                            *met = true;
+                            read.pop();
+                            read.push(new);
+                        }
+                        _ => read.push(self.of(factor, met)),
+                    }
+                }
+                match read.as_slice() {
+                    [one] => one.clone(),
+                    _ => Tree::Product(read),
+                }
+            }
+            (_, tree) => tree.map(&mut |below| self.of(below, met)),
+        }
+    }
+
+    fn stands_in(&self, tree: &Tree) -> bool {
+        let mut met = false;
+        self.of(tree, &mut met);
+        met
+    }
+}
 
 impl Entry {
-    /// The entry with the other reading of places of its equations, where all of them stand there.
-    fn read_otherwise(&self, places: &[&Readings]) -> Option<Self> {
+    /// The entry in other readings of its equations, where all places stand there.
+    fn read_otherwise(&self, readings: &[&Reading]) -> Option<Self> {
         let mut entry = self.clone();
-        for place in places {
+        for reading in readings {
             let mut met = false;
             let stated = entry.equations.iter_mut().chain(&mut entry.stated);
             let sides = stated.flat_map(|equation| [&mut equation.left, &mut equation.right]);
             for side in sides.chain(entry.own.iter_mut().map(|local| &mut local.tree)) {
-                *side = with_part(side, &place.taken, &place.other, &mut met);
+                *side = reading.of(side, &mut met);
             }
             if !met {
                 return None;
             }
         }
         Some(entry)
-    }
-}
-
-/// Returns a tree with a part of it replaced; `met` is set where the part stands in it.
-fn with_part(tree: &Tree, part: &Tree, new: &Tree, met: &mut bool) -> Tree {
-    match tree == part {
-        true => {
-            *met = true;
-            new.clone()
-        }
-        false => tree.map(&mut |below| with_part(below, part, new, met)),
     }
 }
 
@@ -65,18 +108,24 @@ impl Sheet {
         found
     }
 
-    /// The sheets in which the claim at a position is read otherwise at places of two readings, one for each choice, and the
-    /// places; none where a reading is not of the claim's equations alone, or the places are more than three.
+    /// The sheets in which the claim at a position is read otherwise, one for each choice of readings at places that have
+    /// other known ones, and the places; none where a place is not of the claim's equations alone, or the choices are too many.
     pub fn read_otherwise(&self, position: usize) -> (Vec<Sheet>, Vec<DoubtKind>) {
-        let kinds = self.doubts(position);
-        let places: Vec<(DoubtKind, Readings)> = kinds
-            .into_iter()
-            .filter_map(|kind| kind.readings().cloned().map(|readings| (kind, readings)))
-            .collect();
-        let Some(claim) = self.entries.get(position).filter(|_| places.len() <= MOST_PLACES) else {
-            return (Vec::new(), Vec::new());
+        let none = || (Vec::new(), Vec::new());
+        let Some(claim) = self.entries.get(position) else {
+            return none();
         };
         let below = self.below(claim);
+        let places = self.doubts(position).into_iter().map(|kind| {
+            let readings = self.readings(&kind, claim, &below);
+            (kind, readings)
+        });
+        let places: Vec<(DoubtKind, Vec<Reading>)> = places.filter(|(_, readings)| !readings.is_empty()).collect();
+        let choices = places.iter().map(|(_, readings)| readings.len() + 1);
+        let choices = choices.fold(1_usize, usize::saturating_mul);
+        if choices > MOST_READINGS + 1 {
+            return none();
+        }
         let beside = claim.local.iter().chain(&claim.with).map(|(equation, _)| equation);
         let beside = beside
             .chain(&claim.alternatives)
@@ -85,14 +134,18 @@ impl Sheet {
         let mut elsewhere = beside
             .flat_map(|equation| [&equation.left, &equation.right])
             .chain(assumed);
-        if elsewhere.any(|side| any(side, &mut |node| places.iter().any(|(_, place)| place.taken == *node))) {
-            return (Vec::new(), Vec::new());
+        let readings: Vec<&Reading> = places.iter().flat_map(|(_, readings)| readings).collect();
+        if elsewhere.any(|side| readings.iter().any(|reading| reading.stands_in(side))) {
+            return none();
         }
-        let choices = 1..1_u32 << places.len();
-        let otherwise = choices.map(|choice| {
-            let chosen = places.iter().enumerate().filter(|(at, _)| choice >> at & 1 == 1);
-            let readings: Vec<&Readings> = chosen.map(|(_, (_, readings))| readings).collect();
-            claim.read_otherwise(&readings).map(|claim| {
+        let otherwise = (1..choices).map(|mut choice| {
+            let mut chosen = Vec::new();
+            for (_, readings) in &places {
+                let which = choice % (readings.len() + 1);
+                choice /= readings.len() + 1;
+                chosen.extend(which.checked_sub(1).and_then(|which| readings.get(which)));
+            }
+            claim.read_otherwise(&chosen).map(|claim| {
                 let mut sheet = self.clone();
                 if let Some(entry) = sheet.entries.get_mut(position) {
                     *entry = claim;
@@ -102,8 +155,28 @@ impl Sheet {
         });
         match otherwise.collect::<Option<Vec<Sheet>>>() {
             Some(sheets) => (sheets, places.into_iter().map(|(kind, _)| kind).collect()),
-            None => (Vec::new(), Vec::new()),
+            None => none(),
         }
+    }
+
+    /// The other readings of a place, where all are known.
+    fn readings(&self, kind: &DoubtKind, claim: &Entry, below: &[&Entry]) -> Vec<Reading> {
+        let DoubtKind::Argument { of, inside } = kind else {
+            return kind.readings().iter().cloned().map(Reading::Part).collect();
+        };
+        let mut readings = Vec::new();
+        for meaning in self.meanings(of, claim, below) {
+            let letters = letters_of(meaning);
+            if letters.len() > MOST_LETTERS {
+                return Vec::new();
+            }
+            readings.extend(letters.into_iter().map(|letter| Reading::Value {
+                of: of.clone(),
+                inside: inside.clone(),
+                value: with_symbol(meaning, &letter, inside),
+            }));
+        }
+        readings
     }
 
     /// What a claim follows from, and the definitions below that.
@@ -117,39 +190,51 @@ impl Sheet {
         below
     }
 
-    /// Returns true if a reader would think of the other meaning: a letter has an argument where what it stands for is
-    /// written with a letter that stands in the bracket, and a bracket behind a derivative is the point at which it is taken,
+    /// Returns true if a reader would think of the other meaning: a letter has an argument where a formula in letters gives it,
+    /// and a bracket behind a derivative is the point at which it is taken,
     /// but a sum behind the derivative of a state at an impact, which has no argument, is a factor. A function is applied again
     /// where its values are given, but no state.
     fn is_plausible(&self, kind: &DoubtKind, claim: &Entry, below: &[&Entry]) -> bool {
-        let (of, inside) = match kind {
-            DoubtKind::Argument { of, inside } => (of, inside),
+        let of = match kind {
+            DoubtKind::Argument { of, .. } => of,
             DoubtKind::DerivativeBeforeBracket { of, inside } => {
                 return !(self.is_of_impacts(of) && matches!(inside, Tree::Sum(_)));
             }
             DoubtKind::PowerOfFunction { of, .. } => return self.is_given(of, below),
             _ => return true,
         };
-        let shares = |meaning: &Tree| {
-            any(meaning, &mut |node| match node {
-                Tree::Symbol(name, _) => !is_constant(name) && has_outside_calls(inside, name),
-                _ => false,
-            })
-        };
-        let is_it = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if name == of);
+        // a state at an impact is a number
+        self.vocabulary.impact(of).is_none()
+            && self
+                .meanings(of, claim, below)
+                .into_iter()
+                .any(|meaning| !letters_of(meaning).is_empty())
+    }
+
+    /// What a letter stands for by what a claim follows from, its own definitions and the abbreviations of the sheet.
+    fn meanings<'e>(&'e self, of: &Name, claim: &'e Entry, below: &[&'e Entry]) -> Vec<&'e Tree> {
         let own = std::iter::once(claim).chain(below.iter().copied());
         let said = own.clone().flat_map(|entry| {
             let local = entry.local.iter().map(|(equation, _)| equation);
             let equations = entry.equations.iter().filter(|_| entry.role != Role::Claim);
             local.chain(equations)
         });
-        let mut sides =
-            said.flat_map(|equation| [(&equation.left, &equation.right), (&equation.right, &equation.left)]);
-        let mut locals = own.flat_map(|entry| &entry.own);
-        let mut abbreviations = self.vocabulary.abbreviations.iter();
-        sides.any(|(name, meaning)| is_it(name) && shares(meaning))
-            || locals.any(|local| local.name == *of && shares(&local.tree))
-            || abbreviations.any(|(name, meaning)| name == of && shares(meaning))
+        let sides = said.flat_map(|equation| [(&equation.left, &equation.right), (&equation.right, &equation.left)]);
+        let sides = sides
+            .filter(|(name, _)| is_symbol(name, of))
+            .map(|(_, meaning)| meaning);
+        let locals = own.flat_map(|entry| &entry.own).filter(|local| local.name == *of);
+        let abbreviations = self.vocabulary.abbreviations.iter().filter(|(name, _)| name == of);
+        let mut found: Vec<&Tree> = Vec::new();
+        for meaning in sides
+            .chain(locals.map(|local| &local.tree))
+            .chain(abbreviations.map(|(_, meaning)| meaning))
+        {
+            if !found.contains(&meaning) {
+                found.push(meaning);
+            }
+        }
+        found
     }
 
     /// Returns true if an equation that a claim follows from gives the values of a function, f(x) = ..., that is no state.
@@ -205,7 +290,7 @@ impl Sheet {
         let noted = claim
             .of_some
             .iter()
-            .filter(|name| is_restricted || is_added(name, &claim.equations));
+            .filter(|name| is_restricted || is_added(name, &claim.equations) || is_multiple(name, claim));
         let mut found: Vec<Name> = noted.cloned().collect();
         let assumed: Vec<&Tree> = claim
             .assume
@@ -220,7 +305,7 @@ impl Sheet {
                     .any(|equation| any_side(equation, &mut |node| is_symbol(node, name)))
             };
             let is_assumed = assumed.iter().any(|side| speaks_of(side, name));
-            let is_new = claim.is_implication && !is_assumed;
+            let is_new = !is_assumed && (claim.is_implication || self.is_unknown(name, claim));
             if (is_new || (is_assumed && self.is_between(name, claim))) && stands() {
                 found.push(name.clone());
             }
@@ -228,6 +313,34 @@ impl Sheet {
         found.retain(|name| !is_known(name));
         found.dedup();
         found
+    }
+
+    /// Returns true for a constant that a claim seems to introduce: it stands on one side alone, in an equation of a variable that
+    /// stands on both or as the argument of an unknown function, or in each of several equations.
+    fn is_unknown(&self, name: &Name, claim: &Entry) -> bool {
+        let is_argument = |node: &Tree| match node {
+            Tree::Call(function, argument, _) => {
+                self.vocabulary.names.is_function(function) && speaks_of(argument, name)
+            }
+            _ => false,
+        };
+        let is_introduced = |equation: &Equation| {
+            is_one_sided(name, equation)
+                && (any_side(equation, &mut |node| is_argument(node))
+                    || letters_of(&equation.left)
+                        .iter()
+                        .any(|letter| self.is_variable(letter) && speaks_of(&equation.right, letter)))
+        };
+        let everywhere =
+            claim.equations.len() > 1 && claim.equations.iter().all(|equation| is_one_sided(name, equation));
+        let is_integer = || self.vocabulary.integers.contains(name) || claim.of_some.contains(name);
+        !self.is_variable(name) && !is_integer() && (everywhere || claim.equations.iter().any(is_introduced))
+    }
+
+    /// Returns true for times, and for letters that stand for variables by custom.
+    fn is_variable(&self, name: &Name) -> bool {
+        let by_custom = name.subscript.is_empty() && ["t", "u", "v", "w", "x", "y", "z"].contains(&name.base.as_str());
+        by_custom || self.vocabulary.times.contains(&name.bare())
     }
 
     /// Returns true if a letter stands between two bounds that are assumed, and an unknown function is taken there.
@@ -329,6 +442,27 @@ fn has_factor(term: &Tree, name: &Name) -> bool {
     }
 }
 
+/// Returns true if a letter stands on one side of an equation alone, and other letters on the other.
+fn is_one_sided(name: &Name, equation: &Equation) -> bool {
+    let sides = [(&equation.left, &equation.right), (&equation.right, &equation.left)];
+    let mut sides = sides.into_iter();
+    equation.relation == Relation::Equal
+        && sides.any(|(own, other)| speaks_of(own, name) && !speaks_of(other, name) && !letters_of(other).is_empty())
+}
+
+/// Returns true if a side of an equation is a sum or a multiple of a letter that stands on this side alone.
+fn is_multiple(name: &Name, claim: &Entry) -> bool {
+    let is_multiple = |equation: &Equation| {
+        let mut sides = [&equation.left, &equation.right].into_iter();
+        is_one_sided(name, equation)
+            && sides.any(|side| match side {
+                Tree::Sum(terms) => terms.iter().any(|term| has_factor(term, name)),
+                side => has_factor(side, name),
+            })
+    };
+    claim.equations.iter().chain(&claim.alternatives).any(is_multiple)
+}
+
 /// What tends to a value by what is assumed of a claim that is no expansion.
 fn tends(claim: &Entry) -> Option<Name> {
     let is_expansion = |equation: &Equation| holds(equation, &|operation| matches!(operation, Operation::Order(_)));
@@ -336,13 +470,17 @@ fn tends(claim: &Entry) -> Option<Name> {
     assumed.next().filter(|_| !claim.equations.iter().any(is_expansion))
 }
 
-/// Returns true if a name stands in a tree otherwise than in the argument of a function.
-fn has_outside_calls(tree: &Tree, name: &Name) -> bool {
-    match tree {
-        Tree::Symbol(own, _) => own == name,
-        Tree::Call(..) => false,
-        _ => tree
-            .find_below(&mut |part| has_outside_calls(part, name).then_some(()))
-            .is_some(),
-    }
+/// The letters of a formula, each once.
+fn letters_of(tree: &Tree) -> Vec<Name> {
+    let mut found = Vec::new();
+    any(tree, &mut |node| {
+        if let Tree::Symbol(name, _) = node
+            && !is_constant(name)
+            && !found.contains(name)
+        {
+            found.push(name.clone());
+        }
+        false
+    });
+    found
 }

@@ -33,7 +33,7 @@ pub use nodes::{any, any_side, parts, with_symbol};
 pub use paper::{EQUATIONS, SYMBOLS, paper, vocabulary};
 pub use premise::{Premise, Statements};
 pub use reduce::{
-    Goal, Reduced, Rule, Rules, along_a_sequence, other_ways, reduced, reduced_by_cases, thin_domains, values,
+    Goal, Reduced, Rule, Rules, along_a_sequence, divisors, other_ways, reduced, reduced_by_cases, thin_domains, values,
 };
 pub use sheet::{Sheet, read_symbols};
 pub use substitute::{flies, number_of, rewrite, rewrite_equation, tree_runs};

@@ -31,6 +31,14 @@ pub fn with_symbol(tree: &Tree, name: &Name, new: &Tree) -> Tree {
     }
 }
 
+/// Returns the tree with a part of it replaced wherever it stands.
+pub fn with_part(tree: &Tree, part: &Tree, new: &Tree) -> Tree {
+    match tree == part {
+        true => new.clone(),
+        false => tree.map(&mut |below| with_part(below, part, new)),
+    }
+}
+
 /// The names in a tree, those of functions too; names of elementary functions are none.
 pub(super) fn names_in(tree: &Tree, names: &mut BTreeSet<Name>) {
     any(tree, &mut |node| {

@@ -281,9 +281,8 @@ fn with_repairs(
             Some(source) => {
                 let sheet = document::of_text(source, text)?.sheet(vocabulary).ok()?;
                 let entries = sheet.entries.into_iter();
-                Some(mended::Content::Document(
-                    entries.map(|entry| (entry.label, entry.tex.tex)).collect(),
-                ))
+                // a label of its own is the line of the formula, which a comment before it changes
+                Some(mended::Content::Document(entries.map(|entry| entry.tex.tex).collect()))
             }
             None => text.parse().ok().map(mended::Content::Sheet),
         }

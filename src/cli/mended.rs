@@ -60,8 +60,8 @@ enum Start {
 #[derive(Debug, PartialEq)]
 pub enum Content {
     Sheet(toml::Table),
-    /// The label and the TeX of each formula.
-    Document(Vec<(String, String)>),
+    /// The TeX of each formula.
+    Document(Vec<String>),
 }
 
 /// How many lines before a formula are tried for a comment.

@@ -50,7 +50,8 @@ fn one_sided<V: Value>(to: &V, sign: i64, is_at_infinity: bool, at: &mut Body<V>
     let mut distances: Vec<V> = Vec::new();
     let mut row: Vec<V> = Vec::new();
     let mut best: Option<Estimate<V>> = None;
-    let mut size = 0.0_f64;
+    // near the limit terms may grow that cancel: what a value is compared with is the body far from it
+    let mut far_size = 0.0_f64;
     for k in 0..count {
         let power = V::integer(1 << (k as u32).min(40));
         let (place, distance) = match is_at_infinity {
@@ -72,7 +73,9 @@ fn one_sided<V: Value>(to: &V, sign: i64, is_at_infinity: bool, at: &mut Body<V>
                 false => break,
             }
         }
-        size = size.max(next.size);
+        if row.is_empty() {
+            far_size = next.value.size();
+        }
         distances.push(distance);
         let mut extrapolated = vec![next.value];
         let last = distances.len() - 1;
@@ -90,10 +93,11 @@ fn one_sided<V: Value>(to: &V, sign: i64, is_at_infinity: bool, at: &mut Body<V>
             let apart = (next.clone() - known)
                 .size()
                 .max((next.clone() - before.clone()).size());
-            if j > 0 && best.as_ref().is_none_or(|best| apart < best.error) {
+            let size = far_size.max(next.size());
+            if j > 0 && best.as_ref().is_none_or(|best| apart / size < best.error / best.size) {
                 best = Some(Estimate {
                     value: next.clone(),
-                    size: 0.0,
+                    size,
                     error: apart,
                 });
             }
@@ -102,7 +106,6 @@ fn one_sided<V: Value>(to: &V, sign: i64, is_at_infinity: bool, at: &mut Body<V>
         row = extrapolated;
     }
     best.map(|best| Estimate {
-        size: size.max(best.value.size()),
         error: 4.0 * best.error,
         ..best
     })

@@ -363,7 +363,9 @@ impl<'a> Search<'a> {
                     }
                     decision.reason = "does not follow from its premises".into();
                     decision.counterexample = counterexample::at(&witness, question.equation.relation);
-                    decision.doubts = dividing::doubts(goal, &question, self.options.effort);
+                    decision
+                        .doubts
+                        .extend(dividing::doubt(goal, &question, self.options.effort));
                     self.keep(goal, question, Found::Refuted { witness });
                     break;
                 }

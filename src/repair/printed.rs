@@ -78,12 +78,22 @@ fn put_into(text: &str, mut changes: Vec<Change>) -> Option<String> {
         if change.start < from || change.end <= change.start {
             return None;
         }
-        written.push_str(text.get(from..change.start)?);
+        let before = without_size(text.get(from..change.start)?);
+        written.push_str(before);
         written.push_str(&change.tex);
         from = change.end;
     }
     written.push_str(text.get(from..)?);
     Some(written)
+}
+
+/// The text without the size of a bracket that stands behind it, `\left` or `\bigl`: what is put there has its own.
+fn without_size(text: &str) -> &str {
+    let sizes = [
+        r"\left", r"\bigl", r"\Bigl", r"\biggl", r"\Biggl", r"\big", r"\Big", r"\bigg", r"\Bigg",
+    ];
+    let bare = text.trim_end();
+    sizes.iter().find_map(|size| bare.strip_suffix(size)).unwrap_or(text)
 }
 
 /// The text in one line, without the full stop or comma of the sentence that it ends.
@@ -225,6 +235,18 @@ mod tests {
             shown_with("x + x = 3 x = x 3", 0, "x + x = 2 x").as_deref(),
             Some("x + x = 2 x = x 3")
         );
+        for size in [r"\left", r"\bigl", r"\big ", r"x > 0 \Rightarrow \left"] {
+            let close = if size.contains("left") {
+                r"\right".to_owned()
+            } else {
+                size.replace("gl", "gr")
+            };
+            let before = size.split_at(size.rfind('\\').unwrap_or_default()).0;
+            assert_eq!(
+                shown_with(&format!("{size}(x + y{close})^2 = x^2"), 0, "(x + y)^2 = y^2").as_deref(),
+                Some(format!("{before}(x + y)^2 = y^2").as_str())
+            );
+        }
     }
 
     #[test]

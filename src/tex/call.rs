@@ -82,6 +82,7 @@ impl<'a> Reader<'a> {
                     let other = Tree::Call(name.clone(), Box::new(value), At(at));
                     Readings { taken, other }
                 });
+                let readings = readings.into_iter().collect();
                 self.doubt(at, DoubtKind::PowerOfFunction { of: name, readings });
             }
             return Ok(part);

@@ -21,14 +21,14 @@ pub enum DoubtKind {
     DerivativeOfValue { of: Tree },
     /// `(F)'(a)`, `\frac{dV}{dx}(a)`, taken as a product.
     DerivativeBeforeBracket { of: Tree, inside: Tree },
-    /// `\sum_k F + G`, taken as a sum that ends at the sign.
-    Reach { letter: Name, readings: Option<Readings> },
+    /// `\sum_k F + G`, `\frac{d}{dx} F + G`, taken as one that ends at the sign.
+    Reach { letter: Name, readings: Vec<Readings> },
     /// `\int_a^b \int_c^d F \, dx \, dy`, taken as closed from the inside.
-    Nesting { inner: Name, readings: Option<Readings> },
+    Nesting { inner: Name, readings: Vec<Readings> },
     /// `[F]_{x=a}^2`, taken as a difference.
     Difference { upper: Tree },
     /// `f^2(x)`, taken as a power of the value.
-    PowerOfFunction { of: Name, readings: Option<Readings> },
+    PowerOfFunction { of: Name, readings: Vec<Readings> },
     /// `x^{n/2}`, taken of bases that are not negative.
     PowerOfSign { base: Tree, exponent: Tree },
     /// A letter in a claim that nothing bounds, taken for every value.
@@ -37,7 +37,7 @@ pub enum DoubtKind {
     OneStep { index: String },
     /// `x \to a` in what is assumed, taken as if it were not there.
     Tends(Name),
-    /// A factor of every term of a premise, which is 0 where the claim fails.
+    /// What a premise is divided by to solve it, which is 0 where the claim fails.
     Factor { factor: String, premise: String },
     /// What was guessed of a formula that nothing is said of.
     Guess(String),
@@ -45,7 +45,7 @@ pub enum DoubtKind {
     Open(String),
 }
 
-/// The two readings of a place that has no more than two.
+/// A reading of a place other than the one taken.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Readings {
     pub taken: Tree,
@@ -53,13 +53,13 @@ pub struct Readings {
 }
 
 impl DoubtKind {
-    /// The two readings of the place, where there are no more and both are known.
-    pub fn readings(&self) -> Option<&Readings> {
+    /// The other readings of the place; none where not all are known.
+    pub fn readings(&self) -> &[Readings] {
         match self {
             Self::Reach { readings, .. } | Self::Nesting { readings, .. } | Self::PowerOfFunction { readings, .. } => {
-                readings.as_ref()
+                readings
             }
-            _ => None,
+            _ => &[],
         }
     }
 
@@ -100,7 +100,7 @@ impl fmt::Display for DoubtKind {
             Self::Reach { letter, .. } => {
                 write!(
                     f,
-                    "the sum, product or limit over `{letter}`: up to the next sign, or to the end?"
+                    "the sum, product, limit or derivative over `{letter}`: up to the next sign, or to the end?"
                 )
             }
             Self::Nesting { inner, .. } => {
@@ -132,7 +132,7 @@ impl fmt::Display for DoubtKind {
             Self::Tends(name) => write!(f, "`{name}` tends to a value: for every `{name}`, or near that value?"),
             Self::Factor { factor, premise } => write!(
                 f,
-                "`{factor}` is a factor of every term of ({premise}): 0 too, or divided out?"
+                "({premise}) can be solved where `{factor}` is not 0: 0 too, or divided by?"
             ),
             Self::Guess(what) | Self::Open(what) => write!(f, "{what}"),
         }

@@ -446,10 +446,8 @@ impl<'a> Reader<'a> {
         let tree = boxed(Operation::Integral { of, by, limits }, token.at);
         if let Some(inner) = inner {
             let other = from_outside(&tree);
-            let readings = other.map(|other| Readings {
-                taken: (*tree).clone(),
-                other,
-            });
+            let taken = (*tree).clone();
+            let readings = other.map(|other| Readings { taken, other }).into_iter().collect();
             self.doubt(token.at, DoubtKind::Nesting { inner, readings });
         }
         Ok(Part { tree, form: Form::Knot })
@@ -658,10 +656,14 @@ impl<'a> Reader<'a> {
             return Err(Fault::unsupported(at, "this derivative", instead));
         }
         self.close_brace(above)?;
+        let is_bracketed = matches!(self.peek_kind(), Some(Kind::Open(_)));
+        let is_operator = of.is_none() && !is_bracketed;
         let of = match of {
             Some(of) => of,
             None => self.differentiated()?,
         };
+        let first = letters.first().filter(|_| is_operator);
+        self.derivative = first.map(|(by, _)| (self.next, by.clone()));
         if letters.iter().any(|(by, _)| self.may_be_taken_later(&of, by)) {
             self.doubt(at, DoubtKind::DerivativeOfValue { of: (*of).clone() });
         }

@@ -24,6 +24,8 @@ pub(super) struct Reader<'a> {
     pub(super) integrated: Vec<Name>,
     /// The places read so far that have more than one meaning.
     pub(super) doubts: Vec<Doubt>,
+    /// Where the last derivative ends that is written before a factor without brackets, and its letter.
+    pub(super) derivative: Option<(usize, Name)>,
     pub(super) names: &'a Names,
 }
 
@@ -39,6 +41,7 @@ impl<'a> Reader<'a> {
             integral: None,
             integrated: Vec::new(),
             doubts: Vec::new(),
+            derivative: None,
             names,
         }
     }
@@ -130,35 +133,61 @@ impl<'a> Reader<'a> {
         Ok(part)
     }
 
+    /// Returns the letter of the derivative that ends here, if it is written before a factor without brackets.
+    fn derivative_behind(&mut self) -> Option<Name> {
+        let (end, letter) = self.derivative.take()?;
+        (end == self.next).then_some(letter)
+    }
+
     fn more_terms(&mut self, first: Part) -> Result<Part, Fault> {
         let start = self.doubts.len();
         let mut open: Vec<Name> = open_letter(&first).into_iter().collect();
+        let mut from = (!open.is_empty()).then_some(0);
+        let mut derived = self.derivative_behind();
         let mut terms = vec![*self.beside(first)?];
         while self.peek_kind().is_some_and(is_sign) {
             let at = self.here();
+            if let Some(letter) = derived.take().filter(|_| from.is_none()) {
+                self.doubt(
+                    at,
+                    DoubtKind::Reach {
+                        letter,
+                        readings: Vec::new(),
+                    },
+                );
+                from = Some(terms.len() - 1);
+            }
             let term = self.signed_term()?;
             if let Some(letter) = open.iter().find(|letter| term.tree.has_free_letter(letter)) {
                 let found = format!("how far the sum or limit over `{letter}` reaches");
                 return Err(Fault::ambiguous(at, &found, "write brackets around what it is of"));
             }
             if let Some(letter) = open.last().cloned() {
-                self.doubt(at, DoubtKind::Reach { letter, readings: None });
+                self.doubt(
+                    at,
+                    DoubtKind::Reach {
+                        letter,
+                        readings: Vec::new(),
+                    },
+                );
             }
-            open.extend(open_letter(&term));
+            if let Some(letter) = open_letter(&term) {
+                open.push(letter);
+                from = from.or(Some(terms.len()));
+            }
+            derived = self.derivative_behind();
             terms.push(*self.beside(term)?);
             self.skip_empty();
         }
-        if let ([_], [before @ .., from, last]) = (open.as_slice(), terms.as_slice())
-            && let Some(wide) = reaching_over(from, last)
+        if let Some(from) = from
+            && open.len() <= 1
         {
-            let other = Tree::Sum([before, &[wide]].concat());
-            let taken = Tree::Sum(terms.clone());
+            let other = readings_of_reach(&terms, from);
             for doubt in self.doubts.iter_mut().skip(start) {
-                if let DoubtKind::Reach { letter, readings } = &mut doubt.kind
-                    && from.open_letter() == Some(letter)
+                if let DoubtKind::Reach { readings, .. } = &mut doubt.kind
+                    && readings.is_empty()
                 {
-                    let (taken, other) = (taken.clone(), other.clone());
-                    *readings = Some(Readings { taken, other });
+                    readings.clone_from(&other);
                 }
             }
         }
@@ -383,8 +412,33 @@ fn open_letter(term: &Part) -> Option<Name> {
     letter.filter(|_| term.form != Form::Bracketed)
 }
 
-/// Returns a term that ends in a sum, product or limit with the next term in what that is of.
-fn reaching_over(term: &Tree, next: &Tree) -> Option<Tree> {
+/// The most terms that a sum, product, limit or derivative may reach over.
+const FARTHEST: usize = 4;
+
+/// Returns the readings of a sum in which the term at a position reaches over the next one, the next two and so on.
+fn readings_of_reach(terms: &[Tree], position: usize) -> Vec<Readings> {
+    let Some((before, [from, behind @ ..])) = terms.split_at_checked(position) else {
+        return Vec::new();
+    };
+    if behind.len() > FARTHEST {
+        return Vec::new();
+    }
+    let taken = Tree::Sum(terms.to_vec());
+    let readings = (1..=behind.len()).map(|count| {
+        let (over, rest) = behind.split_at_checked(count)?;
+        let mut other = [before, &[reaching_over(from, over)?], rest].concat();
+        let other = match other.len() {
+            1 => other.remove(0),
+            _ => Tree::Sum(other),
+        };
+        let taken = taken.clone();
+        Some(Readings { taken, other })
+    });
+    readings.collect::<Option<Vec<_>>>().unwrap_or_default()
+}
+
+/// Returns a term that ends in a sum, product, limit or derivative with the next terms in what that is of.
+fn reaching_over(term: &Tree, next: &[Tree]) -> Option<Tree> {
     Some(match term {
         Tree::Product(factors) => {
             let (last, before) = factors.split_last()?;
@@ -394,8 +448,13 @@ fn reaching_over(term: &Tree, next: &Tree) -> Option<Tree> {
         Tree::Operation(operation, at) => {
             let mut wide = (**operation).clone();
             match &mut wide {
-                Operation::Series { of, .. } | Operation::Limit { of, .. } if of.open_letter().is_none() => {
-                    *of = Tree::Sum(vec![of.clone(), next.clone()]);
+                Operation::Derivative { of, .. } if matches!(of, Tree::Operation(..)) => {
+                    *of = reaching_over(of, next)?;
+                }
+                Operation::Series { of, .. } | Operation::Limit { of, .. } | Operation::Derivative { of, .. }
+                    if of.open_letter().is_none() =>
+                {
+                    *of = Tree::Sum([std::slice::from_ref(of), next].concat());
                 }
                 _ => return None,
             }

@@ -8,6 +8,7 @@ use super::super::symbols::{Pairs, Symbols};
 use super::super::vocabulary::Vocabulary;
 use super::factors::Factors;
 use super::marks::{Marks, Stated};
+use super::members::Members;
 use super::scan::Formula;
 use crate::tex::{
     Display, Equation, Name, Names, Operation, ReadError, Relation, Tree, read_display, read_name, with_commands,
@@ -232,7 +233,7 @@ const MOST_TOLD: usize = 6;
 
 impl Guess {
     /// `symbols` are those that the document declares, `of_the_pair` whether they are those of the impact pair.
-    pub fn new(formulas: &[Formula], symbols: Option<&Symbols>, of_the_pair: bool) -> Self {
+    pub fn new(formulas: &[Formula], symbols: Option<&Symbols>, of_the_pair: bool, members: &Members) -> Self {
         let vocabulary = match symbols {
             _ if of_the_pair => super::super::vocabulary().unwrap_or_default(),
             Some(symbols) => Vocabulary::read(symbols).unwrap_or_default(),
@@ -315,6 +316,7 @@ impl Guess {
                 shown.zip(read.iter().map(Vec::as_slice)),
                 &commutators,
                 !constants.i_is_index,
+                members.clone(),
             ),
         };
         Self {

@@ -2,6 +2,7 @@
 
 use super::super::definition::{base_alone, is_constant};
 use super::super::nodes::{any, names_in};
+use super::members::{Members, j_is_unit};
 use super::words::is_identity_of_words;
 use crate::tex::{Equation, Invariant, Name, Operation, Relation, Tree, letters};
 use std::collections::BTreeSet;
@@ -64,11 +65,17 @@ impl Marks {
         formulas: impl Iterator<Item = (&'a str, &'a [Equation])> + Clone,
         commutators: &[[String; 2]],
         unit_is_number: bool,
+        mut members: Members,
     ) -> Self {
         let mut marks = Self::default();
         let mut letters_of_matrices: BTreeSet<String> = commutators.iter().flatten().cloned().collect();
         let mut letters_of_complex = BTreeSet::new();
+        let j_is_unit = j_is_unit(formulas.clone().map(|(tex, _)| tex));
+        if j_is_unit {
+            letters_of_complex.insert("j".to_owned());
+        }
         for (tex, _) in formulas.clone() {
+            members.add(tex);
             letters_of_matrices.extend(arguments(tex, &OF_MATRICES));
             letters_of_complex.extend(arguments(tex, &OF_COMPLEX));
             let printed = letters(tex).into_iter();
@@ -78,8 +85,11 @@ impl Marks {
                     .map(|(letter, _)| letter.to_owned()),
             );
         }
+        letters_of_matrices.append(&mut members.operators);
+        letters_of_complex.append(&mut members.complex);
         let equations: Vec<&Equation> = formulas.flat_map(|(_, equations)| equations).collect();
         for equation in &equations {
+            marks.read_order(equation);
             for side in [&equation.left, &equation.right] {
                 any(side, &mut |node| {
                     marks.read(node);
@@ -144,6 +154,14 @@ impl Marks {
             }
             Tree::RealPower(of, exponent, _) if is_sign_of_transpose(of, exponent) => self.mark_operators(of),
             Tree::Product(factors) => {
+                // nobody writes the divisor of numbers in front, `A^{-1} b`
+                for (first, _) in factors.iter().zip(factors.iter().skip(1)) {
+                    if let Tree::Power(base, -1, _) = first
+                        && matches!(&**base, Tree::Symbol(name, _) if name.base.chars().all(|c| c.is_ascii_uppercase()))
+                    {
+                        self.mark_operators(base);
+                    }
+                }
                 for (at, first) in factors.iter().enumerate() {
                     for (behind, last) in factors.iter().enumerate().skip(at + 2) {
                         if are_inverse(first, last) {
@@ -172,6 +190,26 @@ impl Marks {
                 self.operators.insert(of.clone());
             }
             _ => {}
+        }
+    }
+
+    /// Marks factors that a document says may or may not change places, `A B \neq B A`, and what takes a vector to a multiple
+    /// of it, `A x = \lambda x`.
+    fn read_order(&mut self, equation: &Equation) {
+        let (Tree::Product(left), Tree::Product(right)) = (&equation.left, &equation.right) else {
+            return;
+        };
+        let is_order = left != right && left.len() == right.len() && left.iter().all(|factor| right.contains(factor));
+        if is_order && matches!(equation.relation, Relation::NotEqual | Relation::Equal) {
+            left.iter().for_each(|factor| self.mark_operators(factor));
+        }
+        if let ([matrix @ Tree::Symbol(name, _), vector], [number, other]) = (left.as_slice(), right.as_slice())
+            && vector == other
+            && name.base.chars().all(|c| c.is_ascii_uppercase())
+            && matches!(number, Tree::Symbol(name, _) if name.base == r"\lambda")
+        {
+            self.mark_operators(matrix);
+            self.mark_operators(vector);
         }
     }
 
@@ -381,6 +419,10 @@ fn arguments(tex: &str, commands: &[&str]) -> Vec<String> {
             if !command.ends_with('}') && rest.starts_with(|c: char| c.is_ascii_alphabetic()) {
                 continue;
             }
+            let rest = rest.trim_start_matches([' ', '~']);
+            let rest = [r"\,", r"\;", r"\!", r"\ "]
+                .iter()
+                .fold(rest, |rest, blank| rest.trim_start_matches(blank));
             let rest = rest.trim_start().trim_start_matches(r"\left").trim_start();
             let length = match rest.chars().next() {
                 Some('(' | '[' | '{') => bracketed(rest),

@@ -7,6 +7,7 @@ mod factors;
 mod guess;
 mod macros;
 mod marks;
+mod members;
 mod rows;
 mod scan;
 mod tex;
@@ -20,6 +21,7 @@ use super::verdict::Verdict;
 use super::vocabulary::Vocabulary;
 use comment::{Key, completed, keys};
 use guess::Guess;
+use members::Members;
 use scan::{Comment, Formula, Scan};
 use std::collections::{BTreeSet, HashMap, HashSet};
 use toml::Spanned;
@@ -90,6 +92,7 @@ struct Whole {
     symbols: Option<(Option<Box<Symbols>>, std::ops::Range<usize>)>,
     /// Roles of formulas that say nothing, from this formula on.
     defaults: Vec<(usize, Option<Role>)>,
+    members: Members,
 }
 
 impl Document {
@@ -106,7 +109,14 @@ impl Document {
             .iter()
             .map(|(at, message)| fault(*at, message.clone()))
             .collect();
-        let (mut whole, mut numbers) = (Whole::default(), Vec::new());
+        let members = Members::of_text(&scan.text);
+        let (mut whole, mut numbers) = (
+            Whole {
+                members,
+                ..Whole::default()
+            },
+            Vec::new(),
+        );
         let mut said: Vec<Said> = vec![Said::default(); scan.formulas.len()];
         let about: HashMap<usize, usize> = scan
             .formulas
@@ -443,7 +453,12 @@ fn entries(
             }
         }
     }
-    let mut guess = Guess::new(formulas, raw.symbols.as_ref().map(Spanned::get_ref), of_the_pair);
+    let mut guess = Guess::new(
+        formulas,
+        raw.symbols.as_ref().map(Spanned::get_ref),
+        of_the_pair,
+        &whole.members,
+    );
     for (at, ((formula, own), label)) in formulas.iter().zip(said).zip(&labels.own).enumerate() {
         let tex = formula.tex.clone().unwrap_or_default();
         // a default is of what states something

@@ -1,0 +1,177 @@
+//! Letters of which a document says in which set they lie, `$z \in \mathbb{C}$`, or that it marks by how it prints them.
+
+use crate::tex::letters;
+use std::collections::BTreeSet;
+
+/// The letters that a text marks as complex, and as matrices, vectors or operators.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Members {
+    pub complex: BTreeSet<String>,
+    pub operators: BTreeSet<String>,
+}
+
+/// How far before and behind `\in` letters and their set stand.
+const FARTHEST: usize = 60;
+
+/// What matrices are printed beside.
+const BESIDE_MATRICES: [&str; 15] = [
+    r"\otimes",
+    r"\oplus",
+    r"\succ",
+    r"\succeq",
+    r"\preceq",
+    r"\diag",
+    r"\mathrm{diag}",
+    r"\operatorname{diag}",
+    r"\text{diag}",
+    r"\mathrm{vec}",
+    r"\operatorname{vec}",
+    r"\mathrm{span}",
+    r"\operatorname{span}",
+    r"_{ij}]",
+    r"_{ij})",
+];
+
+impl Members {
+    /// Collects what a text says of its letters, within formulas and between them.
+    pub fn of_text(text: &str) -> Self {
+        let mut members = Self::default();
+        for (at, _) in text.match_indices(r"\in") {
+            let behind = text.get(at + 3..).unwrap_or_default();
+            // `\int`, `\infty`
+            if behind.starts_with(|c: char| c.is_ascii_alphabetic()) {
+                continue;
+            }
+            let set = within(behind, FARTHEST);
+            let set = set.split(['$', ',', ';']).next().unwrap_or_default().trim_start();
+            let before = text.get(..at).unwrap_or_default();
+            let start = before.char_indices().rev().nth(FARTHEST).map_or(0, |(start, _)| start);
+            let before = before.get(start..).unwrap_or_default();
+            let before = before
+                .rsplit(['$', '=', ';', '\n', '{', '[', '('])
+                .next()
+                .unwrap_or_default();
+            let named = |names: &[&str]| names.iter().any(|name| set.starts_with(name));
+            let is_complex = named(&[r"\mathbb{C}", r"\mathbb C", r"\mathbf{C}", r"\C", r"\Complex", r"\CC"]);
+            let is_real = named(&[r"\mathbb{R}", r"\mathbb R", r"\mathbf{R}", r"\R", r"\Reals", r"\RR"]);
+            let is_group = named(&[
+                "M_",
+                r"\mathrm{M}",
+                r"\mathcal{M}",
+                r"\mathrm{GL}",
+                "GL",
+                r"\mathrm{S",
+                "SO",
+                "SU",
+                "SL",
+            ]);
+            let has_power = set.split(' ').next().is_some_and(|set| set.contains('^'));
+            let own = letters(before).into_iter().map(|(letter, _)| letter.to_owned());
+            match () {
+                () if is_group || ((is_complex || is_real) && has_power) => members.operators.extend(own),
+                () if is_complex => members.complex.extend(own),
+                () => {}
+            }
+        }
+        members
+    }
+
+    /// Adds what a displayed formula marks by how it is printed.
+    pub fn add(&mut self, tex: &str) {
+        let compact: String = tex.chars().filter(|c| !c.is_whitespace()).collect();
+        if compact.contains(r"\angle") {
+            self.complex
+                .extend(letters(tex).into_iter().map(|(letter, _)| letter.to_owned()));
+        }
+        let is_capital = |letter: &&str| letter.len() == 1 && letter.starts_with(|c: char| c.is_ascii_uppercase());
+        if BESIDE_MATRICES.iter().any(|sign| compact.contains(sign)) || has_anticommutator(&compact) {
+            let all = letters(tex).into_iter().map(|(letter, _)| letter);
+            self.operators.extend(all.filter(is_capital).map(str::to_owned));
+        }
+        for bars in [r"\|", r"\Vert", r"\lVert"] {
+            let mut between = tex.split(bars);
+            // every second piece stands between two of them, or in front of the closing one
+            while let (Some(_), Some(inside)) = (between.next(), between.next()) {
+                let inside = inside.split(r"\rVert").next().unwrap_or_default();
+                self.operators
+                    .extend(letters(inside).into_iter().map(|(letter, _)| letter.to_owned()));
+            }
+        }
+    }
+}
+
+fn within(text: &str, most: usize) -> &str {
+    let end = text.char_indices().nth(most).map_or(text.len(), |(end, _)| end);
+    text.get(..end).unwrap_or_default()
+}
+
+/// Returns true for `\{A,B\}` of two capital letters.
+fn has_anticommutator(compact: &str) -> bool {
+    compact.match_indices(r"\{").any(|(at, _)| {
+        let inside = compact.get(at + 2..).unwrap_or_default();
+        let mut inside = inside.chars();
+        let is_capital = |c: Option<char>| c.is_some_and(|c| c.is_ascii_uppercase());
+        is_capital(inside.next())
+            && inside.next() == Some(',')
+            && is_capital(inside.next())
+            && inside.next() == Some('\\')
+    })
+}
+
+/// Returns true if formulas use `j` as the imaginary unit: its square is -1, it stands in an exponent of e or before a
+/// frequency; where it numbers something it is none.
+pub(super) fn j_is_unit<'t>(formulas: impl Iterator<Item = &'t str>) -> bool {
+    let mut is_unit = false;
+    for tex in formulas {
+        let compact: String = tex.chars().filter(|c| !c.is_whitespace()).collect();
+        let compact = compact.replace(r"\mathrm{j}", "j").replace(r"\,", "");
+        if ["_j", "_{j", r"\sum_{j", r"\sum_j", "ij}", "jk}", "j="]
+            .iter()
+            .any(|index| compact.contains(index))
+        {
+            return false;
+        }
+        is_unit |= [
+            "j^2=-1",
+            "j^{2}=-1",
+            r"j=\sqrt{-1}",
+            "e^{j",
+            "e^{-j",
+            r"\exp(j",
+            r"\exp(-j",
+            r"j\omega",
+        ]
+        .iter()
+        .any(|sign| compact.contains(sign));
+    }
+    is_unit
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn marked(text: &str) -> [String; 2] {
+        let members = Members::of_text(text);
+        [members.complex, members.operators].map(|letters| letters.into_iter().collect::<Vec<_>>().join(" "))
+    }
+
+    #[test]
+    fn sets_mark_their_members() {
+        assert_eq!(
+            marked(r"with $z, w \in \mathbb{C}$ and $x \in \mathbb{R}$"),
+            ["w z", ""]
+        );
+        assert_eq!(marked(r"$A, B \in \mathbb{R}^{n \times n}$"), ["", "A B"]);
+        assert_eq!(marked(r"\[ \int_0^1 x \, dx \] for $n \in \mathbb{N}$"), ["", ""]);
+        assert_eq!(marked(r"\[ y \in \mathbb C \]"), ["y", ""]);
+    }
+
+    #[test]
+    fn a_unit_is_no_number_of_anything() {
+        assert!(j_is_unit([r"s = \sigma + j \omega"].into_iter()));
+        assert!(j_is_unit([r"y = c e^{\mathrm{j}\phi}"].into_iter()));
+        assert!(!j_is_unit([r"e^{j x} = a_j"].into_iter()));
+        assert!(!j_is_unit([r"a = b j"].into_iter()));
+    }
+}

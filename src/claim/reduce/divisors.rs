@@ -1,0 +1,100 @@
+//! What authors divide premises by when they solve them.
+
+use super::super::nodes::{any, any_side, with_part};
+use super::super::substitute::number_of;
+use super::super::vocabulary::Vocabulary;
+use super::Goal;
+use super::build::{difference, is_zero, symbol};
+use super::derivative::By;
+use crate::tex::{Equation, Name, Relation, Tree};
+
+/// The most letters and values of functions by which premises are differentiated.
+const MOST: usize = 20;
+
+/// Returns what the premises of a goal are divided by to solve them for the letters and the values of functions that its claim
+/// speaks of, each with the label of the premise: slopes of left minus right by one that no premise gives without a division.
+/// A product that is 0 has none: either factor may be.
+pub fn divisors(goal: &Goal) -> Vec<(String, Tree)> {
+    let Goal {
+        statements, vocabulary, ..
+    } = goal;
+    let mut letters: Vec<Tree> = Vec::new();
+    for claim in &statements.claims {
+        any_side(claim, &mut |node| {
+            let is_letter = match node {
+                Tree::Symbol(name, _) => vocabulary.running.as_ref() != Some(name),
+                Tree::Call(name, ..) => vocabulary.is_function(name) || vocabulary.is_in_flight(name),
+                _ => false,
+            };
+            if is_letter && letters.len() < MOST && !letters.contains(node) {
+                letters.push(node.clone());
+            }
+            false
+        });
+    }
+    let name = Name {
+        base: r"\slope".to_owned(),
+        ..Name::default()
+    };
+    let premises = statements.premises.iter();
+    let premises: Vec<_> = premises.filter(|premise| is_divided(&premise.equation)).collect();
+    let mut found: Vec<(String, Tree)> = Vec::new();
+    for letter in &letters {
+        let slopes = premises.iter().filter_map(|premise| {
+            let whole = difference(premise.equation.left.clone(), premise.equation.right.clone());
+            let of = with_part(&whole, letter, &symbol(&name));
+            let slope = By {
+                vocabulary,
+                name: &name,
+            }
+            .of(&of)
+            .ok()?;
+            let slope = with_part(&slope, &symbol(&name), letter);
+            (!is_zero(&slope)).then(|| (premise.label.clone(), slope))
+        });
+        let slopes: Vec<(String, Tree)> = slopes.collect();
+        if slopes.iter().all(|(_, slope)| number_of(slope).is_none()) {
+            // at some times of a law, and by a derivative that it does not speak of, nobody divides
+            let is_divisor = |slope: &Tree| !runs(slope, vocabulary) && !has_derivative(slope, letter, vocabulary);
+            found.extend(slopes.into_iter().filter(|(_, slope)| is_divisor(slope)));
+        }
+    }
+    found.dedup_by(|(_, slope), (_, before)| slope == before);
+    found
+}
+
+/// Returns true for an equation that is no product that is 0.
+fn is_divided(equation: &Equation) -> bool {
+    let (left, right) = (&equation.left, &equation.right);
+    let is_product = |side: &Tree| side.find_below(&mut |_| Some(())).is_some() && !has_sum(side);
+    equation.relation == Relation::Equal
+        && !(is_zero(right) && is_product(left))
+        && !(is_zero(left) && is_product(right))
+}
+
+/// Returns true if the running time stands in a tree otherwise than as the argument of an unknown function.
+fn runs(tree: &Tree, vocabulary: &Vocabulary) -> bool {
+    match tree {
+        Tree::Symbol(name, _) => vocabulary.running.as_ref() == Some(name),
+        Tree::Call(name, ..) if vocabulary.is_function(name) || vocabulary.is_in_flight(name) => false,
+        tree => tree
+            .find_below(&mut |part| runs(part, vocabulary).then_some(()))
+            .is_some(),
+    }
+}
+
+/// Returns true if an unknown function is taken at a letter by which a slope is.
+fn has_derivative(slope: &Tree, letter: &Tree, vocabulary: &Vocabulary) -> bool {
+    any(slope, &mut |node| match node {
+        Tree::Call(name, argument, _) => {
+            (vocabulary.is_function(name) || vocabulary.is_in_flight(name))
+                && node != letter
+                && any(argument, &mut |part| part == letter)
+        }
+        _ => false,
+    })
+}
+
+fn has_sum(tree: &Tree) -> bool {
+    matches!(tree, Tree::Sum(_)) || tree.find_below(&mut |part| has_sum(part).then_some(())).is_some()
+}
