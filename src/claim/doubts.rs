@@ -224,13 +224,25 @@ impl Sheet {
             .filter(|(name, _)| is_symbol(name, of))
             .map(|(_, meaning)| meaning);
         let locals = own.flat_map(|entry| &entry.own).filter(|local| local.name == *of);
-        let abbreviations = self.vocabulary.abbreviations.iter().filter(|(name, _)| name == of);
+        // T_1 = t_{k+1} - t_k is a number
+        let is_of_impacts = |meaning: &Tree| {
+            let zero = Tree::Number(Rational::from_integer(0));
+            !self
+                .vocabulary
+                .impacts(&Equation::between(meaning.clone(), zero))
+                .is_empty()
+        };
+        let abbreviations = self.vocabulary.abbreviations.iter();
+        let abbreviations = abbreviations.filter(|(name, meaning)| name == of && !is_of_impacts(meaning));
         let mut found: Vec<&Tree> = Vec::new();
         for meaning in sides
             .chain(locals.map(|local| &local.tree))
             .chain(abbreviations.map(|(_, meaning)| meaning))
         {
-            if !found.contains(&meaning) {
+            // a vector that its components give is no function
+            let is_vector =
+                matches!(meaning, Tree::Operation(operation, _) if matches!(**operation, Operation::Matrix(_)));
+            if !is_vector && !found.contains(&meaning) {
                 found.push(meaning);
             }
         }
@@ -305,7 +317,7 @@ impl Sheet {
                     .any(|equation| any_side(equation, &mut |node| is_symbol(node, name)))
             };
             let is_assumed = assumed.iter().any(|side| speaks_of(side, name));
-            let is_new = !is_assumed && (claim.is_implication || self.is_unknown(name, claim));
+            let is_new = !is_assumed && (claim.is_implication || self.is_unknown(name, claim, is_restricted));
             if (is_new || (is_assumed && self.is_between(name, claim))) && stands() {
                 found.push(name.clone());
             }
@@ -315,12 +327,13 @@ impl Sheet {
         found
     }
 
-    /// Returns true for a constant that a claim seems to introduce: it stands on one side alone, in an equation of a variable that
-    /// stands on both or as the argument of an unknown function, or in each of several equations.
-    fn is_unknown(&self, name: &Name, claim: &Entry) -> bool {
+    /// Returns true for a constant that a claim seems to introduce: it stands on one side alone, in each of several equations or,
+    /// where no premise restricts anything, in one of a variable that stands on both, or as the argument of an unknown
+    /// function.
+    fn is_unknown(&self, name: &Name, claim: &Entry, is_restricted: bool) -> bool {
         let is_argument = |node: &Tree| match node {
             Tree::Call(function, argument, _) => {
-                self.vocabulary.names.is_function(function) && speaks_of(argument, name)
+                self.vocabulary.names.is_function(function) && is_symbol(argument, name)
             }
             _ => false,
         };
@@ -334,7 +347,9 @@ impl Sheet {
         let everywhere =
             claim.equations.len() > 1 && claim.equations.iter().all(|equation| is_one_sided(name, equation));
         let is_integer = || self.vocabulary.integers.contains(name) || claim.of_some.contains(name);
-        !self.is_variable(name) && !is_integer() && (everywhere || claim.equations.iter().any(is_introduced))
+        !self.is_variable(name)
+            && !is_integer()
+            && (everywhere || (!is_restricted && claim.equations.iter().any(is_introduced)))
     }
 
     /// Returns true for times, and for letters that stand for variables by custom.

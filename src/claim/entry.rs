@@ -474,7 +474,12 @@ impl Entry {
 
     /// Refuses what would be too large with its definitions and abbreviations put in.
     fn check_size(&self, vocabulary: &Vocabulary, shared: &[Local]) -> Result<(), Fault> {
-        let mut sizes = vocabulary.sizes(self.own.iter().chain(shared).map(Local::pair));
+        // what is defined by itself is said where a claim rests on it
+        let locals: Vec<Local> = self.own.iter().chain(shared).cloned().collect();
+        if circular(&locals).is_some() {
+            return Ok(());
+        }
+        let mut sizes = vocabulary.sizes(locals.iter().map(Local::pair));
         let budget = Budget::of_claim();
         for (tree, source) in self.trees(vocabulary) {
             sizes

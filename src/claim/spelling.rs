@@ -44,9 +44,10 @@ pub(super) fn refuse_products_of_vectors(raw: &[RawEntry], entries: &mut [Entry]
     };
     for (raw, entry) in raw.iter().zip(entries) {
         for tex in raw.formulas() {
+            let has_arrows = tex.contains(r"\vec");
             let bold = |(letter, printed): (&str, String)| {
                 let is_vector = (printed.starts_with(r"\mathbf") && is_number(letter, &[]))
-                    || (tex.contains(r"\vec") && is_number(letter, &[r"\vec"]));
+                    || (has_arrows && is_number(letter, &[r"\vec"]));
                 is_vector.then(|| letter.to_owned())
             };
             let vectors: BTreeSet<String> = letters(tex).into_iter().filter_map(bold).collect();

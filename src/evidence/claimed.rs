@@ -1,7 +1,7 @@
 //! What is compared of a claim: its two sides, their derivatives where it is between antiderivatives, and the coefficients
 //! of powers of what tends to 0 where it holds up to an order.
 
-use super::compiler::Unwitnessed;
+use super::compiler::{CONSTANT, Unwitnessed};
 use super::formula::{Binder, Formula, Op};
 use super::system::System;
 use crate::claim::{Statements, Vocabulary, any, any_side};
@@ -41,6 +41,21 @@ fn orders(equation: &Equation) -> Vec<Tree> {
         false
     });
     found
+}
+
+/// Returns true if the constant of integration stands only as a term of a side, if at all.
+fn is_added_constant(equation: &Equation) -> bool {
+    let is_constant =
+        |node: &Tree| matches!(node, Tree::Symbol(name, _) if name.base == CONSTANT && name.subscript.is_empty());
+    let holds = |tree: &Tree| any(tree, &mut |node| is_constant(node));
+    let is_added = |term: &Tree| match term {
+        Tree::Negate(inner) => is_constant(inner) || !holds(inner),
+        term => is_constant(term) || !holds(term),
+    };
+    [&equation.left, &equation.right].into_iter().all(|side| match side {
+        Tree::Sum(terms) => terms.iter().all(is_added),
+        side => is_added(side),
+    })
 }
 
 /// The letter of an integral without limits.
@@ -96,12 +111,25 @@ impl System {
         flight: i32,
     ) -> Result<Sides, Unwitnessed> {
         let orders = orders(equation);
+        let holds_order = |side: &Tree| {
+            any(
+                side,
+                &mut |node| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Order(_))),
+            )
+        };
+        // O(x^2) is O(x), and not the other way round
+        if holds_order(&equation.left) {
+            return Err(Unwitnessed::Kind("an order on the left of an equation"));
+        }
         if !orders.is_empty() {
             return self.up_to_orders(equation, &orders, statements, vocabulary, flight);
         }
         let Some(by) = integrated(equation) else {
             return self.sides(equation, vocabulary, &statements.locals, None, flight);
         };
+        if !is_added_constant(equation) {
+            return Err(Unwitnessed::Kind("a constant of integration that is not added"));
+        }
         let sides = self.leaving_out(equation, statements, vocabulary, flight)?;
         let by = self.letter_of(&by, statements, vocabulary)?;
         let start = self.formulas.float(ANYWHERE);

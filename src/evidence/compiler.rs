@@ -32,7 +32,7 @@ pub enum Unwitnessed {
 }
 
 /// The letter of the constant of integration, which any antiderivative may have.
-const CONSTANT: &str = "C";
+pub const CONSTANT: &str = "C";
 
 /// Turns trees into formulas.
 pub struct Compiler<'a> {

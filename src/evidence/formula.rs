@@ -475,9 +475,24 @@ impl Formulas {
                 Op::Apply(function @ (Function::Conjugate | Function::Re | Function::Im), a) => {
                     self.apply(function, of(a))
                 }
+                // of a complex number, that along the number
+                Op::Apply(Function::Abs, a) if self.any(a, |op| op == Op::Imaginary) => {
+                    let conjugate = self.apply(Function::Conjugate, a);
+                    let along = self.multiply(conjugate, of(a));
+                    let along = self.apply(Function::Re, along);
+                    self.divide(along, part)
+                }
                 Op::Apply(function, a) => {
                     let slope = self.derivative_of(function, a);
-                    self.multiply(slope, of(a))
+                    let slope = self.multiply(slope, of(a));
+                    match function {
+                        // 1/u has values where ln u has none, and no derivative
+                        Function::Ln | Function::Artanh => {
+                            let none_of_it = self.make(Op::Multiply(zero, part));
+                            self.make(Op::Add(slope, none_of_it))
+                        }
+                        _ => slope,
+                    }
                 }
                 Op::If {
                     relation,

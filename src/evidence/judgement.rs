@@ -550,7 +550,9 @@ impl Witness<'_> {
                 .any(|premise| is_extreme(&premise.equation))
             || system.shaped
             || system.divides
-            || system.kinds.iter().any(|kind| kind.integer)
+            || system.kinds.iter().any(|kind| kind.integer || kind.index)
+            // a running index has one value at all points
+            || system.index_runs
             || system
                 .questions
                 .iter()

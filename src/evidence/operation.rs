@@ -309,20 +309,6 @@ impl Compiler<'_> {
             return refused("the derivative of what is not analytic");
         }
         let slope = (0..order).fold(body, |body, _| self.formulas.slope(body, Op::Bound(letter)));
-        // 1/u has values where ln u has none, and no derivative
-        let is_wider = |op: Op| matches!(op, Op::Apply(Function::Ln | Function::Artanh, _));
-        let slope = match order > 0 && self.formulas.any(body, is_wider) {
-            true => {
-                let test = self.formulas.apply(Function::Abs, body);
-                self.formulas.make(Op::If {
-                    relation: Relation::GreaterOrEqual,
-                    test,
-                    yes: slope,
-                    no: slope,
-                })
-            }
-            false => slope,
-        };
         Ok(self.at_letter(slope, letter, at))
     }
 

@@ -72,6 +72,8 @@ pub struct System {
     pub start: Option<usize>,
     /// Whether the claim has a running time.
     pub runs: bool,
+    /// Whether the claim speaks of members of a sequence, at a running index.
+    pub index_runs: bool,
     /// Whether a premise restricts functions of which it does not say what they are.
     pub shaped: bool,
     /// What vanishes at every running time where laws hold that give no function: rows hold them at a few times.
@@ -147,6 +149,7 @@ impl System {
             questions: Vec::new(),
             start: None,
             runs: statements.claim_runs,
+            index_runs: index_runs(vocabulary) && !impacts_of_claims(statements, vocabulary).is_empty(),
             shaped: false,
             restricting: Vec::new(),
             tested_program: Program::default(),
@@ -736,6 +739,15 @@ fn partials(statements: &Statements) -> Vec<(Name, Name)> {
     found
 }
 
+/// The impacts, or members of a sequence, that the claim speaks of.
+fn impacts_of_claims(statements: &Statements, vocabulary: &Vocabulary) -> BTreeSet<i32> {
+    statements
+        .claims
+        .iter()
+        .flat_map(|claim| vocabulary.impacts(claim))
+        .collect()
+}
+
 /// Why nothing is said of a claim that spans many impacts.
 const TOO_FAR: &str = "what the claim names lies more impacts or indices apart than are looked at";
 
@@ -750,7 +762,8 @@ fn said(statements: &Statements, vocabulary: &Vocabulary) -> Option<Vec<(Premise
         .iter()
         .map(|premise| &premise.equation)
         .chain(&statements.claims);
-    let mut all = BTreeSet::from([0]);
+    // what a premise says of the member before the first restricts that too
+    let mut all = BTreeSet::from([-1, 0]);
     for equation in equations {
         all.extend(vocabulary.impacts(equation));
         any_side(equation, &mut |tree| {

@@ -1,13 +1,13 @@
 //! What authors divide a premise by without a word.
 
 use super::{Outcome, outcome};
-use crate::claim::{Goal, divisors};
+use crate::claim::{Goal, any, divisors};
 use crate::kernel;
 use crate::number::{Field, Rational};
 use crate::tex::{Condition, DoubtKind, Equation, Relation, Tree};
 
-/// Returns the doubt of a refuted claim of which no counterexample is found where a premise can be solved for what the claim
-/// speaks of: what it is divided by then, which is not 0 everywhere that the premises hold, is 0 at all that are found.
+/// Returns the doubt of a refuted claim that follows where a premise can be solved for what the claim speaks of: what the
+/// premise is divided by then is 0 at the counterexample.
 pub(super) fn doubt(goal: &Goal, question: &kernel::Question, effort: u64) -> Option<DoubtKind> {
     let divisors = divisors(goal);
     let within = |divisors: &[(String, Tree)]| {
@@ -24,14 +24,27 @@ pub(super) fn doubt(goal: &Goal, question: &kernel::Question, effort: u64) -> Op
         let same = questions.iter().find(is_same)?;
         Some(outcome(&same.statement, effort))
     };
-    let fails = |outcome: &Option<Outcome>| matches!(outcome, Some(Outcome::Refuted(..)));
-    if divisors.is_empty() || fails(&within(&divisors)) {
+    if divisors.is_empty() {
         return None;
     }
-    let (premise, factor) = divisors.iter().find(|divisor| {
+    let all = within(&divisors);
+    if matches!(all, Some(Outcome::Refuted(..))) {
+        return None;
+    }
+    let is_proved = |outcome: &Option<Outcome>| matches!(outcome, Some(Outcome::Proved(..)));
+    // a law holds at other times than that at which its divisor is not 0
+    let runs = |divisor: &Tree| {
+        let time = goal.vocabulary.running.as_ref();
+        any(
+            divisor,
+            &mut |node| matches!(node, Tree::Symbol(name, _) if Some(name) == time),
+        )
+    };
+    let alone = divisors.iter().find(|divisor| {
         let found = within(std::slice::from_ref(*divisor));
-        !fails(&found) && !matches!(found, None | Some(Outcome::Contradictory(_)))
-    })?;
+        is_proved(&found) || (runs(&divisor.1) && matches!(found, Some(Outcome::Undecided(_))))
+    });
+    let (premise, factor) = alone.or_else(|| divisors.first().filter(|_| is_proved(&all)))?;
     Some(DoubtKind::Factor {
         factor: factor.to_string(),
         premise: premise.clone(),

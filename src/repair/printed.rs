@@ -6,7 +6,7 @@ use super::search::names_in;
 use super::{Part, speaks};
 use crate::claim::{Entry, Sheet, Verdict};
 use crate::prove::{self, Options};
-use crate::tex::{Equation, Tree};
+use crate::tex::{Condition, Equation, Tree};
 
 /// Formulas with changes put into their TeX, and the sheet that is read with them.
 pub struct Reprinted {
@@ -179,7 +179,7 @@ fn keeps_the_rest(before: &Entry, after: &Entry, mended: &[(Part, Equation)]) ->
 }
 
 /// Returns true if a mended equation, as it is read, is another one than before, with the relation that was meant, and says
-/// something: its sides are not the same, none of them is gone, and where something is put in no name goes.
+/// something: its sides are not the same, it is not assumed, none of them is gone, and where something is put in no name goes.
 fn is_a_repair(part: Part, meant: &Equation, before: &Entry, after: &Entry, may_balance: bool) -> bool {
     let Some((old, new)) = equation(before, part).zip(equation(after, part)) else {
         return false;
@@ -194,7 +194,17 @@ fn is_a_repair(part: Part, meant: &Equation, before: &Entry, after: &Entry, may_
     };
     let is_gone = |old: &Tree, new: &Tree| speaks(old) && !is_number(old) && (is_number(new) || !speaks(new));
     let drops_a_name = || may_balance && !names_in(old).is_subset(&names_in(new));
+    let is_assumed = after.assume.iter().any(|(condition, _)| match condition {
+        Condition::Relation(assumed) => {
+            assumed.relation == new.relation
+                && [(&assumed.left, &assumed.right), (&assumed.right, &assumed.left)]
+                    .iter()
+                    .any(|(left, right)| is_same_product(left, &new.left) && is_same_product(right, &new.right))
+        }
+        Condition::Integer(_) => false,
+    });
     new.relation == meant.relation
+        && !is_assumed
         && !is_other_spelling
         && !is_empty
         && !is_gone(&old.left, &new.left)

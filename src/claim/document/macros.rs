@@ -12,6 +12,9 @@ const MOST_REPLACED: usize = 10_000;
 /// The most characters that the macros of a document may be read and written over, all formulas taken together.
 const MOST_WRITTEN: usize = 1 << 27;
 
+/// What a replacement costs in any text, in characters that are read and written over.
+const REPLACEMENT: usize = 64;
+
 /// The longest text between a name that `\def` defines and the brace of its body.
 const LONGEST_PARAMETERS: usize = 100;
 
@@ -154,7 +157,7 @@ impl Macros {
             if replaced > MOST_REPLACED {
                 return Err(format!(r"the macro `\{name}` goes on for ever"));
             }
-            let written = self.written.get() + text.len();
+            let written = self.written.get() + text.len() + REPLACEMENT;
             self.written.set(written);
             if written > MOST_WRITTEN {
                 return Err(format!(

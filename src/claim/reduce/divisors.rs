@@ -54,8 +54,13 @@ pub fn divisors(goal: &Goal) -> Vec<(String, Tree)> {
         });
         let slopes: Vec<(String, Tree)> = slopes.collect();
         if slopes.iter().all(|(_, slope)| number_of(slope).is_none()) {
-            // at some times of a law, and by a derivative that it does not speak of, nobody divides
-            let is_divisor = |slope: &Tree| !runs(slope, vocabulary) && !has_derivative(slope, letter, vocabulary);
+            // what the letter stands in itself is no divisor; nor is what is 0 at some times of a law, or a derivative that it does not
+            // speak of
+            let is_divisor = |slope: &Tree| {
+                !runs(slope, vocabulary)
+                    && !has_derivative(slope, letter, vocabulary)
+                    && !any(slope, &mut |part| part == letter)
+            };
             found.extend(slopes.into_iter().filter(|(_, slope)| is_divisor(slope)));
         }
     }

@@ -177,7 +177,7 @@ impl Averaging<'_> {
     /// of Business & Economic Statistics 36, 541-559). Batch means see too much there where fluctuations take each other
     /// back, as those of a voltage per unit of time do: their steps have a part of every frequency. A motion with a long
     /// memory shows in the lowest half and the lowest fifth of the frequencies: the largest error of the three is given.
-    /// None is given where r_B r_T = 1: nothing is lost there, and a mean may drift for ever; nor of a motion that ends
+    /// None is given of a motion that passes fewer than 20 releases, nor where r_B r_T = 1: nothing is lost there, and a mean may drift for ever; nor of a motion that ends
     /// before its length.
     pub fn after(&self, event: &Event<f64>) -> LongRun {
         let mut events = self.events_after(event);
@@ -210,6 +210,7 @@ impl Averaging<'_> {
             stretch: 0.0,
             impacts: 0,
             taken: 0,
+            rests: 0,
             releases: Releases::default(),
             length: lengths.next(),
             lengths,
@@ -218,18 +219,24 @@ impl Averaging<'_> {
         }
     }
 
-    fn statistics(&self, cells: &[Sums]) -> Statistics {
+    /// The statistics of impacts between which a motion that passes releases has rested so often.
+    fn statistics(&self, cells: &[Sums], rests: u64) -> Statistics {
         let impacts: f64 = cells.iter().map(|cell| cell.impacts).sum();
         let is_lossless = [Side::Bottom, Side::Top]
             .iter()
             .all(|side| *self.motion.restitution(*side) == 1.0);
+        // between rests nothing is remembered: of fewer than two to a wave the frequencies say nothing
+        let is_short = matches!(self.at_release, AtRelease::Passes { .. }) && rests < LEAST;
         let of_cycle = match self.at_release {
             AtRelease::Ends { .. } => 1.0,
             AtRelease::Passes { longer_than } => (1.0 + impacts / longer_than.max(1) as f64).sqrt(),
         };
         let estimate = |is_wanted: bool, of: fn(&Sums) -> f64, over: fn(&Sums) -> f64| {
             let ratio = is_wanted.then(|| ratio(cells, of, over)).flatten()?;
-            let error = ratio.error.filter(|_| !is_lossless).map(|error| of_cycle * error);
+            let error = ratio
+                .error
+                .filter(|_| !is_lossless && !is_short)
+                .map(|error| of_cycle * error);
             Some(Estimate { error, ..ratio })
         };
         let has_voltage = self.voltage.is_some();
@@ -255,6 +262,8 @@ pub struct RunningMeans<'a> {
     /// All impacts, and those the means are of.
     impacts: u64,
     taken: u64,
+    /// The releases that were passed.
+    rests: u64,
     releases: Releases,
     lengths: Lengths,
     length: Option<u64>,
@@ -295,7 +304,7 @@ impl RunningMeans<'_> {
 
     /// Looks at the means so far.
     fn goes_on(&mut self) -> bool {
-        let found = self.averaging.statistics(&self.cells.sums);
+        let found = self.averaging.statistics(&self.cells.sums, self.rests);
         let most = u64::from(self.averaging.length.most);
         self.length = self.lengths.next().filter(|next| *next <= most);
         if found.is_met == Some(false) && self.length.is_some() {
@@ -320,6 +329,7 @@ impl RunningMeans<'_> {
             (Kind::Release, AtRelease::Passes { .. }) => {
                 // what wipes out every distance has no exponent to measure
                 self.stretch = f64::NAN;
+                self.rests += 1;
                 true
             }
             (Kind::Release, AtRelease::Ends { .. }) if self.releases.is_second(event) => {
@@ -347,7 +357,7 @@ impl RunningMeans<'_> {
         }
         let Some((found, followed)) = self.measured else {
             let all = self.cells.sums.iter().fold(Sums::default(), Sums::plus);
-            return LongRun::Measured(self.averaging.statistics(&[all]));
+            return LongRun::Measured(self.averaging.statistics(&[all], self.rests));
         };
         let cycle = followed.and_then(|followed| followed.steady_state().attractor);
         cycle.map_or(LongRun::Measured(found), LongRun::Repeats)
