@@ -252,8 +252,19 @@ impl Sheet {
     /// Returns true if an equation that a claim follows from gives the values of a function, f(x) = ..., that is no state.
     fn is_given(&self, function: &Name, below: &[&Entry]) -> bool {
         let is_value = |side: &Tree| matches!(side, Tree::Call(name, argument, _) if name == function && matches!(**argument, Tree::Symbol(..)));
+        let takes = |side: &Tree| {
+            any(
+                side,
+                &mut |node| matches!(node, Tree::Call(name, ..) if name == function),
+            )
+        };
+        let gives = |given: &Equation| {
+            [(&given.left, &given.right), (&given.right, &given.left)]
+                .into_iter()
+                .any(|(own, other)| is_value(own) && !takes(other))
+        };
         let mut given = below.iter().flat_map(|entry| &entry.equations);
-        !self.vocabulary.is_in_flight(function) && given.any(|given| is_value(&given.left) || is_value(&given.right))
+        !self.vocabulary.is_in_flight(function) && given.any(gives)
     }
 
     /// Returns true for the derivative of a state at an impact by one, `\partial t_{k+1}/\partial t_k`.

@@ -199,6 +199,14 @@ impl System {
         let degree = degree.ok_or(unread)?;
         let sides = self.leaving_out(equation, statements, vocabulary, flight)?;
         let own = self.letter_of(&by, statements, vocabulary)?;
+        let sides_of = sides.iter().flat_map(|(left, right)| [*left, *right]);
+        if vocabulary.complex.contains(&by)
+            && sides_of
+                .into_iter()
+                .any(|side| self.formulas.any(side, |op| !op.is_analytic()))
+        {
+            return Err(Unwitnessed::Kind("an expansion of what is not analytic"));
+        }
         let Some(letter) = self.formulas.letter() else {
             return Err(Unwitnessed::Kind("too many letters are bound"));
         };

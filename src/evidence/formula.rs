@@ -99,6 +99,17 @@ pub enum Side {
 }
 
 impl Op {
+    /// Returns true if it has a derivative by a complex number.
+    pub const fn is_analytic(self) -> bool {
+        !matches!(
+            self,
+            Self::Apply(
+                Function::Conjugate | Function::Re | Function::Im | Function::Arg | Function::Abs,
+                _
+            )
+        )
+    }
+
     /// What the operation is applied to.
     pub fn operands(self) -> impl Iterator<Item = Formula> {
         let operands = match self {

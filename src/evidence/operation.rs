@@ -296,16 +296,7 @@ impl Compiler<'_> {
         }
         let (letter, body) = self.with_letter(by, false, |own| own.tree(of))?;
         let is_complex = self.vocabulary.complex.contains(by);
-        let is_analytic = |op: Op| {
-            !matches!(
-                op,
-                Op::Apply(
-                    Function::Conjugate | Function::Re | Function::Im | Function::Arg | Function::Abs,
-                    _
-                )
-            )
-        };
-        if is_complex && self.formulas.any(body, |op| !is_analytic(op)) {
+        if is_complex && self.formulas.any(body, |op| !op.is_analytic()) {
             return refused("the derivative of what is not analytic");
         }
         let slope = (0..order).fold(body, |body, _| self.formulas.slope(body, Op::Bound(letter)));

@@ -1,10 +1,13 @@
 //! What authors divide a premise by without a word.
 
-use super::{Outcome, outcome};
+use super::{Outcome, outcome, proof};
 use crate::claim::{Goal, any, divisors};
 use crate::kernel;
 use crate::number::{Field, Rational};
 use crate::tex::{Condition, DoubtKind, Equation, Relation, Tree};
+
+/// Steps of the search for a proof that a claim follows after a division.
+const FEW_STEPS: u64 = 200_000;
 
 /// Returns the doubt of a refuted claim that follows where a premise can be solved for what the claim speaks of: what the
 /// premise is divided by then is 0 at the counterexample.
@@ -21,17 +24,16 @@ pub(super) fn doubt(goal: &Goal, question: &kernel::Question, effort: u64) -> Op
         let questions = kernel::questions(&within, &goal.vocabulary).ok()?;
         let is_same =
             |other: &&kernel::Question| other.equation == question.equation && other.instance == question.instance;
-        let same = questions.iter().find(is_same)?;
-        Some(outcome(&same.statement, effort))
+        questions
+            .into_iter()
+            .find(|other| is_same(&other))
+            .map(|question| question.statement)
     };
-    if divisors.is_empty() {
-        return None;
-    }
-    let all = within(&divisors);
-    if matches!(all, Some(Outcome::Refuted(..))) {
-        return None;
-    }
-    let is_proved = |outcome: &Option<Outcome>| matches!(outcome, Some(Outcome::Proved(..)));
+    let is_quick = |statement: &kernel::Statement| proof::search(statement, FEW_STEPS).is_some();
+    let is_proved = |statement: &kernel::Statement| matches!(outcome(statement, effort), Outcome::Proved(..));
+    let follows = |divisors: &[(String, Tree)]| {
+        within(divisors).is_some_and(|statement| is_quick(&statement) && is_proved(&statement))
+    };
     // a law holds at other times than that at which its divisor is not 0
     let runs = |divisor: &Tree| {
         let time = goal.vocabulary.running.as_ref();
@@ -40,11 +42,19 @@ pub(super) fn doubt(goal: &Goal, question: &kernel::Question, effort: u64) -> Op
             &mut |node| matches!(node, Tree::Symbol(name, _) if Some(name) == time),
         )
     };
-    let alone = divisors.iter().find(|divisor| {
-        let found = within(std::slice::from_ref(*divisor));
-        is_proved(&found) || (runs(&divisor.1) && matches!(found, Some(Outcome::Undecided(_))))
-    });
-    let (premise, factor) = alone.or_else(|| divisors.first().filter(|_| is_proved(&all)))?;
+    let is_open = |divisor: &(String, Tree)| {
+        let statement = runs(&divisor.1)
+            .then(|| within(std::slice::from_ref(divisor)))
+            .flatten();
+        statement.is_some_and(|statement| matches!(outcome(&statement, effort), Outcome::Undecided(_)))
+    };
+    let (premise, factor) = match !divisors.is_empty() && follows(&divisors) {
+        true => {
+            let alone = divisors.iter().find(|divisor| follows(std::slice::from_ref(*divisor)));
+            alone.or(divisors.first())?
+        }
+        false => divisors.iter().find(|divisor| is_open(divisor))?,
+    };
     Some(DoubtKind::Factor {
         factor: factor.to_string(),
         premise: premise.clone(),
