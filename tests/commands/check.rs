@@ -620,7 +620,7 @@ fn junit_reports_one_test_a_row_and_other_commands_have_none() {
     let message = String::from_utf8(other.stderr).unwrap();
     assert_eq!(other.status.code(), Some(2));
     assert!(
-        message.contains("is for `audit` and `check` only") && other.stdout.is_empty(),
+        message.contains("[possible values: text, csv, json, jsonl, markdown]") && other.stdout.is_empty(),
         "{message}"
     );
 }

@@ -306,10 +306,16 @@ fn each_format_is_for_the_commands_that_have_it() {
     for (arguments, why) in [
         (
             ["stress", "--format", "html"],
-            "is for `audit`, `check`, `trade`, `score` and `run` only",
+            "[possible values: text, csv, json, jsonl, markdown]",
         ),
-        (["check", "--format", "sarif"], "is for `audit` only"),
-        (["scenes", "--format", "junit"], "is for `audit` and `check` only"),
+        (
+            ["check", "--format", "sarif"],
+            "[possible values: text, csv, json, jsonl, markdown, junit, html]",
+        ),
+        (
+            ["--format", "junit", "scenes"],
+            "`scenes` has no --format junit; choose text, csv, json, jsonl, markdown",
+        ),
     ] {
         let output = run(&arguments);
         assert_eq!(output.status.code(), Some(2));
