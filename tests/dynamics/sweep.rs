@@ -332,7 +332,7 @@ fn what_cannot_be_swept_is_refused_before_anything_is_written() {
     assert_refused(
         &["sweep", "-", "--format", "junit"],
         BARE,
-        &["is for `audit` and `check` only"],
+        &["[possible values: text, csv, json, jsonl, markdown]"],
     );
     assert_refused(&["sweep", "fig12"], "", &["`sweep` requires sweep.over"]);
     assert_refused(&["sweep"], "", &["SCENE"]);
