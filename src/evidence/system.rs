@@ -149,7 +149,7 @@ impl System {
             questions: Vec::new(),
             start: None,
             runs: statements.claim_runs,
-            index_runs: index_runs(vocabulary) && !impacts_of_claims(statements, vocabulary).is_empty(),
+            index_runs: numbers_members(statements, vocabulary),
             shaped: false,
             restricting: Vec::new(),
             tested_program: Program::default(),
@@ -739,13 +739,11 @@ fn partials(statements: &Statements) -> Vec<(Name, Name)> {
     found
 }
 
-/// The impacts, or members of a sequence, that the claim speaks of.
-fn impacts_of_claims(statements: &Statements, vocabulary: &Vocabulary) -> BTreeSet<i32> {
-    statements
-        .claims
-        .iter()
-        .flat_map(|claim| vocabulary.impacts(claim))
-        .collect()
+/// Returns true if a premise is about a member of a sequence that it numbers outright, as x_0.
+fn numbers_members(statements: &Statements, vocabulary: &Vocabulary) -> bool {
+    let is_member = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if member(vocabulary, name).is_some());
+    let mut premises = statements.premises.iter();
+    premises.any(|premise| any_side(&premise.equation, &mut |tree| is_member(tree)))
 }
 
 /// Why nothing is said of a claim that spans many impacts.
@@ -762,8 +760,9 @@ fn said(statements: &Statements, vocabulary: &Vocabulary) -> Option<Vec<(Premise
         .iter()
         .map(|premise| &premise.equation)
         .chain(&statements.claims);
-    // what a premise says of the member before the first restricts that too
-    let mut all = BTreeSet::from([-1, 0]);
+    // what a premise says of the member before the first restricts that too, as an inequality shows
+    let is_inequality = statements.claims.iter().any(|claim| claim.relation != Relation::Equal);
+    let mut all = BTreeSet::from([if is_inequality { -1 } else { 0 }, 0]);
     for equation in equations {
         all.extend(vocabulary.impacts(equation));
         any_side(equation, &mut |tree| {
