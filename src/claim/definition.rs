@@ -16,10 +16,25 @@ pub struct Local {
 }
 
 impl Local {
-    /// The name with what it stands for.
+    /// Returns the name and what it stands for.
     pub(super) fn pair(&self) -> (&Name, &Tree) {
         (&self.name, &self.tree)
     }
+}
+
+/// Returns the letters of a tree, each once.
+pub(super) fn letters_of(tree: &Tree) -> Vec<Name> {
+    let mut found = Vec::new();
+    any(tree, &mut |node| {
+        if let Tree::Symbol(name, _) = node
+            && !is_constant(name)
+            && !found.contains(name)
+        {
+            found.push(name.clone());
+        }
+        false
+    });
+    found
 }
 
 /// The symbol `\lambda` of a pair such as `\lambda_{1,2}`.

@@ -1,31 +1,30 @@
 //! The other meanings that a claim may have: what its verdict may not rest on.
 
-use super::definition::is_constant;
+use super::definition::letters_of;
 use super::entry::{Entry, Role, approached};
 use super::exponents::{is_at_times_whole, is_plainly_not_negative};
 use super::nodes::{any, any_side, holds, speaks_of, with_symbol};
 use super::sheet::Sheet;
 use super::substitute::flies;
-use crate::number::{Field, Rational};
-use crate::tex::{Condition, DoubtKind, Equation, Name, Operation, Readings, Relation, Tree};
+use crate::tex::{Condition, DoubtKind, Equation, Name, Operation, OtherReading, Relation, Tree};
 use std::collections::BTreeSet;
 
 /// The most other readings of a claim that are decided.
 const MOST_READINGS: usize = 15;
 
-/// The most letters of a formula in whose place an argument is put.
+/// The most letters of a formula for which an argument is substituted.
 const MOST_LETTERS: usize = 4;
 
 /// Another reading of a place.
 enum Reading {
-    /// This for that part.
-    Part(Readings),
-    /// The value of a letter at what stands in the bracket behind it.
+    /// A part of the formula that the reader built otherwise.
+    Part(OtherReading),
+    /// The value of a letter at the content of the bracket behind it, in place of the product.
     Value { of: Name, inside: Tree, value: Tree },
 }
 
 impl Reading {
-    /// The tree in this reading; `met` is set where the place stands in it.
+    /// Returns the tree in this reading; sets `met` if it contains the place.
     fn of(&self, tree: &Tree, met: &mut bool) -> Tree {
         match (self, tree) {
             (Self::Part(part), tree) if *tree == part.taken => {
@@ -60,7 +59,8 @@ impl Reading {
         }
     }
 
-    fn stands_in(&self, tree: &Tree) -> bool {
+    /// Returns true if a tree contains the place.
+    fn is_in(&self, tree: &Tree) -> bool {
         let mut met = false;
         self.of(tree, &mut met);
         met
@@ -68,7 +68,7 @@ impl Reading {
 }
 
 impl Entry {
-    /// The entry in other readings of its equations, where all places stand there.
+    /// Returns the entry in other readings of its equations; `None` unless these contain all places.
     fn read_otherwise(&self, readings: &[&Reading]) -> Option<Self> {
         let mut entry = self.clone();
         for reading in readings {
@@ -108,8 +108,9 @@ impl Sheet {
         found
     }
 
-    /// The sheets in which the claim at a position is read otherwise, one for each choice of readings at places that have
-    /// other known ones, and the places; none where a place is not of the claim's equations alone, or the choices are too many.
+    /// Returns the sheets in which the claim at a position is read otherwise, one for each choice of readings at the places with
+    /// other known readings, and these places; none if a place is not in the claim's equations alone, or there are too many
+    /// choices.
     pub fn read_otherwise(&self, position: usize) -> (Vec<Sheet>, Vec<DoubtKind>) {
         let none = || (Vec::new(), Vec::new());
         let Some(claim) = self.entries.get(position) else {
@@ -135,7 +136,7 @@ impl Sheet {
             .flat_map(|equation| [&equation.left, &equation.right])
             .chain(assumed);
         let readings: Vec<&Reading> = places.iter().flat_map(|(_, readings)| readings).collect();
-        if elsewhere.any(|side| readings.iter().any(|reading| reading.stands_in(side))) {
+        if elsewhere.any(|side| readings.iter().any(|reading| reading.is_in(side))) {
             return none();
         }
         let otherwise = (1..choices).map(|mut choice| {
@@ -190,10 +191,11 @@ impl Sheet {
         below
     }
 
-    /// Returns true if a reader would think of the other meaning: a letter has an argument where a formula in letters gives it,
-    /// and a bracket behind a derivative is the point at which it is taken,
-    /// but a sum behind the derivative of a state at an impact, which has no argument, is a factor. A function is applied again
-    /// where its values are given, but no state.
+    /// Returns true if a reader would think of the other meaning of a place:
+    /// - A letter may have an argument if a formula in letters gives it, and it is no state at an impact.
+    /// - A derivative may be taken at what a bracket behind it contains, but a sum behind the derivative of a state at an
+    ///   impact is a factor.
+    /// - A function may be applied again if its values are given, and it is no state.
     fn is_plausible(&self, kind: &DoubtKind, claim: &Entry, below: &[&Entry]) -> bool {
         let of = match kind {
             DoubtKind::Argument { of, .. } => of,
@@ -225,13 +227,7 @@ impl Sheet {
             .map(|(_, meaning)| meaning);
         let locals = own.flat_map(|entry| &entry.own).filter(|local| local.name == *of);
         // T_1 = t_{k+1} - t_k is a number
-        let is_of_impacts = |meaning: &Tree| {
-            let zero = Tree::Number(Rational::from_integer(0));
-            !self
-                .vocabulary
-                .impacts(&Equation::between(meaning.clone(), zero))
-                .is_empty()
-        };
+        let is_of_impacts = |meaning: &Tree| !self.vocabulary.impacts_in(meaning).is_empty();
         let abbreviations = self.vocabulary.abbreviations.iter();
         let abbreviations = abbreviations.filter(|(name, meaning)| name == of && !is_of_impacts(meaning));
         let mut found: Vec<&Tree> = Vec::new();
@@ -420,15 +416,9 @@ impl Sheet {
             .iter()
             .flat_map(|equation| self.vocabulary.impacts(equation));
         let goes_on = asked.into_iter().any(|index| !said.contains(&index));
-        let zero = Tree::Number(Rational::from_integer(0));
         let is_fixed = |equation: &Equation| {
             self.vocabulary.abbreviations.iter().any(|(name, meaning)| {
-                any_side(equation, &mut |node| is_symbol(node, name))
-                    && self
-                        .vocabulary
-                        .impacts(&Equation::between(meaning.clone(), zero.clone()))
-                        .len()
-                        > 1
+                any_side(equation, &mut |node| is_symbol(node, name)) && self.vocabulary.impacts_in(meaning).len() > 1
             })
         };
         let is_step = steps
@@ -494,19 +484,4 @@ fn tends(claim: &Entry) -> Option<Name> {
     let is_expansion = |equation: &Equation| holds(equation, &|operation| matches!(operation, Operation::Order(_)));
     let mut assumed = claim.assume.iter().filter_map(|(condition, _)| approached(condition));
     assumed.next().filter(|_| !claim.equations.iter().any(is_expansion))
-}
-
-/// The letters of a formula, each once.
-fn letters_of(tree: &Tree) -> Vec<Name> {
-    let mut found = Vec::new();
-    any(tree, &mut |node| {
-        if let Tree::Symbol(name, _) = node
-            && !is_constant(name)
-            && !found.contains(name)
-        {
-            found.push(name.clone());
-        }
-        false
-    });
-    found
 }

@@ -1,6 +1,6 @@
 //! What formulas say of formulas: `A \Rightarrow B`, `A \Leftrightarrow B`, "A or B".
 
-use super::definition::{has_sign, is_constant, with_sign};
+use super::definition::{has_sign, is_constant, letters_of, with_sign};
 use super::fault::{Fault, Source};
 use super::nodes::any;
 use super::vocabulary::Vocabulary;
@@ -135,19 +135,7 @@ pub(super) fn integers_alone(
     };
     let mut integers: Vec<Name> = vocabulary.integers.clone();
     integers.extend(beside.iter().chain(given).filter_map(said));
-    let letters = |trees: &[&Tree]| {
-        let mut found: HashSet<Name> = HashSet::new();
-        for tree in trees {
-            any(tree, &mut |node| {
-                found.extend(match node {
-                    Tree::Symbol(name, _) if !is_constant(name) => Some(name.clone()),
-                    _ => None,
-                });
-                false
-            });
-        }
-        found
-    };
+    let letters = |trees: &[&Tree]| -> HashSet<Name> { trees.iter().flat_map(|tree| letters_of(tree)).collect() };
     let mut known: HashSet<Name> = HashSet::new();
     for (condition, _) in given {
         known.extend(letters(&condition.sides()));

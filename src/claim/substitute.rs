@@ -206,9 +206,15 @@ impl Vocabulary {
 
     /// The impacts that an equation speaks of.
     pub fn impacts(&self, equation: &Equation) -> BTreeSet<i32> {
-        let mut met = BTreeSet::new();
-        self.collect_impacts(&equation.left, &mut met);
+        let mut met = self.impacts_in(&equation.left);
         self.collect_impacts(&equation.right, &mut met);
+        met
+    }
+
+    /// Returns the impacts that a formula speaks of.
+    pub(super) fn impacts_in(&self, tree: &Tree) -> BTreeSet<i32> {
+        let mut met = BTreeSet::new();
+        self.collect_impacts(tree, &mut met);
         met
     }
 

@@ -1,4 +1,4 @@
-//! What authors divide a premise by without a word.
+//! Divisions that authors do not mention.
 
 use super::{Outcome, outcome, proof};
 use crate::claim::{Goal, any, divisors};
@@ -23,11 +23,8 @@ pub(super) fn doubt(goal: &Goal, question: &kernel::Question, effort: u64) -> Op
         }));
         let questions = kernel::questions(&within, &goal.vocabulary).ok()?;
         let is_same =
-            |other: &&kernel::Question| other.equation == question.equation && other.instance == question.instance;
-        questions
-            .into_iter()
-            .find(|other| is_same(&other))
-            .map(|question| question.statement)
+            |other: &kernel::Question| other.equation == question.equation && other.instance == question.instance;
+        questions.into_iter().find(is_same).map(|question| question.statement)
     };
     let is_quick = |statement: &kernel::Statement| proof::search(statement, FEW_STEPS).is_some();
     let is_proved = |statement: &kernel::Statement| matches!(outcome(statement, effort), Outcome::Proved(..));
@@ -43,10 +40,9 @@ pub(super) fn doubt(goal: &Goal, question: &kernel::Question, effort: u64) -> Op
         )
     };
     let is_open = |divisor: &(String, Tree)| {
-        let statement = runs(&divisor.1)
-            .then(|| within(std::slice::from_ref(divisor)))
-            .flatten();
-        statement.is_some_and(|statement| matches!(outcome(&statement, effort), Outcome::Undecided(_)))
+        let statement = || within(std::slice::from_ref(divisor));
+        let is_undecided = |statement| matches!(outcome(&statement, effort), Outcome::Undecided(_));
+        runs(&divisor.1) && statement().is_some_and(is_undecided)
     };
     let (premise, factor) = match !divisors.is_empty() && follows(&divisors) {
         true => {

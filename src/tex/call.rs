@@ -10,7 +10,7 @@ use super::part::{Form, Part};
 use super::reader::Reader;
 use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
-use super::{At, DoubtKind, Invariant, Name, Readings, Tree};
+use super::{At, DoubtKind, Invariant, Name, OtherReading, Tree};
 use crate::number::{Field, Rational};
 
 impl<'a> Reader<'a> {
@@ -80,7 +80,7 @@ impl<'a> Reader<'a> {
                 let readings = matches!(taken, Tree::Power(_, 2, _)).then(|| {
                     let value = Tree::Call(name.clone(), argument, At(at));
                     let other = Tree::Call(name.clone(), Box::new(value), At(at));
-                    Readings { taken, other }
+                    OtherReading { taken, other }
                 });
                 let readings = readings.into_iter().collect();
                 self.doubt(at, DoubtKind::PowerOfFunction { of: name, readings });

@@ -22,13 +22,13 @@ pub enum DoubtKind {
     /// `(F)'(a)`, `\frac{dV}{dx}(a)`, taken as a product.
     DerivativeBeforeBracket { of: Tree, inside: Tree },
     /// `\sum_k F + G`, `\frac{d}{dx} F + G`, taken as one that ends at the sign.
-    Reach { letter: Name, readings: Vec<Readings> },
+    Reach { letter: Name, readings: Vec<OtherReading> },
     /// `\int_a^b \int_c^d F \, dx \, dy`, taken as closed from the inside.
-    Nesting { inner: Name, readings: Vec<Readings> },
+    Nesting { inner: Name, readings: Vec<OtherReading> },
     /// `[F]_{x=a}^2`, taken as a difference.
     Difference { upper: Tree },
     /// `f^2(x)`, taken as a power of the value.
-    PowerOfFunction { of: Name, readings: Vec<Readings> },
+    PowerOfFunction { of: Name, readings: Vec<OtherReading> },
     /// `x^{n/2}`, taken of bases that are not negative.
     PowerOfSign { base: Tree, exponent: Tree },
     /// A letter in a claim that nothing bounds, taken for every value.
@@ -47,14 +47,14 @@ pub enum DoubtKind {
 
 /// A reading of a place other than the one taken.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Readings {
+pub struct OtherReading {
     pub taken: Tree,
     pub other: Tree,
 }
 
 impl DoubtKind {
     /// The other readings of the place; none where not all are known.
-    pub fn readings(&self) -> &[Readings] {
+    pub fn readings(&self) -> &[OtherReading] {
         match self {
             Self::Reach { readings, .. } | Self::Nesting { readings, .. } | Self::PowerOfFunction { readings, .. } => {
                 readings

@@ -60,7 +60,7 @@ pub use conditions::read_conditions;
 pub use difference::{difference, difference_of};
 pub(crate) use display::functions_given;
 pub use display::{Display, read, read_display, read_expression, read_name};
-pub use doubt::{Doubt, DoubtKind, Doubts, Readings};
+pub use doubt::{Doubt, DoubtKind, Doubts, OtherReading};
 pub use error::{ReadError, Reason};
 pub use evaluate::{EvaluationError, Scope, Unsupported, evaluate};
 pub(crate) use lexer::{letters, printed};

@@ -7,7 +7,7 @@ use super::reader::Reader;
 use super::symbol::base;
 use super::token::{Bracket, Kind, Rows, Token};
 use super::{
-    At, Case, Condition, DoubtKind, Doubts, Equation, Invariant, Name, Operation, Readings, Relation, Series, Tree,
+    At, Case, Condition, DoubtKind, Doubts, Equation, Invariant, Name, Operation, OtherReading, Relation, Series, Tree,
 };
 use crate::number::{Field, Rational};
 
@@ -447,7 +447,7 @@ impl<'a> Reader<'a> {
         if let Some(inner) = inner {
             let other = from_outside(&tree);
             let taken = (*tree).clone();
-            let readings = other.map(|other| Readings { taken, other }).into_iter().collect();
+            let readings = other.map(|other| OtherReading { taken, other }).into_iter().collect();
             self.doubt(token.at, DoubtKind::Nesting { inner, readings });
         }
         Ok(Part { tree, form: Form::Knot })

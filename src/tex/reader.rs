@@ -4,7 +4,7 @@
 use super::error::{Fault, Reason};
 use super::part::{Form, Part, readable, starts_factor};
 use super::token::{Bracket, Kind, Token};
-use super::{At, Doubt, DoubtKind, Name, Names, Operation, Readings, Tree};
+use super::{At, Doubt, DoubtKind, Name, Names, Operation, OtherReading, Tree};
 
 /// The deepest nesting that is read: it bounds the stack that reading and all later walks of the tree need.
 pub(super) const DEEPEST: usize = 100;
@@ -24,7 +24,7 @@ pub(super) struct Reader<'a> {
     pub(super) integrated: Vec<Name>,
     /// The places read so far that have more than one meaning.
     pub(super) doubts: Vec<Doubt>,
-    /// Where the last derivative ends that is written before a factor without brackets, and its letter.
+    /// The token at which the last derivative written before a factor without brackets ends, and its letter.
     pub(super) derivative: Option<(usize, Name)>,
     pub(super) names: &'a Names,
 }
@@ -139,6 +139,12 @@ impl<'a> Reader<'a> {
         (end == self.next).then_some(letter)
     }
 
+    /// Notes that what is over a letter may reach beyond a sign.
+    fn doubt_reach(&mut self, at: usize, letter: Name) {
+        let readings = Vec::new();
+        self.doubt(at, DoubtKind::Reach { letter, readings });
+    }
+
     fn more_terms(&mut self, first: Part) -> Result<Part, Fault> {
         let start = self.doubts.len();
         let mut open: Vec<Name> = open_letter(&first).into_iter().collect();
@@ -148,13 +154,7 @@ impl<'a> Reader<'a> {
         while self.peek_kind().is_some_and(is_sign) {
             let at = self.here();
             if let Some(letter) = derived.take().filter(|_| from.is_none()) {
-                self.doubt(
-                    at,
-                    DoubtKind::Reach {
-                        letter,
-                        readings: Vec::new(),
-                    },
-                );
+                self.doubt_reach(at, letter);
                 from = Some(terms.len() - 1);
             }
             let term = self.signed_term()?;
@@ -163,13 +163,7 @@ impl<'a> Reader<'a> {
                 return Err(Fault::ambiguous(at, &found, "write brackets around what it is of"));
             }
             if let Some(letter) = open.last().cloned() {
-                self.doubt(
-                    at,
-                    DoubtKind::Reach {
-                        letter,
-                        readings: Vec::new(),
-                    },
-                );
+                self.doubt_reach(at, letter);
             }
             if let Some(letter) = open_letter(&term) {
                 open.push(letter);
@@ -416,7 +410,7 @@ fn open_letter(term: &Part) -> Option<Name> {
 const FARTHEST: usize = 4;
 
 /// Returns the readings of a sum in which the term at a position reaches over the next one, the next two and so on.
-fn readings_of_reach(terms: &[Tree], position: usize) -> Vec<Readings> {
+fn readings_of_reach(terms: &[Tree], position: usize) -> Vec<OtherReading> {
     let Some((before, [from, behind @ ..])) = terms.split_at_checked(position) else {
         return Vec::new();
     };
@@ -432,7 +426,7 @@ fn readings_of_reach(terms: &[Tree], position: usize) -> Vec<Readings> {
             _ => Tree::Sum(other),
         };
         let taken = taken.clone();
-        Some(Readings { taken, other })
+        Some(OtherReading { taken, other })
     });
     readings.collect::<Option<Vec<_>>>().unwrap_or_default()
 }

@@ -494,7 +494,7 @@ impl Guess {
         Some(format!("{problem}: say the symbols by `% audit: symbols ...`"))
     }
 
-    /// What the notation of a claim takes for granted, a clause each; `below` says what each formula follows from.
+    /// Returns the assumptions that the notation of a claim makes, a clause each; `below` lists the formulas that each follows from.
     pub fn doubts(&self, claim: &RawEntry, below: &HashMap<String, Vec<String>>) -> Vec<String> {
         let equations = |label: &str| {
             self.numbers

@@ -12,7 +12,7 @@ const MOST_REPLACED: usize = 10_000;
 /// The most characters that the macros of a document may be read and written over, all formulas taken together.
 const MOST_WRITTEN: usize = 1 << 27;
 
-/// What a replacement costs in any text, in characters that are read and written over.
+/// The least cost of a replacement, in characters that are read and written over.
 const REPLACEMENT: usize = 64;
 
 /// The longest text between a name that `\def` defines and the brace of its body.
@@ -25,7 +25,7 @@ struct Macro {
     /// What the first parameter is where it is left out.
     default: Option<String>,
     body: String,
-    /// Whether its body prints none of its parameters.
+    /// True if its body prints none of its parameters.
     is_silent: bool,
     /// The environment that it begins, or ends, if it does nothing else.
     layout: Option<(bool, String)>,
@@ -124,7 +124,7 @@ impl Macros {
         Some((defined, end))
     }
 
-    /// Where the arguments of a macro end that starts behind byte `next`, if it prints none of them.
+    /// Returns the end of the arguments of a macro that starts behind byte `next`, if it prints none of them.
     pub(super) fn leaves_out(&self, name: &str, text: &str, next: usize, groups: &Groups) -> Option<usize> {
         let known = self.known.get(name).filter(|known| known.is_silent)?;
         let find = |at: usize, brackets: [u8; 2]| groups.group(text, at, brackets);
@@ -140,7 +140,7 @@ impl Macros {
     /// The formula with every macro replaced.
     ///
     /// # Errors
-    /// What to say of macros that recurse, lack an argument or make the formula, or the document, too long.
+    /// A message about macros that recurse, lack an argument or make the formula, or the document, too long.
     pub(super) fn expanded(&self, tex: &str) -> Result<String, String> {
         let (mut text, mut at, mut replaced) = (tex.to_owned(), 0, 0);
         while let Some(found) = text.get(at..).and_then(|rest| rest.find('\\')) {
@@ -195,7 +195,7 @@ fn begins_with_letter(text: &str) -> bool {
 }
 
 impl Macro {
-    /// Where the arguments of a macro stand that start at byte `at`, the default left out, and where these end.
+    /// Returns the ranges of the arguments of a macro that start at byte `at`, the default left out, and the end of the last.
     fn arguments(
         &self,
         text: &str,
@@ -230,7 +230,7 @@ impl Macro {
         Some((arguments, at))
     }
 
-    /// What stands for the macro with the arguments that start at byte `at`, and where these end.
+    /// Returns the replacement of the macro with the arguments that start at byte `at`, and the end of these.
     fn applied(&self, text: &str, at: usize) -> Result<(String, usize), Unusable> {
         let find = |at: usize, brackets: [u8; 2]| group(text, at, brackets);
         let (arguments, at) = self.arguments(text, at, &find).ok_or(Unusable::LacksAnArgument)?;

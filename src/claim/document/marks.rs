@@ -15,11 +15,11 @@ pub(super) struct Marks {
     complex: BTreeSet<Name>,
 }
 
-/// What a claim and everything below it state.
+/// The equations of a claim and of everything that it follows from.
 pub(super) struct Stated<'a> {
     pub own: Vec<&'a Equation>,
     pub below: Vec<&'a Equation>,
-    /// Whether more than definitions restricts the letters.
+    /// True if more than definitions restricts the letters.
     pub is_restricted: bool,
 }
 

@@ -1,6 +1,5 @@
 //! Letters of which a document says in which set they lie, `$z \in \mathbb{C}$`, or that it marks by how it prints them.
 
-use crate::tex::letters;
 use std::collections::BTreeSet;
 
 /// The letters that a text marks as complex, and as matrices, vectors or operators.
@@ -10,15 +9,14 @@ pub(super) struct Members {
     pub operators: BTreeSet<String>,
 }
 
-/// How far before and behind `\in` letters and their set stand.
+/// The most characters before and behind `\in` that letters and their set take.
 const FARTHEST: usize = 60;
 
-/// What matrices are printed beside.
-const BESIDE_MATRICES: [&str; 15] = [
+/// Signs and names of formulas of matrices.
+const OF_MATRICES: [&str; 14] = [
     r"\otimes",
     r"\oplus",
     r"\succ",
-    r"\succeq",
     r"\preceq",
     r"\diag",
     r"\mathrm{diag}",
@@ -66,11 +64,10 @@ impl Members {
                 "SL",
             ]);
             let has_power = set.split(' ').next().is_some_and(|set| set.contains('^'));
-            let own = letters(before).into_iter().map(|(letter, _)| letter.to_owned());
-            match () {
-                () if is_group || ((is_complex || is_real) && has_power) => members.operators.extend(own),
-                () if is_complex => members.complex.extend(own),
-                () => {}
+            if is_group || ((is_complex || is_real) && has_power) {
+                members.operators.extend(letters(before));
+            } else if is_complex {
+                members.complex.extend(letters(before));
             }
         }
         members
@@ -80,26 +77,30 @@ impl Members {
     pub fn add(&mut self, tex: &str) {
         let compact: String = tex.chars().filter(|c| !c.is_whitespace()).collect();
         if compact.contains(r"\angle") {
-            self.complex
-                .extend(letters(tex).into_iter().map(|(letter, _)| letter.to_owned()));
+            self.complex.extend(letters(tex));
         }
-        let is_capital = |letter: &&str| letter.len() == 1 && letter.starts_with(|c: char| c.is_ascii_uppercase());
-        if BESIDE_MATRICES.iter().any(|sign| compact.contains(sign)) || has_anticommutator(&compact) {
-            let all = letters(tex).into_iter().map(|(letter, _)| letter);
-            self.operators.extend(all.filter(is_capital).map(str::to_owned));
+        let is_capital = |letter: &String| letter.len() == 1 && letter.starts_with(|c: char| c.is_ascii_uppercase());
+        if OF_MATRICES.iter().any(|sign| compact.contains(sign)) || has_anticommutator(&compact) {
+            self.operators.extend(letters(tex).filter(is_capital));
         }
         for bars in [r"\|", r"\Vert", r"\lVert"] {
             let mut between = tex.split(bars);
             // every second piece stands between two of them, or in front of the closing one
             while let (Some(_), Some(inside)) = (between.next(), between.next()) {
                 let inside = inside.split(r"\rVert").next().unwrap_or_default();
-                self.operators
-                    .extend(letters(inside).into_iter().map(|(letter, _)| letter.to_owned()));
+                self.operators.extend(letters(inside));
             }
         }
     }
 }
 
+/// Returns the letters that TeX prints.
+fn letters(tex: &str) -> impl Iterator<Item = String> {
+    let printed = crate::tex::letters(tex).into_iter();
+    printed.map(|(letter, _)| letter.to_owned())
+}
+
+/// Returns the first characters of a text.
 fn within(text: &str, most: usize) -> &str {
     let end = text.char_indices().nth(most).map_or(text.len(), |(end, _)| end);
     text.get(..end).unwrap_or_default()

@@ -59,7 +59,7 @@ pub struct PrintedNumber {
 #[derive(Clone, Debug, Default)]
 struct Said {
     role: Option<Role>,
-    /// Whether the role is said on the row itself, not of the whole display.
+    /// True if the role is given on the row itself, not for the whole display.
     is_of_row: bool,
     skip: bool,
     label: Option<String>,

@@ -11,7 +11,7 @@ use std::ops::Range;
 pub(super) struct Row {
     /// Where it stands, labels and tags blanked out.
     pub part: Range<usize>,
-    /// Where its last line ends, or the display.
+    /// The end of its last line, or of the display.
     pub line_end: usize,
     pub labels: Vec<String>,
     pub tag: Option<String>,

@@ -11,9 +11,9 @@ use crate::tex::{Equation, Name, Relation, Tree};
 /// The most letters and values of functions by which premises are differentiated.
 const MOST: usize = 20;
 
-/// Returns what the premises of a goal are divided by to solve them for the letters and the values of functions that its claim
-/// speaks of, each with the label of the premise: slopes of left minus right by one that no premise gives without a division.
-/// A product that is 0 has none: either factor may be.
+/// Returns what the premises of a goal are divided by when they are solved for a letter or a value of a function in its claim,
+/// each with the label of the premise: the derivatives of left minus right by it, unless a premise gives it without a
+/// division. A product that is 0 is not divided: either factor may be 0.
 pub fn divisors(goal: &Goal) -> Vec<(String, Tree)> {
     let Goal {
         statements, vocabulary, ..
@@ -54,8 +54,7 @@ pub fn divisors(goal: &Goal) -> Vec<(String, Tree)> {
         });
         let slopes: Vec<(String, Tree)> = slopes.collect();
         if slopes.iter().all(|(_, slope)| number_of(slope).is_none()) {
-            // what the letter stands in itself is no divisor; nor is what is 0 at some times of a law, or a derivative that it does not
-            // speak of
+            // no divisor: what contains the letter, what is 0 at some times of a law, derivatives of unknown functions
             let is_divisor = |slope: &Tree| {
                 !runs(slope, vocabulary)
                     && !has_derivative(slope, letter, vocabulary)
@@ -71,7 +70,9 @@ pub fn divisors(goal: &Goal) -> Vec<(String, Tree)> {
 /// Returns true for an equation that is no product that is 0.
 fn is_divided(equation: &Equation) -> bool {
     let (left, right) = (&equation.left, &equation.right);
-    let is_product = |side: &Tree| side.find_below(&mut |_| Some(())).is_some() && !has_sum(side);
+    let is_product = |side: &Tree| {
+        side.find_below(&mut |_| Some(())).is_some() && !any(side, &mut |node| matches!(node, Tree::Sum(_)))
+    };
     equation.relation == Relation::Equal
         && !(is_zero(right) && is_product(left))
         && !(is_zero(left) && is_product(right))
@@ -98,8 +99,4 @@ fn has_derivative(slope: &Tree, letter: &Tree, vocabulary: &Vocabulary) -> bool 
         }
         _ => false,
     })
-}
-
-fn has_sum(tree: &Tree) -> bool {
-    matches!(tree, Tree::Sum(_)) || tree.find_below(&mut |part| has_sum(part).then_some(())).is_some()
 }
