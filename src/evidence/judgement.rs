@@ -498,6 +498,7 @@ impl Witness<'_> {
             false => "the sides agree",
         };
         let special = || format!("{what} at {count} random points; the counterexample is special");
+        let tried = || format!("{what} at the integers that are tried");
         let enough = if self.system.has_pieces() {
             MANY_PIECES * 3 / 4
         } else {
@@ -508,6 +509,10 @@ impl Witness<'_> {
         let few: Vec<_> = telling.by_ref().take(3).collect();
         if few.len() + telling.count() < enough || self.hides_from_points() {
             evidence.notes.push(special());
+            return;
+        }
+        if self.is_about_integers() {
+            evidence.notes.push(tried());
             return;
         }
         let gap = |point: &Point<N::Of<f64>>| {
@@ -550,9 +555,6 @@ impl Witness<'_> {
                 .any(|premise| is_extreme(&premise.equation))
             || system.shaped
             || system.divides
-            || system.kinds.iter().any(|kind| kind.integer || kind.index)
-            // a running index has one value at all points
-            || system.index_runs
             || system
                 .questions
                 .iter()
@@ -568,6 +570,12 @@ impl Witness<'_> {
             || system.has_jumps()
             || system.flows_may_end()
             || !system.is_a_graph()
+    }
+
+    /// Whether a claim is about integers: it may fail at others than those that are tried, and a running index has one value
+    /// at all points.
+    fn is_about_integers(&self) -> bool {
+        self.system.index_runs || self.system.kinds.iter().any(|kind| kind.integer || kind.index)
     }
 
     /// Whether a premise may be undefined somewhere, be it one that points need not be solved for.

@@ -3,9 +3,12 @@
 
 use super::body::{Body, Estimate, Term, tolerance};
 use super::evaluation::is_wide;
-use super::value::Value;
-use crate::number::{Analytic, Field};
+use super::value::{Real, Value};
+use crate::number::Analytic;
 use num_dual::DualNum;
+use std::any::{Any, TypeId};
+use std::cell::RefCell;
+use std::collections::HashMap;
 
 /// The largest and the smallest step, as powers of 1/2, and how far the rule goes: in f64, and in many digits.
 const FIRST: i32 = 2;
@@ -74,6 +77,47 @@ fn halves<V: Value>(
     sum
 }
 
+/// Which places a rule takes: between two ends, and from one on.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Rule {
+    TanhSinh,
+    ExpSinh,
+}
+
+thread_local! {
+    /// Nodes of the rules by type and parameter: an integral within another takes the same ones again and again.
+    static NODES: RefCell<HashMap<(TypeId, Rule, u64), Box<dyn Any>>> = RefCell::default();
+}
+
+/// Returns where a rule takes a value, as the distance from the near end (of a way of length 1, if it has two), and its weight.
+fn node<P: Real + 'static>(rule: Rule, t: f64) -> (P, P) {
+    let key = (TypeId::of::<P>(), rule, t.to_bits());
+    let known = NODES.with_borrow(|nodes| nodes.get(&key)?.downcast_ref::<(P, P)>().cloned());
+    known.unwrap_or_else(|| {
+        let found = new_node(rule, &<P as Analytic>::from_f64(t));
+        NODES.with_borrow_mut(|nodes| nodes.insert(key, Box::new(found.clone())));
+        found
+    })
+}
+
+fn new_node<P: Real>(rule: Rule, t: &P) -> (P, P) {
+    let half_pi = P::pi() * P::from_ratio(1, 2);
+    let u = half_pi.clone() * DualNum::sinh(t);
+    let slope = half_pi * DualNum::cosh(t);
+    match rule {
+        Rule::TanhSinh => {
+            let one = P::from_integer(1);
+            let near = one.clone() / (one.clone() + DualNum::exp(&(u.clone() + u)));
+            let weight = (slope.clone() + slope) * near.clone() * (one - near.clone());
+            (near, weight)
+        }
+        Rule::ExpSinh => {
+            let away = DualNum::exp(&u);
+            (away.clone(), slope * away)
+        }
+    }
+}
+
 /// The integral over a part of the way by the tanh-sinh rule.
 fn part<V: Value>(
     low: &V,
@@ -84,17 +128,8 @@ fn part<V: Value>(
     left: &mut usize,
 ) -> Option<Estimate<V>> {
     let width = to - from;
-    let node = |t: &V::Part| {
-        let half_pi = <V::Part as Analytic>::pi() * V::Part::from_ratio(1, 2);
-        let u = half_pi.clone() * DualNum::sinh(t);
-        let one = V::Part::from_integer(1);
-        // the distance from the near end, a part of the way
-        let near = one.clone() / (one.clone() + DualNum::exp(&(u.clone() + u)));
-        let weight = (half_pi.clone() + half_pi) * DualNum::cosh(t) * near.clone() * (one - near.clone());
-        (near, weight)
-    };
     let mut evaluate = |t: f64| {
-        let (near, weight) = node(&<V::Part as Analytic>::from_f64(t.abs()));
+        let (near, weight) = node::<V::Part>(Rule::TanhSinh, t.abs());
         let width = V::float(width);
         let away = match t > 0.0 {
             true => V::float(to) - width.clone() * V::real(near),
@@ -108,14 +143,8 @@ fn part<V: Value>(
 
 /// The integral from an end to infinity by the exp-sinh rule.
 pub fn ray<V: Value>(low: &V, at: &mut Body<V>) -> Option<Estimate<V>> {
-    let node = |t: &V::Part| {
-        let half_pi = <V::Part as Analytic>::pi() * V::Part::from_ratio(1, 2);
-        let away = DualNum::exp(&(half_pi.clone() * DualNum::sinh(t)));
-        let weight = half_pi * DualNum::cosh(t) * away.clone();
-        (away, weight)
-    };
     let mut evaluate = |t: f64| {
-        let (away, weight) = node(&<V::Part as Analytic>::from_f64(t));
+        let (away, weight) = node::<V::Part>(Rule::ExpSinh, t);
         (at(low.clone() + V::real(away)), V::real(weight))
     };
     let mut left = MOST_VALUES;

@@ -139,23 +139,20 @@ impl<'a> Reader<'a> {
         (end == self.next).then_some(letter)
     }
 
-    /// Notes that what is over a letter may reach beyond a sign.
-    fn doubt_reach(&mut self, at: usize, letter: Name) {
-        let readings = Vec::new();
-        self.doubt(at, DoubtKind::Reach { letter, readings });
-    }
-
     fn more_terms(&mut self, first: Part) -> Result<Part, Fault> {
-        let start = self.doubts.len();
         let mut open: Vec<Name> = open_letter(&first).into_iter().collect();
-        let mut from = (!open.is_empty()).then_some(0);
+        // the terms that may reach over the next ones, and the first sign behind one with its letter
+        let mut reaching: Vec<usize> = open.iter().map(|_| 0).collect();
+        let mut doubt: Option<(usize, Name)> = None;
         let mut derived = self.derivative_behind();
         let mut terms = vec![*self.beside(first)?];
         while self.peek_kind().is_some_and(is_sign) {
             let at = self.here();
-            if let Some(letter) = derived.take().filter(|_| from.is_none()) {
-                self.doubt_reach(at, letter);
-                from = Some(terms.len() - 1);
+            if let Some(letter) = derived.take() {
+                if reaching.last() != Some(&(terms.len() - 1)) {
+                    reaching.push(terms.len() - 1);
+                }
+                doubt.get_or_insert((at, letter));
             }
             let term = self.signed_term()?;
             if let Some(letter) = open.iter().find(|letter| term.tree.has_free_letter(letter)) {
@@ -163,27 +160,19 @@ impl<'a> Reader<'a> {
                 return Err(Fault::ambiguous(at, &found, "write brackets around what it is of"));
             }
             if let Some(letter) = open.last().cloned() {
-                self.doubt_reach(at, letter);
+                doubt.get_or_insert((at, letter));
             }
             if let Some(letter) = open_letter(&term) {
                 open.push(letter);
-                from = from.or(Some(terms.len()));
+                reaching.push(terms.len());
             }
             derived = self.derivative_behind();
             terms.push(*self.beside(term)?);
             self.skip_empty();
         }
-        if let Some(from) = from
-            && open.len() <= 1
-        {
-            let other = readings_of_reach(&terms, from);
-            for doubt in self.doubts.iter_mut().skip(start) {
-                if let DoubtKind::Reach { readings, .. } = &mut doubt.kind
-                    && readings.is_empty()
-                {
-                    readings.clone_from(&other);
-                }
-            }
+        if let Some((at, letter)) = doubt {
+            let readings = readings_of_reach(&terms, &reaching);
+            self.doubt(at, DoubtKind::Reach { letter, readings });
         }
         Ok(Part {
             tree: Box::new(Tree::Sum(terms)),
@@ -406,29 +395,47 @@ fn open_letter(term: &Part) -> Option<Name> {
     letter.filter(|_| term.form != Form::Bracketed)
 }
 
-/// The most terms that a sum, product, limit or derivative may reach over.
-const FARTHEST: usize = 4;
+/// The most readings of one sum.
+const MOST_REACHES: usize = 8;
 
-/// Returns the readings of a sum in which the term at a position reaches over the next one, the next two and so on.
-fn readings_of_reach(terms: &[Tree], position: usize) -> Vec<OtherReading> {
-    let Some((before, [from, behind @ ..])) = terms.split_at_checked(position) else {
-        return Vec::new();
-    };
-    if behind.len() > FARTHEST {
-        return Vec::new();
-    }
+/// Returns the other readings of a sum, in which terms at the positions reach over the next one, the next two and so on; none if
+/// there are too many.
+fn readings_of_reach(terms: &[Tree], positions: &[usize]) -> Vec<OtherReading> {
     let taken = Tree::Sum(terms.to_vec());
-    let readings = (1..=behind.len()).map(|count| {
-        let (over, rest) = behind.split_at_checked(count)?;
-        let mut other = [before, &[reaching_over(from, over)?], rest].concat();
-        let other = match other.len() {
-            1 => other.remove(0),
-            _ => Tree::Sum(other),
-        };
-        let taken = taken.clone();
-        Some(OtherReading { taken, other })
-    });
-    readings.collect::<Option<Vec<_>>>().unwrap_or_default()
+    let reading = |mut terms: Vec<Tree>| OtherReading {
+        taken: taken.clone(),
+        other: match terms.len() {
+            1 => terms.remove(0),
+            _ => Tree::Sum(terms),
+        },
+    };
+    let all = reaches(terms, 0, positions).unwrap_or_default();
+    all.into_iter().skip(1).map(reading).collect()
+}
+
+/// Returns the terms with each choice of how far those at the positions reach, as they are first. Positions count from `start`.
+fn reaches(terms: &[Tree], start: usize, positions: &[usize]) -> Option<Vec<Vec<Tree>>> {
+    let Some((position, later)) = positions.split_first() else {
+        return Some(vec![terms.to_vec()]);
+    };
+    let (before, behind) = terms.split_at_checked(position.checked_sub(start)?)?;
+    let (own, behind) = behind.split_first()?;
+    let mut found = Vec::new();
+    let rests = reaches(behind, position + 1, later)?;
+    let longest = rests.iter().map(Vec::len).max()?;
+    for count in 0..=longest {
+        for rest in &rests {
+            let Some((over, rest)) = rest.split_at_checked(count) else {
+                continue;
+            };
+            let own = match over {
+                [] => own.clone(),
+                over => reaching_over(own, over)?,
+            };
+            found.push([before, &[own], rest].concat());
+        }
+    }
+    (found.len() <= MOST_REACHES + 1).then_some(found)
 }
 
 /// Returns a term that ends in a sum, product, limit or derivative with the next terms in what that is of.

@@ -5,7 +5,7 @@ A sheet is CLASS/NAME.toml: `# truth: true | false | contradictory | ambiguous |
 of each for every label: `# truth c2: ...`), then an audit sheet. Truth is that of DESIGN.md. `contradictory`: the premises
 have no common solution, so the claim may be neither proved nor refuted. `ambiguous`: of the meanings that
 a reader would think of one is true and one false, so that it may be neither too. `unread`: the claim, or a premise that it rests
-on, must be refused by the reader. A wrong sheet NAME-wrong is the misprinted or weakened twin of NAME.
+on, must be refused by the reader. `# points c2: none`: no side has a value anywhere, so that the claim is false. A wrong sheet NAME-wrong is the misprinted or weakened twin of NAME.
 
     python3 tests/attacks/verify.py            checks all, one line per failure, then a table of counts
     python3 tests/attacks/verify.py -v         also prints the point at which each wrong claim fails

@@ -24,12 +24,21 @@ fn below(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// What the first lines of a sheet say of one claim by its label, or of the last.
+/// The truth that the first lines of a sheet say of one claim by its label, or of the last.
 pub fn truth(text: &str, label: &str, is_last: bool) -> Option<String> {
+    said(text, "truth", label, is_last)
+}
+
+/// Returns true if a sheet says that one claim has no value at any point.
+pub fn has_no_points(text: &str, label: &str, is_last: bool) -> bool {
+    said(text, "points", label, is_last).as_deref() == Some("none")
+}
+
+fn said(text: &str, of_what: &str, label: &str, is_last: bool) -> Option<String> {
     let of = |prefix: &str| {
         text.lines()
             .find_map(|line| line.strip_prefix(prefix))
             .map(|word| word.trim().to_string())
     };
-    of(&format!("# truth {label}:")).or_else(|| if is_last { of("# truth:") } else { None })
+    of(&format!("# {of_what} {label}:")).or_else(|| if is_last { of(&format!("# {of_what}:")) } else { None })
 }

@@ -447,6 +447,10 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
                 refused += 1;
                 continue;
             }
+            if attacks::has_no_points(&text, label, claims.last() == Some(&position)) {
+                assert_eq!(found.points, 0, "{} ({label}): {}", path.display(), found.worst);
+                continue;
+            }
             decidable += 1;
             with_points += usize::from(found.points > 0);
             let found = witness(&sheet, position, wrong, 24).unwrap();
@@ -473,10 +477,11 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
             };
             (*all, *contradicted) = (*all + 1, *contradicted + usize::from(is_caught));
             if std::env::var("SHOW").is_ok() && !is_caught {
-                println!("{} ({label}): {wrong:?} not contradicted", path.display());
-            }
-            if std::env::var("SHOW").is_ok() && found.points == 0 {
-                println!("{}: {}", path.display(), found.notes.join("; "));
+                let (name, notes) = (path.display(), found.notes.join("; "));
+                println!(
+                    "{name} ({label}): {wrong:?} not contradicted at {} points: {notes}",
+                    found.points
+                );
             }
         }
     }
