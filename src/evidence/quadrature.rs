@@ -84,9 +84,12 @@ enum Rule {
     ExpSinh,
 }
 
+/// Places and weights by the type of their numbers, the rule and the bits of its parameter.
+type Nodes = HashMap<(TypeId, Rule, u64), Box<dyn Any>>;
+
 thread_local! {
-    /// Nodes of the rules by type and parameter: an integral within another takes the same ones again and again.
-    static NODES: RefCell<HashMap<(TypeId, Rule, u64), Box<dyn Any>>> = RefCell::default();
+    /// An integral within another takes the same nodes again and again.
+    static NODES: RefCell<Nodes> = RefCell::default();
 }
 
 /// Returns where a rule takes a value, as the distance from the near end (of a way of length 1, if it has two), and its weight.
