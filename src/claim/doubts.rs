@@ -5,7 +5,7 @@ use super::entry::{Entry, Role, approached};
 use super::exponents::{is_at_times_whole, is_plainly_not_negative};
 use super::nodes::{any, any_side, holds, speaks_of, with_symbol};
 use super::sheet::Sheet;
-use super::substitute::flies;
+use super::substitute::{flies, number_of};
 use crate::tex::{Condition, DoubtKind, Equation, Name, Operation, OtherReading, Relation, Tree};
 use std::collections::BTreeSet;
 
@@ -21,6 +21,8 @@ enum Reading {
     Part(OtherReading),
     /// The value of a letter at the content of the bracket behind it, in place of the product.
     Value { of: Name, inside: Tree, value: Tree },
+    /// Powers with odd denominators as odd roots of all real numbers.
+    OddRoots,
 }
 
 impl Reading {
@@ -30,6 +32,14 @@ impl Reading {
             (Self::Part(part), tree) if *tree == part.taken => {
                 *met = true;
                 part.other.clone()
+            }
+            (Self::OddRoots, Tree::RealPower(base, exponent, at)) if let Some((power, index)) = odd_root(exponent) => {
+                *met = true;
+                let root = Tree::Root(Box::new(self.of(base, met)), index, *at);
+                match power {
+                    1 => root,
+                    power => Tree::Power(Box::new(root), power, *at),
+                }
             }
             (Self::Value { of, inside, value }, Tree::Product(factors)) => {
                 let mut read: Vec<Tree> = Vec::new();
@@ -46,6 +56,12 @@ impl Reading {
                             *met = true;
                             read.pop();
                             read.push(new);
+                        }
+                        (Some(Tree::Power(letter, exponent, at)), Some(new)) if is_symbol(letter, of) => {
+                            *met = true;
+                            let power = Tree::Power(Box::new(new), *exponent, *at);
+                            read.pop();
+                            read.push(power);
                         }
                         _ => read.push(self.of(factor, met)),
                     }
@@ -65,6 +81,14 @@ impl Reading {
         self.of(tree, &mut met);
         met
     }
+}
+
+/// The power and the index of the root of an exponent whose denominator is odd.
+fn odd_root(exponent: &Tree) -> Option<(i32, u32)> {
+    let value = number_of(exponent)?;
+    let index = u32::try_from(value.0.denominator()).ok()?;
+    let power = i32::try_from(value.0.numerator()).ok()?;
+    (index > 1 && index % 2 == 1).then_some((power, index))
 }
 
 impl Entry {
@@ -102,6 +126,7 @@ impl Sheet {
             }
         }
         found.extend(self.powers_of_signs(claim, &below));
+        found.extend(self.odd_roots(claim, &below));
         found.extend(self.of_some(claim, &below).into_iter().map(DoubtKind::OfSome));
         found.extend(self.one_step(claim, &below));
         found.extend(tends(claim).map(DoubtKind::Tends));
@@ -162,8 +187,10 @@ impl Sheet {
 
     /// The other readings of a place, where all are known.
     fn readings(&self, kind: &DoubtKind, claim: &Entry, below: &[&Entry]) -> Vec<Reading> {
-        let DoubtKind::Argument { of, inside } = kind else {
-            return kind.readings().iter().cloned().map(Reading::Part).collect();
+        let (of, inside) = match kind {
+            DoubtKind::Argument { of, inside } => (of, inside),
+            DoubtKind::OddRoot { .. } => return vec![Reading::OddRoots],
+            kind => return kind.readings().iter().cloned().map(Reading::Part).collect(),
         };
         let mut readings = Vec::new();
         for meaning in self.meanings(of, claim, below) {
@@ -260,13 +287,36 @@ impl Sheet {
                 .any(|(own, other)| is_value(own) && !takes(other))
         };
         let mut given = below.iter().flat_map(|entry| &entry.equations);
-        !self.vocabulary.is_in_flight(function) && given.any(gives)
+        let is_defined = self.vocabulary.names.defined.contains(&function.bare());
+        !self.vocabulary.is_in_flight(function) && (is_defined || given.any(gives))
     }
 
     /// Returns true for the derivative of a state at an impact by one, `\partial t_{k+1}/\partial t_k`.
     fn is_of_impacts(&self, derivative: &Tree) -> bool {
         matches!(derivative, Tree::Partial { of, by, .. }
             if [of, by].iter().all(|name| self.vocabulary.impact(name).is_some()))
+    }
+
+    /// The first power with an odd denominator of a base that may be negative.
+    fn odd_roots(&self, claim: &Entry, below: &[&Entry]) -> Option<DoubtKind> {
+        let assumed: Vec<&Condition> = claim.assume.iter().map(|(condition, _)| condition).collect();
+        let equations = std::iter::once(claim)
+            .chain(below.iter().copied())
+            .flat_map(|entry| &entry.equations);
+        let mut found = None;
+        for side in equations.flat_map(|equation| [&equation.left, &equation.right]) {
+            any(side, &mut |node| {
+                if let Tree::RealPower(base, exponent, _) = node
+                    && odd_root(exponent).is_some()
+                    && !is_plainly_not_negative(base, &self.vocabulary, &assumed)
+                    && !self.vocabulary.may_be_complex(base)
+                {
+                    found.get_or_insert_with(|| DoubtKind::OddRoot { power: node.clone() });
+                }
+                found.is_some()
+            });
+        }
+        found
     }
 
     /// The powers with exponents that are integers at times of bases that may be negative.

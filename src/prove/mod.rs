@@ -31,7 +31,7 @@ use crate::claim::{
     Goal, Reduced, Sheet, Verdict, any_side, other_ways, reduced, reduced_by_cases, thin_domains, values,
 };
 use crate::kernel;
-use crate::tex::{Equation, Tree};
+use crate::tex::{DoubtKind, Equation, Name, Tree};
 
 /// A power of a negative number, as `(-1)^{n/2}`, of which an author may mean values of n alone for which it has one.
 fn negative_power(equation: &Equation) -> Option<Tree> {
@@ -104,21 +104,33 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Decides a claim, and a refuted one in its other readings too, where these are known: a refutation of all stands.
+    /// Decides a claim, and in its other readings too, where these are known: what is so in all of them stands.
     fn decide_readings(&mut self, sheet: &Sheet, position: usize) -> Decision {
         let decision = self.decide(sheet, position);
         let mut doubts = sheet.doubts(position);
-        if decision.verdict == Verdict::Refuted {
+        let is_open = match decision.verdict {
+            Verdict::Refuted => true,
+            Verdict::Proved => !doubts.iter().all(DoubtKind::spares_proofs),
+            Verdict::Undecided | Verdict::Unread => false,
+        };
+        if is_open {
             let (otherwise, places) = sheet.read_otherwise(position);
-            let is_refuted = |sheet: &Sheet| {
+            let is_same = |sheet: &Sheet| {
                 Search::of(sheet, position, self.options)
                     .decide(sheet, position)
                     .verdict
-                    == Verdict::Refuted
+                    == decision.verdict
             };
-            if otherwise.iter().all(is_refuted) {
+            if otherwise.iter().all(is_same) {
                 doubts.retain(|kind| !places.contains(kind));
             }
+        }
+        if decision.verdict == Verdict::Refuted {
+            // where a letter has no part in the counterexample, no value of it helps
+            let point = decision.counterexample.iter().flat_map(|own| &own.point);
+            let named: Vec<&String> = point.map(|(name, _)| name).collect();
+            let is_named = |name: &Name| named.iter().any(|known| known.contains(&name.to_string()));
+            doubts.retain(|kind| !matches!(kind, DoubtKind::OfSome(name) if !is_named(name)));
         }
         decision.on_doubts(doubts)
     }

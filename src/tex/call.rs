@@ -7,7 +7,7 @@ use super::command::{
 use super::error::{Fault, Reason};
 use super::exponent::Exponent;
 use super::part::{Form, Part};
-use super::reader::Reader;
+use super::reader::{Reader, product};
 use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
 use super::{At, DoubtKind, Invariant, Name, OtherReading, Tree};
@@ -72,6 +72,14 @@ impl<'a> Reader<'a> {
         if self.names.is_function(&name)
             && let Some(argument) = self.bracketed_argument()?
         {
+            // u(1 - u): no function is taken where it holds itself
+            let is_sum = matches!(*argument, Tree::Sum(_) | Tree::Product(_));
+            if is_sum && self.names.has_bare_derivative_of(&name, &argument) {
+                let letter = raise(Box::new(Tree::Symbol(name, At(at))), power);
+                let bracket = self.call(argument, None)?;
+                let tree = product(vec![*letter.tree, *bracket.tree]);
+                return Ok(Part { tree, form: Form::Knot });
+            }
             let power = power.map(Exponent::before_argument).transpose()?;
             let is_power = power.is_some();
             let part = self.call(Box::new(Tree::Call(name.clone(), argument.clone(), At(at))), power)?;

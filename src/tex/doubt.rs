@@ -31,6 +31,8 @@ pub enum DoubtKind {
     PowerOfFunction { of: Name, readings: Vec<OtherReading> },
     /// `x^{n/2}`, taken of bases that are not negative.
     PowerOfSign { base: Tree, exponent: Tree },
+    /// `x^{1/3}`, taken of bases that are not negative: the cube root is one of all real numbers.
+    OddRoot { power: Tree },
     /// A letter in a claim that nothing bounds, taken for every value.
     OfSome(Name),
     /// A premise that is written for one step of an index, taken for that step alone.
@@ -70,7 +72,7 @@ impl DoubtKind {
             // for a product of one factor nobody writes brackets
             Self::Argument { inside, .. } => matches!(inside, Tree::Sum(_)),
             Self::DerivativeOfValue { .. } | Self::DerivativeBeforeBracket { .. } => false,
-            Self::PowerOfSign { .. } | Self::Open(_) => false,
+            Self::PowerOfSign { .. } | Self::OddRoot { .. } | Self::Open(_) => false,
             _ => true,
         }
     }
@@ -118,6 +120,10 @@ impl fmt::Display for DoubtKind {
                     "the power of `{of}` before its argument: of the value, or `{of}` applied again?"
                 )
             }
+            Self::OddRoot { power } => write!(
+                f,
+                "`{power}`: of numbers that are not negative alone, or of all real ones?"
+            ),
             Self::PowerOfSign { base, exponent } => write!(
                 f,
                 "`{base}` to the power `{exponent}`: where `{base}` is not negative, or where `{exponent}` is an integer too?"

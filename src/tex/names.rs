@@ -31,16 +31,28 @@ impl Names {
         })
     }
 
-    /// Whether a function stands without an argument in sums, products and quotients of `tree`.
+    /// Returns true if a function stands without an argument in sums, products and quotients of a tree.
     pub(super) fn has_bare_function(&self, tree: &Tree) -> bool {
+        self.has_bare(tree, &|_| true)
+    }
+
+    /// Returns true if a function of the same letter, perhaps with other dots or primes, stands so.
+    pub(super) fn has_bare_derivative_of(&self, name: &Name, tree: &Tree) -> bool {
+        self.has_bare(tree, &|other| {
+            other.base == name.base && other.subscript == name.subscript
+        })
+    }
+
+    fn has_bare(&self, tree: &Tree, test: &dyn Fn(&Name) -> bool) -> bool {
+        let has = |tree: &Tree| self.has_bare(tree, test);
         match tree {
-            Tree::Symbol(name, _) => self.is_function(name),
-            Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(|part| self.has_bare_function(part)),
-            Tree::Quotient(above, below, _) => self.has_bare_function(above) || self.has_bare_function(below),
-            Tree::Negate(body) | Tree::Power(body, ..) | Tree::Root(body, ..) => self.has_bare_function(body),
-            Tree::RealPower(base, exponent, _) => self.has_bare_function(base) || self.has_bare_function(exponent),
-            Tree::Call(name, body, _) => !self.is_function(name) && self.has_bare_function(body),
-            Tree::Operation(operation, _) => operation.parts().iter().any(|(part, _)| self.has_bare_function(part)),
+            Tree::Symbol(name, _) => self.is_function(name) && test(name),
+            Tree::Sum(parts) | Tree::Product(parts) => parts.iter().any(has),
+            Tree::Quotient(above, below, _) => has(above) || has(below),
+            Tree::Negate(body) | Tree::Power(body, ..) | Tree::Root(body, ..) => has(body),
+            Tree::RealPower(base, exponent, _) => has(base) || has(exponent),
+            Tree::Call(name, body, _) => !self.is_function(name) && has(body),
+            Tree::Operation(operation, _) => operation.parts().iter().any(|(part, _)| has(part)),
             _ => false,
         }
     }

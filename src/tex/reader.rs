@@ -241,9 +241,6 @@ impl<'a> Reader<'a> {
             if self.is_past_differential(factors.last()) {
                 break;
             }
-            if matches!(token.kind, Kind::Open(Bracket::Round | Bracket::Square)) {
-                self.no_operator(factors.last(), token.at)?;
-            }
             if !juxtaposed {
                 if !is_operation(token.kind) {
                     break;
@@ -253,6 +250,9 @@ impl<'a> Reader<'a> {
             }
             let printed = self.first_printed();
             let factor = self.factor()?;
+            if matches!(token.kind, Kind::Open(Bracket::Round | Bracket::Square)) {
+                self.no_operator(factors.last(), &factor.tree, token.at)?;
+            }
             if juxtaposed {
                 readable(form, &factor, printed.unwrap_or(token))?;
             }
@@ -307,9 +307,10 @@ impl<'a> Reader<'a> {
         rest.find(|token| token.kind != Kind::BraceOpen).copied()
     }
 
-    /// Refuses `(f + g)(t)` and `{f^2}(t)`, which may be values at t or products.
-    fn no_operator(&self, before: Option<&Tree>, at: usize) -> Result<(), Fault> {
-        match before.is_some_and(|tree| self.names.has_bare_function(tree)) {
+    /// Refuses `(f + g)(t)` and `{f^2}(t)`, which may be values at t or products; `(1 - f)(f - a)` is a product.
+    fn no_operator(&self, before: Option<&Tree>, inside: &Tree, at: usize) -> Result<(), Fault> {
+        let is_bare = |tree: &Tree| self.names.has_bare_function(tree);
+        match before.is_some_and(is_bare) && !is_bare(inside) {
             true => {
                 let instead = "write the argument behind each function, or \\cdot for a product";
                 Err(Fault::ambiguous(
@@ -334,7 +335,11 @@ impl<'a> Reader<'a> {
             }
             inside => inside.clone(),
         };
-        let kind = match before {
+        let letter = match before {
+            Some(Tree::Power(base, ..) | Tree::RealPower(base, ..) | Tree::Root(base, ..)) => Some(&**base),
+            before => before,
+        };
+        let kind = match letter {
             Some(Tree::Symbol(of, _)) => DoubtKind::Argument { of: of.clone(), inside },
             Some(of @ Tree::Partial { .. }) => DoubtKind::DerivativeBeforeBracket { of: of.clone(), inside },
             Some(of @ Tree::Operation(operation, _))
@@ -428,38 +433,55 @@ fn reaches(terms: &[Tree], start: usize, positions: &[usize]) -> Option<Vec<Vec<
             let Some((over, rest)) = rest.split_at_checked(count) else {
                 continue;
             };
-            let own = match over {
-                [] => own.clone(),
+            let wide = match over {
+                [] => vec![own.clone()],
                 over => reaching_over(own, over)?,
             };
-            found.push([before, &[own], rest].concat());
+            found.extend(wide.into_iter().map(|own| [before, &[own], rest].concat()));
         }
     }
     (found.len() <= MOST_REACHES + 1).then_some(found)
 }
 
-/// Returns a term that ends in a sum, product, limit or derivative with the next terms in what that is of.
-fn reaching_over(term: &Tree, next: &[Tree]) -> Option<Tree> {
+/// Returns the ways in which a term that ends in sums, products, limits or derivatives of each other reaches over the next terms,
+/// each of these over some of them.
+fn reaching_over(term: &Tree, next: &[Tree]) -> Option<Vec<Tree>> {
+    let negated = |inner| Tree::Negate(Box::new(inner));
     Some(match term {
         Tree::Product(factors) => {
             let (last, before) = factors.split_last()?;
-            Tree::Product([before, &[reaching_over(last, next)?]].concat())
+            let product = |last| Tree::Product([before, &[last]].concat());
+            reaching_over(last, next)?.into_iter().map(product).collect()
         }
-        Tree::Negate(inner) => Tree::Negate(Box::new(reaching_over(inner, next)?)),
+        Tree::Negate(inner) => reaching_over(inner, next)?.into_iter().map(negated).collect(),
         Tree::Operation(operation, at) => {
-            let mut wide = (**operation).clone();
-            match &mut wide {
-                Operation::Derivative { of, .. } if matches!(of, Tree::Operation(..)) => {
-                    *of = reaching_over(of, next)?;
-                }
-                Operation::Series { of, .. } | Operation::Limit { of, .. } | Operation::Derivative { of, .. }
-                    if of.open_letter().is_none() =>
-                {
-                    *of = Tree::Sum([std::slice::from_ref(of), next].concat());
-                }
-                _ => return None,
+            let (Operation::Series { of, .. } | Operation::Limit { of, .. } | Operation::Derivative { of, .. }) =
+                &**operation
+            else {
+                return None;
+            };
+            let mut found = Vec::new();
+            for count in 0..=next.len() {
+                let (inside, behind) = next.split_at_checked(count)?;
+                let inner = match inside {
+                    [] => Some(vec![of.clone()]),
+                    inside => reaching_over(of, inside),
+                };
+                found.extend(inner.into_iter().flatten().map(|inner| {
+                    let mut wide = (**operation).clone();
+                    if let Operation::Series { of, .. }
+                    | Operation::Limit { of, .. }
+                    | Operation::Derivative { of, .. } = &mut wide
+                    {
+                        *of = match behind {
+                            [] => inner,
+                            behind => Tree::Sum([&[inner], behind].concat()),
+                        };
+                    }
+                    Tree::Operation(Box::new(wide), *at)
+                }));
             }
-            Tree::Operation(Box::new(wide), *at)
+            found
         }
         _ => return None,
     })

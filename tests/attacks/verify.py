@@ -300,8 +300,6 @@ TABLE = {
         "x := 8; claim power(x,1/3)*power(x,1/3) = x",
     "roots/third-power-is-cube-root":
         "x >= 0; claim power(x,1/3) = cbrt(x)",
-    "roots/third-power-sign-forced":
-        "x >= 0; claim abs(x)*power(x,1/3) = power(x,4/3)",
     "roots/cube-root-abs":
         "x := -1; claim abs(x)*cbrt(x) = x*cbrt(abs(x))+1",
     "roots/cube-root-abs-true":

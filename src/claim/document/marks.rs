@@ -127,6 +127,19 @@ impl Marks {
         for side in equations.iter().flat_map(|equation| [&equation.left, &equation.right]) {
             names_in(side, &mut names);
         }
+        // z_1 is complex where z_2 is
+        let has_brother = |name: &Name, marked: &BTreeSet<Name>| {
+            let is_brother = |other: &Name| other.base == name.base && other.accents == name.accents;
+            !name.subscript.is_empty()
+                && marked
+                    .iter()
+                    .any(|other| !other.subscript.is_empty() && is_brother(other))
+        };
+        for marked in [&mut marks.operators, &mut marks.complex] {
+            let brothers = names.iter().filter(|name| has_brother(name, marked));
+            let brothers: Vec<Name> = brothers.cloned().collect();
+            marked.extend(brothers);
+        }
         let is_capital = |name: &Name| name.base.chars().all(|c| c.is_ascii_uppercase());
         let is_hatted = |name: &Name| is_capital(name) && has_accent(name, &[r"\hat", r"\widehat"]);
         marks.operators.extend(names.into_iter().filter(is_hatted));
@@ -193,9 +206,20 @@ impl Marks {
         }
     }
 
-    /// Marks factors that a document says may or may not change places, `A B \neq B A`, and what takes a vector to a multiple
-    /// of it, `A x = \lambda x`.
+    /// Marks factors that a document says may or may not change places, `A B \neq B A`, the inverse of a product that is one of
+    /// inverses, and what takes a vector to a multiple of it, `A x = \lambda x`.
     fn read_order(&mut self, equation: &Equation) {
+        let inverted = |tree: &Tree| match tree {
+            Tree::Power(base, -1, _) => Some((**base).clone()),
+            _ => None,
+        };
+        for (whole, parts) in [(&equation.left, &equation.right), (&equation.right, &equation.left)] {
+            if let (Some(Tree::Product(factors)), Tree::Product(parts)) = (inverted(whole), parts)
+                && parts.iter().map(inverted).collect::<Option<Vec<_>>>().is_some()
+            {
+                factors.iter().for_each(|factor| self.mark_operators(factor));
+            }
+        }
         let (Tree::Product(left), Tree::Product(right)) = (&equation.left, &equation.right) else {
             return;
         };

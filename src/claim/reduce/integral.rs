@@ -1,7 +1,7 @@
 //! Integrals: indefinite ones by differentiation, definite ones by an antiderivative whose own claims are lemmas.
 
 use super::super::definition::CONSTANT_OF_INTEGRATION;
-use super::super::nodes::{any, any_side, holds, holds_indefinite};
+use super::super::nodes::{any, any_side, holds, holds_indefinite, nodes_of, speaks_of};
 use super::super::premise::Statements;
 use super::super::substitute::{mapped, rewrite};
 use super::super::vocabulary::Vocabulary;
@@ -14,6 +14,9 @@ use super::evaluate::evaluated;
 use super::limit::{as_goals, of_limit};
 use super::{Goal, Reduced, Rule, defined, fresh};
 use crate::tex::{Condition, Equation, Name, Operation, Relation, Tree};
+
+/// The most nodes of an antiderivative.
+const LARGEST: usize = 20_000;
 
 /// Whether a claim holds an integral without limits.
 pub(super) fn is_indefinite(statements: &Statements) -> bool {
@@ -390,6 +393,14 @@ impl Definite<'_> {
         let mut claims = self.conditions(&[&self.of, &whole, &slope])?;
         claims.push(Equation::between(slope, self.of.clone()));
         let mut lemmas = self.lemmas(Rule::IntegralAntiderivative, "the antiderivative", claims)?;
+        if nodes_of(&whole) > LARGEST {
+            return Err("the value of an integral is too large".to_owned());
+        }
+        let [low, high] = self.limits;
+        if self.limits.iter().all(|limit| infinity(limit).is_none()) && !speaks_of(&self.of, self.letter) {
+            let length = difference(high.clone(), low.clone());
+            return Ok(Some((product(vec![self.of.clone(), length]), lemmas)));
+        }
         let mut ends = Vec::new();
         for limit in self.limits {
             ends.push(match infinity(limit) {
