@@ -415,7 +415,8 @@ impl Sheet {
         by_custom || self.vocabulary.times.contains(&name.bare())
     }
 
-    /// Returns true if a letter stands between two bounds that are assumed, and an unknown function is taken there.
+    /// Returns true if a letter stands between two bounds that are assumed, and an unknown function is taken there or the letter
+    /// stands on one side alone of an equation between others, as those of mean value theorems do.
     fn is_between(&self, name: &Name, claim: &Entry) -> bool {
         let bound = |is_above: bool| {
             claim.assume.iter().any(|(condition, _)| match condition {
@@ -438,12 +439,15 @@ impl Sheet {
             }
             _ => false,
         };
+        // \sin x - \sin y = (x - y) \cos\xi
+        let is_introduced = |equation: &Equation| {
+            let stands_on_both = |letter: &Name| letter != name && speaks_of(&equation.right, letter);
+            is_one_sided(name, equation) && letters_of(&equation.left).iter().any(stands_on_both)
+        };
+        let mut equations = claim.equations.iter();
         bound(true)
             && bound(false)
-            && claim
-                .equations
-                .iter()
-                .any(|equation| any_side(equation, &mut |node| is_argument(node)))
+            && equations.any(|equation| is_introduced(equation) || any_side(equation, &mut |node| is_argument(node)))
     }
 
     /// Returns the doubt of a claim on a step of an index that no premise is about, although one is about another step: it
@@ -502,8 +506,9 @@ fn is_added(name: &Name, equations: &[Equation]) -> bool {
 fn has_factor(term: &Tree, name: &Name) -> bool {
     match term {
         Tree::Negate(inner) | Tree::PlusMinus(inner) | Tree::MinusPlus(inner) => has_factor(inner, name),
-        Tree::Product(factors) => factors.iter().any(|factor| is_symbol(factor, name)),
+        Tree::Product(factors) => factors.iter().any(|factor| has_factor(factor, name)),
         Tree::Quotient(above, ..) => has_factor(above, name),
+        Tree::Sum(terms) => terms.iter().any(|term| has_factor(term, name)),
         term => is_symbol(term, name),
     }
 }
@@ -520,11 +525,7 @@ fn is_one_sided(name: &Name, equation: &Equation) -> bool {
 fn is_multiple(name: &Name, claim: &Entry) -> bool {
     let is_multiple = |equation: &Equation| {
         let mut sides = [&equation.left, &equation.right].into_iter();
-        is_one_sided(name, equation)
-            && sides.any(|side| match side {
-                Tree::Sum(terms) => terms.iter().any(|term| has_factor(term, name)),
-                side => has_factor(side, name),
-            })
+        is_one_sided(name, equation) && sides.any(|side| has_factor(side, name))
     };
     claim.equations.iter().chain(&claim.alternatives).any(is_multiple)
 }
