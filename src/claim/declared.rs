@@ -1,10 +1,9 @@
 //! Which names are declared, and the first name of a formula that is not.
 
 use super::definition::{base_alone, is_constant, pair_of};
-use super::nearest::nearest;
 use super::nodes::{any, any_side};
 use super::vocabulary::{Map, Vocabulary, index_of};
-use crate::tex::{Name, Tree};
+use crate::tex::{Name, Tree, nearest};
 use std::collections::{BTreeSet, HashSet};
 
 /// Names shown in a message, and names among which the nearest is looked for.

@@ -8,7 +8,6 @@ use super::implication::{
     Stated, Way, assumed, has_one_sided_sign, implication, integers_alone, is_equivalence, listed_values, new_integer,
     signs_go_together, stated_of, unseen,
 };
-use super::nearest::nearest;
 use super::nodes::holds_indefinite;
 use super::nodes::{any, any_side, speaks_of};
 use super::size::Budget;
@@ -17,7 +16,8 @@ use super::verdict::Verdict;
 use super::vocabulary::{Vocabulary, index_of};
 use crate::number::{Field, Rational};
 use crate::tex::{
-    At, Condition, Doubt, DoubtKind, Equation, Name, Operation, Relation, Tree, read, read_conditions, with_commands,
+    At, Condition, Doubt, DoubtKind, Equation, Name, Operation, Relation, Tree, nearest, read, read_conditions,
+    with_commands,
 };
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashSet};
@@ -1111,6 +1111,29 @@ fn sides<'a>(equation: &'a Equation, source: &'a Source) -> [(&'a Tree, &'a Sour
 
 /// Reads an entry; what cannot be read of it is kept in `unread`, a label in `follows_from` that no entry has too. Of one that
 /// is not `wanted` the TeX is kept alone.
+/// Returns what to say of TeX of which TOML has read a backslash and a letter, `"\frac"`, as one character.
+fn escaped(tex: &str) -> Option<String> {
+    // what follows the letters of commands that begin with `\t`, `\r` and `\n`
+    const BEHIND: [(char, char, &[&str]); 5] = [
+        ('\u{c}', 'f', &[""]),
+        ('\u{8}', 'b', &[""]),
+        ('\t', 't', &["heta", "an", "imes", "ext", "au", "frac", "o ", "ilde"]),
+        ('\r', 'r', &["ho", "ight"]),
+        ('\n', 'n', &["abla", "eq", "u ", "u_", "u^"]),
+    ];
+    let (letter, _) = BEHIND.iter().find_map(|(character, letter, behind)| {
+        let mut places = tex.match_indices(*character);
+        let is_command = |(at, found): &(usize, &str)| {
+            let rest = tex.get(at + found.len()..).unwrap_or_default();
+            behind.iter().any(|own| rest.starts_with(own))
+        };
+        places.find(is_command).map(|place| (*letter, place))
+    })?;
+    Some(format!(
+        "between double quotes TOML reads `\\{letter}` as one character: write the TeX between ''', where a backslash stands for itself"
+    ))
+}
+
 pub(super) fn read_entry(
     lines: &Text,
     raw: &RawEntry,
@@ -1120,6 +1143,7 @@ pub(super) fn read_entry(
 ) -> Entry {
     let tex = Source::new(lines, &raw.tex);
     let mut faults: Vec<Fault> = raw.unread.iter().map(|problem| tex.fault(0, problem)).collect();
+    faults.extend(escaped(raw.tex.get_ref()).map(|problem| tex.fault(0, problem)));
     let mut follows_from = Vec::new();
     let mut seen = HashSet::new();
     for label in raw.follows_from.iter().flatten() {

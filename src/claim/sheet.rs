@@ -14,7 +14,7 @@ use super::symbols::{MapEntry, Symbols};
 use super::vocabulary::Vocabulary;
 #[cfg(feature = "audit")]
 use crate::tex::Equation;
-use crate::tex::{Name, Tree};
+use crate::tex::{Name, Tree, nearest};
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;
@@ -469,9 +469,24 @@ impl Sheet {
     }
 }
 
+/// Returns what TOML says of a text, with the key that was probably meant, and with how TeX is quoted.
+fn instead_of_key(message: &str) -> String {
+    let mut quoted = message.split('`').skip(1).step_by(2);
+    if message.starts_with("unknown field")
+        && let Some(found) = quoted.next()
+        && let Some(meant) = nearest(found, quoted)
+    {
+        return format!("{message}; did you mean `{meant}`?");
+    }
+    match message.contains("escape") {
+        true => format!("{message}; write TeX between ''', where a backslash stands for itself"),
+        false => message.to_owned(),
+    }
+}
+
 fn parse(text: &str) -> Result<RawSheet, Fault> {
     toml::from_str(text).map_err(|error: toml::de::Error| {
-        let fault = Fault::new(error.message());
+        let fault = Fault::new(instead_of_key(error.message()));
         match error.span() {
             Some(span) => fault.at(&Source::new(&Text::new(text), &Spanned::new(span, String::new()))),
             None => fault,

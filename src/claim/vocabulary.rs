@@ -5,7 +5,7 @@ use super::nodes::speaks_of;
 use super::size::Sizes;
 use super::symbols::{MapEntry, Symbols};
 use crate::tex::{At, Equation, Name, Names, Relation, Tree, read, read_expression};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// A matrix of partial derivatives.
 #[derive(Clone, Debug)]
@@ -341,14 +341,26 @@ impl Vocabulary {
 
     /// A name with two meanings has none.
     fn refuse_twice(&self) -> Result<(), Fault> {
-        let functions = self.functions.iter().map(|(name, _)| name);
-        let abbreviations = self.abbreviations.iter().map(|(name, _)| name);
-        let mut seen: HashSet<&Name> = HashSet::new();
-        let singles = self.parameters.iter().chain(&self.indices).chain(functions);
-        let others = abbreviations.chain(&self.states).chain(&self.running);
-        for name in singles.chain(others) {
-            if !seen.insert(name) {
-                return Err(Fault::new(format!("`{name}` is declared twice")));
+        let functions: Vec<&Name> = self.functions.iter().map(|(name, _)| name).collect();
+        let abbreviations: Vec<&Name> = self.abbreviations.iter().map(|(name, _)| name).collect();
+        let lists: [(&str, Vec<&Name>); 6] = [
+            ("parameters", self.parameters.iter().collect()),
+            ("indices", self.indices.iter().collect()),
+            ("functions", functions),
+            ("abbreviations", abbreviations),
+            ("states", self.states.iter().collect()),
+            ("times", self.running.iter().collect()),
+        ];
+        let mut seen: HashMap<&Name, &str> = HashMap::new();
+        for (list, names) in lists {
+            for name in names {
+                let place = match seen.insert(name, list) {
+                    None => continue,
+                    Some(known) if known == list => format!("twice in `{list}`"),
+                    Some(known) => format!("in `{known}` and in `{list}`"),
+                };
+                let problem = format!("`{name}` is declared twice, {place}: leave one of them out");
+                return Err(Fault::new(problem));
             }
         }
         Ok(())
@@ -475,6 +487,9 @@ mod tests {
             ..Symbols::default()
         };
         let fault = Vocabulary::read(&symbols).unwrap_err();
-        assert_eq!(fault.to_string(), "`t` is declared twice");
+        assert_eq!(
+            fault.to_string(),
+            "`t` is declared twice, in `parameters` and in `times`: leave one of them out"
+        );
     }
 }

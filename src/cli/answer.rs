@@ -3,9 +3,9 @@
 use super::resume::Unfinished;
 use super::rows::Rows;
 use super::{Exit, Failure, Options};
-use crate::report::{Format, Output, Page, Table, acts_on_a_terminal, json_tables, junit};
+use crate::report::{Format, Output, Page, Table, Verdicts, acts_on_a_terminal, json_tables, junit};
 use std::fmt;
-use std::io;
+use std::io::{self, IsTerminal};
 
 /// What a command found, and what the exit status says of it.
 #[derive(Debug)]
@@ -79,8 +79,28 @@ impl fmt::Debug for Copied {
 impl Answer {
     /// Prints the answer to `output`, text with a line break at its end, and says how the command exits.
     pub fn write(self, output: &Output, options: &Options) -> Result<Exit, Failure> {
+        let is_read = *output == Output::Stdout && options.format == Format::Text && io::stdout().is_terminal();
+        let summary = if is_read { self.summary() } else { None };
         let (_, is_met) = self.content.write(output, options.format, options.figures())?;
+        if let Some(summary) = summary {
+            output.write(|to| writeln!(to, "\n{summary}"))?;
+        }
         Ok(if is_met { self.exit } else { Exit::NotAsExpected })
+    }
+
+    /// Returns how many rows have each verdict, and whether all is as expected; nothing of tables without verdicts.
+    fn summary(&self) -> Option<String> {
+        let tables: Vec<&Table> = match &self.content {
+            Content::Table(table) => vec![table],
+            Content::Tables(tables) => tables.iter().map(|(_, table)| table).collect(),
+            _ => return None,
+        };
+        let verdicts = Verdicts::of(tables.into_iter());
+        let against = match verdicts.are_expected() && self.exit != Exit::AsExpected {
+            true => ", but evidence speaks against a verdict or something could not be read",
+            false => "",
+        };
+        Some(format!("{}{against}", verdicts.in_words()?))
     }
 }
 

@@ -7,6 +7,7 @@ use super::verdicts::{Audited, Row, answer, compare, exit, explained};
 use super::{Answer, Content, Exit, Failure, Options, Source, document};
 use crate::claim::{self, Document, Fault, Sheet, Vocabulary};
 use crate::prove;
+use crate::repair::Repair;
 use crate::report::{Baseline, Format, NewDirectory, OutputError};
 use crate::stop::Token;
 use rayon::prelude::*;
@@ -27,7 +28,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=MOST_EFFORT))]
     effort: u64,
     /// Look for the smallest edits that make a refuted formula true: the column `repair`
-    #[arg(long, conflicts_with = "explain")]
+    #[arg(long)]
     repair: bool,
     /// Write the sheet or document to this file, with the first repair of each refuted formula as a comment before it
     #[arg(long, value_name = "FILE", conflicts_with = "explain")]
@@ -83,7 +84,7 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
     };
     if let (Some(label), [] | [_]) = (&arguments.explain, arguments.sheets.as_slice()) {
         let read = Read::new(arguments.sheets.first(), &vocabulary)?;
-        return explain(&read.sheet, label, &options).map_err(|fault| in_sheet(&read.name, fault));
+        return explain(&read.sheet, label, &options, arguments.repair).map_err(|fault| in_sheet(&read.name, fault));
     }
     if let (true, [source]) = (arguments.draft, arguments.sheets.as_slice()) {
         let document = document::read(source)?.ok_or_else(|| Failure::NoDocument(source.name()))?;
@@ -145,6 +146,19 @@ struct Read {
 impl Read {
     fn new(source: Option<&Source>, vocabulary: &Vocabulary) -> Result<Self, Failure> {
         let name = source.map_or(PAPER.to_owned(), Source::name);
+        if let Some(source @ Source::Stdin) = source {
+            let text = source.read(DOCUMENT_AT_MOST)?;
+            let document = document::of_stdin(&text);
+            let sheet = match &document {
+                Some(document) => {
+                    document::tell(document, &name);
+                    document.sheet(vocabulary)
+                }
+                None => Sheet::read(source.of_length(&text, TOML_AT_MOST)?, vocabulary),
+            };
+            let sheet = sheet.map_err(|fault| in_sheet(&name, fault))?;
+            return Ok(Self { name, sheet, document });
+        }
         let document = source.map(document::read).transpose()?.flatten();
         let sheet = match (&document, source) {
             (Some(document), _) => {
@@ -297,9 +311,12 @@ fn with_repairs(
     })
 }
 
-fn explain(sheet: &Sheet, label: &str, options: &prove::Options) -> Result<Answer, Fault> {
+fn explain(sheet: &Sheet, label: &str, options: &prove::Options, repair: bool) -> Result<Answer, Fault> {
     let rows = sheet.rows();
-    let Some(position) = sheet.find(label).filter(|position| rows.contains(position)) else {
+    // (16) is how a paper prints the label
+    let bare = || label.strip_prefix('(')?.strip_suffix(')');
+    let found = sheet.find(label).or_else(|| sheet.find(bare()?));
+    let Some(position) = found.filter(|position| rows.contains(position)) else {
         let entries = rows.iter().filter_map(|&n| sheet.entries.get(n));
         let known: Vec<&str> = entries.map(|entry| entry.label.as_str()).collect();
         return Err(Fault::new(format!(
@@ -307,13 +324,19 @@ fn explain(sheet: &Sheet, label: &str, options: &prove::Options) -> Result<Answe
             known.join(", ")
         )));
     };
-    let mut row = decide(sheet, position, options, false)?;
+    let mut row = decide(sheet, position, options, repair)?;
     // Whether what it rests on is refuted takes the verdicts of all.
     let others = prove::audit(sheet, options);
     if let Some(decision) = others.into_iter().find(|other| other.label == row.decision.label) {
         row.decision = decision;
     }
-    let text = explained(sheet, &row, options);
+    let mut text = explained(sheet, &row, options);
+    if let Some(repairs) = &row.repairs {
+        let one = |repair: &Repair| format!("  {}\n    {repair}\n", repair.words().replace("; ", "\n  "));
+        let all: String = repairs.found.iter().map(one).collect();
+        let none = repairs.none().map(|none| format!("  {none}\n"));
+        text.push_str(&format!("\n\nrepairs, each proved\n{all}{}", none.unwrap_or_default()));
+    }
     Ok(Answer {
         content: Content::Text(text),
         exit: exit(&[row]),

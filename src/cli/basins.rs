@@ -109,7 +109,9 @@ fn known(unfinished: &Unfinished, points: &mut BasinPoints, first: u64) -> Resul
 /// The rows of these points, and the attractors of them and of those that are known, of so many starts in all.
 fn rows_of(points: BasinPoints, known: ReachedAttractors, starts: u64, options: &Options) -> Rows {
     let total = usize::try_from(starts).unwrap_or(usize::MAX);
-    let points = Progress::over(points, total, "starts", options.out.is_some());
+    let points = Progress::bar(total, "starts")
+        .beside_rows(options.out.is_some())
+        .over(points);
     let found = Rc::new(RefCell::new(known));
     let all = Rc::clone(&found);
     let rows = points.map(move |point| {

@@ -2,8 +2,9 @@
 
 use super::caller::quietly;
 use super::outcomes::table;
+use super::progress::Progress;
 use super::{Answer, Content, Exit, Failure, Options, added, golden, note};
-use crate::reference::{Certified, Directory, Outcome, bless, check};
+use crate::reference::{Certified, Directory, Outcome, bless, check, count_requests};
 use crate::report::{Cell, Format, Output, Page, Part, Table, note_input};
 use std::path::PathBuf;
 
@@ -50,7 +51,11 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     for scene in directory.unused_scenes(&printed, &certified)? {
         note(&format!("{}: no row names this scene", directory.name(&scene)));
     }
-    let mut compute = |request: &_| golden::answer(&directory, request, options).map_err(|failure| failure.to_string());
+    let progress = Progress::bar(count_requests(&printed, &certified), "computations");
+    let mut compute = |request: &_| {
+        progress.step();
+        golden::answer(&directory, request, options).map_err(|failure| failure.to_string())
+    };
     let mut outcomes = || check(&printed, &certified, &mut compute);
     let outcomes = match &directory {
         // what is to be said of the paper's own scenes is known

@@ -1,5 +1,6 @@
 //! Decides the claims of a sheet: proofs, witnesses and repairs.
 
+use super::progress::Progress;
 use super::verdicts::{Row, table};
 use super::{Failure, note};
 use crate::claim::{self, Fault, Sheet, Verdict};
@@ -51,10 +52,13 @@ pub fn decide_sheet(sheet: &Sheet, name: &str, options: &prove::Options, repair:
 /// Decides each claim, looks for witnesses and, where asked, for repairs, on all cores; in the order of the sheet.
 fn decide_all(sheet: &Sheet, options: &prove::Options, repair: bool) -> Result<Vec<Row>, Fault> {
     let rows = sheet.rows();
-    let token = Token::current();
-    rows.par_iter()
-        .map(|&position| token.during(|| decide(sheet, position, options, repair)))
-        .collect()
+    let (token, progress) = (Token::current(), Progress::bar(rows.len(), "claims"));
+    let decide = |&position: &usize| {
+        let row = token.during(|| decide(sheet, position, options, repair));
+        progress.step();
+        row
+    };
+    rows.par_iter().map(decide).collect()
 }
 
 /// Decides the claim at a position of a sheet.

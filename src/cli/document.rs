@@ -18,6 +18,22 @@ pub fn read(source: &Source) -> Result<Option<Document>, Failure> {
     Ok(of_text(source, &text))
 }
 
+/// Returns the document that stdin has, if it looks like TeX or Markdown and not like a sheet.
+pub fn of_stdin(text: &str) -> Option<Document> {
+    let is_sheet = text
+        .lines()
+        .any(|line| matches!(line.trim(), "[[equation]]" | "[symbols]"));
+    let markup = match text.trim_start().chars().next() {
+        _ if is_sheet => return None,
+        Some('\\' | '%') => Markup::Tex,
+        _ if text.contains("\\begin{document}") || text.contains("\\begin{equation}") => Markup::Tex,
+        _ if text.contains("$$") => Markup::Markdown,
+        _ => return None,
+    };
+    let directory = PathBuf::from(".");
+    Some(Document::read(text, markup, &mut |name| included(&directory, name)))
+}
+
 /// Returns how the document in a file is written; `None` where its name is that of no document.
 pub fn markup(source: &Source) -> Option<Markup> {
     let Source::File(path) = source else {

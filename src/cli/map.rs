@@ -65,7 +65,9 @@ fn rows_of(points: MapPoints, options: &Options) -> Rows {
     let map = points.grid();
     let shown: Vec<bool> = COLUMNS.iter().map(|column| is_wanted(&map.wants, column)).collect();
     let total = map.x.points as usize * points.count_rows() as usize;
-    let points = Progress::over(points, total, "points", options.out.is_some());
+    let points = Progress::bar(total, "points")
+        .beside_rows(options.out.is_some())
+        .over(points);
     let rows = points.map(move |point| {
         let point = point?;
         let cell = |(column, is_shown): (&&str, &bool)| if *is_shown { cell(&point, column) } else { Cell::Empty };

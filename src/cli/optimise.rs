@@ -1,7 +1,7 @@
 //! `vibro-audit optimise SCENE [--gap G] [--effort N] [--resume]`.
 
 use super::complete::Complete;
-use super::progress::Status;
+use super::progress::Progress;
 use super::resume::{RECORD, Unfinished};
 use super::rows::Rows;
 use super::shard::{Label, Shard};
@@ -217,7 +217,7 @@ pub(super) fn usual(asked: &BoxChoice) -> Optimum {
 
 /// The search, which shows how far it is.
 fn search<R: SearchRecord>(asked: &BoxChoice, limits: OptimumLimits, record: &mut R) -> Result<Optimum, R::Error> {
-    let mut status = Status::new();
+    let status = Progress::line();
     let show = |progress: &OptimumProgress| status.show(|| line(progress));
     optimum_recorded(&asked.choice, limits, record, show)
 }

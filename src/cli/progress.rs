@@ -1,115 +1,93 @@
-//! How far a long computation is, on a terminal.
+//! Progress of a long computation, on a terminal.
 
-use std::io::{self, IsTerminal, Write};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::cell::Cell;
+use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
 
-/// Between two tellings; what is over sooner is not told of at all.
+/// The time before anything is drawn: a short computation shows nothing.
 const PAUSE: Duration = Duration::from_millis(200);
 
-/// The cells of the bar.
-const WIDTH: usize = 30;
-
-/// Passes items on and draws on stderr how many of them there were, where that is a terminal and stdout is none: rows
-/// and bar would run into one another.
-pub struct Progress<I> {
-    items: I,
-    done: usize,
-    total: usize,
-    what: &'static str,
-    told: Option<Instant>,
-    is_drawn: bool,
+thread_local! {
+    /// True while a bar exists: a computation within another draws none.
+    static IS_TAKEN: Cell<bool> = const { Cell::new(false) };
 }
 
-impl<I> Progress<I> {
-    /// `total` items, called `what`; `is_redirected` where the rows go to a file.
-    pub fn over(items: I, total: usize, what: &'static str, is_redirected: bool) -> Self {
-        let is_shown = io::stderr().is_terminal() && (is_redirected || !io::stdout().is_terminal());
-        Self {
-            items,
-            done: 0,
-            total,
+/// A bar or a line on stderr, where that is a terminal; removed when it is dropped.
+pub struct Progress {
+    bar: ProgressBar,
+    start: Instant,
+    is_shown: bool,
+}
+
+impl Progress {
+    /// A bar of `total` steps, called `what`, with the time left.
+    pub fn bar(total: usize, what: &'static str) -> Self {
+        let style = ProgressStyle::with_template("[{bar:30}] {pos} of {len} {msg}, about {eta} left");
+        let style = style.map(|style| style.progress_chars("## "));
+        Self::new(
+            Some(total as u64),
+            style.unwrap_or_else(|_| ProgressStyle::default_bar()),
             what,
-            told: is_shown.then(Instant::now),
-            is_drawn: false,
-        }
+        )
     }
 
-    fn tell(&mut self) {
-        let Some(told) = self.told.as_mut().filter(|told| told.elapsed() >= PAUSE) else {
-            return;
-        };
-        *told = Instant::now();
-        self.is_drawn = true;
-        // A terminal that is gone needs no telling.
-        let _ = write!(io::stderr(), "\r{}", line(self.done, self.total, self.what));
+    /// A line about a computation without a number of steps.
+    pub fn line() -> Self {
+        let style = ProgressStyle::with_template("{msg}");
+        Self::new(None, style.unwrap_or_else(|_| ProgressStyle::default_spinner()), "")
     }
-}
 
-/// `[######                        ] 80 of 401 values`
-fn line(done: usize, total: usize, what: &str) -> String {
-    let full = done.min(total) * WIDTH / total.max(1);
-    format!(
-        "[{}{}] {done} of {total} {what}",
-        "#".repeat(full),
-        " ".repeat(WIDTH - full)
-    )
-}
-
-impl<I: Iterator> Iterator for Progress<I> {
-    type Item = I::Item;
-
-    fn next(&mut self) -> Option<I::Item> {
-        let item = self.items.next();
-        if item.is_some() {
-            self.done += 1;
-            self.tell();
-        }
-        item
-    }
-}
-
-impl<I> Drop for Progress<I> {
-    fn drop(&mut self) {
-        if self.is_drawn {
-            // Messages that follow begin on a clean line.
-            let blank = " ".repeat(line(self.done, self.total, self.what).len());
-            let _ = write!(io::stderr(), "\r{blank}\r");
-        }
-    }
-}
-
-/// One line on stderr about a computation without a number of steps, where that is a terminal.
-pub struct Status {
-    told: Option<Instant>,
-    /// The characters that are drawn.
-    drawn: usize,
-}
-
-impl Status {
-    /// Nothing is drawn yet.
-    pub fn new() -> Self {
+    fn new(total: Option<u64>, style: ProgressStyle, what: &'static str) -> Self {
+        let bar = ProgressBar::with_draw_target(total, ProgressDrawTarget::hidden());
+        let is_shown = io::stderr().is_terminal() && !IS_TAKEN.replace(true);
         Self {
-            told: io::stderr().is_terminal().then(Instant::now),
-            drawn: 0,
+            bar: bar.with_style(style).with_message(what),
+            start: Instant::now(),
+            is_shown,
         }
     }
 
-    /// Draws a line in the place of the last one, where that is long enough ago.
-    pub fn show(&mut self, line: impl FnOnce() -> String) {
-        let Some(told) = self.told.as_mut().filter(|told| told.elapsed() >= PAUSE) else {
-            return;
-        };
-        *told = Instant::now();
-        let line = line();
-        let _ = write!(io::stderr(), "\r{line:<width$}", width = self.drawn);
-        self.drawn = self.drawn.max(line.chars().count());
+    /// Nothing is drawn where the rows go to the terminal meanwhile: rows and bar would run into one another.
+    pub fn beside_rows(mut self, are_redirected: bool) -> Self {
+        if self.is_shown && !are_redirected && io::stdout().is_terminal() {
+            self.is_shown = false;
+            IS_TAKEN.set(false);
+        }
+        self
+    }
+
+    /// Goes on by one step.
+    pub fn step(&self) {
+        self.draw();
+        self.bar.inc(1);
+    }
+
+    /// Shows a line in the place of the last one.
+    pub fn show(&self, line: impl FnOnce() -> String) {
+        self.draw();
+        if !self.bar.is_hidden() {
+            self.bar.set_message(line());
+        }
+    }
+
+    /// Passes items on, each of them a step.
+    pub fn over<I: Iterator>(self, items: I) -> impl Iterator<Item = I::Item> {
+        items.inspect(move |_| self.step())
+    }
+
+    fn draw(&self) {
+        if self.is_shown && self.bar.is_hidden() && self.start.elapsed() >= PAUSE {
+            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
     }
 }
 
-impl Drop for Status {
+impl Drop for Progress {
     fn drop(&mut self) {
-        if self.drawn > 0 {
-            let _ = write!(io::stderr(), "\r{}\r", " ".repeat(self.drawn));
+        self.bar.finish_and_clear();
+        if self.is_shown {
+            IS_TAKEN.set(false);
         }
     }
 }
@@ -119,17 +97,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_bar_is_full_at_the_end_and_never_wider() {
-        assert_eq!(
-            line(401, 401, "values"),
-            format!("[{}] 401 of 401 values", "#".repeat(WIDTH))
-        );
-        assert!(line(0, 0, "values").starts_with("[ ") && line(9, 3, "values").len() < WIDTH + 30);
-    }
-
-    #[test]
-    fn every_item_is_passed_on() {
-        let told: Vec<i32> = Progress::over(0..5, 5, "values", false).collect();
-        assert_eq!(told, [0, 1, 2, 3, 4]);
+    fn every_item_is_a_step_and_is_passed_on() {
+        let progress = Progress::bar(5, "values");
+        let bar = progress.bar.clone();
+        let told: Vec<i32> = progress.over(0..5).collect();
+        assert_eq!((told, bar.position()), (vec![0, 1, 2, 3, 4], 5));
     }
 }

@@ -81,7 +81,7 @@ pub(super) fn unknown(name: &str) -> Failure {
     let known: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).collect();
     Failure::UnknownScene {
         name: name.to_string(),
-        meant: crate::claim::nearest(name, known.iter().copied())
+        meant: crate::tex::nearest(name, known.iter().copied())
             .map(|near| format!("did you mean {near}? "))
             .unwrap_or_default(),
         known: known.join(", "),

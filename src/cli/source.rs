@@ -3,6 +3,7 @@
 use super::caller;
 use crate::input::read_at_most;
 use crate::report::{note_input, note_stdin};
+use crate::scene::find;
 use std::fs;
 use std::io::{self, Read};
 use std::path::PathBuf;
@@ -42,6 +43,11 @@ pub enum SourceProblem {
     /// Nothing stands at the path.
     #[error("there is no such file; give the path of a file, or `-` for stdin")]
     Missing,
+    /// The name is that of a built-in scene.
+    #[error(
+        "there is no such file; `{0}` is a scene, which `vibro-audit run {0} --out DIR`, orbits, branch, sweep and their like take"
+    )]
+    Scene(String),
     /// The path is a directory.
     #[error("it is a directory; name a file in it")]
     Directory,
@@ -99,8 +105,22 @@ impl Source {
     pub fn read(&self, most: u64) -> Result<String, SourceError> {
         self.text(most).map_err(|problem| SourceError {
             place: self.name(),
-            problem,
+            problem: match problem {
+                SourceProblem::Missing if find(&self.name()).is_some() => SourceProblem::Scene(self.name()),
+                problem => problem,
+            },
         })
+    }
+
+    /// Returns a text that was read, of at most so many MB.
+    pub fn of_length<'t>(&self, text: &'t str, most: u64) -> Result<&'t str, SourceError> {
+        match text.len() as u64 > most << 20 {
+            true => Err(SourceError {
+                place: self.name(),
+                problem: SourceProblem::TooLarge(most),
+            }),
+            false => Ok(text),
+        }
     }
 
     fn text(&self, most: u64) -> Result<String, SourceProblem> {

@@ -161,7 +161,9 @@ fn rows(
         }
         row
     };
-    let points = Progress::over(points, total, "values", options.out.is_some());
+    let points = Progress::bar(total, "values")
+        .beside_rows(options.out.is_some())
+        .over(points);
     let rows = points.flat_map(move |point| -> Box<dyn Iterator<Item = Result<Vec<Cell>, Failure>>> {
         match point {
             Ok(point) => Box::new((0..count(&point)).map(move |index| Ok(row_of(&point, index)))),

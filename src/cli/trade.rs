@@ -1,5 +1,6 @@
 //! `vibro-audit trade [TASK] [--plot FILE]`.
 
+use super::progress::Progress;
 use super::{Answer, Content, Exit, Failure, Options, note};
 use crate::accuracy::{
     Advice, AdviceError, Latency, Need, Rank, Task, TradeError, TradeOptions, TradeRow, Unsolved, advise, machine,
@@ -82,7 +83,9 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     let latency = measured_latency(arguments.problems);
     let mut rows = Vec::new();
     let mut none = None;
+    let progress = Progress::bar(tasks.len(), "tasks");
     for task in tasks {
+        progress.step();
         match trade(task, &asked, &latency) {
             Ok(found) => rows.extend(found),
             // a means of one task is none of the others
@@ -163,7 +166,9 @@ fn advised(need: &Need, asked: &TradeOptions, drawing: Option<Output>, is_text: 
     }
     let latency = measured_latency(false);
     let mut all = Vec::new();
+    let progress = Progress::bar(tasks.len(), "tasks");
     for task in tasks {
+        progress.step();
         all.extend(trade(task, asked, &latency)?);
     }
     let rows: Vec<TradeRow> = all.iter().filter(|row| row.task.contains(wanted)).cloned().collect();

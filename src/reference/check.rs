@@ -3,6 +3,7 @@
 use super::outcome::{Outcome, unexpected};
 use super::request::{Answer, Asked, Request};
 use super::{Certified, Comparison, Fault, Printed, Verdict, amplitude, compare};
+use std::collections::HashSet;
 
 /// Holds every row against what `answer` computes: printed ones first, each in the order of its file.
 ///
@@ -20,6 +21,16 @@ pub fn check(printed: &[Printed], certified: &[Certified], answer: &mut Answer<'
         outcomes.push(row.hold(&mut asked)?);
     }
     Ok(outcomes)
+}
+
+/// Counts the different answers that rows are held against.
+pub fn count_requests(printed: &[Printed], certified: &[Certified]) -> usize {
+    let of_printed = printed.iter().filter_map(|row| {
+        let quantity = row.quantity.as_ref()?;
+        Some(Request::new(&quantity.command, &row.record, &row.setting))
+    });
+    let of_certified = certified.iter().map(Certified::request);
+    of_printed.chain(of_certified).collect::<HashSet<Request>>().len()
 }
 
 /// Holds one of the printed rows alone.

@@ -6,6 +6,7 @@ use super::quantity::{FieldName, Quantity};
 use super::setting::{Selector, Setting, Wanted};
 use super::value::{Value, bound};
 use crate::number::{Field, Rational};
+use crate::tex::nearest;
 use num_traits::Zero;
 
 /// A table with its fields as CSV prints them, so that each reads back to the same value.
@@ -199,8 +200,10 @@ impl Computed {
     /// The field of a row as text; where `shorter` rows are allowed, an index beyond the list gives none.
     fn text(&self, row: &[String], field: &FieldName, shorter: bool) -> Result<String, String> {
         let column = self.column(&field.column).ok_or_else(|| {
+            let meant = nearest(&field.column, self.columns.iter().map(String::as_str));
+            let meant = meant.map_or(String::new(), |meant| format!("did you mean `{meant}`? "));
             format!(
-                "there is no column `{}`; there are {}",
+                "there is no column `{}`; {meant}there are {}",
                 field.column,
                 self.columns.join(", ")
             )

@@ -48,7 +48,7 @@ pub use new_directory::NewDirectory;
 pub use output::{
     Output, OutputError, OutputProblem, is_same_file, note_input, note_stdin, open_locked, remove_temporaries,
 };
-pub use page::{Given, Page, Part, Printed};
+pub use page::{Given, Page, Part, Printed, Verdicts};
 pub use sarif::{Finding, Fix, Kind, sarif};
 pub use stream::Stream;
 pub use table::{Cell, Column, RowError, Table};

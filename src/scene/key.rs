@@ -1,7 +1,7 @@
 //! The keys a scene may have: one table of names, ranges and meanings.
 
 use super::Quantity;
-use crate::claim::nearest;
+use crate::tex::nearest;
 use std::cmp::Ordering;
 
 /// A key of a scene.
@@ -27,6 +27,8 @@ pub(super) enum Allowed {
     Positive,
     /// Above 0 and at most 1.
     Part,
+    /// From -pi/2 to pi/2.
+    Angle,
     /// An integer from 1 to this.
     Count(u32),
     /// A list of starts.
@@ -72,7 +74,7 @@ keys! {
     CAPSULE_MASS = "device" "capsule_mass" Allowed::Positive, "the mass of the capsule, kg";
     FORCING_AMPLITUDE = "device" "forcing_amplitude" Allowed::Positive, "the amplitude of the force, N";
     ANGULAR_FREQUENCY = "device" "angular_frequency" Allowed::Positive, "the angular frequency of the force, rad/s";
-    INCLINE = "device" "incline" Allowed::Finite, "the angle against the horizontal, rad";
+    INCLINE = "device" "incline" Allowed::Angle, "the angle against the horizontal, rad";
     GRAVITY = "device" "gravity" Allowed::NotNegative, "the acceleration of gravity, m/s²";
     CAPSULE_LENGTH = "device" "capsule_length" Allowed::Positive, "the distance that the ball has between the walls, m, which box.forcing_amplitude leaves as it is";
     G = "motion" "g" Allowed::Finite, "gravity along the capsule in units of the forcing; [device] gives it too";
@@ -360,6 +362,10 @@ pub(super) fn allowed_number(allowed: Allowed, value: &Quantity) -> Option<&'sta
         Allowed::Part => (
             sign == Ordering::Greater && value.compared_with_one() != Ordering::Greater,
             "above 0 and at most 1",
+        ),
+        Allowed::Angle => (
+            value.value::<f64>().abs() <= std::f64::consts::FRAC_PI_2 * (1.0 + f64::EPSILON),
+            "an angle in rad from -pi/2 to pi/2; 30 degrees are \"pi/6\"",
         ),
         _ => (true, ""),
     };

@@ -419,7 +419,7 @@ mod tests {
             ("(f)(t)", "a bracket after a function without argument"),
             ("(f + a)(t)", "a bracket after a function without argument"),
             (r"\frac{f}{a}(t)", "a bracket after a function without argument"),
-            (r"\frac{a + f}{2}[t]", "a bracket after a function without argument"),
+            (r"\frac{a + f}{2}[t + a]", "a bracket after a function without argument"),
             ("f(t", "`(` is not closed"),
             ("sqrt(4)", r"`sqrt(` can be read as \operatorname{sqrt} or as s q r t"),
             ("a asin[t]", "`asin(` can be read"),

@@ -19,7 +19,7 @@ pub enum Reason {
     NoCondition,
     /// A sign or command that has no meaning here.
     #[error("cannot read {found} here{instead}")]
-    Unreadable { found: String, instead: &'static str },
+    Unreadable { found: String, instead: String },
     /// Something known, but out of place.
     #[error("found {found} where {wanted} must stand")]
     Unexpected { found: String, wanted: String },
@@ -92,8 +92,8 @@ impl Fault {
         Self { reason, at }
     }
 
-    pub(super) fn unreadable(at: usize, found: &str, instead: &'static str) -> Self {
-        let found = quoted(found);
+    pub(super) fn unreadable(at: usize, found: &str, instead: &str) -> Self {
+        let (found, instead) = (quoted(found), instead.to_owned());
         Self::new(at, Reason::Unreadable { found, instead })
     }
 

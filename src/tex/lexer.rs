@@ -3,8 +3,85 @@
 use super::Relation;
 use super::command::{Command, Side, WORD_SPACE, character, character_hint, command, shape, spelled};
 use super::error::{Fault, Reason};
+use super::nearest::nearest;
 use super::token::{Bracket, Kind, Rows, Set, Token};
 use std::collections::BTreeMap;
+
+/// Commands that a misspelt one may be meant for.
+const COMMON: [&str; 72] = [
+    r"\frac",
+    r"\dfrac",
+    r"\tfrac",
+    r"\sqrt",
+    r"\sum",
+    r"\prod",
+    r"\int",
+    r"\lim",
+    r"\sin",
+    r"\cos",
+    r"\tan",
+    r"\arcsin",
+    r"\arccos",
+    r"\arctan",
+    r"\sinh",
+    r"\cosh",
+    r"\tanh",
+    r"\exp",
+    r"\ln",
+    r"\log",
+    r"\left",
+    r"\right",
+    r"\begin",
+    r"\end",
+    r"\quad",
+    r"\qquad",
+    r"\cdot",
+    r"\times",
+    r"\partial",
+    r"\infty",
+    r"\alpha",
+    r"\beta",
+    r"\gamma",
+    r"\delta",
+    r"\epsilon",
+    r"\varepsilon",
+    r"\zeta",
+    r"\eta",
+    r"\theta",
+    r"\kappa",
+    r"\lambda",
+    r"\mu",
+    r"\nu",
+    r"\xi",
+    r"\pi",
+    r"\rho",
+    r"\sigma",
+    r"\tau",
+    r"\phi",
+    r"\varphi",
+    r"\chi",
+    r"\psi",
+    r"\omega",
+    r"\Omega",
+    r"\Delta",
+    r"\dot",
+    r"\ddot",
+    r"\hat",
+    r"\bar",
+    r"\tilde",
+    r"\vec",
+    r"\overline",
+    r"\underline",
+    r"\mathbf",
+    r"\mathrm",
+    r"\text",
+    r"\operatorname",
+    r"\boxed",
+    r"\binom",
+    r"\pm",
+    r"\neq",
+    r"\leq",
+];
 
 /// The least width of a blank that may part equations, in eighteenths of a quad: two spaces between words.
 const WIDE: u32 = 12;
@@ -310,6 +387,10 @@ impl<'a> Lexer<'a> {
             Command::Text => self.text(end),
             Command::Begin => self.begin(end),
             Command::End => self.end(end),
+            Command::Unknown("") => {
+                let meant = nearest(text, COMMON).map(|meant| format!(", did you mean `{meant}`?"));
+                Err(Fault::unreadable(at, text, &meant.unwrap_or_default()))
+            }
             Command::Unknown(instead) => Err(Fault::unreadable(at, text, instead)),
         }
     }

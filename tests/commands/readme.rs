@@ -85,12 +85,32 @@ fn assert_shown(shown: &str, printed: &str) {
 }
 
 #[test]
-fn the_sheet_and_the_scene_of_the_readme_come_to_what_it_says() {
+fn the_slip_in_the_sheet_of_the_readme_is_found_and_mended() {
     let directory = directory("readme-files", README);
-    let (status, table) = run("vibro-audit audit my-sheet.toml --format csv", &directory);
-    assert_eq!(status, Some(0), "{table}");
-    let (status, table) = run("vibro-audit orbits my-scene.toml --format csv", &directory);
-    assert_eq!((status, table.lines().count()), (Some(0), 3), "{table}");
+    let (status, table) = run("vibro-audit audit fall.toml --repair --format csv", &directory);
+    assert_eq!(status, Some(1), "{table}");
+    assert!(
+        table.contains("speed,refuted,proved") && table.contains("(H - h)"),
+        "{table}"
+    );
+}
+
+#[test]
+fn the_readme_is_short_and_names_the_paper() {
+    assert!(README.lines().count() <= 150);
+    assert!(README.lines().all(|line| line.chars().count() <= 140));
+    let title = "vibro-impact energy harvester under asymmetric restitution";
+    for (name, text) in [
+        ("README.md", README),
+        ("CITATION.cff", include_str!("../../CITATION.cff")),
+        (
+            "golden/paper/equations.toml",
+            include_str!("../../golden/paper/equations.toml"),
+        ),
+    ] {
+        let joined = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(joined.contains(title), "{name}");
+    }
 }
 
 #[test]

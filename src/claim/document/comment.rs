@@ -1,9 +1,9 @@
 //! What an author says of a formula in a comment that does not print.
 
 use super::super::entry::Role;
-use super::super::nearest::nearest;
 use super::super::symbols::{MapEntry, Pairs, Symbols};
 use super::super::verdict::Verdict;
+use crate::tex::nearest;
 
 /// What a comment says, a key at a time.
 #[derive(Clone, Debug)]

@@ -34,6 +34,9 @@ pub struct Arguments {
 /// The word that stands for every figure of the paper; a file of this name is `./all`.
 const ALL: &str = "all";
 
+/// The extensions of images that are no SVG.
+const OTHER_IMAGES: [&str; 8] = ["png", "pdf", "jpg", "jpeg", "gif", "eps", "ps", "webp"];
+
 /// The columns that scripts rely on.
 const COLUMNS: [&str; 3] = ["figure", "file", "bytes"];
 
@@ -46,6 +49,14 @@ impl Arguments {
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
+    let extension = options.out.as_deref().and_then(Path::extension);
+    let is_other = |known: &str| extension.is_some_and(|own| own.eq_ignore_ascii_case(known));
+    if let Some(other) = OTHER_IMAGES.into_iter().find(|known| is_other(known)) {
+        return Err(Failure::Usage(format!(
+            "plot writes SVG, not {}: name a file that ends in .svg, and convert it",
+            other.to_uppercase()
+        )));
+    }
     let claims = Claims::read()?;
     let content = if arguments.is_all() {
         let directory = options.out.as_deref().ok_or(Failure::NoFigures)?;

@@ -46,14 +46,15 @@ const MOST_VERDICTS: usize = 8;
 /// The place of what is not as expected among what the filter shows.
 const OPEN: usize = 9;
 
-/// The verdicts of a page and how often each stands there, in the order of their first.
-pub(super) struct Verdicts {
+/// The verdicts of tables and how often each stands there, in the order of their first.
+pub struct Verdicts {
     counts: Vec<(String, usize)>,
     unexpected: usize,
 }
 
 impl Verdicts {
-    fn of<'a>(tables: impl Iterator<Item = &'a Table>) -> Self {
+    /// Counts the verdicts of the tables that have columns `verdict` and `expected`.
+    pub fn of<'a>(tables: impl Iterator<Item = &'a Table>) -> Self {
         let (mut counts, mut unexpected): (Vec<(String, usize)>, usize) = (Vec::new(), 0);
         for (table, verdict, expected) in
             tables.filter_map(|table| Some((table, table.position("verdict")?, table.position("expected")?)))
@@ -118,7 +119,13 @@ impl Verdicts {
         )
     }
 
-    fn in_words(&self) -> Option<String> {
+    /// Returns true if each verdict is the expected one.
+    pub fn are_expected(&self) -> bool {
+        self.unexpected == 0
+    }
+
+    /// Returns the counts as `13 proved, 2 refuted: all as expected`; nothing where there are no verdicts.
+    pub fn in_words(&self) -> Option<String> {
         let counts: Vec<String> = self
             .counts
             .iter()
@@ -129,7 +136,7 @@ impl Verdicts {
             1 => "1 not as expected".to_owned(),
             count => format!("{count} not as expected"),
         };
-        (!counts.is_empty()).then(|| format!("{}: {end}.", counts.join(", ")))
+        (!counts.is_empty()).then(|| format!("{}: {end}", counts.join(", ")))
     }
 }
 
@@ -205,7 +212,7 @@ impl Page {
             .and(
                 verdicts
                     .in_words()
-                    .map(|words| text_in("p", words).with("class", "summary")),
+                    .map(|words| text_in("p", format!("{words}.")).with("class", "summary")),
             )
             .and(self.notes.iter().map(|note| element("p", [foreign(note)])))
             .and(verdicts.filter());
