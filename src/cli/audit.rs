@@ -17,34 +17,31 @@ use std::path::Path;
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = PROMISES)]
 pub struct Arguments {
-    /// The sheet, a TOML file or `-` for stdin; or a document, `.tex` or `.md`; without it, the paper's own appendix. Of
-    /// several, the last column `file` says which
+    /// Sheets (TOML), documents (.tex, .md) or `-` for stdin [default: the paper's equations]
     #[arg(value_name = "SHEET")]
     sheets: Vec<Source>,
-    /// Print the proof or the counterexample of this equation alone
+    /// Print the proof or the counterexample of one equation
     #[arg(long, value_name = "LABEL")]
     explain: Option<String>,
-    /// How far to search for proofs and counterexamples, as a multiple of the usual limit in steps
+    /// Search N times as far for proofs and counterexamples
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=MOST_EFFORT))]
     effort: u64,
-    /// Look for the smallest edits that make a refuted formula true: the column `repair`
+    /// Find the smallest edits that make a refuted formula true (column `repair`)
     #[arg(long)]
     repair: bool,
-    /// Write the sheet or document to this file, with the first repair of each refuted formula as a comment before it
+    /// Write a copy of the input to FILE, with each first repair as a comment before its formula
     #[arg(long, value_name = "FILE", conflicts_with = "explain")]
     repair_into: Option<std::path::PathBuf>,
-    /// Write each proof and each counterexample into this new directory, as a Python script that checks itself with
-    /// SymPy and mpmath
+    /// Write each proof and counterexample into the new directory DIR, as a Python script that checks itself
     #[arg(long, value_name = "DIR", conflicts_with = "explain")]
     proof: Option<std::path::PathBuf>,
-    /// Findings of an earlier run do not fail: what `audit` wrote as sarif, json or csv. A finding is known by its label,
-    /// verdict and formula, wherever that stands now
+    /// Do not fail on findings of an earlier run, written by `audit` as sarif, json or csv
     #[arg(long, value_name = "FILE", conflicts_with = "explain")]
     baseline: Option<Source>,
     /// Print a sheet to start from, with every key explained
     #[arg(long, conflicts_with_all = ["sheets", "explain", "effort", "proof", "repair", "repair_into"])]
     template: bool,
-    /// Print the sheet that a document is taken for, what is guessed of it included
+    /// Print a document as a sheet, with everything that was guessed
     #[arg(long, requires = "sheets", conflicts_with_all = ["explain", "effort", "proof", "repair", "repair_into"])]
     draft: bool,
 }

@@ -4,7 +4,7 @@ use super::caller::quietly;
 use super::outcomes::table;
 use super::progress::Progress;
 use super::{Answer, Content, Exit, Failure, Options, added, golden, note};
-use crate::reference::{Certified, Directory, Outcome, bless, check, count_requests};
+use crate::reference::{Certified, Directory, Outcome, bless, check};
 use crate::report::{Cell, Format, Output, Page, Part, Table, note_input};
 use std::path::PathBuf;
 
@@ -51,12 +51,9 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     for scene in directory.unused_scenes(&printed, &certified)? {
         note(&format!("{}: no row names this scene", directory.name(&scene)));
     }
-    let progress = Progress::bar(count_requests(&printed, &certified), "computations");
-    let mut compute = |request: &_| {
-        progress.step();
-        golden::answer(&directory, request, options).map_err(|failure| failure.to_string())
-    };
-    let mut outcomes = || check(&printed, &certified, &mut compute);
+    let progress = Progress::bar(printed.len() + certified.len(), "rows");
+    let mut compute = |request: &_| golden::answer(&directory, request, options).map_err(|failure| failure.to_string());
+    let mut outcomes = || check(&printed, &certified, &mut compute, &mut || progress.step());
     let outcomes = match &directory {
         // what is to be said of the paper's own scenes is known
         Directory::BuiltIn => quietly(outcomes),

@@ -62,10 +62,10 @@ pub fn described_commands() -> Vec<&'static str> {
 /// The arguments.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Arguments {
-    /// Describe the columns of a command's tables: name, type, unit and meaning. `sweep --summary` is one name
+    /// Describe the columns of a command, as `sweep` or "sweep --summary": name, type, unit, meaning
     #[arg(long, value_name = "COMMAND", value_parser = PossibleValuesParser::new(described_commands()), hide_possible_values = true)]
     pub columns: Option<String>,
-    /// As a JSON Schema of what `--format json` writes
+    /// Print the columns as a JSON Schema of `--format json`
     #[arg(long, requires = "columns")]
     schema: bool,
 }

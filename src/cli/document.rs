@@ -129,7 +129,7 @@ fn outcome(row: &[String], name: &str, directory: &Directory, options: &Options)
     let text = Printed::with_row("", row).map_err(|fault| fault.to_string())?;
     let printed = Printed::read(name, &text).map_err(|fault| fault.to_string())?;
     let mut compute = |request: &_| golden::answer(directory, request, options).map_err(|failure| failure.to_string());
-    reference::check(&printed, &[], &mut compute).map_err(|fault| fault.to_string())
+    reference::check(&printed, &[], &mut compute, &mut || ()).map_err(|fault| fault.to_string())
 }
 
 /// The row of golden values that a printed number is.

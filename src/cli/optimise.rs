@@ -22,7 +22,7 @@ pub struct Arguments {
     /// By which part of it the largest voltage may be above the one found
     #[arg(long, value_name = "PART", default_value_t = GAP, value_parser = gap)]
     gap: f64,
-    /// How far to search, as a multiple of the usual limit in boxes
+    /// Search up to N times as many boxes
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=MOST_EFFORT))]
     effort: u64,
     /// Search the I-th of N parts of the motions only, as CSV that says which part it is; `merge` joins them

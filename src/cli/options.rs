@@ -21,14 +21,13 @@ pub enum Asked {
 /// The options that every command knows.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Options {
-    /// How to print tables
+    /// Format of tables
     #[arg(long, global = true, value_name = "FORMAT", default_value = Format::Text.name(), value_parser = format_parser(&Format::ALL))]
     pub format: Format,
-    /// Write to this file instead of stdout; it is there whole or not at all. For `run` and `plot all`, a directory
+    /// Write to FILE instead of stdout; an interrupted run leaves no partial file. `run` and `plot all` take a directory
     #[arg(long, global = true, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// How many significant digits to reach and, in text, to print [default: all that f64 shows, of which 12 are
-    /// printed; of a simulated motion 6]
+    /// Significant digits to compute and to print [default: those of f64, 12 of them in text; 6 for simulated motion]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DIGITS)))]
     pub digits: Option<u32>,
 }

@@ -8,10 +8,10 @@ use super::{Content, Failure, Options};
 /// `--shard`.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub struct PartArguments {
-    /// Compute the I-th of N parts only, as CSV that says which part it is; `merge` joins them
+    /// Compute only part I of N, as CSV; `merge` joins the parts
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,
-    /// Write the rows of --out FILE to FILE.part as they come, and go on behind those that are there
+    /// Continue an interrupted run from FILE.part, where --out FILE keeps its rows meanwhile
     #[arg(long)]
     pub resume: bool,
 }

@@ -13,7 +13,7 @@ pub struct SceneArguments {
     /// Override a key of the scene, as in motion.d=0.3; may be repeated
     #[arg(long, value_name = "KEY=VALUE")]
     set: Vec<String>,
-    /// Refuse keys of the scene that nothing requires
+    /// Refuse unused keys of the scene
     #[arg(long)]
     strict: bool,
 }

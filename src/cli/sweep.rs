@@ -18,7 +18,7 @@ use std::ops::Range;
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// One row per value: what the motion has come to, and its mean voltage
+    /// Print one row per value: the long-term motion and its mean voltage
     #[arg(long)]
     pub(super) summary: bool,
     #[command(flatten)]

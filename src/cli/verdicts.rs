@@ -256,7 +256,8 @@ pub fn answer(
             for audited in all {
                 let file = Cell::from(audited.name.as_str());
                 let named = |table: Table| {
-                    if is_several {
+                    // a test report is read far from the command
+                    if is_several || (format == Format::Junit && audited.source.is_some()) {
                         table.with_column("file", &file)
                     } else {
                         table
@@ -334,7 +335,10 @@ impl Audited {
             verdict: decision.verdict.to_string(),
             is_expected: row.is_expected() && !is_against,
             is_known: row.is_known,
-            message: row.reason(),
+            message: match &decision.counterexample {
+                Some(point) => format!("{}; counterexample: {point}", row.reason()),
+                None => row.reason(),
+            },
             file: self.path(decision.file.as_deref()),
             start: decision.place,
             end: end.and_then(|source| source.place_of(source.tex.len())),

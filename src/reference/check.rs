@@ -3,34 +3,30 @@
 use super::outcome::{Outcome, unexpected};
 use super::request::{Answer, Asked, Request};
 use super::{Certified, Comparison, Fault, Printed, Verdict, amplitude, compare};
-use std::collections::HashSet;
 
-/// Holds every row against what `answer` computes: printed ones first, each in the order of its file.
+/// Holds every row against what `answer` computes: printed ones first, each in the order of its file; `step` is called after each.
 ///
 /// # Errors
 /// The first row, by file and line, that cannot be compared: no answer, no row or several rows meant, a number
 /// against a word.
-pub fn check(printed: &[Printed], certified: &[Certified], answer: &mut Answer<'_>) -> Result<Vec<Outcome>, Fault> {
+pub fn check(
+    printed: &[Printed],
+    certified: &[Certified],
+    answer: &mut Answer<'_>,
+    step: &mut dyn FnMut(),
+) -> Result<Vec<Outcome>, Fault> {
     let mut forward = |request: &Request| answer(request);
     let mut asked = Asked::new(&mut forward);
     let mut outcomes = Vec::new();
     for row in printed {
         outcomes.push(of_printed(row, printed, &mut asked)?);
+        step();
     }
     for row in certified {
         outcomes.push(row.hold(&mut asked)?);
+        step();
     }
     Ok(outcomes)
-}
-
-/// Counts the different answers that rows are held against.
-pub fn count_requests(printed: &[Printed], certified: &[Certified]) -> usize {
-    let of_printed = printed.iter().filter_map(|row| {
-        let quantity = row.quantity.as_ref()?;
-        Some(Request::new(&quantity.command, &row.record, &row.setting))
-    });
-    let of_certified = certified.iter().map(Certified::request);
-    of_printed.chain(of_certified).collect::<HashSet<Request>>().len()
 }
 
 /// Holds one of the printed rows alone.

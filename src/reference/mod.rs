@@ -26,7 +26,7 @@ mod verdict;
 
 pub use bless::{Blessed, Change, Made, bless};
 pub use certified::{COLUMNS as CERTIFIED_COLUMNS, Certified, FIGURES};
-pub use check::{check, check_row, count_requests};
+pub use check::{check, check_row};
 pub use compare::{Comparison, certified_against, compare};
 pub use computed::Computed;
 pub use directory::{Directory, PRINTED};

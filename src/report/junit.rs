@@ -28,7 +28,7 @@ fn suite(table: &Table, to: &mut dyn Write) -> io::Result<()> {
     };
     let reason = table.position("reason");
     let [file, place] = ["file", "place"].map(|name| table.position(name));
-    let repair = table.position("repair");
+    let [counterexample, repair] = ["counterexample", "repair"].map(|name| table.position(name));
     let text = |row: &[Cell], index: usize| row.get(index).map_or(String::new(), |cell| escaped_line(&cell.plain()));
     let failed = |row: &[Cell]| row.get(verdict) != row.get(expected);
     let failures = table.rows().iter().filter(|row| failed(row)).count();
@@ -41,11 +41,18 @@ fn suite(table: &Table, to: &mut dyn Write) -> io::Result<()> {
         let parts = [file, place].into_iter().flatten().map(|index| text(row, index));
         let class = parts.filter(|part| !part.is_empty()).collect::<Vec<_>>().join(":");
         write!(to, "  <testcase name=\"{}\" classname=\"{class}\"", text(row, 0))?;
+        if let Some(file) = file.map(|index| text(row, index)).filter(|file| !file.is_empty()) {
+            write!(to, " file=\"{file}\"")?;
+        }
         if !failed(row) {
             writeln!(to, "/>")?;
             continue;
         }
         let mut message = reason.map_or(String::new(), |index| text(row, index));
+        let point = counterexample
+            .map(|index| text(row, index))
+            .filter(|point| !point.is_empty());
+        message.extend(point.map(|point| format!("; counterexample: {point}")));
         let mended = repair.map(|index| text(row, index)).filter(|mended| !mended.is_empty());
         message.extend(mended.map(|mended| format!("; repair: {mended}")));
         let (found, wanted) = (text(row, verdict), text(row, expected));
