@@ -117,7 +117,7 @@ mod tests {
     }
 
     fn outcomes(lines: &[&str]) -> Result<Vec<Outcome>, String> {
-        check(&rows(lines), &[], &mut orbits).map_err(|fault| fault.to_string())
+        check(&rows(lines), &[], &mut orbits, &mut || ()).map_err(|fault| fault.to_string())
     }
 
     #[test]
@@ -190,7 +190,7 @@ mod tests {
             "b,p,s,,orbits.velocities[1],1,,wrong,,",
             "c,p,s,motion.d=1,orbits.velocities[1],1,,wrong,,",
         ]);
-        check(&rows, &[], &mut counted).unwrap();
+        check(&rows, &[], &mut counted, &mut || ()).unwrap();
         assert_eq!(asked, 2);
     }
 
@@ -203,7 +203,7 @@ mod tests {
             );
             Certified::read("reference/orbits.csv", &text).unwrap()
         };
-        let found = |value: &str| check(&[], &read(value), &mut orbits).map(|found| found[0].verdict);
+        let found = |value: &str| check(&[], &read(value), &mut orbits, &mut || ()).map(|found| found[0].verdict);
         assert_eq!(found("0.701713431400000000000000000000"), Ok(Verdict::Reproduced));
         assert_eq!(found("0.701713441400000000000000000000"), Ok(Verdict::Wrong));
         assert!(found("").is_err_and(|fault| fault.to_string().contains("--bless")));
