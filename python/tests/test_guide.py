@@ -1,4 +1,4 @@
-"""The examples of the guide and of the README run as they stand, one after the other; the crates are those of the command."""
+"""The examples of the guide run as they stand, one after the other; the crates are those of the command."""
 
 import re
 import tomllib
