@@ -572,8 +572,8 @@ impl Witness<'_> {
             || !system.is_a_graph()
     }
 
-    /// Whether a claim is about integers: it may fail at others than those that are tried, and a running index has one value
-    /// at all points.
+    /// Returns true if a claim is about integers: it may fail at others than those that are tried, and a running index has one
+    /// value at all points.
     fn is_about_integers(&self) -> bool {
         self.system.index_runs || self.system.kinds.iter().any(|kind| kind.integer || kind.index)
     }

@@ -77,7 +77,7 @@ fn halves<V: Value>(
     sum
 }
 
-/// Which places a rule takes: between two ends, and from one on.
+/// A double exponential rule: tanh-sinh between two ends, exp-sinh from an end to infinity.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Rule {
     TanhSinh,
@@ -92,7 +92,7 @@ thread_local! {
     static NODES: RefCell<Nodes> = RefCell::default();
 }
 
-/// Returns where a rule takes a value, as the distance from the near end (of a way of length 1, if it has two), and its weight.
+/// Returns a node of a rule, as the distance from the near end (of an interval of length 1 if there are two), and its weight.
 fn node<P: Real + 'static>(rule: Rule, t: f64) -> (P, P) {
     let key = (TypeId::of::<P>(), rule, t.to_bits());
     let known = NODES.with_borrow(|nodes| nodes.get(&key)?.downcast_ref::<(P, P)>().cloned());

@@ -438,9 +438,13 @@ fn reaches(terms: &[Tree], start: usize, positions: &[usize]) -> Option<Vec<Vec<
                 over => reaching_over(own, over)?,
             };
             found.extend(wide.into_iter().map(|own| [before, &[own], rest].concat()));
+            // a long sum has many, each as long as the sum
+            if found.len() > MOST_REACHES + 1 {
+                return None;
+            }
         }
     }
-    (found.len() <= MOST_REACHES + 1).then_some(found)
+    Some(found)
 }
 
 /// Returns the ways in which a term that ends in sums, products, limits or derivatives of each other reaches over the next terms,

@@ -320,7 +320,7 @@ fn may_be_an_operator(error: Option<&ReadError>) -> bool {
     })
 }
 
-/// Whether a function is taken where it stands itself, `f(f + a)`, which prints as a product.
+/// Returns true if the argument of a function contains the function, `f(f + a)`: it prints as a product.
 fn takes_itself(tree: &Tree) -> bool {
     fn speaks(tree: &Tree, base: &str) -> bool {
         matches!(tree, Tree::Symbol(name, _) if name.base == base)

@@ -128,17 +128,17 @@ impl Marks {
             names_in(side, &mut names);
         }
         // z_1 is complex where z_2 is
-        let has_brother = |name: &Name, marked: &BTreeSet<Name>| {
-            let is_brother = |other: &Name| other.base == name.base && other.accents == name.accents;
+        let has_marked_sibling = |name: &Name, marked: &BTreeSet<Name>| {
+            let is_sibling = |other: &Name| other.base == name.base && other.accents == name.accents;
             !name.subscript.is_empty()
                 && marked
                     .iter()
-                    .any(|other| !other.subscript.is_empty() && is_brother(other))
+                    .any(|other| !other.subscript.is_empty() && is_sibling(other))
         };
         for marked in [&mut marks.operators, &mut marks.complex] {
-            let brothers = names.iter().filter(|name| has_brother(name, marked));
-            let brothers: Vec<Name> = brothers.cloned().collect();
-            marked.extend(brothers);
+            let siblings = names.iter().filter(|name| has_marked_sibling(name, marked));
+            let siblings: Vec<Name> = siblings.cloned().collect();
+            marked.extend(siblings);
         }
         let is_capital = |name: &Name| name.base.chars().all(|c| c.is_ascii_uppercase());
         let is_hatted = |name: &Name| is_capital(name) && has_accent(name, &[r"\hat", r"\widehat"]);
