@@ -261,9 +261,12 @@ pub fn substitute(p: &Polynomial, generator: Term, by: &Polynomial, steps: &mut 
     Ok(result)
 }
 
+/// The highest degree of what is divided with all its coefficients in memory, those that are 0 too.
+const HIGHEST_DEGREE: u32 = 2_000;
+
 /// Divides as polynomials in one generator: `multiplier * p = quotient * q + remainder`, where the remainder has a
 /// lesser degree in it than q and the multiplier is a power of q's leading coefficient, with as few factors as the
-/// division needs. `None` where q is 0.
+/// division needs. `None` where q is 0, or the degree of p above `HIGHEST_DEGREE`.
 ///
 /// Source: Knuth, The Art of Computer Programming, volume 2, section 4.6.1, algorithm R; a leading coefficient that
 /// is divisible already is not multiplied.
@@ -277,6 +280,11 @@ pub fn pseudo_divide(
     let Some((lead, tail)) = divisor.split_last() else {
         return Ok(None);
     };
+    let degrees = p.terms().iter().flat_map(|(monomial, _)| monomial);
+    let mut degrees = degrees.filter(|(term, _)| *term == generator);
+    if degrees.any(|(_, degree)| *degree > HIGHEST_DEGREE) {
+        return Ok(None);
+    }
     let mut remainder = coefficients_in(p, generator);
     let mut multiplier = Polynomial::integer(1);
     let mut quotient = vec![Polynomial::default(); (remainder.len() + 1).saturating_sub(divisor.len())];

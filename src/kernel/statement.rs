@@ -186,6 +186,11 @@ impl Statement {
         &self.definitions
     }
 
+    /// The maps whose derivatives are spoken of.
+    pub fn steps(&self) -> &[Step] {
+        &self.steps
+    }
+
     /// The declared derivatives of unknown functions.
     pub fn derivatives(&self) -> &Derivatives {
         &self.derivatives

@@ -52,6 +52,14 @@ impl fmt::Display for Counterexample {
     }
 }
 
+/// An equation that gives a map, differentiated along it: `slope` vanishes, and so does `at_values`, as TeX.
+pub struct Derivation {
+    pub label: String,
+    pub by: String,
+    pub slope: String,
+    pub at_values: String,
+}
+
 /// A statement at a witness.
 pub struct Values<'a>(At<'a>);
 
@@ -95,15 +103,103 @@ impl<'a> Values<'a> {
         found
     }
 
+    /// The values of unknown functions that the claim and its premises speak of: function, order of the derivative, time.
+    fn spoken(&mut self) -> BTreeSet<(Function, u32, Term)> {
+        let own = self.statement();
+        let givens = own.givens().iter().filter(|given| !given.label.starts_with('['));
+        let goals = own.goal().iter().map(|(_, term)| *term);
+        let written: Vec<Term> = givens.map(|given| given.term).chain(goals).collect();
+        let mut spoken = BTreeSet::new();
+        for term in written {
+            let term = own.written_out(term);
+            spoken.extend(values_in(own, term));
+        }
+        spoken
+    }
+
+    /// The laws that hold at all times: the label, both sides, and what the functions in it are at the times that are spoken of.
+    pub fn laws(&mut self) -> Vec<(String, [String; 2], Terms)> {
+        let (mut found, spoken) = (Vec::new(), self.spoken());
+        for given in self.statement().givens().to_vec() {
+            let is_law = given.law.as_ref().is_some_and(|law| law.flight.is_none() && law.time.is_some());
+            if given.property != Property::Zero || !is_law || given.label.starts_with('[') {
+                continue;
+            }
+            let functions: BTreeSet<Function> =
+                values_in(self.statement(), given.term).into_iter().map(|(of, ..)| of).collect();
+            let sides = self.sides(given.term);
+            let mut values = Terms::new();
+            for &(function, order, time) in spoken.iter().filter(|(of, ..)| functions.contains(of)) {
+                let at = self.of(time);
+                if self.statement().terms().is_closed(at) {
+                    let [value, named] = [time, at].map(|time| self.statement().value(function, order, time));
+                    let named = tex(self.statement().terms(), named);
+                    values.push((named, self.shown(value)));
+                }
+            }
+            values.dedup();
+            found.push((given.label, sides.map(|side| tex(self.statement().terms(), side)), values));
+        }
+        found
+    }
+
+    /// The derivatives along maps that the claim speaks of: the label of each equation that gives a map, what it is
+    /// differentiated by, the derivative, which vanishes, and the same with values put in for all but what is sought.
+    pub fn derivatives(&mut self) -> Vec<Derivation> {
+        let goals: Vec<Term> = self.statement().goal().iter().map(|(_, term)| *term).collect();
+        let mut sought = BTreeSet::new();
+        for goal in goals {
+            let written = self.statement().written_out(goal);
+            sought.extend(partials_in(self.statement(), written));
+        }
+        let mut found = Vec::new();
+        for step in self.statement().steps().to_vec() {
+            for &by in &step.by {
+                for (label, equation) in &step.equations {
+                    let slope = self.statement().along(*equation, &step, by);
+                    let partials = partials_in(self.statement(), slope);
+                    if partials.iter().any(|symbol| sought.contains(symbol)) {
+                        found.push(self.derivation(label, slope, by, &partials));
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    fn derivation(&mut self, label: &str, slope: Term, by: Symbol, partials: &BTreeSet<Symbol>) -> Derivation {
+        let mut constant = slope;
+        let mut terms = Vec::new();
+        for &partial in partials {
+            let zero = self.statement().terms_mut().integer(0);
+            constant = self.statement().terms_mut().substitute(constant, partial, zero);
+            let factor = self.statement().derivative(slope, partial);
+            let (factor, partial) = (self.of(factor), self.statement().terms_mut().symbol(partial));
+            terms.push(self.statement().terms_mut().product(vec![factor, partial]));
+        }
+        terms.push(self.of(constant));
+        let at_values = self.statement().terms_mut().sum(terms);
+        let terms = self.statement().terms();
+        Derivation {
+            label: label.to_owned(),
+            by: terms.symbol_name(by).to_string(),
+            slope: tex(terms, slope),
+            at_values: tex(terms, at_values),
+        }
+    }
+
     /// The value of a term as TeX.
     fn shown(&mut self, term: Term) -> String {
         let value = self.of(term);
         tex(self.statement().terms(), value)
     }
 
-    /// The terms that a side is the sum of, abbreviations written out, each with its value.
+    /// The terms that a side, or what it abbreviates, is the sum of, each with its value.
     fn terms(&mut self, side: Term) -> Terms {
-        let side = self.statement().written_out(side);
+        let side = match self.statement().terms().node(side) {
+            Node::Sum(_) => side,
+            _ => self.statement().written_out(side),
+        };
         let Node::Sum(parts) = self.statement().terms().node(side).clone() else {
             return Vec::new();
         };
@@ -171,22 +267,18 @@ pub fn at(witness: &With<Witness>, relation: Relation) -> Option<Counterexample>
             ));
         }
     }
+    let valued = values.spoken();
+    let is_used = |function: Function, time: Term| valued.iter().any(|(of, _, at)| *of == function && *at == time);
     for (function, order, time, _) in &witness.table {
+        if !is_used(*function, *time) {
+            continue;
+        }
         let named = values.statement().value(*function, *order, *time);
         let name = tex(values.statement().terms(), named);
         let found = values.of(named);
         point.push((name, tex(values.statement().terms(), found)));
     }
-    let own = values.statement();
-    let of_value = |term: &Term| match own.terms().node(*term) {
-        Node::Value(function, ..) => Some(*function),
-        _ => None,
-    };
-    let valued: BTreeSet<Function> = written
-        .iter()
-        .flat_map(|&term| own.terms().inside(term))
-        .filter_map(|term| of_value(&term))
-        .collect();
+    let valued: BTreeSet<Function> = valued.into_iter().map(|(of, ..)| of).collect();
     let is_spoken = |function: Function, statement: &Statement| !family(statement, function).is_disjoint(&valued);
     for (function, time, term) in &witness.functions {
         if !is_spoken(*function, values.statement()) {
@@ -220,6 +312,26 @@ pub fn at(witness: &With<Witness>, relation: Relation) -> Option<Counterexample>
         });
     }
     None
+}
+
+/// The values of unknown functions in a term.
+fn values_in(statement: &Statement, term: Term) -> Vec<(Function, u32, Term)> {
+    let inside = statement.terms().inside(term).into_iter();
+    let value = |inner| match statement.terms().node(inner) {
+        Node::Value(function, order, time) => Some((*function, *order, *time)),
+        _ => None,
+    };
+    inside.filter_map(value).collect()
+}
+
+/// The derivatives along maps in a term.
+fn partials_in(statement: &Statement, term: Term) -> BTreeSet<Symbol> {
+    let inside = statement.terms().inside(term).into_iter();
+    let partial = |inner| match statement.terms().node(inner) {
+        Node::Symbol(symbol) => matches!(statement.quantity(*symbol), Some(Quantity::Partial { .. })).then_some(*symbol),
+        _ => None,
+    };
+    inside.filter_map(partial).collect()
 }
 
 /// `x` of `-x`, as goals are written.

@@ -486,6 +486,22 @@ fn refutation(witness: &With<Witness>, relation: Relation, lines: &mut Vec<Strin
             lines.extend(side.worked_out().map(|line| format!("        {line}")));
         }
     }
+    for (label, [left, right], of) in values.laws() {
+        lines.push(format!("  ({label})  {left} = {right}, at all times"));
+        lines.extend(of.iter().map(|(named, value)| format!("        {named} = {value}")));
+    }
+    if !witness.evidence.table.is_empty() {
+        lines.push("functions with these values exist: those of a smooth function and of its derivatives may be chosen freely at".into());
+        lines.push("  finitely many times; of a periodic one too, as the values above agree where times are whole periods apart".into());
+    }
+    let derivations = values.derivatives();
+    if !derivations.is_empty() {
+        lines.push("the partial derivatives follow from the premises that give the map, differentiated implicitly".into());
+    }
+    for derivation in derivations {
+        lines.push(format!("  ({}) by {}:  {} = 0", derivation.label, derivation.by, derivation.slope));
+        lines.push(format!("        {} = 0", derivation.at_values));
+    }
     lines.push("and the claim is".into());
     for (side, value, decimal, terms) in [
         ("left ", found.left, found.decimals.0, found.terms.0),

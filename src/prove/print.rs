@@ -73,6 +73,8 @@ fn print(terms: &Terms, term: Term) -> (String, Binding) {
                 false => (text, Binding::Product),
             }
         }
+        // as derivatives of squares leave it
+        Node::Power(base, 1) => print(terms, *base),
         Node::Power(base, exponent) => (
             format!("{}^{{{exponent}}}", within(terms, *base, Binding::Atom)),
             Binding::Power,

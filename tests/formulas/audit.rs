@@ -263,6 +263,23 @@ fn a_refutation_is_worked_out_and_every_premise_holds_there() {
 }
 
 #[test]
+fn a_refutation_shows_periods_and_derives_the_derivatives_of_the_map() {
+    let text = text(&run(&["audit", "--explain", "22"], ""));
+    let value = |name: &str| {
+        let found = text.lines().find_map(|line| line.trim().strip_prefix(&format!("{name} = ")));
+        found.unwrap_or_else(|| panic!("no {name} in\n{text}")).to_owned()
+    };
+    // a period apart
+    assert_eq!(value("f(-7/4)"), value("f(9/4)"), "{text}");
+    // (10) differentiated: one linear equation, which the value shown solves
+    let slope = r"\frac{\partial t_{k+1}}{\partial t_k}";
+    assert_eq!(value(slope), "167/704", "{text}");
+    assert!(text.contains(&format!("176/15 {slope} - 167/60 = 0")), "{text}");
+    assert!(text.contains("functions with these values exist"), "{text}");
+    assert!(!text.contains("F_1(0)") && !text.contains("^{1}"), "{text}");
+}
+
+#[test]
 fn sheets_of_another_field_are_audited_in_their_own_words() {
     let output = run(&["audit", "golden/oscillator/equations.toml", "--format", "csv"], "");
     assert_eq!(output.status.code(), Some(0), "{}", text(&output));

@@ -2,7 +2,7 @@
 
 use super::super::definition::{base_alone, is_constant};
 use super::super::nodes::{any, names_in};
-use super::members::{Members, j_is_unit};
+use super::members::{Members, contains_unit, j_is_unit};
 use super::words::is_identity_of_words;
 use crate::tex::{Equation, Invariant, Name, Operation, Relation, Tree, letters};
 use std::collections::BTreeSet;
@@ -74,8 +74,12 @@ impl Marks {
         if j_is_unit {
             letters_of_complex.insert("j".to_owned());
         }
-        for (tex, _) in formulas.clone() {
+        for (tex, equations) in formulas.clone() {
             members.add(tex);
+            // i \hbar \dot\psi = H \psi, of which nothing more is known where it cannot be read
+            if equations.is_empty() && unit_is_number && contains_unit(tex) {
+                letters_of_complex.extend(letters(tex).into_iter().map(|(letter, _)| letter.to_owned()));
+            }
             letters_of_matrices.extend(arguments(tex, &OF_MATRICES));
             letters_of_complex.extend(arguments(tex, &OF_COMPLEX));
             let printed = letters(tex).into_iter();

@@ -30,10 +30,32 @@ const OF_MATRICES: [&str; 14] = [
     r"_{ij})",
 ];
 
+/// Words for matrices and operators, and for complex numbers (true), beside the letters that they are said of.
+const WORDS: [(&str, bool); 9] = [
+    ("matrix", false),
+    ("matrices", false),
+    ("Matrices", false),
+    ("operator", false),
+    ("quaternion", false),
+    ("complex number", true),
+    ("complex-valued", true),
+    ("complex amplitude", true),
+    ("complex conjugate", true),
+];
+
 impl Members {
     /// Collects what a text says of its letters, within formulas and between them.
     pub fn of_text(text: &str) -> Self {
         let mut members = Self::default();
+        for (word, is_complex) in WORDS {
+            let marked = match is_complex {
+                true => &mut members.complex,
+                false => &mut members.operators,
+            };
+            for (at, _) in text.match_indices(word) {
+                marked.extend(letters_beside(text, at, at + word.len()));
+            }
+        }
         for (at, _) in text.match_indices(r"\in") {
             let behind = text.get(at + 3..).unwrap_or_default();
             // `\int`, `\infty`
@@ -100,6 +122,27 @@ fn letters(tex: &str) -> impl Iterator<Item = String> {
     printed.map(|(letter, _)| letter.to_owned())
 }
 
+/// Returns the letters that stand alone, `$A$` or `$A, B$`, in the clause around a word of a text, near it.
+fn letters_beside(text: &str, start: usize, end: usize) -> Vec<String> {
+    let before = text.get(..start).unwrap_or_default();
+    let near = before.char_indices().rev().nth(FARTHEST).map_or(0, |(near, _)| near);
+    let ends = [". ", ".\n", ";", "\n\n", r"\]", r"\end{", "$$"];
+    let last_end = |text: &str| ends.iter().filter_map(|end| text.rfind(end).map(|at| at + end.len())).max();
+    let first_end = |text: &str| ends.iter().filter_map(|end| text.find(end)).min();
+    let before = before.get(near..).unwrap_or_default();
+    let before = before.get(last_end(before).unwrap_or_default()..).unwrap_or_default();
+    let behind = within(text.get(end..).unwrap_or_default(), FARTHEST);
+    let behind = behind.get(..first_end(behind).unwrap_or(behind.len())).unwrap_or_default();
+    let is_list = |part: &&str| {
+        let letter = |part: &str| letters(part).count() == 1;
+        part.split(',').all(|part| letter(part) && !part.contains(['=', '^', '(', '+', '<', '>']))
+    };
+    // `$A$ and $B$ are matrices`: every second piece, counted from the word on either side
+    let before = before.rsplit('$').skip(1).step_by(2);
+    let behind = behind.split('$').skip(1).step_by(2);
+    before.chain(behind).filter(is_list).flat_map(letters).collect()
+}
+
 /// Returns the first characters of a text.
 fn within(text: &str, most: usize) -> &str {
     let end = text.char_indices().nth(most).map_or(text.len(), |(end, _)| end);
@@ -117,6 +160,19 @@ fn has_anticommutator(compact: &str) -> bool {
             && is_capital(inside.next())
             && inside.next() == Some('\\')
     })
+}
+
+/// Returns true if a formula prints `i` as a factor, and numbers nothing by it.
+pub(super) fn contains_unit(tex: &str) -> bool {
+    let is_index = tex.match_indices('_').any(|(at, _)| {
+        let behind = tex.get(at + 1..).unwrap_or_default().trim_start();
+        let subscript = match behind.strip_prefix('{') {
+            Some(inside) => inside.split('}').next().unwrap_or_default(),
+            None => within(behind, 1),
+        };
+        letters(subscript).any(|letter| letter == "i")
+    });
+    !is_index && letters(tex).any(|letter| letter == "i")
 }
 
 /// Returns true if formulas use `j` as the imaginary unit: its square is -1, it stands in an exponent of e or before a
@@ -166,6 +222,20 @@ mod tests {
         assert_eq!(marked(r"$A, B \in \mathbb{R}^{n \times n}$"), ["", "A B"]);
         assert_eq!(marked(r"\[ \int_0^1 x \, dx \] for $n \in \mathbb{N}$"), ["", ""]);
         assert_eq!(marked(r"\[ y \in \mathbb C \]"), ["y", ""]);
+    }
+
+    #[test]
+    fn words_mark_the_letters_beside_them() {
+        assert_eq!(marked("Let $A$ and $B$ be matrices. Then $x$ is"), ["", "A B"]);
+        assert_eq!(marked("of the matrices $P, Q$; here $x + y$ is small"), ["", "P Q"]);
+        assert_eq!(marked("where $z_1$ and $w$ are complex numbers with $|z| = 1$"), ["w z", ""]);
+        assert_eq!(marked("$x$ is a number. The matrix has rank two. $y$ is not"), ["", ""]);
+    }
+
+    #[test]
+    fn a_unit_numbers_nothing() {
+        assert!(contains_unit(r"i \hbar \dot\psi = H \psi"));
+        assert!(!contains_unit(r"x_i = i a") && !contains_unit(r"\sum_{i=1}^n i") && !contains_unit(r"\sin x"));
     }
 
     #[test]

@@ -560,6 +560,8 @@ fn labels(formulas: &[Formula], said: &[Said], line: &dyn Fn(usize) -> usize) ->
         known: HashMap::new(),
     };
     let (mut start, mut taken) = (0, HashSet::new());
+    // how often a label was counted up
+    let mut counts: HashMap<String, usize> = HashMap::new();
     while start < formulas.len() {
         let length = 1 + formulas
             .iter()
@@ -586,10 +588,15 @@ fn labels(formulas: &[Formula], said: &[Said], line: &dyn Fn(usize) -> usize) ->
             .into_iter()
             .map(|number| number.unwrap_or_else(|| name.clone()))
             .collect();
+        let (mut alike, mut ranks): (HashMap<&str, Vec<&Formula>>, HashMap<&str, usize>) = Default::default();
+        for (formula, base) in chain.iter().zip(&bases) {
+            alike.entry(base).or_default().push(formula);
+        }
         for (at, (formula, base)) in chain.iter().zip(&bases).enumerate() {
-            let alike = bases.iter().filter(|other| *other == base).count();
-            let rank = bases.iter().take(at + 1).filter(|other| *other == base).count();
-            let mut label = if alike > 1 {
+            let rank = ranks.entry(base).or_default();
+            *rank += 1;
+            let beside = alike.get(base.as_str()).map_or(&[][..], Vec::as_slice);
+            let mut label = if beside.len() > 1 {
                 format!("{base}.{rank}")
             } else {
                 base.clone()
@@ -605,16 +612,19 @@ fn labels(formulas: &[Formula], said: &[Said], line: &dyn Fn(usize) -> usize) ->
                 } else {
                     Some(format!("{label} ({here})"))
                 };
-                let counted = (2..).map(|count| format!("{label} ({count})"));
+                let count = counts.entry(label.clone()).or_insert(1);
+                let counted = std::iter::repeat_with(|| {
+                    *count += 1;
+                    format!("{label} ({count})")
+                });
                 let mut names = by_line.into_iter().chain(counted);
-                label = names.find(|name| !taken.contains(name)).unwrap_or(label);
+                label = names.find(|name| !taken.contains(name)).unwrap_or_default();
                 taken.insert(label.clone());
             }
             let mut called: Vec<&String> = vec![&label];
             called.extend((*base != label).then_some(base));
             // what stands under one number has its labels together
-            let beside = chain.iter().zip(&bases).filter(|(_, other)| *other == base);
-            let names = beside.flat_map(|(formula, _)| &formula.labels);
+            let names = beside.iter().flat_map(|formula| &formula.labels);
             called.extend(names.filter(|name| **name != label && **name != *base));
             called.dedup();
             for name in called {
