@@ -164,7 +164,7 @@ pub fn table(rows: &[Row], sheet: &Sheet, format: Format) -> Result<Table, Failu
             Cell::from(row.reason()),
             Cell::from((!decision.provided.is_empty()).then(|| decision.provided.join("; "))),
             Cell::from(place),
-            Cell::from((!row.repairs().is_empty()).then(|| repairs(row.repairs()))),
+            Cell::from((!row.repairs().is_empty()).then(|| repairs(row, sheet, is_for_scripts))),
             Cell::from(row.fingerprint(sheet)),
             Cell::from(Some(decision.reductions()).filter(|rules| !rules.is_empty())),
         ];
@@ -182,10 +182,18 @@ fn values(counterexample: &Counterexample) -> Cell {
     Cell::Values(counterexample.to_string(), values.collect())
 }
 
-/// Repairs as the column has them.
-fn repairs(repairs: &[Repair]) -> String {
-    let shown: Vec<String> = repairs.iter().map(ToString::to_string).collect();
-    shown.join(" ;; ")
+/// The most characters of a mended formula that is printed whole for people.
+const SHORT: usize = 60;
+
+/// Repairs as the column has them: for people what changes, and the whole where it is short.
+fn repairs(row: &Row, sheet: &Sheet, is_for_scripts: bool) -> String {
+    let claim = sheet.entries.get(row.position).filter(|_| !is_for_scripts);
+    let shown = row.repairs().iter().map(|repair| match (claim, repair.to_string()) {
+        (None, whole) => whole,
+        (Some(claim), whole) if whole.chars().count() <= SHORT => format!("{}: {whole}", repair.changes(claim)),
+        (Some(claim), _) => repair.changes(claim),
+    });
+    shown.collect::<Vec<_>>().join(" ;; ")
 }
 
 /// The proof or counterexample and the evidence, as a text.

@@ -21,7 +21,7 @@ mod search;
 pub use path::{Path, node, parts, replaced};
 pub use printed::{Reprinted, reprinted};
 
-use crate::claim::{Sheet, any};
+use crate::claim::{Entry, Sheet, any};
 use crate::prove::Options;
 use crate::tex::{Equation, Tree};
 use monomial::is_same_product;
@@ -84,6 +84,22 @@ impl Repair {
                 && !is_same_product(&one.left, &one.right)
         };
         self.mended.len() == mended.len() && self.mended.iter().zip(mended).all(is_same)
+    }
+
+    /// What should stand in the places of a claim that change, as "`a` should be `b`".
+    pub fn changes(&self, claim: &Entry) -> String {
+        let change = |edit: &Edit| {
+            let printed = match edit.part {
+                Part::Stated(n) => claim.equations.get(n),
+                Part::Definition(n) => claim.local.get(n).map(|(equation, _)| equation),
+            };
+            let before = printed.and_then(|equation| node(equation, &edit.path));
+            match before.filter(|before| *before != edit.tree) {
+                Some(before) => format!("`{before}` should be `{}`", edit.tree),
+                None => edit.words.clone(),
+            }
+        };
+        self.edits.iter().map(change).collect::<Vec<_>>().join("; ")
     }
 
     /// What is wrong in the claim.

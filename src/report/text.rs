@@ -126,8 +126,9 @@ impl Layout {
     fn write_row(&self, to: &mut dyn Write, row: &[String]) -> io::Result<()> {
         self.write_line(to, row)?;
         for (index, (name, cell)) in self.names.iter().zip(row).enumerate() {
-            if self.beneath[index] && !cell.is_empty() {
-                write_wrapped(to, &format!("{name}: {cell}"), INDENT, INDENT + GAP)?;
+            // each of several repairs, as `;;` joins them, on a line of its own
+            for one in cell.split(" ;; ").filter(|one| self.beneath[index] && !one.is_empty()) {
+                write_wrapped(to, &format!("{name}: {one}"), INDENT, INDENT + GAP)?;
             }
         }
         Ok(())

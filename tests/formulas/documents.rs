@@ -1422,3 +1422,34 @@ fn a_pair_of_roots_and_its_members_are_guessed_as_one_symbol_each() {
             .all(|row| row.verdict != Verdict::Refuted)
     );
 }
+
+#[test]
+fn declared_symbols_add_to_those_that_are_guessed_unless_they_are_the_only_ones() {
+    let of = |only: &str| {
+        document(
+            &format!(
+                "% audit: symbols positive \\gamma{only}; default claim\n\
+                 \\begin{{equation}} \\sqrt{{\\gamma^2}} + x = \\gamma + x \\end{{equation}}\n\
+                 \\begin{{equation}} \\sqrt{{x^2}} = x \\end{{equation}}\n\
+                 \\begin{{equation}} \\sqrt{{\\gamma^2}} = -\\gamma \\end{{equation}}\n\
+                 \\begin{{equation}} M N = N M \\end{{equation}}\n\
+                 \\begin{{equation}} y = x + \\gamma \\end{{equation}} % audit: definition\n\
+                 \\begin{{equation}} y > x \\end{{equation}}\n"
+            ),
+            &[],
+        )
+    };
+    // a guess refutes nothing, a declaration does
+    let added = of("");
+    assert_eq!(
+        verdicts(&added),
+        ["1 proved", "2 undecided", "3 refuted", "4 unread", "6 proved"]
+    );
+    let reason = |n: usize| decisions(&added)[n].reason.clone();
+    assert!(reason(1).contains("`x` is real and has one value"), "{}", reason(1));
+    assert!(!reason(2).contains("real"), "{}", reason(2));
+    assert_eq!(
+        verdicts(&of("; only")),
+        ["1 unread", "2 unread", "3 refuted", "4 unread", "6 unread"]
+    );
+}

@@ -518,7 +518,8 @@ fn entries(
         entry.doubts.extend(guess.doubts(entry, &below));
     }
     if let Some(symbols) = guess.symbols() {
-        raw.symbols = Some(Spanned::new(0..0, symbols));
+        let at = raw.symbols.as_ref().map_or(0..0, Spanned::span);
+        raw.symbols = Some(Spanned::new(at, symbols));
     }
     guess.told()
 }
