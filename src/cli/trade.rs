@@ -7,6 +7,7 @@ use crate::accuracy::{
     trade,
 };
 use crate::number::Rung;
+use crate::orbit::most_figures;
 use crate::report::figure::trades;
 use crate::report::{Cell, Format, Output, Page, Part, Table};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -256,10 +257,13 @@ impl Taker {
 
     /// Returns true if a part of a task has a command that meets the need.
     fn is_met(part: &str, need: &Need) -> bool {
-        let digits = need.digits.ceil() as u32;
-        let reaches = !need.of_statistics && Rung::reaching(digits).digits() >= digits;
         let mut takers = Self::ALL.iter().filter(|taker| part.starts_with(taker.task.name()));
-        takers.any(|taker| reaches && (taker.proves || !need.proved))
+        takers.any(|taker| !need.of_statistics && Self::reach(need) && (taker.proves || !need.proved))
+    }
+
+    /// Returns true if `--digits` takes as many as are needed.
+    fn reach(need: &Need) -> bool {
+        need.digits.ceil() as usize <= most_figures()
     }
 }
 
@@ -278,6 +282,10 @@ fn chosen(need: &Need, advice: &[Advice]) -> Vec<String> {
         )];
     }
     let digits = need.digits.ceil() as u32;
+    if !Taker::reach(need) {
+        let most = most_figures();
+        return vec![format!("no command computes {digits} digits of a motion; ask for at most {most}")];
+    }
     let number = Rung::reaching(digits).to_string();
     let is_asked = |taker: &&Taker| {
         advice

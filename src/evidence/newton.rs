@@ -178,6 +178,10 @@ impl System {
             }
             best = best.min(worst);
             let near: Vec<N::Of<f64>> = values.iter().map(rough::<N, T>).collect();
+            let (rows, rank) = (residuals.len(), residuals.len().min(unknowns.len()));
+            if !self.work.take(rows * rank * unknowns.len() / LANES) {
+                return worst;
+            }
             let step = least(self.jacobian::<N>(program, &near, unknowns), &residuals, unknowns.len());
             let length = norm(&step);
             if !length.is_finite() {

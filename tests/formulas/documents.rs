@@ -1319,6 +1319,13 @@ fn what_a_comment_says_wrong_is_of_its_row_alone() {
     assert_eq!(rows(" ", "skip"), "2 proved, 4 proved");
     let line = "\\begin{align} a &= 1 \\\\ 2 a &= 2 \\end{align} % audit: skip\n";
     assert_eq!(read(&format!("{premise}{line}{}", numbered("a"))).1, "4 proved");
+    // also where the first row stands behind comments on the document
+    let system = "\\begin{align} x + y &= 1 \\\\\n x - y &= 0 \\\\\n\\end{align} % audit: premise; label sys\n\
+                  \\[ x = \\frac12 \\] % audit: claim; follows from sys\n";
+    for symbols in ["symbols x, y; default claim", "symbols x, y"] {
+        let text = format!("% audit: {symbols}\n{system}");
+        assert_eq!(verdicts(&document(&text, &[])), ["line 5 proved"], "{symbols}");
+    }
 }
 
 #[test]

@@ -92,6 +92,12 @@ pub(super) fn keys(text: &str) -> Result<Vec<Key>, String> {
     Ok(keys)
 }
 
+/// Returns true if a comment speaks of the document as a whole, and of no formula.
+pub(super) fn is_of_document(text: &str) -> bool {
+    let is_of_whole = |key: &Key| matches!(key, Key::Symbols(_) | Key::Default(_));
+    keys(text).is_ok_and(|keys| !keys.is_empty() && keys.iter().all(is_of_whole))
+}
+
 /// Returns true if a comment is keys behind a misspelt `audit:`, as `audti: claim`, `Audit : claim` or `audit claim` are.
 pub(super) fn is_misspelt(text: &str) -> bool {
     let length = text.find(|c: char| !c.is_alphabetic()).unwrap_or(text.len());

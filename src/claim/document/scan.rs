@@ -1,7 +1,7 @@
 //! A document from its beginning to its end: its displays, its comments, its macros, the files that it includes.
 
 use super::super::fault::File;
-use super::comment::is_misspelt;
+use super::comment::{is_misspelt, is_of_document};
 use super::macros::Macros;
 use super::rows::{Row, blank, rows};
 use super::tex::{BRACES, Groups, Outside, SQUARE, after_blanks, command, outside, words};
@@ -483,19 +483,26 @@ impl<'a> Scan<'a> {
             }
         }
         if let Some(formula) = formula.and_then(|formula| self.formulas.get_mut(formula)) {
-            formula.comments.extend(taken);
+            let is_of_one = |number: &usize| self.comments.get(*number).is_some_and(|own| !is_of_document(&own.text));
+            formula.comments.extend(taken.into_iter().filter(is_of_one));
         }
+    }
+
+    /// Whether there are as many formulas as are read; the first beyond them ends the document.
+    fn is_full(&mut self, at: usize) -> bool {
+        let is_full = self.formulas.len() >= MOST_FORMULAS;
+        if is_full && !self.ended {
+            let problem = format!("more than {MOST_FORMULAS} formulas: what follows is not read");
+            self.faults.push((at, problem));
+            self.ended = true;
+        }
+        is_full
     }
 
     fn displays(&mut self, part: Range<usize>) {
         let mut at = part.start;
         while at < part.end && !self.ended {
-            if self.formulas.len() >= MOST_FORMULAS {
-                self.faults.push((
-                    at,
-                    format!("more than {MOST_FORMULAS} formulas: what follows is not read"),
-                ));
-                self.ended = true;
+            if self.is_full(at) {
                 break;
             }
             let rest = self.text.get(at..part.end).unwrap_or_default();
@@ -1143,6 +1150,9 @@ impl<'a> Scan<'a> {
             .and_then(|at| self.text.get(at..end))
             .is_some_and(|rest| rest.trim().is_empty());
         for (place, row) in rows(&mut self.text, body, name).into_iter().enumerate() {
+            if self.is_full(row.part.start) {
+                break;
+            }
             let is_own = match numbers {
                 Numbers::Rows => row.numbers > 0,
                 // one number of several rows is that of the first

@@ -149,9 +149,28 @@ pub(super) fn split(statements: &Statements, vocabulary: &Vocabulary) -> Result<
     if trees(statements).into_iter().any(is_bound_within) {
         return Err("cases of a letter that a sum, an integral or a derivative binds".to_owned());
     }
+    let too_many = || format!("more than {MOST} choices of cases");
+    // each of them splits what there is at least in two
+    let is_by_cases =
+        |node: &Tree| matches!(node, Tree::Operation(operation, _) if matches!(**operation, Operation::Cases(_)));
+    let mut found: Vec<Tree> = Vec::new();
+    for tree in trees(statements) {
+        any(tree, &mut |node| {
+            if is_by_cases(node) && !found.contains(node) {
+                found.push(node.clone());
+            }
+            found.len() > MOST
+        });
+    }
+    if found.len() > MOST {
+        return Err(too_many());
+    }
     let mut all = vec![(Vec::<String>::new(), statements.clone())];
     let mut lemmas = Vec::new();
     while let Some(cases) = all.iter().find_map(|(_, statements)| first(statements)) {
+        if cases.len() > MOST {
+            return Err(too_many());
+        }
         at_one_point(statements, vocabulary, &cases)?;
         let conditions = conditions(&cases)?;
         if is_differentiated(statements, vocabulary) {
@@ -174,7 +193,7 @@ pub(super) fn split(statements: &Statements, vocabulary: &Vocabulary) -> Result<
             }
         }
         if more.len() > MOST {
-            return Err(format!("more than {MOST} choices of cases"));
+            return Err(too_many());
         }
         all = more;
     }
