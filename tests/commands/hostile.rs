@@ -128,6 +128,25 @@ fn long_chains_are_decided_or_refused() {
 }
 
 #[test]
+fn long_lists_end_at_what_is_tried_of_them() {
+    let joined = |n: usize, sign: &str, of: &dyn Fn(usize) -> String| (0..n).map(of).collect::<Vec<_>>().join(sign);
+    let claim = |tex: String| sheet(&[entry("c", "claim", &tex, "")]);
+    let too_many = "more than 64 choices of cases";
+    let cases = joined(3000, r"\\", &|n| format!("x & x > {n}"));
+    let cases = claim(format!(r"\begin{{cases}} {cases} \end{{cases}} = x"));
+    assert_ends("cases.toml", &cases, 1, too_many);
+    let signs = joined(1500, " + ", &|n| format!(r"\operatorname{{sgn}}(x - {n})"));
+    assert_ends("signs.toml", &claim(format!("{signs} = x")), 1, too_many);
+    let bounds = joined(500, ", ", &|n| format!("x > {n}"));
+    assert_ends("bounds.toml", &claim(format!(r"x = x, \quad {bounds}")), 1, "too large");
+    // where the sum over n ends is open at each sign
+    let sum = claim(format!(r"\sum_{{n=1}}^3 n{} = x", " + x".repeat(8000)));
+    assert_ends("sum.toml", &sum, 1, "up to the next sign, or to the end?");
+    let rows = format!("% audit: default skip\n\\begin{{align}}\n{}\\end{{align}}\n", "x &= x \\\\\n".repeat(30_000));
+    assert_ends("rows.tex", &rows, 2, "more than 20000 formulas");
+}
+
+#[test]
 fn macros_that_would_grow_without_end_end() {
     let formula = "\\[ a = \\m \\] % audit: claim\n";
     let symbols = "% audit: symbols a\n";
