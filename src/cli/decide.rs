@@ -67,13 +67,13 @@ pub fn decide(sheet: &Sheet, position: usize, options: &prove::Options, repair: 
     let read = decision.verdict != Verdict::Unread && sheet.unread_below(position).is_empty();
     let evidence = read
         .then(|| {
-            let counterexample = decision.counterexample.as_ref().map(|own| own.point.as_slice());
+            let counterexample = decision.counterexample.as_ref().map(|own| &own.point);
             witness_near(
                 sheet,
                 position,
                 decision.verdict,
                 POINTS,
-                counterexample.unwrap_or_default(),
+                counterexample.unwrap_or(&decision.point),
             )
         })
         .transpose()?;

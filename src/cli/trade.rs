@@ -284,7 +284,9 @@ fn chosen(need: &Need, advice: &[Advice]) -> Vec<String> {
     let digits = need.digits.ceil() as u32;
     if !Taker::reach(need) {
         let most = most_figures();
-        return vec![format!("no command computes {digits} digits of a motion; ask for at most {most}")];
+        return vec![format!(
+            "no command computes {digits} digits of a motion; ask for at most {most}"
+        )];
     }
     let number = Rung::reaching(digits).to_string();
     let is_asked = |taker: &&Taker| {

@@ -60,8 +60,8 @@ pub fn witness(sheet: &Sheet, position: usize, verdict: Verdict, points: usize) 
     witness_near(sheet, position, verdict, points, &[])
 }
 
-/// The same, with a start at the counterexample of a refutation, `x` and `3/2 \pi` say: a claim may fail where no random point
-/// lies.
+/// The same, with a start at a point that is known, as `x` and `3/2 \pi`: the counterexample of a refutation or the point of a
+/// proof, where no random one lies.
 ///
 /// # Errors
 /// As of [`witness`].
@@ -70,9 +70,9 @@ pub fn witness_near(
     position: usize,
     verdict: Verdict,
     points: usize,
-    counterexample: &[(String, String)],
+    known: &[(String, String)],
 ) -> Result<Evidence, Fault> {
-    let named = counterexample.iter();
+    let named = known.iter();
     let named: Vec<(&str, f64)> = named
         .filter_map(|(name, value)| Some((name.as_str(), printed_value(value)?)))
         .collect();
@@ -136,7 +136,7 @@ struct Witness<'a> {
     statements: &'a Statements,
     system: System,
     verdict: Verdict,
-    /// Values of the counterexample by the names that these have.
+    /// Values of the counterexample, or of the point of the proof, by the names that these have.
     named: &'a [(&'a str, f64)],
 }
 
@@ -155,9 +155,14 @@ struct Search<V> {
 
 impl<V> Search<V> {
     /// Why there is no point.
-    fn reason(&self, system: &System) -> String {
+    fn reason(&self, system: &System, verdict: Verdict) -> String {
+        let starts = self.starts;
         if system.work.is_over() {
             return "no point: the formulas are too large to be evaluated often enough".to_string();
+        }
+        // the kernel has one
+        if verdict == Verdict::Proved {
+            return format!("not tried at random points: none of {starts} starts led to one");
         }
         if self.undefined > 0 {
             return format!(
@@ -170,7 +175,6 @@ impl<V> Search<V> {
             .iter()
             .max_by_key(|(_, count)| **count)
             .map(|(miss, _)| *miss);
-        let starts = self.starts;
         match most {
             Some(Miss::Conditions) => format!("no point was found at which the assumptions hold, from {starts} starts"),
             Some(Miss::Derivatives) => {
@@ -191,6 +195,9 @@ impl Witness<'_> {
             starts: 0,
         };
         self.look::<N>(&mut search, points, 0);
+        if search.found.is_empty() {
+            self.look_at_point::<N>(&mut search);
+        }
         let agrees = |search: &Search<N::Of<f64>>| {
             search.found.iter().all(|(_, gap)| match gap.is_inequality {
                 true => !gap.fails,
@@ -210,7 +217,7 @@ impl Witness<'_> {
         if !search.found.is_empty() && agrees(&search) {
             match self.verdict {
                 Verdict::Proved => self.probe::<N>(&mut search),
-                Verdict::Refuted => self.look_at_counterexample::<N>(&mut search),
+                Verdict::Refuted => self.look_at_point::<N>(&mut search),
                 _ => {}
             }
             self.look_closer::<N>(&mut search);
@@ -218,7 +225,7 @@ impl Witness<'_> {
         if search.found.is_empty() {
             search.found = std::mem::take(&mut search.excluded);
             if search.found.is_empty() {
-                return without_points(search.reason(&self.system));
+                return without_points(search.reason(&self.system, self.verdict));
             }
             let note = "only points were found at which a factor in generic symbols vanishes";
             return Evidence {
@@ -287,8 +294,8 @@ impl Witness<'_> {
         }
     }
 
-    /// Looks at the point that starts at the values of the counterexample.
-    fn look_at_counterexample<N: Numbers>(&self, search: &mut Search<N::Of<f64>>) {
+    /// Looks at the point that starts at the values of the counterexample, or of the point of the proof.
+    fn look_at_point<N: Numbers>(&self, search: &mut Search<N::Of<f64>>) {
         let slots = 0..self.system.space.slots.len();
         let value = |slot: usize| {
             let name = self.system.space.show(slot, &self.system.letter)?;

@@ -121,12 +121,17 @@ impl<'a> Values<'a> {
     pub fn laws(&mut self) -> Vec<(String, [String; 2], Terms)> {
         let (mut found, spoken) = (Vec::new(), self.spoken());
         for given in self.statement().givens().to_vec() {
-            let is_law = given.law.as_ref().is_some_and(|law| law.flight.is_none() && law.time.is_some());
+            let is_law = given
+                .law
+                .as_ref()
+                .is_some_and(|law| law.flight.is_none() && law.time.is_some());
             if given.property != Property::Zero || !is_law || given.label.starts_with('[') {
                 continue;
             }
-            let functions: BTreeSet<Function> =
-                values_in(self.statement(), given.term).into_iter().map(|(of, ..)| of).collect();
+            let functions: BTreeSet<Function> = values_in(self.statement(), given.term)
+                .into_iter()
+                .map(|(of, ..)| of)
+                .collect();
             let sides = self.sides(given.term);
             let mut values = Terms::new();
             for &(function, order, time) in spoken.iter().filter(|(of, ..)| functions.contains(of)) {
@@ -138,7 +143,11 @@ impl<'a> Values<'a> {
                 }
             }
             values.dedup();
-            found.push((given.label, sides.map(|side| tex(self.statement().terms(), side)), values));
+            found.push((
+                given.label,
+                sides.map(|side| tex(self.statement().terms(), side)),
+                values,
+            ));
         }
         found
     }
@@ -225,11 +234,17 @@ impl<'a> Values<'a> {
 /// Figures of a value that are printed beside it.
 const FIGURES: usize = 12;
 
-/// The point of a witness, in the names of the sheet, and the two sides of the relation whose goal fails there.
-pub fn at(witness: &With<Witness>, relation: Relation) -> Option<Counterexample> {
+/// The point of a witness, in the names of the sheet.
+pub fn point(witness: &With<Witness>) -> Vec<(String, String)> {
     let mut statement = witness.statement.clone();
-    let mut values = Values::new(&mut statement, &witness.evidence)?;
-    let witness = &witness.evidence;
+    let values = Values::new(&mut statement, &witness.evidence);
+    values
+        .map(|mut values| named(&mut values, &witness.evidence))
+        .unwrap_or_default()
+}
+
+/// What the claim and its premises speak of, with its values.
+fn named(values: &mut Values<'_>, witness: &Witness) -> Vec<(String, String)> {
     // what the claim and its premises speak of
     let mut spoken: BTreeSet<Symbol> = BTreeSet::new();
     let own = values.statement();
@@ -289,6 +304,14 @@ pub fn at(witness: &With<Witness>, relation: Relation) -> Option<Counterexample>
         let found = values.of(*term);
         point.push((name, tex(values.statement().terms(), found)));
     }
+    point
+}
+
+/// The point of a witness, in the names of the sheet, and the two sides of the relation whose goal fails there.
+pub fn at(witness: &With<Witness>, relation: Relation) -> Option<Counterexample> {
+    let mut statement = witness.statement.clone();
+    let mut values = Values::new(&mut statement, &witness.evidence)?;
+    let point = named(&mut values, &witness.evidence);
     let goals = values.statement().goal().to_vec();
     for (property, goal) in goals {
         let mut sides = values.sides(goal);
@@ -328,7 +351,9 @@ fn values_in(statement: &Statement, term: Term) -> Vec<(Function, u32, Term)> {
 fn partials_in(statement: &Statement, term: Term) -> BTreeSet<Symbol> {
     let inside = statement.terms().inside(term).into_iter();
     let partial = |inner| match statement.terms().node(inner) {
-        Node::Symbol(symbol) => matches!(statement.quantity(*symbol), Some(Quantity::Partial { .. })).then_some(*symbol),
+        Node::Symbol(symbol) => {
+            matches!(statement.quantity(*symbol), Some(Quantity::Partial { .. })).then_some(*symbol)
+        }
         _ => None,
     };
     inside.filter_map(partial).collect()

@@ -25,6 +25,8 @@ pub struct Decision {
     pub failed: Option<Equation>,
     /// The file that the formula stands in, where it is one that the document includes.
     pub file: Option<String>,
+    /// The point of a proof, at which what is given holds: what the claim speaks of, with its values.
+    pub point: Vec<(String, String)>,
     /// Whether nothing is left to decide: what is given contradicts itself, or the claim is nowhere defined.
     pub is_vacuous: bool,
     /// The other meanings that its premises may have, where they bear on the verdict.
@@ -63,6 +65,9 @@ impl Decision {
             self.verdict = Verdict::Proved;
         }
         for goal in goals {
+            if self.point.is_empty() {
+                self.point = goal.point;
+            }
             self.provide(goal.provided);
             self.rules.extend(goal.rules);
         }
@@ -94,6 +99,7 @@ impl Decision {
             failed: None,
             file: entry.and_then(|entry| entry.tex.file.clone()),
             doubts: Vec::new(),
+            point: Vec::new(),
             is_vacuous: false,
             place: entry.map(|entry| entry.tex.place()),
         }

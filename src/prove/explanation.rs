@@ -496,10 +496,15 @@ fn refutation(witness: &With<Witness>, relation: Relation, lines: &mut Vec<Strin
     }
     let derivations = values.derivatives();
     if !derivations.is_empty() {
-        lines.push("the partial derivatives follow from the premises that give the map, differentiated implicitly".into());
+        lines.push(
+            "the partial derivatives follow from the premises that give the map, differentiated implicitly".into(),
+        );
     }
     for derivation in derivations {
-        lines.push(format!("  ({}) by {}:  {} = 0", derivation.label, derivation.by, derivation.slope));
+        lines.push(format!(
+            "  ({}) by {}:  {} = 0",
+            derivation.label, derivation.by, derivation.slope
+        ));
         lines.push(format!("        {} = 0", derivation.at_values));
     }
     lines.push("and the claim is".into());

@@ -355,6 +355,9 @@ impl<'a> Search<'a> {
                     let excluded = proof.excluded().iter();
                     let excluded = excluded.map(|&term| format!(r"{} \neq 0", print::tex(terms, term)));
                     decision.provide(proof.provided().iter().cloned().chain(excluded));
+                    if decision.point.is_empty() {
+                        decision.point = counterexample::point(&point);
+                    }
                     proofs.push(proof);
                     self.keep(goal, question, Found::Proved { certificate, point });
                 }

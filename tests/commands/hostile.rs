@@ -142,7 +142,10 @@ fn long_lists_end_at_what_is_tried_of_them() {
     // where the sum over n ends is open at each sign
     let sum = claim(format!(r"\sum_{{n=1}}^3 n{} = x", " + x".repeat(8000)));
     assert_ends("sum.toml", &sum, 1, "up to the next sign, or to the end?");
-    let rows = format!("% audit: default skip\n\\begin{{align}}\n{}\\end{{align}}\n", "x &= x \\\\\n".repeat(30_000));
+    let rows = format!(
+        "% audit: default skip\n\\begin{{align}}\n{}\\end{{align}}\n",
+        "x &= x \\\\\n".repeat(30_000)
+    );
     assert_ends("rows.tex", &rows, 2, "more than 20000 formulas");
 }
 

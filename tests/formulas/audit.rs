@@ -266,7 +266,9 @@ fn a_refutation_is_worked_out_and_every_premise_holds_there() {
 fn a_refutation_shows_periods_and_derives_the_derivatives_of_the_map() {
     let text = text(&run(&["audit", "--explain", "22"], ""));
     let value = |name: &str| {
-        let found = text.lines().find_map(|line| line.trim().strip_prefix(&format!("{name} = ")));
+        let found = text
+            .lines()
+            .find_map(|line| line.trim().strip_prefix(&format!("{name} = ")));
         found.unwrap_or_else(|| panic!("no {name} in\n{text}")).to_owned()
     };
     // a period apart

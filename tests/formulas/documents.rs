@@ -1457,6 +1457,13 @@ fn declared_symbols_add_to_those_that_are_guessed_unless_they_are_the_only_ones(
     assert!(!reason(2).contains("real"), "{}", reason(2));
     assert_eq!(
         verdicts(&of("; only")),
-        ["1 unread", "2 unread", "3 refuted", "4 unread", "5 unread", "6 undecided"]
+        [
+            "1 unread",
+            "2 unread",
+            "3 refuted",
+            "4 unread",
+            "5 unread",
+            "6 undecided"
+        ]
     );
 }

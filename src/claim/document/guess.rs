@@ -593,8 +593,14 @@ impl Guess {
         let mut letters = None;
         if self.declared.is_some() && !self.is_strict {
             let labels = labels_below(label, below).into_iter().map(String::as_str);
-            let formulas = labels.chain([label]).filter_map(|label| self.numbers.get(label).copied());
-            let undeclared: Vec<String> = self.undeclared(formulas).iter().map(|name| format!("`{name}`")).collect();
+            let formulas = labels
+                .chain([label])
+                .filter_map(|label| self.numbers.get(label).copied());
+            let undeclared: Vec<String> = self
+                .undeclared(formulas)
+                .iter()
+                .map(|name| format!("`{name}`"))
+                .collect();
             letters = match undeclared.as_slice() {
                 [] => None,
                 [one] => Some(format!("{one} is real and has one value")),
@@ -679,7 +685,9 @@ impl Guess {
             ..Symbols::default()
         };
         let with_functions = Symbols {
-            times: if self.functions.is_empty() || read_name(TIME, &Names::default()).is_ok_and(|time| self.vocabulary.knows(&time)) {
+            times: if self.functions.is_empty()
+                || read_name(TIME, &Names::default()).is_ok_and(|time| self.vocabulary.knows(&time))
+            {
                 Vec::new()
             } else {
                 vec![TIME.to_owned()]

@@ -127,15 +127,22 @@ fn letters_beside(text: &str, start: usize, end: usize) -> Vec<String> {
     let before = text.get(..start).unwrap_or_default();
     let near = before.char_indices().rev().nth(FARTHEST).map_or(0, |(near, _)| near);
     let ends = [". ", ".\n", ";", "\n\n", r"\]", r"\end{", "$$"];
-    let last_end = |text: &str| ends.iter().filter_map(|end| text.rfind(end).map(|at| at + end.len())).max();
+    let last_end = |text: &str| {
+        ends.iter()
+            .filter_map(|end| text.rfind(end).map(|at| at + end.len()))
+            .max()
+    };
     let first_end = |text: &str| ends.iter().filter_map(|end| text.find(end)).min();
     let before = before.get(near..).unwrap_or_default();
     let before = before.get(last_end(before).unwrap_or_default()..).unwrap_or_default();
     let behind = within(text.get(end..).unwrap_or_default(), FARTHEST);
-    let behind = behind.get(..first_end(behind).unwrap_or(behind.len())).unwrap_or_default();
+    let behind = behind
+        .get(..first_end(behind).unwrap_or(behind.len()))
+        .unwrap_or_default();
     let is_list = |part: &&str| {
         let letter = |part: &str| letters(part).count() == 1;
-        part.split(',').all(|part| letter(part) && !part.contains(['=', '^', '(', '+', '<', '>']))
+        part.split(',')
+            .all(|part| letter(part) && !part.contains(['=', '^', '(', '+', '<', '>']))
     };
     // `$A$ and $B$ are matrices`: every second piece, counted from the word on either side
     let before = before.rsplit('$').skip(1).step_by(2);
@@ -228,7 +235,10 @@ mod tests {
     fn words_mark_the_letters_beside_them() {
         assert_eq!(marked("Let $A$ and $B$ be matrices. Then $x$ is"), ["", "A B"]);
         assert_eq!(marked("of the matrices $P, Q$; here $x + y$ is small"), ["", "P Q"]);
-        assert_eq!(marked("where $z_1$ and $w$ are complex numbers with $|z| = 1$"), ["w z", ""]);
+        assert_eq!(
+            marked("where $z_1$ and $w$ are complex numbers with $|z| = 1$"),
+            ["w z", ""]
+        );
         assert_eq!(marked("$x$ is a number. The matrix has rank two. $y$ is not"), ["", ""]);
     }
 
