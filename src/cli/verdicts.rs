@@ -182,17 +182,18 @@ fn values(counterexample: &Counterexample) -> Cell {
     Cell::Values(counterexample.to_string(), values.collect())
 }
 
-/// The most characters of a mended formula that is printed whole for people.
-const SHORT: usize = 60;
-
-/// Repairs as the column has them: for people what changes, and the whole where it is short.
+/// Repairs as the column has them: for people what changes, and the whole of the first.
 fn repairs(row: &Row, sheet: &Sheet, is_for_scripts: bool) -> String {
     let claim = sheet.entries.get(row.position).filter(|_| !is_for_scripts);
-    let shown = row.repairs().iter().map(|repair| match (claim, repair.to_string()) {
-        (None, whole) => whole,
-        (Some(claim), whole) if whole.chars().count() <= SHORT => format!("{}: {whole}", repair.changes(claim)),
-        (Some(claim), _) => repair.changes(claim),
-    });
+    let shown = row
+        .repairs()
+        .iter()
+        .enumerate()
+        .map(|(place, repair)| match (claim, place) {
+            (None, _) => repair.to_string(),
+            (Some(claim), 0) => format!("{}: {repair}", repair.changes(claim)),
+            (Some(claim), _) => repair.changes(claim),
+        });
     shown.collect::<Vec<_>>().join(" ;; ")
 }
 

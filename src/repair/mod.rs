@@ -39,6 +39,9 @@ const MOST_PROOFS: u64 = 16;
 /// of one, for each unit of effort; two are proved in any case.
 const MOST_SQUARES: u64 = 60_000;
 
+/// The most characters of a part of a formula that is printed beside what should stand in its place.
+const LONGEST_PART: usize = 60;
+
 /// A formula of an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Part {
@@ -93,10 +96,16 @@ impl Repair {
                 Part::Stated(n) => claim.equations.get(n),
                 Part::Definition(n) => claim.local.get(n).map(|(equation, _)| equation),
             };
+            let place = match (edit.part, printed) {
+                (Part::Definition(_), Some(definition)) => format!("in `{}`: ", definition.left),
+                _ => String::new(),
+            };
             let before = printed.and_then(|equation| node(equation, &edit.path));
-            match before.filter(|before| *before != edit.tree) {
-                Some(before) => format!("`{before}` should be `{}`", edit.tree),
-                None => edit.words.clone(),
+            // of a long part the words say more
+            let is_short = |before: &Tree| before.to_string().chars().count() <= LONGEST_PART;
+            match before.filter(|before| *before != edit.tree && is_short(before)) {
+                Some(before) => format!("{place}`{before}` should be `{}`", edit.tree),
+                None => format!("{place}{}", edit.words),
             }
         };
         self.edits.iter().map(change).collect::<Vec<_>>().join("; ")

@@ -4,7 +4,7 @@
 use super::monomial::{is_number, is_same_product};
 use super::search::names_in;
 use super::{Part, speaks};
-use crate::claim::{Entry, Sheet, Verdict};
+use crate::claim::{Entry, Sheet, Verdict, any};
 use crate::prove::{self, Options};
 use crate::tex::{Condition, Equation, Tree};
 
@@ -203,13 +203,45 @@ fn is_a_repair(part: Part, meant: &Equation, before: &Entry, after: &Entry, may_
         }
         Condition::Integer(_) => false,
     });
+    let cancellations = |equation: &Equation| cancelling(&equation.left) + cancelling(&equation.right);
+    // L R / L = R
+    let divides_whole = |equation: &Equation| {
+        let is_whole = |node: &Tree, other: &Tree| match node {
+            Tree::Quotient(above, below, _) => [above, below].iter().any(|part| is_same_product(part, other)),
+            _ => false,
+        };
+        let sides = [(&equation.left, &equation.right), (&equation.right, &equation.left)];
+        sides.iter().any(|(own, other)| {
+            !matches!(other, Tree::Symbol(..)) && speaks(other) && any(own, &mut |node| is_whole(node, other))
+        })
+    };
     new.relation == meant.relation
+        && (divides_whole(old) || !divides_whole(new))
+        && cancellations(new) <= cancellations(old)
         && !is_assumed
         && !is_other_spelling
         && !is_empty
         && !is_gone(&old.left, &new.left)
         && !is_gone(&old.right, &new.right)
         && !drops_a_name()
+}
+
+/// The number of nodes in which something cancels as it stands: `\frac{x}{x}`, `x - x`, `x \frac{a}{x}`. They come of edits that
+/// balance the sides, and no author means them.
+fn cancelling(tree: &Tree) -> usize {
+    let own = match tree {
+        Tree::Quotient(above, below, _) => speaks(below) && is_same_product(above, below),
+        Tree::Sum(terms) => terms.iter().any(|term| match term {
+            Tree::Negate(inner) => speaks(inner) && terms.contains(inner),
+            _ => false,
+        }),
+        Tree::Product(factors) => factors.iter().any(|factor| match factor {
+            Tree::Quotient(_, below, _) => speaks(below) && factors.contains(below),
+            _ => false,
+        }),
+        _ => false,
+    };
+    usize::from(own) + super::parts(tree).iter().map(cancelling).sum::<usize>()
 }
 
 #[cfg(test)]
@@ -281,6 +313,8 @@ mod tests {
             ("x + y = x", "x - x = 0"),
             ("x - y = 0", "y - y = 0"),
             ("x^2 = y", "x - x = y - y"),
+            (r"2^{x + 1} = 2^x + 2", r"2^{\frac{x}{x} + 1} = 2^{\frac{x}{x}} + 2"),
+            ("x + y = y", r"x \frac{y}{x} = y"),
         ] {
             assert!(!passes(wrong, 0, new), "{wrong}: {new}");
         }

@@ -1467,3 +1467,36 @@ fn declared_symbols_add_to_those_that_are_guessed_unless_they_are_the_only_ones(
         ]
     );
 }
+
+#[test]
+fn words_and_commutators_mark_letters_and_a_link_stands_for_its_chain() {
+    let text = r"Let $z$ be complex.
+
+\[ |z|^2 = z^2 \]
+
+Two non-commuting variables $u$ and $v$:
+
+\[ (u+v)^2 = u^2 + 2uv + v^2 \]
+\[ p_1 q_2 - q_2 p_1 = 3 \]
+\[ (p_1 + q_2)^2 = p_1^2 + 2 p_1 q_2 + q_2^2 \]
+\[ (a + b)^2 = a^2 + 2ab + b^2 \]
+";
+    let found = verdicts(&document(text, &[]));
+    assert_eq!(
+        found,
+        [
+            "line 3 undecided",
+            "line 7 undecided",
+            "line 8 undecided",
+            "line 9 undecided",
+            "line 10 proved"
+        ]
+    );
+    // a = b + 1 = x + 2 under its second number
+    let chain = r"% audit: symbols a, b, x; only
+% audit: premise
+\begin{align} a &= b + 1 \label{q1} \\ &= x + 2 \label{q2} \end{align}
+\begin{equation} a = x + 2 \end{equation} % audit: claim; follows from \eqref{q2}
+";
+    assert_eq!(verdicts(&document(chain, &[])), ["3 proved"]);
+}

@@ -23,6 +23,9 @@ pub(super) struct Stated<'a> {
     pub is_restricted: bool,
 }
 
+/// The most terms of an equation that are compared with each other.
+const MOST_TERMS: usize = 50;
+
 /// Commands of functions of matrices alone.
 const OF_MATRICES: [&str; 16] = [
     r"\det",
@@ -58,6 +61,40 @@ const OF_COMPLEX: [&str; 7] = [
 const ANALYTIC: [&str; 10] = [
     r"\exp", r"\sin", r"\cos", r"\tan", r"\cot", r"\sec", r"\csc", r"\sinh", r"\cosh", r"\tanh",
 ];
+
+/// The factors of terms that cancel where they commute, in an equation that does not hold where they do: `P Q - Q P = c`.
+fn reordered(equation: &Equation) -> Vec<Vec<Tree>> {
+    let mut all: Vec<(Vec<Tree>, bool)> = Vec::new();
+    for (side, is_right) in [(&equation.left, false), (&equation.right, true)] {
+        let terms = match side {
+            Tree::Sum(terms) => terms.as_slice(),
+            term => std::slice::from_ref(term),
+        };
+        for term in terms {
+            let (term, is_negated) = match term {
+                Tree::Negate(inner) => (&**inner, !is_right),
+                term => (term, is_right),
+            };
+            if let Tree::Product(factors) = term {
+                all.push((factors.clone(), is_negated));
+            }
+        }
+    }
+    let is_reordered = |one: &[Tree], other: &[Tree]| {
+        one != other && one.len() == other.len() && one.iter().all(|factor| other.contains(factor))
+    };
+    let mut found = Vec::new();
+    for (place, (one, sign)) in all.iter().enumerate().take(MOST_TERMS) {
+        let others = all.iter().take(MOST_TERMS).skip(place + 1);
+        let others = others.filter(|(other, other_sign)| other_sign != sign && is_reordered(one, other));
+        found.extend(others.map(|_| one.clone()));
+    }
+    let holds = || is_identity_of_words(equation, &BTreeSet::new());
+    match found.is_empty() || equation.relation != Relation::Equal || holds() {
+        true => Vec::new(),
+        false => found,
+    }
+}
 
 impl Marks {
     /// Collects the marks of formulas, each with its TeX and what it states. `unit_is_number` says that `i` is the imaginary unit.
@@ -230,6 +267,9 @@ impl Marks {
             {
                 factors.iter().for_each(|factor| self.mark_operators(factor));
             }
+        }
+        for pair in reordered(equation) {
+            pair.iter().for_each(|factor| self.mark_operators(factor));
         }
         let (Tree::Product(left), Tree::Product(right)) = (&equation.left, &equation.right) else {
             return;

@@ -30,17 +30,27 @@ const OF_MATRICES: [&str; 14] = [
     r"_{ij})",
 ];
 
-/// Words for matrices and operators, and for complex numbers (true), beside the letters that they are said of.
-const WORDS: [(&str, bool); 9] = [
+/// Words for what does not commute, and for complex numbers (true), beside the letters that they are said of.
+const WORDS: [(&str, bool); 19] = [
     ("matrix", false),
     ("matrices", false),
     ("Matrices", false),
     ("operator", false),
     ("quaternion", false),
-    ("complex number", true),
-    ("complex-valued", true),
-    ("complex amplitude", true),
-    ("complex conjugate", true),
+    ("tensor", false),
+    ("Hermitian", false),
+    ("unitary", false),
+    ("linear map", false),
+    ("endomorphism", false),
+    ("rotation", false),
+    ("generators", false),
+    ("commut", false),
+    ("elements of", false),
+    ("observables", false),
+    ("complex", true),
+    ("Complex", true),
+    ("phasor", true),
+    ("wave function", true),
 ];
 
 impl Members {
@@ -54,6 +64,22 @@ impl Members {
             };
             for (at, _) in text.match_indices(word) {
                 marked.extend(letters_beside(text, at, at + word.len()));
+            }
+        }
+        for formula in inline(text) {
+            // z = x + i y, i = \sqrt{-1}
+            if let Some((left, right)) = formula.split_once('=')
+                && contains_unit(right)
+            {
+                members.complex.extend(letters(left));
+            }
+            // \psi: \mathbb{R} \to \mathbb{C}
+            if let Some((left, right)) = formula.split_once(':').or_else(|| formula.split_once(r"\colon"))
+                && [r"\mathbb{C}", r"\mathbb C"]
+                    .iter()
+                    .any(|set| right.trim_end().ends_with(set))
+            {
+                members.complex.extend(letters(left));
             }
         }
         for (at, _) in text.match_indices(r"\in") {
@@ -120,6 +146,19 @@ impl Members {
 fn letters(tex: &str) -> impl Iterator<Item = String> {
     let printed = crate::tex::letters(tex).into_iter();
     printed.map(|(letter, _)| letter.to_owned())
+}
+
+/// Returns the formulas between single dollars, paragraph by paragraph, where their signs come in pairs.
+fn inline(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for paragraph in text.split("\n\n").filter(|paragraph| paragraph.contains('$')) {
+        let plain = paragraph.replace(r"\$", " ").replace("$$", " ");
+        let pieces: Vec<&str> = plain.split('$').collect();
+        if pieces.len() % 2 == 1 {
+            found.extend(pieces.into_iter().skip(1).step_by(2).map(str::to_owned));
+        }
+    }
+    found
 }
 
 /// Returns the letters that stand alone, `$A$` or `$A, B$`, in the clause around a word of a text, near it.
@@ -239,6 +278,13 @@ mod tests {
             marked("where $z_1$ and $w$ are complex numbers with $|z| = 1$"),
             ["w z", ""]
         );
+        assert_eq!(marked("Let $z$ be complex. Here $y$ is real"), ["z", ""]);
+        assert_eq!(marked("two non-commuting variables $u$ and $v$"), ["", "u v"]);
+        assert_eq!(
+            marked(r"with $z = x + i y$ and $\psi\colon \mathbb{R}\to\mathbb{C}$"),
+            [r"\psi z", ""]
+        );
+        assert_eq!(marked("the $3\\times 3$ inertia tensor $J$"), ["", "J"]);
         assert_eq!(marked("$x$ is a number. The matrix has rank two. $y$ is not"), ["", ""]);
     }
 

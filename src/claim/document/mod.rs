@@ -459,6 +459,19 @@ fn entries(
         of_the_pair,
         &whole.members,
     );
+    // each link of a chain with those before it
+    let mut links: HashMap<String, Vec<String>> = HashMap::new();
+    for (place, (formula, label)) in formulas.iter().zip(&labels.own).enumerate() {
+        let before = place
+            .checked_sub(1)
+            .filter(|_| formula.is_link)
+            .and_then(|before| labels.own.get(before));
+        if let Some(before) = before {
+            let mut chain = links.get(before).cloned().unwrap_or_else(|| vec![before.clone()]);
+            chain.push(label.clone());
+            links.insert(label.clone(), chain);
+        }
+    }
     for (at, ((formula, own), label)) in formulas.iter().zip(said).zip(&labels.own).enumerate() {
         let tex = formula.tex.clone().unwrap_or_default();
         // a default is of what states something
@@ -479,7 +492,12 @@ fn entries(
         let mut follows_from = guessed.follows_from;
         for asked in own.follows_from.iter().flatten() {
             match labels.find(asked) {
-                Ok(found) => follows_from.extend(found),
+                // a = b = c under (2) is what (1) and (2) say together
+                Ok(found) => follows_from.extend(
+                    found
+                        .into_iter()
+                        .flat_map(|label| links.get(&label).cloned().unwrap_or(vec![label])),
+                ),
                 Err(problem) => unread = Some(format!("follows from `{asked}`, which is {problem}")),
             }
         }
