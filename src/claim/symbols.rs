@@ -25,9 +25,6 @@ pub struct Symbols {
     pub abbreviations: Pairs,
     pub relations: Pairs,
     pub maps: BTreeMap<String, MapEntry>,
-    /// Whether these are all: in a document other letters are guessed otherwise.
-    #[serde(skip)]
-    pub only: bool,
 }
 
 impl Symbols {
@@ -61,7 +58,6 @@ impl Symbols {
             abbreviations: pairs(self.abbreviations, more.abbreviations)?,
             relations: pairs(self.relations, more.relations)?,
             maps: self.maps.into_iter().chain(more.maps).collect(),
-            only: self.only || more.only,
         })
     }
 

@@ -1431,44 +1431,6 @@ fn a_pair_of_roots_and_its_members_are_guessed_as_one_symbol_each() {
 }
 
 #[test]
-fn declared_symbols_add_to_those_that_are_guessed_unless_they_are_the_only_ones() {
-    let of = |only: &str| {
-        document(
-            &format!(
-                "% audit: symbols positive \\gamma{only}; default claim\n\
-                 \\begin{{equation}} \\sqrt{{\\gamma^2}} + x = \\gamma + x \\end{{equation}}\n\
-                 \\begin{{equation}} \\sqrt{{x^2}} = x \\end{{equation}}\n\
-                 \\begin{{equation}} \\sqrt{{\\gamma^2}} = -\\gamma \\end{{equation}}\n\
-                 \\begin{{equation}} M N = N M \\end{{equation}}\n\
-                 \\begin{{equation}} y = x + \\gamma \\end{{equation}} % audit: definition\n\
-                 \\begin{{equation}} y > x \\end{{equation}}\n"
-            ),
-            &[],
-        )
-    };
-    // a guess refutes nothing, a declaration does
-    let added = of("");
-    assert_eq!(
-        verdicts(&added),
-        ["1 proved", "2 undecided", "3 refuted", "4 unread", "6 proved"]
-    );
-    let reason = |n: usize| decisions(&added)[n].reason.clone();
-    assert!(reason(1).contains("`x` is real and has one value"), "{}", reason(1));
-    assert!(!reason(2).contains("real"), "{}", reason(2));
-    assert_eq!(
-        verdicts(&of("; only")),
-        [
-            "1 unread",
-            "2 unread",
-            "3 refuted",
-            "4 unread",
-            "5 unread",
-            "6 undecided"
-        ]
-    );
-}
-
-#[test]
 fn words_and_commutators_mark_letters_and_a_link_stands_for_its_chain() {
     let text = r"Let $z$ be complex.
 
@@ -1493,7 +1455,7 @@ Two non-commuting variables $u$ and $v$:
         ]
     );
     // a = b + 1 = x + 2 under its second number
-    let chain = r"% audit: symbols a, b, x; only
+    let chain = r"% audit: symbols a, b, x
 % audit: premise
 \begin{align} a &= b + 1 \label{q1} \\ &= x + 2 \label{q2} \end{align}
 \begin{equation} a = x + 2 \end{equation} % audit: claim; follows from \eqref{q2}

@@ -215,10 +215,6 @@ fn symbols(parts: &[&str]) -> Result<Symbols, String> {
             ));
         }
         let list = match kind {
-            "only" if rest.is_empty() => {
-                symbols.only = true;
-                continue;
-            }
             "parameters" => &mut symbols.parameters,
             "generic" => &mut symbols.generic,
             "positive" => &mut symbols.positive,

@@ -47,10 +47,8 @@ pub(super) struct Guess {
     marks: Marks,
     /// Letters before brackets.
     factors: Factors,
-    /// Whether the letters that the document declares are all that it may use.
-    is_strict: bool,
+    has_symbols: bool,
     /// What the document declares itself.
-    declared: Option<Symbols>,
     vocabulary: Vocabulary,
     /// The number of each formula, by its label.
     numbers: HashMap<String, usize>,
@@ -241,21 +239,27 @@ impl Guess {
             Some(symbols) => Vocabulary::read(symbols).unwrap_or_default(),
             None => Vocabulary::default(),
         };
-        let is_strict = of_the_pair || symbols.is_some_and(|symbols| symbols.only);
+        let has_symbols = symbols.is_some() || of_the_pair;
         let mut functions: Vec<Name> = Vec::new();
-        if !is_strict {
+        if !has_symbols {
             for name in formulas
                 .iter()
                 .flat_map(|formula| called_with_time(formula.tex.as_deref().unwrap_or_default()))
             {
                 // `\dif{r}{t}(t)` makes time no function of itself
-                if !functions.contains(&name) && name.to_string() != TIME && !vocabulary.knows(&name) {
+                if !functions.contains(&name) && name.to_string() != TIME {
                     functions.push(name);
                 }
             }
         }
-        let mut names = vocabulary.names.clone();
-        names.functions.extend(functions.iter().cloned());
+        let names = if has_symbols {
+            vocabulary.names.clone()
+        } else {
+            Names {
+                functions: functions.clone(),
+                ..Names::default()
+            }
+        };
         let stated = |formula: &Formula| {
             let tex = formula.tex.as_deref().unwrap_or_default();
             let read = implication::formulas(tex)
@@ -306,15 +310,14 @@ impl Guess {
         let shown = formulas
             .iter()
             .map(|formula| formula.tex.as_deref().unwrap_or_default());
-        let marks = match is_strict {
+        let marks = match has_symbols {
             true => Marks::default(),
             false => Marks::new(
                 shown.zip(read.iter().map(Vec::as_slice)),
                 &commutators,
                 !constants.i_is_index,
                 members.clone(),
-            )
-            .without(|name| vocabulary.knows(name)),
+            ),
         };
         Self {
             has_matrices,
@@ -329,8 +332,7 @@ impl Guess {
             given,
             complex,
             functions,
-            is_strict,
-            declared: symbols.cloned(),
+            has_symbols,
             vocabulary,
             met: HashSet::new(),
             definitions: HashMap::new(),
@@ -369,7 +371,7 @@ impl Guess {
         }
         let mut guessed = Vec::new();
         if role == Role::Claim {
-            if self.declared.is_none() && !self.is_strict {
+            if !self.has_symbols {
                 guessed.push("each symbol is real and has one value".to_owned());
             }
             let from: Vec<String> = below.iter().map(|label| format!("({label})")).collect();
@@ -384,8 +386,9 @@ impl Guess {
                 guessed.push(format!("this is a claim that follows from {from}"));
             }
         }
-        // an author who says that it is a claim says what it follows from, or that it follows from definitions alone
-        let follows_from: Vec<String> = if is_founded { Vec::new() } else { below };
+        // an author who says that it is a claim says what it follows from, or that it follows from nothing
+        let is_said = is_founded || (!is_guess && role == Role::Claim);
+        let follows_from: Vec<String> = if is_said { Vec::new() } else { below };
         match role {
             Role::Definition => {
                 self.definitions
@@ -414,7 +417,7 @@ impl Guess {
 
     /// Why what formula number `at` speaks of cannot be guessed.
     pub fn problem(&self, at: usize, tex: &str) -> Option<String> {
-        if self.is_strict || (self.declared.is_some() && self.undeclared([at]).is_empty()) {
+        if self.has_symbols {
             return None;
         }
         let is_bold = [r"\vec", r"\mathbf", r"\boldsymbol", r"\bm", r"\mathsf", r"\mathfrak"]
@@ -429,7 +432,7 @@ impl Guess {
         let holds = |letter: &String| shown.contains(letter.as_str());
         let problem = if is_bold {
             "vectors and matrices are not guessed"
-        } else if is_called(&shown, &|letter| self.is_of_known_kind(letter)) {
+        } else if is_called(&shown, &|letter| self.functions.iter().any(|name| name.base == letter)) {
             "a function or a factor before a bracket is not guessed"
         } else if shown.contains(r"\top") {
             "transposes are not guessed"
@@ -590,23 +593,6 @@ impl Guess {
 
     /// What of the formulas that a claim rests on nobody says, a part of a sentence each; `below` says what each follows from.
     pub fn beneath(&self, label: &str, below: &HashMap<String, Vec<String>>) -> Vec<String> {
-        let mut letters = None;
-        if self.declared.is_some() && !self.is_strict {
-            let labels = labels_below(label, below).into_iter().map(String::as_str);
-            let formulas = labels
-                .chain([label])
-                .filter_map(|label| self.numbers.get(label).copied());
-            let undeclared: Vec<String> = self
-                .undeclared(formulas)
-                .iter()
-                .map(|name| format!("`{name}`"))
-                .collect();
-            letters = match undeclared.as_slice() {
-                [] => None,
-                [one] => Some(format!("{one} is real and has one value")),
-                all => Some(format!("{} are real and have one value each", all.join(", "))),
-            };
-        }
         let mut guessed: Vec<(&String, String)> = Vec::new();
         for next in labels_below(label, below) {
             let role = self.guessed.get(next).map(|role| format!("({next}) is a {role}"));
@@ -618,49 +604,16 @@ impl Guess {
         let told = guessed.iter().take(MOST_TOLD).map(|(_, told)| told.clone());
         let more = guessed.len().saturating_sub(MOST_TOLD);
         let more = (more > 0).then(|| format!("{more} more are what they are taken for"));
-        letters.into_iter().chain(told).chain(more).collect()
+        told.chain(more).collect()
     }
 
-    /// The symbols of the document: those that it declares, and those that are guessed; `None` where none is guessed.
+    /// The symbols that occur, where the document declares none.
     pub fn symbols(&self) -> Option<Symbols> {
-        let guessed = self.guessed_symbols()?;
-        match self.declared.clone() {
-            Some(_) if guessed.parameters.is_empty() && self.functions.is_empty() => None,
-            Some(declared) => {
-                let all = declared.clone().and(guessed).ok()?;
-                let is_consistent = Vocabulary::read(&all).is_ok_and(|vocabulary| vocabulary.check().is_ok());
-                Some(if is_consistent { all } else { declared })
-            }
-            None => Some(guessed),
-        }
-    }
-
-    /// The letters of these formulas that the document neither declares nor defines.
-    fn undeclared(&self, formulas: impl IntoIterator<Item = usize>) -> BTreeSet<Name> {
-        let mut names = BTreeSet::new();
-        let equations = formulas.into_iter().filter_map(|at| self.read.get(at)).flatten();
-        for equation in equations {
-            for side in [&equation.left, &equation.right] {
-                names_in(side, &mut names);
-            }
-        }
-        names.retain(|name| !self.vocabulary.knows(name) && !self.definitions.contains_key(name));
-        names
-    }
-
-    /// Returns true for a letter that is a function of time, or that the document declares.
-    fn is_of_known_kind(&self, letter: &str) -> bool {
-        let is_declared = || read_name(letter, &Names::default()).is_ok_and(|name| self.vocabulary.knows(&name));
-        self.functions.iter().any(|name| name.base == letter) || is_declared()
-    }
-
-    /// The symbols that occur and that the document does not declare.
-    fn guessed_symbols(&self) -> Option<Symbols> {
-        if self.is_strict {
+        if self.has_symbols {
             return None;
         }
         let single = |name: &Name| pair_of(name).unwrap_or_else(|| name.clone());
-        let is_needed = |name: &&Name| !self.vocabulary.knows(name) && !self.definitions.contains_key(*name);
+        let is_needed = |name: &&Name| !is_constant(name) && !self.definitions.contains_key(*name);
         let needed = self.names.iter().filter(is_needed).map(single);
         // what cannot be declared costs the formulas that hold it, and no other
         let is_declared = |name: &String| {
@@ -685,9 +638,7 @@ impl Guess {
             ..Symbols::default()
         };
         let with_functions = Symbols {
-            times: if self.functions.is_empty()
-                || read_name(TIME, &Names::default()).is_ok_and(|time| self.vocabulary.knows(&time))
-            {
+            times: if self.functions.is_empty() {
                 Vec::new()
             } else {
                 vec![TIME.to_owned()]
@@ -708,9 +659,7 @@ impl Guess {
         if !labels.is_empty() {
             told.push(format!("definitions are guessed: {}", labels.join(", ")));
         }
-        let guessed = self.guessed_symbols();
-        let is_some = |symbols: &Symbols| self.declared.is_none() || !symbols.parameters.is_empty();
-        if let Some(symbols) = guessed.filter(is_some) {
+        if let Some(symbols) = self.symbols() {
             let list = |names: &[String]| names.join(", ");
             let functions: Vec<String> = self.functions.iter().map(ToString::to_string).collect();
             let of_time = if functions.is_empty() {

@@ -189,13 +189,6 @@ impl Marks {
         marks
     }
 
-    /// These marks, but for letters that the document declares.
-    pub fn without(mut self, is_declared: impl Fn(&Name) -> bool) -> Self {
-        self.operators.retain(|name| !is_declared(name));
-        self.complex.retain(|name| !is_declared(name));
-        self
-    }
-
     /// Notes what one node marks.
     fn read(&mut self, node: &Tree) {
         match node {

@@ -536,8 +536,7 @@ fn entries(
         entry.doubts.extend(guess.doubts(entry, &below));
     }
     if let Some(symbols) = guess.symbols() {
-        let at = raw.symbols.as_ref().map_or(0..0, Spanned::span);
-        raw.symbols = Some(Spanned::new(at, symbols));
+        raw.symbols = Some(Spanned::new(0..0, symbols));
     }
     guess.told()
 }
