@@ -62,32 +62,23 @@ const ANALYTIC: [&str; 10] = [
     r"\exp", r"\sin", r"\cos", r"\tan", r"\cot", r"\sec", r"\csc", r"\sinh", r"\cosh", r"\tanh",
 ];
 
-/// The factors of terms that cancel where they commute, in an equation that does not hold where they do: `P Q - Q P = c`.
+/// The factors of terms that differ in their order alone, in an equation that does not hold where they commute: `P Q - Q P = c`.
 fn reordered(equation: &Equation) -> Vec<Vec<Tree>> {
-    let mut all: Vec<(Vec<Tree>, bool)> = Vec::new();
-    for (side, is_right) in [(&equation.left, false), (&equation.right, true)] {
-        let terms = match side {
-            Tree::Sum(terms) => terms.as_slice(),
-            term => std::slice::from_ref(term),
-        };
-        for term in terms {
-            let (term, is_negated) = match term {
-                Tree::Negate(inner) => (&**inner, !is_right),
-                term => (term, is_right),
-            };
-            if let Tree::Product(factors) = term {
-                all.push((factors.clone(), is_negated));
-            }
-        }
-    }
+    let sides = [&equation.left, &equation.right]
+        .into_iter()
+        .flat_map(|side| terms(side));
+    let products = sides.filter_map(|term| match term {
+        Tree::Product(factors) => Some(factors.as_slice()),
+        _ => None,
+    });
+    let all: Vec<&[Tree]> = products.take(MOST_TERMS).collect();
     let is_reordered = |one: &[Tree], other: &[Tree]| {
         one != other && one.len() == other.len() && one.iter().all(|factor| other.contains(factor))
     };
     let mut found = Vec::new();
-    for (place, (one, sign)) in all.iter().enumerate().take(MOST_TERMS) {
-        let others = all.iter().take(MOST_TERMS).skip(place + 1);
-        let others = others.filter(|(other, other_sign)| other_sign != sign && is_reordered(one, other));
-        found.extend(others.map(|_| one.clone()));
+    for (place, one) in all.iter().enumerate() {
+        let others = all.iter().skip(place + 1).filter(|other| is_reordered(one, other));
+        found.extend(others.map(|_| one.to_vec()));
     }
     let holds = || is_identity_of_words(equation, &BTreeSet::new());
     match found.is_empty() || equation.relation != Relation::Equal || holds() {
