@@ -13,7 +13,7 @@ use std::path::Path;
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "A row to add")]
 pub struct RowToAdd {
-    /// Compute this row and, if its verdict is the expected one, add it to DIR/printed.csv; what is not there is made
+    /// Compute this row and, if its verdict is the expected one, add it to DIR/printed.csv; DIR and its files are created where missing
     #[arg(long = "add", value_name = "ID", requires_all = ["directory", "place", "printed"], conflicts_with = "bless")]
     id: Option<String>,
     /// Where it is printed, such as 'Table 2'

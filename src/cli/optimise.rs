@@ -19,7 +19,7 @@ use crate::scene::{BoxChoice, Over, Scene, Want};
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// By which part of it the largest voltage may be above the one found
+    /// Stop when the maximum is proved to be at most this fraction above the best voltage found
     #[arg(long, value_name = "PART", default_value_t = GAP, value_parser = gap)]
     gap: f64,
     /// Search up to N times as many boxes

@@ -21,7 +21,7 @@ pub enum Asked {
 /// The options that every command knows.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Options {
-    /// Format of tables
+    /// Format of the output
     #[arg(long, global = true, value_name = "FORMAT", default_value = Format::Text.name(), value_parser = format_parser(&Format::ALL))]
     pub format: Format,
     /// Write to FILE instead of stdout; an interrupted run leaves no partial file. `run` and `plot all` take a directory

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 /// Rate a solver by the correct digits of its answers to `problems`
 ///
 /// FILE is CSV with the columns problem, quantity, answer and, if you like, seconds (of the whole problem), in any order;
-/// other columns are passed over. What is no number (nothing, NaN, inf) is no answer, as what is not there.
+/// other columns are passed over. What is no number (nothing, NaN, inf) counts as missing.
 /// Digits are -log10 of the relative error, of a phase those of the difference around the circle in rad; 30 at most.
 ///
 /// With --exec, CMD is run by `sh -c` at one tolerance after the other, which it finds in VIBRO_TOLERANCE and in place

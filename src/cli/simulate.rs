@@ -23,7 +23,7 @@ pub struct Arguments {
     /// Only the last so many events
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     last: Option<u32>,
-    /// Only events that are proved, each with bounds of its errors, for as long as intervals tell
+    /// Only events that are proved, each with bounds of its errors, until intervals can no longer decide
     #[arg(long)]
     proved: bool,
 }

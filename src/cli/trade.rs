@@ -20,13 +20,13 @@ pub struct Arguments {
     /// What to compute [default: all of them, within a minute]
     #[arg(value_name = "TASK", value_parser = task_parser())]
     task: Option<Task>,
-    /// Only this means, by the name that the table gives it
+    /// Only this method, by its name in the table
     #[arg(long, value_name = "NAME")]
     method: Option<String>,
     /// Only this number
     #[arg(long, value_name = "NAME", value_parser = rung_parser())]
     number: Option<Rung>,
-    /// List every problem of the task, and what each means did on it, without a clock
+    /// List every problem of the task with the result of each method, untimed
     #[arg(long, conflicts_with = "plot")]
     pub(super) problems: bool,
     /// Name the cheapest means for a need, and the runner-up: digits=8,solved=0.99,task=orbit, or error=0.01,task=voltage

@@ -29,7 +29,7 @@ pub const UNTIL: f64 = 10.0;
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// How many times, both ends counted
+    /// Number of time points, both ends counted
     #[arg(long, value_name = "N", default_value_t = SAMPLES, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
     samples: u32,
     /// The last time; the forcing period is 2. The default is the paper's t_final [default: 10]

@@ -358,12 +358,12 @@ impl Proof {
                 by(&how)
             }
             Inference::Generic(term) => format!("For generic symbols {} is not 0", print(*term)),
-            Inference::Along { equation, by, .. } => {
+            Inference::Along { map, equation, by } => {
+                let equations = self.statement.steps().get(*map).map(|step| &step.equations);
+                let label = equations.and_then(|equations| equations.get(*equation));
+                let label = label.map_or("the equation of a map", |(label, _)| label);
                 let by = self.statement.terms().symbol_name(*by);
-                format!(
-                    "By {} along the map, differentiated with respect to {by}",
-                    self.given(*equation)
-                )
+                format!("By ({label}) along the map, differentiated with respect to {by}")
             }
             Inference::Derivative(_) | Inference::Constant { .. } => String::new(),
         }

@@ -97,6 +97,19 @@ fn shortened(text: &str) -> String {
     shown
 }
 
+/// Says how a number is written, of a line in which one has a decimal comma or a unit.
+fn advice_on_number(line: &str) -> Option<&'static str> {
+    let (_, value) = line.split_once('=')?;
+    let value = value.split('#').next()?.trim().trim_start_matches(['+', '-']);
+    let rest = value.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
+    match rest.trim_start().chars().next()? {
+        _ if rest.len() == value.len() => None,
+        ',' => Some("; write numbers with a decimal point, `0.4`"),
+        c if c.is_alphabetic() => Some("; write numbers without a unit: the guide says in which one each is"),
+        _ => None,
+    }
+}
+
 impl Document {
     /// Reads the TOML of the scene called `name`.
     ///
@@ -111,7 +124,13 @@ impl Document {
         };
         let table = DeTable::parse(text).map_err(|error| {
             let origin = error.span().map(|span| reading.origin(span.start));
-            document.error(origin, SceneProblem::Syntax(error.message().to_string()))
+            let line = error.span().and_then(|span| {
+                let (before, behind) = text.split_at_checked(span.start)?;
+                let start = before.rfind('\n').map_or(0, |at| at + 1);
+                Some(format!("{}{}", before.get(start..)?, behind.lines().next()?))
+            });
+            let advice = line.as_deref().and_then(advice_on_number).unwrap_or_default();
+            document.error(origin, SceneProblem::Syntax(format!("{}{advice}", error.message())))
         })?;
         for (key, value) in in_order(table.get_ref()) {
             let origin = reading.origin(key.span().start);
@@ -393,6 +412,24 @@ mod tests {
         let before = document.clone();
         assert!(document.set("map.x={from = 1, form = 2}").is_err());
         assert_eq!(document, before);
+    }
+
+    #[test]
+    fn a_decimal_comma_and_a_unit_are_told_as_such() {
+        let told = |value: &str| {
+            Document::read(&format!("[motion]\nd = {value}\n"), "x")
+                .unwrap_err()
+                .to_string()
+        };
+        for (value, advice) in [
+            ("0,4", "decimal point"),
+            ("-1,5 # m", "decimal point"),
+            ("0.4mm", "without a unit"),
+            ("0.4 m", "without a unit"),
+        ] {
+            assert!(told(value).contains(advice), "{value}: {}", told(value));
+        }
+        assert!(!told("[1").contains("write numbers"), "{}", told("[1"));
     }
 
     #[test]

@@ -282,6 +282,15 @@ fn a_refutation_shows_periods_and_derives_the_derivatives_of_the_map() {
 }
 
 #[test]
+fn derivatives_along_maps_cite_the_equations_of_their_own_map() {
+    let text = text(&run(&["audit", "--explain", "23"], ""));
+    for (label, by) in [("9", "t_k"), ("10", "t_k"), ("11", "t_{k+1}"), ("12", "t_{k+1}")] {
+        let cited = format!("By ({label}) along the map, differentiated with respect to {by}:");
+        assert!(text.contains(&cited), "{cited}\n{text}");
+    }
+}
+
+#[test]
 fn sheets_of_another_field_are_audited_in_their_own_words() {
     let output = run(&["audit", "golden/oscillator/equations.toml", "--format", "csv"], "");
     assert_eq!(output.status.code(), Some(0), "{}", text(&output));

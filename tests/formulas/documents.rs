@@ -1017,7 +1017,11 @@ fn what_is_wrong_is_said_with_its_place_and_the_rest_is_decided() {
             "{text}"
         );
     };
-    unread("\\[ a = a \\] % audit: clam\n", "`clam` says nothing here");
+    unread(
+        "\\[ a = a \\] % audit: clam\n",
+        "`clam` says nothing here; did you mean `claim`?",
+    );
+    unread("\\[ a = a \\] % audit: qed\n", "known: claim, premise");
     unread(r"\newcommand{\r}{\r} \[ a = \r \]", "goes on for ever");
     unread(r"\newcommand{\two}[2]{#1} \[ a = {\two} \]", "lacks an argument");
     unread(r"\[ a = \begin{unknown} b \end{unknown} \]", "unknown");

@@ -29,6 +29,23 @@ pub(super) enum Key {
     },
 }
 
+/// The words that keys begin with.
+const KEYS: [&str; 13] = [
+    "claim",
+    "premise",
+    "definition",
+    "skip",
+    "follows from",
+    "with",
+    "where",
+    "assume",
+    "expect",
+    "label",
+    "default",
+    "symbols",
+    "value",
+];
+
 /// The keys of a comment.
 ///
 /// # Errors
@@ -84,8 +101,11 @@ pub(super) fn keys(text: &str) -> Result<Vec<Key>, String> {
                 }
             }
             _ => {
-                let known = "claim, premise, definition, skip, follows from, with, where, assume, expect, label, default, symbols, value";
-                return Err(format!("`{part}` says nothing here (known: {known})"));
+                let word = part.split_whitespace().next().unwrap_or_default();
+                return Err(match nearest(word, KEYS) {
+                    Some(key) if key != word => format!("`{part}` says nothing here; did you mean `{key}`?"),
+                    _ => format!("`{part}` says nothing here (known: {})", KEYS.join(", ")),
+                });
             }
         });
     }
