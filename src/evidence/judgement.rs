@@ -157,12 +157,16 @@ impl<V> Search<V> {
     /// Why there is no point.
     fn reason(&self, system: &System, verdict: Verdict) -> String {
         let starts = self.starts;
+        // of what is proved the kernel has a point
+        let untried = match verdict {
+            Verdict::Proved => "not tried at random points",
+            _ => "no point",
+        };
         if system.work.is_over() {
-            return "no point: the formulas are too large to be evaluated often enough".to_string();
+            return format!("{untried}: the formulas are too large to be evaluated often enough");
         }
-        // the kernel has one
         if verdict == Verdict::Proved {
-            return format!("not tried at random points: none of {starts} starts led to one");
+            return format!("{untried}: none of {starts} starts led to one");
         }
         if self.undefined > 0 {
             return format!(

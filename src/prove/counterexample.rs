@@ -243,9 +243,8 @@ pub fn point(witness: &With<Witness>) -> Vec<(String, String)> {
         .unwrap_or_default()
 }
 
-/// What the claim and its premises speak of, with its values.
+/// The symbols and functions that the claim and its premises speak of, with their values.
 fn named(values: &mut Values<'_>, witness: &Witness) -> Vec<(String, String)> {
-    // what the claim and its premises speak of
     let mut spoken: BTreeSet<Symbol> = BTreeSet::new();
     let own = values.statement();
     let givens = own.givens().iter().filter(|given| !given.label.starts_with('['));
@@ -283,9 +282,22 @@ fn named(values: &mut Values<'_>, witness: &Witness) -> Vec<(String, String)> {
         }
     }
     let valued = values.spoken();
-    let is_used = |function: Function, time: Term| valued.iter().any(|(of, _, at)| *of == function && *at == time);
-    for (function, order, time, _) in &witness.table {
-        if !is_used(*function, *time) {
+    // a value at a number that nothing speaks of is left out, beside values at times of the sheet
+    let at_number: Vec<bool> = {
+        let terms = values.statement().terms();
+        witness
+            .table
+            .iter()
+            .map(|(.., time, _)| terms.is_closed(*time))
+            .collect()
+    };
+    let is_elsewhere = |function: Function| {
+        let mut rows = witness.table.iter().zip(&at_number);
+        rows.any(|((of, ..), at_number)| *of == function && !at_number)
+    };
+    for ((function, order, time, _), at_number) in witness.table.iter().zip(&at_number) {
+        let is_spoken = valued.iter().any(|(.., at)| at == time);
+        if *at_number && !is_spoken && is_elsewhere(*function) {
             continue;
         }
         let named = values.statement().value(*function, *order, *time);

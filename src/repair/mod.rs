@@ -89,13 +89,10 @@ impl Repair {
         self.mended.len() == mended.len() && self.mended.iter().zip(mended).all(is_same)
     }
 
-    /// What should stand in the places of a claim that change, as "`a` should be `b`".
+    /// The changes of a claim, as "`a` should be `b`".
     pub fn changes(&self, claim: &Entry) -> String {
         let change = |edit: &Edit| {
-            let printed = match edit.part {
-                Part::Stated(n) => claim.equations.get(n),
-                Part::Definition(n) => claim.local.get(n).map(|(equation, _)| equation),
-            };
+            let printed = printed::equation(claim, edit.part);
             let place = match (edit.part, printed) {
                 (Part::Definition(_), Some(definition)) => format!("in `{}`: ", definition.left),
                 _ => String::new(),

@@ -133,7 +133,7 @@ pub fn proved_as_printed(
 }
 
 /// The equation at a place of an entry.
-fn equation(entry: &Entry, part: Part) -> Option<&Equation> {
+pub(super) fn equation(entry: &Entry, part: Part) -> Option<&Equation> {
     match part {
         Part::Stated(n) => entry.equations.get(n),
         Part::Definition(n) => entry.local.get(n).map(|(equation, _)| equation),

@@ -492,12 +492,14 @@ fn entries(
         let mut follows_from = guessed.follows_from;
         for asked in own.follows_from.iter().flatten() {
             match labels.find(asked) {
-                // a = b = c under (2) is what (1) and (2) say together
-                Ok(found) => follows_from.extend(
-                    found
-                        .into_iter()
-                        .flat_map(|label| links.get(&label).cloned().unwrap_or(vec![label])),
-                ),
+                // a = b = c under (2) is what (1) and (2) say together, but for a row of this chain
+                Ok(found) => {
+                    let whole = |cited: String| {
+                        let chain = links.get(&cited).filter(|chain| !chain.contains(label));
+                        chain.cloned().unwrap_or_else(|| vec![cited])
+                    };
+                    follows_from.extend(found.into_iter().flat_map(whole));
+                }
                 Err(problem) => unread = Some(format!("follows from `{asked}`, which is {problem}")),
             }
         }

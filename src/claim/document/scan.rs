@@ -488,7 +488,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Whether there are as many formulas as are read; the first beyond them ends the document.
+    /// Returns true once there are as many formulas as are read: the next one, at byte `at`, ends the document.
     fn is_full(&mut self, at: usize) -> bool {
         let is_full = self.formulas.len() >= MOST_FORMULAS;
         if is_full && !self.ended {
