@@ -1,6 +1,7 @@
 //! Which names are declared, and the first name of a formula that is not.
 
 use super::definition::{base_alone, is_constant, pair_of};
+use super::fault::Unknown;
 use super::nodes::{any, any_side};
 use super::vocabulary::{Map, Vocabulary, index_of};
 use crate::tex::{Name, Tree, nearest};
@@ -17,12 +18,19 @@ pub(super) struct Undeclared {
     pub at: usize,
     pub message: String,
     pub known: String,
+    /// The symbol, where a declaration is all that it lacks.
+    pub unknown: Option<Unknown>,
 }
 
 impl Undeclared {
     fn plain(at: usize, message: String) -> Self {
         let known = String::new();
-        Self { at, message, known }
+        Self {
+            at,
+            message,
+            known,
+            unknown: None,
+        }
     }
 }
 
@@ -293,7 +301,7 @@ impl Vocabulary {
         let meant = nearest(&found, plain.iter().map(String::as_str));
         // Of one letter alone any other is near.
         let meant = meant.filter(|meant| found.chars().count() > 1 || meant.eq_ignore_ascii_case(&found));
-        let meant = meant.map_or(String::new(), |name| format!(", did you mean `{name}`?"));
+        let advice = meant.map_or(String::new(), |name| format!(", did you mean `{name}`?"));
         let mut known: Vec<&str> = all.iter().take(MOST_SHOWN).map(|(_, shown)| shown.as_str()).collect();
         let more = all.len().saturating_sub(MOST_SHOWN);
         let more = (more > 0).then(|| format!("and {more} more"));
@@ -305,8 +313,12 @@ impl Vocabulary {
         };
         Undeclared {
             at,
-            message: format!("unknown symbol `{found}`{meant}"),
+            message: format!("unknown symbol `{found}`{advice}"),
             known: format!(" ({known})"),
+            unknown: Some(Unknown {
+                name: name.clone(),
+                meant: meant.map(str::to_owned),
+            }),
         }
     }
 

@@ -364,7 +364,9 @@ impl Entry {
                 if messages.insert(found.message.clone()) {
                     // The names that are known are the same for all.
                     let known = if faults.is_empty() { found.known } else { String::new() };
-                    faults.push(source.fault(found.at, found.message + &known));
+                    let mut fault = source.fault(found.at, found.message + &known);
+                    fault.unknown.extend(found.unknown);
+                    faults.push(fault);
                 }
             }
             any(tree, &mut |node| {
@@ -805,7 +807,7 @@ impl Entry {
     }
 
     /// Both sides of everything that the entry says, with their sources; a shift of the index, as `k = k+1`, left out.
-    fn trees(&self, vocabulary: &Vocabulary) -> Vec<(&Tree, &Source)> {
+    pub(super) fn trees(&self, vocabulary: &Vocabulary) -> Vec<(&Tree, &Source)> {
         let stated = self.equations.iter().flat_map(|equation| sides(equation, &self.tex));
         let local = self.local.iter().flat_map(|(equation, source)| sides(equation, source));
         let is_shift = |tree: &Tree| matches!(tree, Tree::Symbol(name, _) if vocabulary.is_index_letter(name));

@@ -1,6 +1,6 @@
 //! What is wrong with a sheet, and where.
 
-use crate::tex::{Lines, Place};
+use crate::tex::{Lines, Name, Place};
 use std::fmt;
 use toml::Spanned;
 
@@ -122,8 +122,16 @@ impl Source {
             file: self.file.clone(),
             place: Some(place),
             shown: Some(shown),
+            unknown: Vec::new(),
         }
     }
+}
+
+/// A symbol that nothing declares, and the declared one that was probably meant.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Unknown {
+    pub name: Name,
+    pub meant: Option<String>,
 }
 
 /// Why a sheet cannot be used: what, and where.
@@ -138,6 +146,8 @@ pub struct Fault {
     pub place: Option<(usize, usize)>,
     /// The line of TeX with a caret beneath.
     shown: Option<String>,
+    /// The symbols that nothing declares, where that is the fault.
+    pub(super) unknown: Vec<Unknown>,
 }
 
 impl Fault {
@@ -149,6 +159,7 @@ impl Fault {
             file: None,
             place: None,
             shown: None,
+            unknown: Vec::new(),
         }
     }
 
@@ -164,6 +175,7 @@ impl Fault {
             .place
             .map(|(line, column)| format!("line {line}, column {column}: "));
         self.message = format!("{}; {}{}", self.message, place.unwrap_or_default(), other.message);
+        self.unknown.extend(other.unknown);
         self
     }
 

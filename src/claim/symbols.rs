@@ -25,6 +25,9 @@ pub struct Symbols {
     pub abbreviations: Pairs,
     pub relations: Pairs,
     pub maps: BTreeMap<String, MapEntry>,
+    /// Whether a document uses no others: without it, what it does not declare is guessed.
+    #[serde(skip)]
+    pub only: bool,
 }
 
 impl Symbols {
@@ -58,6 +61,7 @@ impl Symbols {
             abbreviations: pairs(self.abbreviations, more.abbreviations)?,
             relations: pairs(self.relations, more.relations)?,
             maps: self.maps.into_iter().chain(more.maps).collect(),
+            only: self.only || more.only,
         })
     }
 

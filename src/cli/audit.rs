@@ -332,10 +332,10 @@ fn explain(sheet: &Sheet, label: &str, options: &prove::Options, repair: bool) -
         let one = |repair: &Repair| format!("  {}\n    {repair}\n", repair.words().replace("; ", "\n  "));
         let all: String = repairs.found.iter().map(one).collect();
         let none = repairs.none().map(|none| format!("  {none}\n"));
-        text.push_str(&format!("\n\nrepairs, each proved\n{all}{}", none.unwrap_or_default()));
+        text.say(&format!("\nrepairs, each proved\n{all}{}", none.unwrap_or_default()));
     }
     Ok(Answer {
-        content: Content::Text(text),
+        content: Content::Text(text.to_string()),
         exit: exit(&[row]),
     })
 }

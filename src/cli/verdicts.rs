@@ -4,7 +4,7 @@ use super::source::Source as Input;
 use super::{Answer, Content, Exit, Failure, Options, outcomes};
 use crate::claim::{Sheet, Source, Verdict};
 use crate::evidence::Evidence;
-use crate::prove::{self, Counterexample, Decision};
+use crate::prove::{self, Counterexample, Decision, Explanation};
 use crate::reference::Outcome;
 use crate::repair::{Part as Place, Repair, Repairs};
 use crate::report::{
@@ -197,14 +197,14 @@ fn repairs(row: &Row, sheet: &Sheet, is_for_scripts: bool) -> String {
     shown.collect::<Vec<_>>().join(" ;; ")
 }
 
-/// The proof or counterexample and the evidence, as a text.
-pub fn explained(sheet: &Sheet, row: &Row, options: &prove::Options) -> String {
+/// The proof or counterexample and the evidence.
+pub fn explained(sheet: &Sheet, row: &Row, options: &prove::Options) -> Explanation {
     let mut text = prove::explain(sheet, row.position, &row.decision, options);
     if let Some(fault) = sheet.entries.get(row.position).and_then(|entry| entry.unread.as_ref()) {
-        text.push_str(&format!("{fault}\n"));
+        text.say(&fault.to_string());
     }
     if let Some(evidence) = &row.evidence {
-        text.push_str(&in_words(evidence));
+        text.say(&in_words(evidence));
     }
     text
 }
@@ -225,7 +225,8 @@ fn in_words(evidence: &Evidence) -> String {
         _ => lines.push("no point".to_string()),
     }
     lines.extend(evidence.digits.map(|_| DIGITS.to_owned()));
-    lines.extend((!evidence.worst.is_empty()).then(|| format!("worst point: {}", evidence.worst)));
+    let worst: Vec<String> = evidence.worst.split("; ").map(prove::formula).collect();
+    lines.extend((!evidence.worst.is_empty()).then(|| format!("worst point: {}", worst.join("; "))));
     lines.extend(evidence.notes.iter().cloned());
     lines.extend(
         evidence
@@ -293,7 +294,7 @@ impl Audited {
         let token = Token::current();
         let printed = |row: &Row| {
             let explained = token.during(|| explained(&self.sheet, row, how));
-            Printed::new(&self.sheet, row.position, &row.decision, row.repairs(), explained)
+            Printed::new(&self.sheet, row.position, &row.decision, row.repairs(), &explained)
         };
         let printed: Vec<Printed> = self.rows.par_iter().map(printed).collect();
         let verdicts = table(&self.rows, &self.sheet, Format::Html)?;

@@ -35,10 +35,10 @@ pub struct Side {
 }
 
 impl Side {
-    /// The side as it stands, and each of its terms, with what it is there; nothing of a number.
-    pub fn worked_out(&self) -> impl Iterator<Item = String> {
-        let whole = (self.side != self.value).then(|| format!("{} = {}", self.side, self.value));
-        let terms = self.terms.iter().map(|(term, value)| format!("  {term} = {value}"));
+    /// The side as it stands, and each of its terms below it, with what it is there; nothing of a number.
+    pub fn worked_out(&self) -> impl Iterator<Item = (usize, String)> {
+        let whole = (self.side != self.value).then(|| (0, format!("{} = {}", self.side, self.value)));
+        let terms = self.terms.iter().map(|(term, value)| (1, format!("{term} = {value}")));
         whole.into_iter().chain(terms)
     }
 }

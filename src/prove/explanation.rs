@@ -13,12 +13,52 @@ use crate::kernel::{
 use crate::number::{Field, Rational};
 use crate::tex::Relation;
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 
 /// Terms of a polynomial that are printed; `--proof` writes all.
 const MOST_TERMS: usize = 16;
 
-/// The proof or the counterexample of the claim at a position, as text.
-pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Options) -> String {
+/// A proof or a counterexample, line by line; shown without marks.
+#[derive(Clone, Debug, Default)]
+pub struct Explanation {
+    /// What stands in a line, with a mark before and behind each formula.
+    lines: Vec<String>,
+}
+
+/// The marks before and behind a formula; no TeX holds them.
+const FORMULA: [char; 2] = ['\u{2}', '\u{3}'];
+
+/// A formula within a line of an [`Explanation`].
+pub fn formula(tex: impl fmt::Display) -> String {
+    let [before, behind] = FORMULA;
+    format!("{before}{tex}{behind}")
+}
+
+impl Explanation {
+    /// Adds lines of words, in which formulas stand as [`formula`] writes them.
+    pub fn say(&mut self, words: &str) {
+        self.lines.extend(words.lines().map(str::to_owned));
+    }
+
+    /// Each line: how far it is indented, and its parts, of which every second is TeX, from the second on.
+    pub fn lines(&self) -> impl Iterator<Item = (usize, Vec<&str>)> {
+        self.lines.iter().flat_map(|line| line.split('\n')).map(|line| {
+            let text = line.trim_start_matches(' ');
+            (line.len() - text.len(), text.split(FORMULA).collect())
+        })
+    }
+}
+
+impl fmt::Display for Explanation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.lines
+            .iter()
+            .try_for_each(|line| writeln!(f, "{}", line.replace(FORMULA, "")))
+    }
+}
+
+/// The proof or the counterexample of the claim at a position.
+pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Options) -> Explanation {
     let mut lines = vec![format!(
         "({}) {}: {}",
         decision.label, decision.verdict, decision.reason
@@ -33,11 +73,15 @@ pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Op
     let mut given = Vec::new();
     if let Ok(statements) = Decision::without_search(sheet, position) {
         let premises = statements.premises.iter();
-        given.extend(premises.map(|premise| format!("  ({})  {}", premise.label, premise.equation)));
+        given.extend(premises.map(|premise| format!("  ({})  {}", premise.label, formula(&premise.equation))));
     }
     let entry = sheet.entries.get(position);
     let local = entry.map_or(&[][..], |entry| &entry.local);
-    given.extend(local.iter().map(|(definition, _)| format!("  where  {definition}")));
+    given.extend(
+        local
+            .iter()
+            .map(|(definition, _)| format!("  where  {}", formula(definition))),
+    );
     if !given.is_empty() {
         lines.push("\ngiven".into());
         lines.append(&mut given);
@@ -54,7 +98,7 @@ pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Op
         .any(|one| !printed.contains(&one.question.equation.to_string()))
     {
         lines.push("\nprinted".into());
-        lines.extend(printed.iter().map(|equation| format!("  {equation}")));
+        lines.extend(printed.iter().map(|equation| format!("  {}", formula(equation))));
     }
     for one in decided {
         let instance = match one.question.instance.as_str() {
@@ -66,7 +110,10 @@ pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Op
             part if part == one.question.equation.to_string() => String::new(),
             part => format!(": {part}"),
         };
-        lines.push(format!("\nclaim{part}\n  {}{instance}", one.question.equation));
+        lines.push(format!(
+            "\nclaim{part}\n  {}{instance}",
+            formula(&one.question.equation)
+        ));
         match &one.found {
             Found::Proved { certificate, .. } => {
                 Proof::replayed(certificate).write(certificate.evidence.steps.len(), &mut lines);
@@ -74,7 +121,7 @@ pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Op
             Found::Refuted { witness } => refutation(witness, one.question.equation.relation, &mut lines),
         }
     }
-    lines.join("\n") + "\n"
+    Explanation { lines }
 }
 
 /// The facts of a certificate as the kernel's checker finds them, each with the step that adds it.
@@ -176,16 +223,16 @@ impl Proof {
             let polynomial = self.polynomial(&fact.polynomial);
             let source = self.source(&step);
             lines.push(format!(
-                "  {}. {source}:\n     {polynomial} {}",
+                "  {}. {source}:\n     {}",
                 self.numbers[&number],
-                relation(fact.property)
+                formula(format!("{polynomial} {}", relation(fact.property)))
             ));
             let solved = ways
                 .iter()
                 .flatten()
                 .find(|way| way.fact == number && way.solved.is_some());
             if let Some(solved) = solved.and_then(|way| way.solved.clone()) {
-                lines.push(format!("     so {solved}"));
+                lines.push(format!("     so {}", formula(solved)));
             }
         }
         let mut next = shown.len() + 1;
@@ -193,26 +240,38 @@ impl Proof {
             let printed = self.polynomial(&numerator);
             let is_zero = relation(property);
             lines.push(format!(
-                "  {next}. It is to be shown that N {is_zero}, where N is the numerator of left - right:\n     N = {printed}"
+                "  {next}. It is to be shown that {}, where N is the numerator of left - right:\n     {}",
+                formula(format!("N {is_zero}")),
+                formula(format!("N = {printed}"))
             ));
             next += 1;
             let Some(fact) = fact else {
-                lines.push(format!("     N {is_zero} by itself, when multiplied out"));
+                lines.push(format!(
+                    "     {} by itself, when multiplied out",
+                    formula(format!("N {is_zero}"))
+                ));
                 continue;
             };
             let factor = ratio(&self.facts[fact].0.polynomial, &numerator);
             for way in ways {
                 let of = self.numbers[&way.fact];
                 let how = match way.pivot {
-                    Some(pivot) => format!("Insert {pivot} from step {of}"),
-                    None => format!("Take ({}) [{of}] off", self.polynomial(&way.coefficient)),
+                    Some(pivot) => format!("Insert {} from step {of}", formula(pivot)),
+                    None => format!("Take ({}) [{of}] off", formula(self.polynomial(&way.coefficient))),
                 };
                 let rest = self.polynomial(&way.rest);
-                lines.push(format!("  {next}. {how}:\n     {factor}N = {rest}"));
+                lines.push(format!(
+                    "  {next}. {how}:\n     {}",
+                    formula(format!("{factor}N = {rest}"))
+                ));
                 next += 1;
             }
             let sum = self.sum(&self.combinations[fact].clone());
-            lines.push(format!("  so N {is_zero}, for in one line\n     {factor}N = {sum}"));
+            lines.push(format!(
+                "  so {}, for in one line\n     {} = {sum}",
+                formula(format!("N {is_zero}")),
+                formula(format!("{factor}N"))
+            ));
         }
     }
 
@@ -283,7 +342,7 @@ impl Proof {
     fn sum(&mut self, terms: &BTreeMap<usize, Polynomial>) -> String {
         let part = |(fact, coefficient): (&usize, &Polynomial)| match self.polynomial(coefficient).as_str() {
             "1" => format!("[{}]", self.number(*fact)),
-            coefficient => format!("({coefficient}) [{}]", self.number(*fact)),
+            coefficient => format!("({}) [{}]", formula(coefficient), self.number(*fact)),
         };
         let parts: Vec<String> = terms.iter().map(part).collect();
         if parts.is_empty() {
@@ -314,7 +373,10 @@ impl Proof {
             LawSource::Derived(law) => match self.laws.get(law) {
                 Some(Inference::Derivative(of)) => format!("the derivative of {}", self.law(*of)),
                 Some(Inference::Constant { of, .. }) => {
-                    format!("{}, constant as its derivative is 0", tex(self.statement.terms(), *of))
+                    format!(
+                        "{}, constant as its derivative is 0",
+                        formula(tex(self.statement.terms(), *of))
+                    )
                 }
                 _ => "a derived law".into(),
             },
@@ -323,7 +385,7 @@ impl Proof {
 
     /// Where a fact comes from.
     fn source(&mut self, step: &Inference) -> String {
-        let print = |term| tex(self.statement.terms(), term);
+        let print = |term| formula(tex(self.statement.terms(), term));
         let below = self.below(step);
         let facts: Vec<String> = below.iter().map(|fact| self.number(*fact).to_string()).collect();
         let by = |how: &str| match facts.as_slice() {
@@ -354,7 +416,7 @@ impl Proof {
             }
             Inference::Cases { on, order, .. } => {
                 let cases = if *order { "positive, 0 or negative" } else { "0 or not" };
-                let how = format!("In every case: {cases} is\n         {}", self.polynomial(on));
+                let how = format!("In every case: {cases} is\n         {}", formula(self.polynomial(on)));
                 by(&how)
             }
             Inference::Generic(term) => format!("For generic symbols {} is not 0", print(*term)),
@@ -363,7 +425,10 @@ impl Proof {
                 let label = equations.and_then(|equations| equations.get(*equation));
                 let label = label.map_or("the equation of a map", |(label, _)| label);
                 let by = self.statement.terms().symbol_name(*by);
-                format!("By ({label}) along the map, differentiated with respect to {by}")
+                format!(
+                    "By ({label}) along the map, differentiated with respect to {}",
+                    formula(by)
+                )
             }
             Inference::Derivative(_) | Inference::Constant { .. } => String::new(),
         }
@@ -471,7 +536,12 @@ fn refutation(witness: &With<Witness>, relation: Relation, lines: &mut Vec<Strin
         true => lines.push("\nthe claim does not hold".into()),
         false => lines.push("\nevery premise holds, exactly, and the claim does not, where".into()),
     }
-    lines.extend(found.point.iter().map(|(name, value)| format!("  {name} = {value}")));
+    lines.extend(
+        found
+            .point
+            .iter()
+            .map(|(name, value)| format!("  {}", formula(format!("{name} = {value}")))),
+    );
     let mut statement = witness.statement.clone();
     let Some(mut values) = Values::new(&mut statement, &witness.evidence) else {
         return;
@@ -481,14 +551,26 @@ fn refutation(witness: &With<Witness>, relation: Relation, lines: &mut Vec<Strin
         lines.push("there the premises are".into());
     }
     for (label, [left, right]) in premises {
-        lines.push(format!("  ({label})  {} = {}", left.value, right.value));
+        lines.push(format!(
+            "  ({label})  {}",
+            formula(format!("{} = {}", left.value, right.value))
+        ));
         for side in [left, right] {
-            lines.extend(side.worked_out().map(|line| format!("        {line}")));
+            lines.extend(
+                side.worked_out()
+                    .map(|(depth, line)| format!("{:depth$}{}", "", formula(line), depth = 8 + 2 * depth)),
+            );
         }
     }
     for (label, [left, right], of) in values.laws() {
-        lines.push(format!("  ({label})  {left} = {right}, at all times"));
-        lines.extend(of.iter().map(|(named, value)| format!("        {named} = {value}")));
+        lines.push(format!(
+            "  ({label})  {}, at all times",
+            formula(format!("{left} = {right}"))
+        ));
+        lines.extend(
+            of.iter()
+                .map(|(named, value)| format!("        {}", formula(format!("{named} = {value}")))),
+        );
     }
     if !witness.evidence.table.is_empty() {
         lines.push("functions with these values exist: those of a smooth function and of its derivatives may be chosen freely at".into());
@@ -502,10 +584,12 @@ fn refutation(witness: &With<Witness>, relation: Relation, lines: &mut Vec<Strin
     }
     for derivation in derivations {
         lines.push(format!(
-            "  ({}) by {}:  {} = 0",
-            derivation.label, derivation.by, derivation.slope
+            "  ({}) by {}:  {}",
+            derivation.label,
+            formula(&derivation.by),
+            formula(format!("{} = 0", derivation.slope))
         ));
-        lines.push(format!("        {} = 0", derivation.at_values));
+        lines.push(format!("        {}", formula(format!("{} = 0", derivation.at_values))));
     }
     lines.push("and the claim is".into());
     for (side, value, decimal, terms) in [
@@ -515,7 +599,11 @@ fn refutation(witness: &With<Witness>, relation: Relation, lines: &mut Vec<Strin
         let decimal = decimal
             .filter(|_| value.contains('\\'))
             .map_or(String::new(), |decimal| format!(", about {decimal}"));
-        lines.push(format!("  {side} = {value}{decimal}"));
-        lines.extend(terms.iter().map(|(term, value)| format!("    {term} = {value}")));
+        lines.push(format!("  {side} = {}{decimal}", formula(value)));
+        lines.extend(
+            terms
+                .iter()
+                .map(|(term, value)| format!("    {}", formula(format!("{term} = {value}")))),
+        );
     }
 }

@@ -24,7 +24,7 @@ mod values;
 
 pub use counterexample::Counterexample;
 pub use decision::{Decision, mention_refuted};
-pub use explanation::explain;
+pub use explanation::{Explanation, explain, formula};
 pub use script::{CHECKER, Decided, Found, file_names, scripts, sealed};
 
 use crate::claim::{

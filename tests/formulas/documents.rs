@@ -622,6 +622,64 @@ fn a_claim_that_its_author_rests_on_a_guess_is_not_refuted() {
     assert!(rows[0].reason.contains("(1) is a definition"), "{}", rows[0].reason);
 }
 
+#[test]
+fn symbols_beside_those_declared_are_guessed_and_never_refute() {
+    let formulas = r"
+\begin{equation} E = \frac{m}{2} v^2 + m g h \label{e} \end{equation} % audit: premise
+\begin{equation} v^2 = \frac{2 E}{m} - 2 g h \end{equation} % audit: claim; follows from e
+\begin{equation} v^2 = \frac{2 E}{m} - 3 g h \end{equation} % audit: claim; follows from e
+\begin{equation} q = m v \end{equation} % audit: definition
+\begin{equation} q - m v = 0 \end{equation} % audit: claim
+\begin{equation} M + v = v + M \end{equation} % audit: claim
+\begin{equation} m + m = m \end{equation} % audit: claim
+\begin{equation} u(t) + u(t) = 2 u(t) \end{equation} % audit: claim
+\begin{equation} \dot w + \dot w = 2 \dot w \end{equation} % audit: claim
+\begin{equation} f(w + 1) = f w + f \end{equation} % audit: claim
+";
+    let found = document(&format!("% audit: symbols positive m\n{formulas}"), &[]);
+    let wanted = [
+        (
+            "2",
+            Verdict::Proved,
+            "`E`, `g`, `h`, `v`, which no comment declares, are real numbers",
+        ),
+        (
+            "3",
+            Verdict::Undecided,
+            "`E`, `g`, `h`, `v`, which no comment declares, are real numbers",
+        ),
+        ("5", Verdict::Proved, "`v`, which no comment declares, is a real number"),
+        ("6", Verdict::Proved, "`M` is no misprint of `m`"),
+        // what holds declared symbols alone is refuted
+        ("7", Verdict::Refuted, "not an identity"),
+        (
+            "8",
+            Verdict::Proved,
+            "`u(t)`: each is a real function that no comment declares",
+        ),
+        // a dot is no letter of its own, and a letter before a bracket may be a function
+        ("9", Verdict::Unread, r"unknown symbol `\dot{w}`"),
+        ("10", Verdict::Unread, "unknown symbol"),
+    ];
+    let decided = decisions(&found);
+    assert_eq!(decided.len(), wanted.len());
+    for (row, (label, verdict, reason)) in decided.iter().zip(wanted) {
+        assert_eq!((row.label.as_str(), row.verdict), (label, verdict), "{}", row.reason);
+        assert!(row.reason.contains(reason), "{}", row.reason);
+        assert_eq!(row.counterexample.is_some(), label == "7", "{label}");
+    }
+    assert!(
+        found.guesses.join("\n").contains("E, M, g, h, u, v"),
+        "{:?}",
+        found.guesses
+    );
+    decided_as_its_draft(&found);
+    let strict = document(&format!("% audit: symbols positive m; only\n{formulas}"), &[]);
+    let unread = decisions(&strict);
+    let unread = unread.iter().filter(|row| row.verdict == Verdict::Unread);
+    assert_eq!(unread.count(), 9, "all but (7), and (1) too");
+}
+
 /// Label, verdict and reason of each row of a sheet.
 fn rows(sheet: &Sheet) -> Vec<(String, Verdict, String)> {
     let all = prove::audit(sheet, &Options::default()).into_iter();

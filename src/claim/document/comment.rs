@@ -198,7 +198,8 @@ fn parted(text: &str, by: char) -> Vec<&str> {
 }
 
 /// The kinds of symbols.
-const KINDS: [&str; 17] = [
+const KINDS: [&str; 18] = [
+    "only",
     "parameters",
     "generic",
     "positive",
@@ -235,6 +236,10 @@ fn symbols(parts: &[&str]) -> Result<Symbols, String> {
             ));
         }
         let list = match kind {
+            "only" if rest.is_empty() => {
+                symbols.only = true;
+                continue;
+            }
             "parameters" => &mut symbols.parameters,
             "generic" => &mut symbols.generic,
             "positive" => &mut symbols.positive,

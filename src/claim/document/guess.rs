@@ -1,9 +1,11 @@
 //! What formulas are of which nobody says it: what stands for a symbol, a definition, a law, a claim.
 
 use super::super::definition::{is_constant, pair_of};
-use super::super::entry::{RawEntry, Role};
+use super::super::entry::{Entry, RawEntry, Role};
+use super::super::fault::Text;
 use super::super::implication;
 use super::super::nodes::{any, any_side, names_in};
+use super::super::sheet::{RawSheet, Sheet};
 use super::super::symbols::{Pairs, Symbols};
 use super::super::vocabulary::Vocabulary;
 use super::factors::Factors;
@@ -13,7 +15,8 @@ use super::scan::Formula;
 use crate::tex::{
     Display, Equation, Name, Names, Operation, ReadError, Relation, Tree, read_display, read_name, with_commands,
 };
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use toml::Spanned;
 
 /// What is guessed of one formula.
 pub(super) struct Guessed {
@@ -47,7 +50,10 @@ pub(super) struct Guess {
     marks: Marks,
     /// Letters before brackets.
     factors: Factors,
-    has_symbols: bool,
+    /// Whether the document declares symbols.
+    pub has_symbols: bool,
+    /// Whether it uses no others.
+    is_strict: bool,
     /// What the document declares itself.
     vocabulary: Vocabulary,
     /// The number of each formula, by its label.
@@ -64,6 +70,10 @@ pub(super) struct Guess {
     guessed: HashMap<String, Role>,
     /// The formulas on which another row of their display could be a condition.
     doubtful: HashSet<String>,
+    /// The symbols beside those declared, and the declared ones that were probably meant.
+    undeclared: BTreeMap<Name, Option<String>>,
+    /// Which of them each formula uses.
+    uses: HashMap<String, BTreeSet<Name>>,
 }
 
 /// Whether an equation holds a derivative or integral of more than what it is taken by, or a differential.
@@ -240,26 +250,21 @@ impl Guess {
             None => Vocabulary::default(),
         };
         let has_symbols = symbols.is_some() || of_the_pair;
+        let is_strict = of_the_pair || symbols.is_some_and(|symbols| symbols.only);
         let mut functions: Vec<Name> = Vec::new();
-        if !has_symbols {
+        if !is_strict {
             for name in formulas
                 .iter()
                 .flat_map(|formula| called_with_time(formula.tex.as_deref().unwrap_or_default()))
             {
                 // `\dif{r}{t}(t)` makes time no function of itself
-                if !functions.contains(&name) && name.to_string() != TIME {
+                if !functions.contains(&name) && name.to_string() != TIME && !vocabulary.knows(&name) {
                     functions.push(name);
                 }
             }
         }
-        let names = if has_symbols {
-            vocabulary.names.clone()
-        } else {
-            Names {
-                functions: functions.clone(),
-                ..Names::default()
-            }
-        };
+        let mut names = vocabulary.names.clone();
+        names.functions.extend(functions.iter().cloned());
         let stated = |formula: &Formula| {
             let tex = formula.tex.as_deref().unwrap_or_default();
             let read = implication::formulas(tex)
@@ -310,7 +315,7 @@ impl Guess {
         let shown = formulas
             .iter()
             .map(|formula| formula.tex.as_deref().unwrap_or_default());
-        let marks = match has_symbols {
+        let marks = match is_strict {
             true => Marks::default(),
             false => Marks::new(
                 shown.zip(read.iter().map(Vec::as_slice)),
@@ -333,6 +338,7 @@ impl Guess {
             complex,
             functions,
             has_symbols,
+            is_strict,
             vocabulary,
             met: HashSet::new(),
             definitions: HashMap::new(),
@@ -340,6 +346,8 @@ impl Guess {
             names: BTreeSet::new(),
             guessed: HashMap::new(),
             doubtful: HashSet::new(),
+            undeclared: BTreeMap::new(),
+            uses: HashMap::new(),
         }
     }
 
@@ -386,9 +394,8 @@ impl Guess {
                 guessed.push(format!("this is a claim that follows from {from}"));
             }
         }
-        // an author who says that it is a claim says what it follows from, or that it follows from nothing
-        let is_said = is_founded || (!is_guess && role == Role::Claim);
-        let follows_from: Vec<String> = if is_said { Vec::new() } else { below };
+        // an author who says that it is a claim says what it follows from beside the meaning of its names
+        let follows_from: Vec<String> = if is_founded { Vec::new() } else { below };
         match role {
             Role::Definition => {
                 self.definitions
@@ -417,9 +424,6 @@ impl Guess {
 
     /// Why what formula number `at` speaks of cannot be guessed.
     pub fn problem(&self, at: usize, tex: &str) -> Option<String> {
-        if self.has_symbols {
-            return None;
-        }
         let is_bold = [r"\vec", r"\mathbf", r"\boldsymbol", r"\bm", r"\mathsf", r"\mathfrak"]
             .iter()
             .any(|command| tex.contains(command));
@@ -432,7 +436,7 @@ impl Guess {
         let holds = |letter: &String| shown.contains(letter.as_str());
         let problem = if is_bold {
             "vectors and matrices are not guessed"
-        } else if is_called(&shown, &|letter| self.functions.iter().any(|name| name.base == letter)) {
+        } else if is_called(&shown, &|letter| self.is_of_known_kind(letter)) {
             "a function or a factor before a bracket is not guessed"
         } else if shown.contains(r"\top") {
             "transposes are not guessed"
@@ -514,7 +518,8 @@ impl Guess {
             below: labels.iter().flat_map(|label| equations(label)).collect(),
             is_restricted,
         };
-        let mut doubts = self.marks.doubts(&stated, &|name| !self.definitions.contains_key(name));
+        let is_free = |name: &Name| !self.definitions.contains_key(name) && !self.vocabulary.knows(name);
+        let mut doubts = self.marks.doubts(&stated, &is_free);
         for argument in stated
             .own
             .iter()
@@ -526,6 +531,12 @@ impl Guess {
             }
         }
         doubts
+    }
+
+    /// Returns true for a letter that is a function of time, or that the document declares.
+    fn is_of_known_kind(&self, letter: &str) -> bool {
+        let is_declared = || read_name(letter, &Names::default()).is_ok_and(|name| self.vocabulary.knows(&name));
+        self.functions.iter().any(|name| name.base == letter) || is_declared()
     }
 
     /// Whether this is a capital letter that nothing gives, in a document with matrices.
@@ -604,7 +615,124 @@ impl Guess {
         let told = guessed.iter().take(MOST_TOLD).map(|(_, told)| told.clone());
         let more = guessed.len().saturating_sub(MOST_TOLD);
         let more = (more > 0).then(|| format!("{more} more are what they are taken for"));
-        told.chain(more).collect()
+        self.undeclared_beneath(label, below)
+            .into_iter()
+            .chain(told)
+            .chain(more)
+            .collect()
+    }
+
+    /// What a claim takes for granted of the symbols that nothing declares.
+    fn undeclared_beneath(&self, label: &str, below: &HashMap<String, Vec<String>>) -> Vec<String> {
+        let labels = labels_below(label, below).into_iter().map(String::as_str);
+        let used: BTreeSet<&Name> = labels
+            .chain([label])
+            .filter_map(|label| self.uses.get(label))
+            .flatten()
+            .collect();
+        let (functions, numbers): (Vec<&Name>, Vec<&Name>) =
+            used.into_iter().partition(|name| self.functions.contains(name));
+        let list = |names: &[&Name], argument: &str| -> String {
+            let shown: Vec<String> = names.iter().map(|name| format!("`{name}{argument}`")).collect();
+            shown.join(", ")
+        };
+        let of_numbers = match numbers.len() {
+            0 => None,
+            1 => Some("is a real number"),
+            _ => Some("are real numbers"),
+        };
+        let numbers_are = of_numbers.map(|kind| format!("{}, which no comment declares, {kind}", list(&numbers, "")));
+        let argument = format!("({TIME})");
+        let functions_are = (!functions.is_empty()).then(|| {
+            format!(
+                "{}: each is a real function that no comment declares",
+                list(&functions, &argument)
+            )
+        });
+        let meant = numbers.iter().filter_map(|name| {
+            let meant = self.undeclared.get(*name)?.as_ref()?;
+            Some(format!("`{name}` is no misprint of `{meant}`"))
+        });
+        numbers_are.into_iter().chain(functions_are).chain(meant).collect()
+    }
+
+    /// Declares in `raw` what its formulas use beside the symbols that the document declares: real numbers and functions of time.
+    pub fn complete(&mut self, raw: &mut RawSheet, lines: &Text) {
+        if !self.has_symbols || self.is_strict {
+            return;
+        }
+        while let Ok(sheet) = Sheet::from_raw(raw, lines, &Vocabulary::default()) {
+            let new = self.unknown(&sheet);
+            let more = self.with(raw.symbols.as_ref(), &new);
+            let Some(symbols) = more.filter(|_| !new.is_empty()) else {
+                self.uses = self.uses(&sheet);
+                return;
+            };
+            raw.symbols = Some(symbols);
+            self.undeclared.extend(new);
+        }
+    }
+
+    /// The symbols of the document and these, where they go together.
+    fn with(
+        &self,
+        symbols: Option<&Spanned<Symbols>>,
+        new: &BTreeMap<Name, Option<String>>,
+    ) -> Option<Spanned<Symbols>> {
+        let names: BTreeSet<Name> = new.keys().cloned().collect();
+        let functions: Vec<Name> = self
+            .functions
+            .iter()
+            .filter(|name| names.contains(name))
+            .cloned()
+            .collect();
+        let symbols = symbols?;
+        let declared = symbols.get_ref().clone();
+        let mut more = self.declared(&names, &functions);
+        more.times.retain(|time| !declared.times.contains(time));
+        let all = declared.and(more).ok()?;
+        let is_consistent = Vocabulary::read(&all).is_ok_and(|vocabulary| vocabulary.check().is_ok());
+        is_consistent.then(|| Spanned::new(symbols.span(), all))
+    }
+
+    /// The symbols that formulas lack and that are not declared yet, where their kind can be guessed.
+    fn unknown(&self, sheet: &Sheet) -> BTreeMap<Name, Option<String>> {
+        let of_time = |entry: &Entry| called_with_time(&entry.tex.tex);
+        let (read, unread): (Vec<&Entry>, Vec<&Entry>) = sheet.entries.iter().partition(|entry| entry.unread.is_none());
+        let known: HashSet<Name> = read.into_iter().flat_map(of_time).collect();
+        let mut found = BTreeMap::new();
+        for entry in unread {
+            let at = self
+                .numbers
+                .get(entry.label.trim_end_matches(" =>").trim_end_matches(" <="));
+            if at.is_none_or(|&at| self.problem(at, &entry.tex.tex).is_some()) {
+                continue;
+            }
+            let functions = of_time(entry)
+                .into_iter()
+                .filter(|name| self.functions.contains(name) && !known.contains(name));
+            found.extend(functions.map(|name| (name, None)));
+            let symbols = entry.unread.iter().flat_map(|fault| &fault.unknown);
+            let symbols = symbols.filter(|unknown| !is_derivative(&unknown.name));
+            found.extend(symbols.map(|unknown| (unknown.name.clone(), unknown.meant.clone())));
+        }
+        found.retain(|name, _| !self.undeclared.contains_key(name));
+        found
+    }
+
+    /// Which of the symbols that nothing declares each formula uses.
+    fn uses(&self, sheet: &Sheet) -> HashMap<String, BTreeSet<Name>> {
+        let mut uses: HashMap<String, BTreeSet<Name>> = HashMap::new();
+        for entry in &sheet.entries {
+            let mut names = BTreeSet::new();
+            for (tree, _) in entry.trees(&sheet.vocabulary) {
+                names_in(tree, &mut names);
+            }
+            names.retain(|name| self.undeclared.contains_key(name));
+            let label = entry.label.trim_end_matches(" =>").trim_end_matches(" <=");
+            uses.entry(label.to_owned()).or_default().append(&mut names);
+        }
+        uses
     }
 
     /// The symbols that occur, where the document declares none.
@@ -612,9 +740,14 @@ impl Guess {
         if self.has_symbols {
             return None;
         }
+        Some(self.declared(&self.names, &self.functions))
+    }
+
+    /// Declarations of names that the document does not declare or define: functions of time, and real numbers.
+    fn declared(&self, names: &BTreeSet<Name>, functions: &[Name]) -> Symbols {
         let single = |name: &Name| pair_of(name).unwrap_or_else(|| name.clone());
         let is_needed = |name: &&Name| !is_constant(name) && !self.definitions.contains_key(*name);
-        let needed = self.names.iter().filter(is_needed).map(single);
+        let needed = names.iter().filter(is_needed).map(single);
         // what cannot be declared costs the formulas that hold it, and no other
         let is_declared = |name: &String| {
             let alone = Symbols {
@@ -630,7 +763,7 @@ impl Guess {
             .collect();
         let derivative = |name: &Name| {
             let next = name.dotted();
-            let next = self.functions.contains(&next).then(|| next.to_string());
+            let next = functions.contains(&next).then(|| next.to_string());
             format!("{name} = {}", next.unwrap_or_default())
         };
         let symbols = Symbols {
@@ -638,16 +771,20 @@ impl Guess {
             ..Symbols::default()
         };
         let with_functions = Symbols {
-            times: if self.functions.is_empty() {
-                Vec::new()
-            } else {
-                vec![TIME.to_owned()]
+            times: match functions.is_empty() || self.declares_time() {
+                true => Vec::new(),
+                false => vec![TIME.to_owned()],
             },
-            functions: Pairs::List(self.functions.iter().map(derivative).collect()),
+            functions: Pairs::List(functions.iter().map(derivative).collect()),
             ..symbols.clone()
         };
         let is_consistent = Vocabulary::read(&with_functions).is_ok_and(|vocabulary| vocabulary.check().is_ok());
-        Some(if is_consistent { with_functions } else { symbols })
+        if is_consistent { with_functions } else { symbols }
+    }
+
+    /// Returns true if the document declares the running time itself.
+    fn declares_time(&self) -> bool {
+        read_name(TIME, &Names::default()).is_ok_and(|time| self.vocabulary.knows(&time))
     }
 
     /// What is guessed of the document as a whole.
@@ -658,6 +795,13 @@ impl Guess {
         labels.sort_unstable();
         if !labels.is_empty() {
             told.push(format!("definitions are guessed: {}", labels.join(", ")));
+        }
+        if !self.undeclared.is_empty() {
+            let names: Vec<String> = self.undeclared.keys().map(ToString::to_string).collect();
+            told.push(format!(
+                "symbols beside those declared are guessed, all real: {} (`% audit: symbols only` forbids it)",
+                names.join(", ")
+            ));
         }
         if let Some(symbols) = self.symbols() {
             let list = |names: &[String]| names.join(", ");
@@ -674,6 +818,11 @@ impl Guess {
         }
         told
     }
+}
+
+/// Returns true for a name with dots or primes, which is the derivative of another.
+fn is_derivative(name: &Name) -> bool {
+    name.primes > 0 || name.accents.iter().any(|accent| accent.contains("dot"))
 }
 
 /// The labels of everything that a formula follows from.

@@ -212,6 +212,7 @@ impl Document {
             &whole,
             of_the_pair,
             &mut raw,
+            &lines,
             &line,
         ));
         Self {
@@ -397,6 +398,7 @@ fn entries(
     whole: &Whole,
     of_the_pair: bool,
     raw: &mut RawSheet,
+    lines: &Text,
     line: &dyn Fn(usize) -> usize,
 ) -> Vec<String> {
     let mut said: Vec<Said> = said;
@@ -488,7 +490,9 @@ fn entries(
         let is_doubtful = formula.is_doubtful && silent_displays.contains(&formula.first);
         let guessed = guess.of(at, label, role, own.follows_from.is_some(), is_doubtful);
         let mut unread = formula.tex.clone().err().or(own.problem);
-        unread = unread.or_else(|| guess.problem(at, &tex));
+        if !guess.has_symbols {
+            unread = unread.or_else(|| guess.problem(at, &tex));
+        }
         let mut follows_from = guessed.follows_from;
         for asked in own.follows_from.iter().flatten() {
             match labels.find(asked) {
@@ -519,6 +523,7 @@ fn entries(
             way: None,
         });
     }
+    guess.complete(raw, lines);
     // a claim rests on what is guessed of all that it follows from
     let labels = |entry: &RawEntry| {
         entry

@@ -2,13 +2,13 @@
 
 use super::table::listed;
 use super::{Verdicts, anchor, badge, foreign};
-use crate::claim::{Sheet, Source};
+use crate::claim::{Map, Sheet, Source};
 use crate::markup::{Element, Markup, element, text_in};
-use crate::prove::{Counterexample, Decision};
+use crate::prove::{Counterexample, Decision, Explanation};
 use crate::repair::{Part as Place, Repair};
 use crate::report::{Cell, Table};
 use crate::tex::{
-    Condition, Equation, Names, Tree, difference_of, mathml, mathml_display, mathml_of_condition, read,
+    Condition, Equation, Name, Names, Tree, difference_of, mathml, mathml_display, mathml_of_condition, read,
     read_conditions, read_display, read_expression,
 };
 use std::collections::HashSet;
@@ -73,6 +73,22 @@ fn sentence(text: &str, names: &Names) -> Element {
     )
 }
 
+/// The lines of an explanation, each formula laid out; `None` where there are none.
+fn typeset(explanation: &Explanation, names: &Names) -> Option<Element> {
+    let line = |(indent, parts): (usize, Vec<&str>)| {
+        let shown = parts.iter().enumerate().flat_map(|(place, part)| match place % 2 {
+            0 => vec![sentence(part, names)],
+            _ => Typeset::display(part, names).0,
+        });
+        element("div", shown).with("class", format!("indent-{}", indent.min(MOST_INDENT)))
+    };
+    let lines: Vec<Element> = explanation.lines().map(line).collect();
+    (!lines.is_empty()).then(|| element("div", lines).with("class", "explained").with("dir", "ltr"))
+}
+
+/// Blanks before a line of an explanation, at most; the style has a rule for each even number.
+const MOST_INDENT: usize = 10;
+
 /// What a verdict excludes: conditions, and derivatives that must exist.
 fn excluded(text: &str, names: &Names) -> Vec<Element> {
     let part = |part: &str| match part.strip_prefix(DERIVATIVES) {
@@ -117,7 +133,46 @@ impl Given {
             formula: Typeset::display(&entry.tex.tex, &sheet.vocabulary.names),
             source: entry.tex.tex.clone(),
         });
-        given.collect()
+        let vocabulary = &sheet.vocabulary;
+        given
+            .chain(
+                vocabulary
+                    .maps
+                    .iter()
+                    .map(|(name, map)| Self::map(name, map, &vocabulary.names)),
+            )
+            .collect()
+    }
+
+    /// A map, whose matrix of partial derivatives its name stands for.
+    fn map(name: &Name, map: &Map, names: &Names) -> Self {
+        let list = |trees: &[Tree]| joined(trees.iter().map(mathml).collect());
+        let words = |text: &str| text_in("span", text);
+        let shown = match map {
+            Map::Premises { of, by } => {
+                let mut line = vec![words("partial derivatives of ")];
+                line.extend(list(of));
+                line.push(words(" with respect to "));
+                line.extend(list(by));
+                line.push(words(", along the premises"));
+                line
+            }
+            Map::Equations(equations) => {
+                let mut line = vec![words("partial derivatives of ")];
+                line.extend(Typeset::equations(equations, &[]).0);
+                line
+            }
+            Map::Product(factors) => {
+                let factors: Vec<String> = factors.iter().map(ToString::to_string).collect();
+                Typeset::display(&format!("{name} = {}", factors.join(" ")), names).0
+            }
+        };
+        Self {
+            label: name.to_string(),
+            role: "map".to_owned(),
+            formula: Typeset(shown),
+            source: name.to_string(),
+        }
     }
 }
 
@@ -135,12 +190,18 @@ pub struct Printed {
     counterexample: Vec<Element>,
     names: Names,
     source: String,
-    explained: String,
+    explained: Option<Element>,
 }
 
 impl Printed {
-    /// The formula of the claim at a position; `explained` is its proof or counterexample, as a text.
-    pub fn new(sheet: &Sheet, position: usize, decision: &Decision, repairs: &[Repair], explained: String) -> Self {
+    /// The formula of the claim at a position; `explained` is its proof or counterexample.
+    pub fn new(
+        sheet: &Sheet,
+        position: usize,
+        decision: &Decision,
+        repairs: &[Repair],
+        explained: &Explanation,
+    ) -> Self {
         let names = &sheet.vocabulary.names;
         let entry = sheet.entries.get(position);
         let tex = entry.map(|entry| entry.tex.tex.clone()).unwrap_or_default();
@@ -198,7 +259,7 @@ impl Printed {
                 .unwrap_or_default(),
             names: names.clone(),
             source: tex,
-            explained,
+            explained: typeset(explained, names),
         }
     }
 }
@@ -367,7 +428,10 @@ fn article(
     facts.extend(listed("fails at", own.counterexample.clone()));
     let digits = text("digits");
     if !digits.is_empty() {
-        let said = format!("both sides agree to {digits} digits at random points of the premises");
+        let said = match verdict.as_str() {
+            "refuted" => format!("at random points of the premises the sides agree to no more than {digits} digits"),
+            _ => format!("both sides agree to {digits} digits at random points of the premises"),
+        };
         facts.extend(listed("evidence", vec![text_in("span", said)]));
     }
     let place = text("place");
@@ -380,15 +444,13 @@ fn article(
         },
     ));
     article = article.and([element("dl", facts)]);
-    if !own.explained.trim().is_empty() {
+    if let Some(explained) = &own.explained {
         let name = match verdict.as_str() {
             "proved" => "Proof",
             "refuted" => "Counterexample, worked out",
             _ => "What is known",
         };
-        let text = text_in("pre", own.explained.trim())
-            .with("class", "explained")
-            .with("dir", "ltr");
+        let text = explained.clone();
         article = article.and([element("details", [text_in("summary", name), text]).with("class", "proof")]);
     }
     article = article.and([tex_source(&own.source)]);
