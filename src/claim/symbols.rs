@@ -65,10 +65,16 @@ impl Symbols {
         })
     }
 
-    /// The lists of `nonnegative`, `nonzero`, `integers` and `complex`: what stands in one of these need not stand among
-    /// the parameters too.
-    pub(super) fn kinds(&self) -> [&[String]; 4] {
-        [&self.nonnegative, &self.nonzero, &self.integers, &self.complex]
+    /// The lists of kinds: what stands in one of these need not stand among the parameters too.
+    pub(super) fn kinds(&self) -> [&[String]; 6] {
+        [
+            &self.nonnegative,
+            &self.nonzero,
+            &self.integers,
+            &self.complex,
+            &self.at_most_one,
+            &self.positive,
+        ]
     }
 }
 

@@ -184,11 +184,10 @@ impl Vocabulary {
     /// The lists that say of which kind a symbol is.
     fn read_kinds(&mut self, symbols: &Symbols) -> Result<(), Fault> {
         let kinds = symbols.kinds().map(|texts| self.list(texts));
-        let [nonnegative, nonzero, integers, complex] = kinds;
+        let [nonnegative, nonzero, integers, complex, at_most_one, positive] = kinds;
         (self.nonnegative, self.nonzero) = (nonnegative?, nonzero?);
         (self.integers, self.complex) = (integers?, complex?);
-        self.at_most_one = self.list(&symbols.at_most_one)?;
-        self.positive = self.list(&symbols.positive)?;
+        (self.at_most_one, self.positive) = (at_most_one?, positive?);
         self.positive.extend(self.at_most_one.iter().cloned());
         self.names.complex.clone_from(&self.complex);
         let real: HashSet<&Name> = self
@@ -203,8 +202,15 @@ impl Vocabulary {
         }
         let mut known: HashSet<Name> = self.parameters.iter().cloned().collect();
         known.extend(self.abbreviations.iter().map(|(name, _)| name.clone()));
+        known.extend(self.functions.iter().map(|(name, _)| name.clone()));
         known.extend(self.running.clone());
-        let kinds = [&self.nonnegative, &self.nonzero, &self.integers, &self.complex];
+        let kinds = [
+            &self.positive,
+            &self.nonnegative,
+            &self.nonzero,
+            &self.integers,
+            &self.complex,
+        ];
         let new: Vec<Name> = kinds
             .into_iter()
             .flatten()

@@ -22,7 +22,7 @@ pub struct RowToAdd {
     /// A built-in scene, or a file: one outside DIR is copied to DIR/scenes/
     #[arg(long, value_name = "SCENE", requires = "id")]
     scene: Option<String>,
-    /// Override a key of the scene, as motion.d=0.4, or say which row is meant, as row.word=BT or row.d='near 0.25'
+    /// Change a key of the scene, as motion.d=0.4, or choose a row of the answer, as row.word=BT or row.d='near 0.25'
     #[arg(long, value_name = "KEY=VALUE", requires = "id")]
     set: Vec<String>,
     /// What it is a value of: COMMAND.COLUMN or COMMAND.COLUMN[n], such as orbits.velocities[0]
@@ -34,13 +34,13 @@ pub struct RowToAdd {
     /// Its unit, for readers
     #[arg(long, value_name = "UNIT", requires = "id")]
     unit: Option<String>,
-    /// The verdict: reproduced, truncated, off-by-one, rounded, wrong or undetermined
+    /// The expected verdict: reproduced, truncated, off-by-one, rounded, wrong or undetermined (doc/numbers.md explains them)
     #[arg(long, value_name = "VERDICT", requires = "id", default_value = Verdict::Reproduced.name())]
     expected: String,
-    /// What was inferred for it
+    /// What the paper does not say and is assumed, as 'A = 5 N'
     #[arg(long, value_name = "TEXT", requires = "id")]
     rests_on: Option<String>,
-    /// What readers should know
+    /// A remark for readers
     #[arg(long, value_name = "TEXT", requires = "id")]
     note: Option<String>,
 }

@@ -3,10 +3,11 @@
 use super::decide::{decide, decide_sheet};
 use super::mended::{self, Comment};
 use super::source::{ANSWERS_AT_MOST, DOCUMENT_AT_MOST, TOML_AT_MOST};
-use super::verdicts::{Audited, Row, answer, compare, exit, explained};
+use super::verdicts::{Audited, Row, Unusable, answer, compare, exit, explained};
 use super::{Answer, Content, Exit, Failure, Options, Source, document};
 use crate::claim::{self, Document, Fault, Sheet, Vocabulary};
 use crate::prove;
+use crate::reference::Outcome;
 use crate::repair::Repair;
 use crate::report::{Baseline, Format, NewDirectory, OutputError};
 use crate::stop::Token;
@@ -41,7 +42,7 @@ pub struct Arguments {
     /// Print a sheet to start from, with every key explained
     #[arg(long, conflicts_with_all = ["sheets", "explain", "effort", "proof", "repair", "repair_into"])]
     template: bool,
-    /// Print a document as a sheet, with everything that was guessed
+    /// Convert a document into a sheet that can be edited, with every guess marked
     #[arg(long, requires = "sheets", conflicts_with_all = ["explain", "effort", "proof", "repair", "repair_into"])]
     draft: bool,
 }
@@ -88,39 +89,52 @@ pub fn run(arguments: &Arguments, global: &Options) -> Result<Answer, Failure> {
         document::tell(&document, &source.name());
         return Ok(Answer {
             content: Content::Text(document.draft(&source.name())),
-            exit: document::exit(&document, Exit::AsExpected),
+            exit: match document.faults.is_empty() {
+                true => Exit::AsExpected,
+                false => Exit::Unusable,
+            },
         });
     }
     let baseline = arguments.baseline.as_ref().map(known).transpose()?;
-    let (mut all, mut worst) = (Vec::new(), Exit::AsExpected);
-    match arguments.sheets.as_slice() {
-        [] => all.push(arguments.audited(None, &vocabulary, global)?),
-        [one] => all.push(arguments.audited(Some(one), &vocabulary, global)?),
-        several => {
-            for source in several {
-                match arguments.audited(Some(source), &vocabulary, global) {
-                    Ok(audited) => all.push(audited),
-                    // the others are decided all the same
-                    Err(failure) => {
-                        super::say("error", &failure.to_string());
-                        worst = Exit::Unusable;
-                    }
-                }
+    let (mut all, mut unusable, mut worst) = (Vec::new(), Vec::new(), Exit::AsExpected);
+    // a report for machines says what cannot be read, and of several files the others are decided all the same
+    let goes_on = arguments.sheets.len() > 1 || matches!(global.format, Format::Junit | Format::Sarif);
+    let sources = match arguments.sheets.as_slice() {
+        [] => vec![None],
+        sheets => sheets.iter().map(Some).collect(),
+    };
+    for source in sources {
+        match arguments.audited(source, &vocabulary, global) {
+            Ok(audited) => all.push(audited),
+            Err(failure) if goes_on => {
+                super::say("error", &failure.to_string());
+                unusable.push(Unusable::from(&failure));
+                worst = Exit::Unusable;
             }
+            Err(failure) => return Err(failure),
         }
     }
     if let (Some(baseline), Some(source)) = (&baseline, &arguments.baseline) {
         tell_gone(&mut all, baseline, source)?;
     }
     for (audited, document) in &mut all {
-        let mut own = exit(&audited.rows);
+        worst = worst.or_worse(exit(&audited.rows));
         if let (Some(document), Some(source)) = (document, &audited.source) {
-            (audited.numbers, own) = document::numbers(own, document, source, global);
+            let (numbers, wrong) = document::numbers(document, source, global);
+            let is_expected = numbers.iter().all(Outcome::is_expected);
+            let mut wrong = [document::unusable(document, source), wrong].concat();
+            let is_usable = wrong.is_empty();
+            worst = worst.or_worse(if is_usable {
+                Exit::from_verdict(is_expected)
+            } else {
+                Exit::Unusable
+            });
+            unusable.append(&mut wrong);
+            audited.numbers = numbers;
         }
-        worst = worst.or_worse(own);
     }
     let all: Vec<Audited> = all.into_iter().map(|(audited, _)| audited).collect();
-    answer(&all, arguments.sheets.len() > 1, worst, &options, global)
+    answer(&all, &unusable, arguments.sheets.len() > 1, worst, &options, global)
 }
 
 /// How errors name the built-in sheet.

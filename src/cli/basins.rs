@@ -17,7 +17,7 @@ use std::rc::Rc;
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// The attractors alone, without a row for each start
+    /// List only the attractors, not each start
     #[arg(long, conflicts_with_all = ["shard", "resume"])]
     pub(super) attractors: bool,
     #[command(flatten)]

@@ -29,7 +29,8 @@ const BLOCK: u32 = 1024;
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     let scene = arguments.scene.load_for(&[Want::Branch])?;
-    Ok(arguments.complete.answer(rows(&scene, options)?))
+    let rows = rows(&scene, options)?.leaving_out("point", "points of branches");
+    Ok(arguments.complete.answer(rows))
 }
 
 /// The rows of a scene: word by word, periods by periods, in the direction of the sweep.

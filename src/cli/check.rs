@@ -3,6 +3,7 @@
 use super::caller::quietly;
 use super::outcomes::table;
 use super::progress::Progress;
+use super::verdicts::Unusable;
 use super::{Answer, Content, Exit, Failure, Options, added, golden, note};
 use crate::reference::{Certified, Directory, Outcome, bless, check};
 use crate::report::{Cell, Format, Output, Page, Part, Table, note_input};
@@ -15,7 +16,7 @@ pub struct Arguments {
     /// A directory with printed.csv, and scenes/ and reference/ where its rows name them; without it, the paper's
     #[arg(value_name = "DIR")]
     directory: Option<PathBuf>,
-    /// Compute the reference files of DIR anew and rewrite them; never printed.csv
+    /// Recompute the files in DIR/reference and overwrite them; printed.csv is never changed
     #[arg(long)]
     pub(super) bless: bool,
     #[command(flatten)]
@@ -29,12 +30,14 @@ A directory of your own begins with its first row, which says what is printed wh
       --quantity 'orbits.velocities[0]' --printed 0.83272
 `vibro-audit check golden/mine` then checks it. A quantity is a column of orbits, branch, simulate, sweep, summary (that
 of `sweep --summary`), trajectory, voltage or audit (its verdicts), as COMMAND.COLUMN, with [n] for an entry of a list,
-counted from 0; over several rows .min, .max, .spread, .trend or .count may follow.";
+counted from 0; over several rows .min, .max, .spread, .trend or .count may follow.
+
+Exit status: 0 all verdicts are the expected ones; 1 one is not; 2 the input cannot be used.";
 
 /// Runs the command.
 pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> {
     if let Some(outcome) = arguments.row.add(arguments.directory.as_deref(), options)? {
-        return answer(arguments, &[outcome], options);
+        return answer(arguments, &[outcome], &[], options);
     }
     let directory = arguments.directory.clone().map_or(Directory::BuiltIn, Directory::At);
     let printed = directory.printed()?;
@@ -54,24 +57,40 @@ pub fn run(arguments: &Arguments, options: &Options) -> Result<Answer, Failure> 
     let progress = Progress::bar(printed.len() + certified.len(), "rows");
     let mut compute = |request: &_| golden::answer(&directory, request, options).map_err(|failure| failure.to_string());
     let mut outcomes = || check(&printed, &certified, &mut compute, &mut || progress.step());
-    let outcomes = match &directory {
+    let (outcomes, faults) = match &directory {
         // what is to be said of the paper's own scenes is known
         Directory::BuiltIn => quietly(outcomes),
         _ => outcomes(),
-    }?;
-    answer(arguments, &outcomes, options)
+    };
+    let unusable = faults.into_iter().map(|fault| {
+        let failure = Failure::from(fault);
+        super::say("error", &failure.to_string());
+        Unusable::from(&failure)
+    });
+    answer(arguments, &outcomes, &unusable.collect::<Vec<_>>(), options)
 }
 
-fn answer(arguments: &Arguments, outcomes: &[Outcome], options: &Options) -> Result<Answer, Failure> {
+fn answer(
+    arguments: &Arguments,
+    outcomes: &[Outcome],
+    unusable: &[Unusable],
+    options: &Options,
+) -> Result<Answer, Failure> {
     // of a row that is added, all is told
-    let table = table(outcomes, options.format == Format::Text && !arguments.row.is_added())?;
+    let mut table = table(outcomes, options.format == Format::Text && !arguments.row.is_added())?;
+    if options.format == Format::Junit && !unusable.is_empty() {
+        table = Table::joined(&[&table, &Unusable::rows(unusable, "id")?]);
+    }
     let content = match options.format {
         Format::Html => Content::Page(page(arguments, table)),
         _ => Content::Table(table),
     };
     Ok(Answer {
         content,
-        exit: Exit::from_verdict(outcomes.iter().all(Outcome::is_expected)),
+        exit: match unusable.is_empty() {
+            true => Exit::from_verdict(outcomes.iter().all(Outcome::is_expected)),
+            false => Exit::Unusable,
+        },
     })
 }
 

@@ -8,7 +8,7 @@ use crate::report::Cell;
 /// What is asked of the rows of a search.
 #[derive(Debug, clap::Args)]
 pub struct Complete {
-    /// Exit with 1 unless it is proved that there are no others than those listed
+    /// Exit with 1 unless the list is proved to be complete
     #[arg(long)]
     require_complete: bool,
 }

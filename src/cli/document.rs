@@ -1,8 +1,9 @@
 //! Documents as `audit` reads them: the files that they include, the numbers that they print.
 
 use super::source::DOCUMENT_AT_MOST;
-use super::{Exit, Failure, Options, Source, golden, note};
-use crate::claim::{Document, Markup, PrintedNumber};
+use super::verdicts::Unusable;
+use super::{Failure, Options, Source, golden, note};
+use crate::claim::{Document, Fault, Markup, PrintedNumber};
 use crate::reference::{self, Directory, Outcome, PRINTED_COLUMNS, Printed};
 use std::path::{Path, PathBuf};
 
@@ -91,45 +92,58 @@ pub fn tell(document: &Document, name: &str) {
     }
 }
 
-/// As what it holds comes to, but where something of it cannot be read.
-pub fn exit(document: &Document, exit: Exit) -> Exit {
-    if document.faults.is_empty() {
-        exit
-    } else {
-        Exit::Unusable
+/// What of a document makes no sense.
+pub fn unusable(document: &Document, source: &Source) -> Vec<Unusable> {
+    let of = |fault: &Fault| Unusable {
+        file: Some(file_of(source, fault.file.as_deref())),
+        place: fault.place,
+        message: fault.message.clone(),
+    };
+    document.faults.iter().map(of).collect()
+}
+
+/// The path of a file that a document includes, or of the document.
+fn file_of(source: &Source, included: Option<&str>) -> String {
+    match (source, included) {
+        (Source::File(path), Some(name)) => path.with_file_name(name).display().to_string(),
+        _ => source.name(),
     }
 }
 
-/// What the printed numbers came to, and the status with them. One that makes no sense is said, and stops no other.
-pub fn numbers(exit: Exit, document: &Document, source: &Source, options: &Options) -> (Vec<Outcome>, Exit) {
-    let mut exit = self::exit(document, exit);
+/// What the printed numbers came to. One that makes no sense is said, and stops no other.
+pub fn numbers(document: &Document, source: &Source, options: &Options) -> (Vec<Outcome>, Vec<Unusable>) {
     let Source::File(path) = source else {
-        return (Vec::new(), exit);
+        return (Vec::new(), Vec::new());
     };
     let directory = Directory::At(directory(path));
-    let mut outcomes = Vec::new();
+    let (mut outcomes, mut unusable) = (Vec::new(), Vec::new());
     for (place, number) in document.numbers.iter().enumerate() {
         match outcome(&row(place, number), &source.name(), &directory, options) {
             Ok(found) => outcomes.extend(found),
             Err(problem) => {
                 let (line, column) = number.place;
-                note(&format!("{}: line {line}, column {column}: {problem}", source.name()));
-                exit = Exit::Unusable;
+                let file = file_of(source, number.file.as_deref());
+                note(&format!("{file}: line {line}, column {column}: {problem}"));
+                unusable.push(Unusable {
+                    file: Some(file),
+                    place: Some(number.place),
+                    message: problem,
+                });
             }
         }
     }
-    if exit == Exit::AsExpected && !outcomes.iter().all(Outcome::is_expected) {
-        exit = Exit::NotAsExpected;
-    }
-    (outcomes, exit)
+    (outcomes, unusable)
 }
 
 /// What a row of golden values comes to.
 fn outcome(row: &[String], name: &str, directory: &Directory, options: &Options) -> Result<Vec<Outcome>, String> {
     let text = Printed::with_row("", row).map_err(|fault| fault.to_string())?;
-    let printed = Printed::read(name, &text).map_err(|fault| fault.to_string())?;
+    let printed = Printed::read(name, &text).map_err(|fault| fault.message().to_owned())?;
     let mut compute = |request: &_| golden::answer(directory, request, options).map_err(|failure| failure.to_string());
-    reference::check(&printed, &[], &mut compute, &mut || ()).map_err(|fault| fault.to_string())
+    let (outcomes, faults) = reference::check(&printed, &[], &mut compute, &mut || ());
+    faults
+        .first()
+        .map_or(Ok(outcomes), |fault| Err(fault.message().to_owned()))
 }
 
 /// The row of golden values that a printed number is.

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example: vibro-audit merge part1.csv part2.csv --out whole.csv")]
 pub struct Arguments {
-    /// The parts, in any order, all of them
+    /// The files of all parts, in any order
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
 }

@@ -58,6 +58,8 @@ pub use scene::SceneArguments;
 pub use source::{Source, SourceError, SourceProblem};
 
 use crate::report::{Output, acts_on_a_terminal};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::parser::ValueSource;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::Write;
@@ -68,7 +70,7 @@ pub const STACK: usize = 16 << 20;
 const STATUS_HELP: &str = "Exit status: 0 all as expected; 1 a verdict or value is not as expected; 2 the input \
                            cannot be used; 130 a signal has stopped it.";
 
-/// Reads formulas as a paper prints them and decides for each whether it follows from its premises.
+/// Checks the formulas and numbers that a paper prints, and computes the motions of a vibro-impact device.
 #[derive(Debug, Parser)]
 #[command(name = "vibro-audit", version, after_help = STATUS_HELP, arg_required_else_help = true)]
 struct Line {
@@ -101,9 +103,19 @@ impl Line {
     /// Reads a command line; it names a command, or asks for columns.
     fn read(arguments: impl IntoIterator<Item = OsString>) -> Result<Self, clap::Error> {
         let matches = Self::grammar().try_get_matches_from(arguments)?;
-        let line = Self::from_arg_matches(&matches)?;
-        if let Some(name) = matches.subcommand_name() {
+        let mut line = Self::from_arg_matches(&matches)?;
+        if let Some((name, own)) = matches.subcommand() {
             let formats = options::formats(name);
+            let is_said = [&matches, own]
+                .iter()
+                .any(|matches| matches.value_source("format") == Some(ValueSource::CommandLine));
+            if let Some(format) = line
+                .options
+                .format_of_file()
+                .filter(|format| !is_said && formats.contains(format))
+            {
+                line.options.format = format;
+            }
             if !formats.contains(&line.options.format) {
                 let names: Vec<&str> = formats.iter().map(|format| format.name()).collect();
                 let problem = format!(
@@ -237,7 +249,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
                 return Exit::Unusable;
             }
             if error.use_stderr() {
-                let text = error.to_string();
+                let text = advised(&error);
                 say("error", text.strip_prefix("error: ").unwrap_or(&text).trim_end());
                 return Exit::Unusable;
             }
@@ -262,6 +274,39 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
         say("error", &failure.to_string());
         Exit::Unusable
     })
+}
+
+/// What is wrong with a command line, and what was probably meant.
+fn advised(error: &clap::Error) -> String {
+    let found = match error.get(ContextKind::InvalidArg) {
+        Some(ContextValue::String(found)) => found.as_str(),
+        _ => "",
+    };
+    let subcommand = match error.get(ContextKind::InvalidSubcommand) {
+        Some(ContextValue::String(subcommand)) => subcommand.as_str(),
+        _ => "",
+    };
+    let is_formulas = |name: &str| [".tex", ".md", ".toml"].iter().any(|ending| name.ends_with(ending));
+    let name = found.trim_start_matches('-');
+    let name = name.split_once('=').map_or(name, |(name, _)| name);
+    match error.kind() {
+        ErrorKind::UnknownArgument if !found.starts_with('-') && found.contains('=') => {
+            format!("`{found}` has no --set: write --set before each, as in --set motion.d=0.3 --set {found}")
+        }
+        ErrorKind::InvalidSubcommand if is_formulas(subcommand) => {
+            format!("`{subcommand}` is no command; to check a file of formulas write: vibro-audit audit {subcommand}")
+        }
+        ErrorKind::UnknownArgument if crate::scene::has_key(name) => {
+            format!(
+                "there is no option {found}; it is a key of the scene: --set {}=...",
+                crate::scene::path_of_key(name)
+            )
+        }
+        _ => error
+            .to_string()
+            .replace("invalid digit found in string", "write a whole number, as 10000")
+            .replace("invalid float literal", "write a number, as 100 or 0.5"),
+    }
 }
 
 /// A message beside the answer, on stderr.

@@ -19,16 +19,16 @@ use crate::scene::{BoxChoice, Over, Scene, Want};
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Stop when the maximum is proved to be at most this fraction above the best voltage found
+    /// Stop when the maximum is proved to be within this fraction of the best voltage found
     #[arg(long, value_name = "PART", default_value_t = GAP, value_parser = gap)]
     gap: f64,
     /// Search up to N times as many boxes
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=MOST_EFFORT))]
     effort: u64,
-    /// Search the I-th of N parts of the motions only, as CSV that says which part it is; `merge` joins them
+    /// Search only part I of N, as CSV; `merge` joins the parts
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
-    /// Keep what is found in FILE.part beside --out FILE, and go on from what is there
+    /// Go on with an interrupted run: its rows are in FILE.part beside --out FILE
     #[arg(long)]
     resume: bool,
     #[command(flatten)]

@@ -21,13 +21,13 @@ pub enum Asked {
 /// The options that every command knows.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Options {
-    /// Format of the output
+    /// Format of the output; without it the one that the name of --out ends with, as in verdicts.html
     #[arg(long, global = true, value_name = "FORMAT", default_value = Format::Text.name(), value_parser = format_parser(&Format::ALL))]
     pub format: Format,
-    /// Write to FILE instead of stdout; an interrupted run leaves no partial file. `run` and `plot all` take a directory
+    /// Write to FILE instead of stdout, when the run has ended
     #[arg(long, global = true, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// Significant digits to compute and to print [default: those of f64, 12 of them in text; 6 for simulated motion]
+    /// Significant digits to compute and to print [default: double precision, of which tables as text show 12; 6 for simulated motion]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DIGITS)))]
     pub digits: Option<u32>,
 }
@@ -36,6 +36,19 @@ impl Options {
     /// Where to write.
     pub fn output(&self) -> Output {
         self.out.clone().map_or(Output::Stdout, Output::File)
+    }
+
+    /// The format that the name of `--out` ends with.
+    pub fn format_of_file(&self) -> Option<Format> {
+        let ending = self.out.as_ref()?.extension()?.to_str()?;
+        Some(match ending {
+            "csv" => Format::Csv,
+            "json" => Format::Json,
+            "html" => Format::Html,
+            "sarif" => Format::Sarif,
+            "md" => Format::Markdown,
+            _ => return None,
+        })
     }
 
     /// Where a file beside the table goes, if one is wanted; looked at before a long computation.
@@ -129,8 +142,14 @@ pub(super) fn of_command(option: clap::Arg, command: &str) -> clap::Arg {
     match option.get_id().as_str() {
         "format" => option
             .value_parser(format_parser(&formats(command)))
-            .hide(command == "completions"),
+            .hide(matches!(command, "completions" | "plot")),
         "digits" => option.hide(matches!(command, "completions" | "man" | "merge" | "scenes")),
+        "out" if command == "run" => option
+            .value_name("DIR")
+            .help("Write the files of all commands into the directory DIR"),
+        "out" if command == "plot" => {
+            option.help("Write the drawing to FILE instead of stdout; of `plot all` a directory")
+        }
         _ => option,
     }
 }

@@ -16,7 +16,7 @@ use crate::scene::{Scene, Want};
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Print the pieces of the curve of 1-1 motions that were examined, and how each was decided
+    /// Show how the search for 1-1 motions went, piece by piece
     #[arg(long)]
     explain: bool,
     #[command(flatten)]

@@ -25,7 +25,7 @@ use std::time::Instant;
 /// exponent; it then is a cap of ball_radius R up to the angle a, and a cone from there to membrane_radius C, with
 /// (R - delta) cos a + C sin a = R; from the area A of both the voltage is ((A/(pi C²))² - 1) input_voltage.
 ///
-/// What is certified says by which two means the answer was found.
+/// The column `certified` names the two methods by which the answer was found.
 #[derive(Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 #[command(after_help = "Example: vibro-audit problems --kind orbit --without-answers")]
@@ -35,7 +35,7 @@ pub struct Arguments {
     /// Leave the answers out
     #[arg(long)]
     without_answers: bool,
-    /// Print our own answers in f64, for `score`: `default` as the commands answer, `f64` in nothing wider
+    /// Print our own answers for `score`: `default` as the commands compute, `f64` in double precision alone
     #[arg(long, value_name = "MEANS", value_parser = means_parser(), num_args = 0..=1, default_missing_value = "default", conflicts_with = "without_answers")]
     pub(super) solve: Option<Means>,
 }

@@ -1,7 +1,7 @@
 //! Rows that are made while they are printed.
 
-use super::Failure;
 use super::shard::Label;
+use super::{Failure, note};
 use crate::report::{Cell, Column, Format, Output, Stream, Summed, Table};
 use crate::stop::Token;
 use std::fmt;
@@ -19,6 +19,8 @@ pub struct Rows {
     part: Option<Label>,
     /// A table of other columns, which all rows together make.
     following: Option<Box<MakeTable>>,
+    /// How rows begin that are left out of text, and what they are called.
+    left_out: Option<(&'static str, &'static str)>,
 }
 
 /// Makes a table after the last row.
@@ -48,7 +50,14 @@ impl Rows {
             required: None,
             part: None,
             following: None,
+            left_out: None,
         }
+    }
+
+    /// The same rows, of which text leaves out those that begin with `first`; a note says how many `called` so there are.
+    pub fn leaving_out(self, first: &'static str, called: &'static str) -> Self {
+        let left_out = Some((first, called));
+        Self { left_out, ..self }
     }
 
     /// The same rows, and behind them, after an empty line, a table that is made when the last of them is; not in JSON.
@@ -108,7 +117,10 @@ impl Rows {
             required,
             part,
             following,
+            left_out,
         } = self;
+        let left_out = left_out.filter(|_| format == Format::Text);
+        let mut hidden = 0;
         if part.is_some() && format != Format::Csv {
             return Err(Failure::Usage("a part of a run is CSV: add --format csv".to_owned()));
         }
@@ -125,6 +137,11 @@ impl Rows {
                 match row {
                     Ok(row) => {
                         is_met &= is_as_required(required, &row);
+                        let first = row.first().map(Cell::plain);
+                        if left_out.is_some_and(|(left_out, _)| first.as_deref() == Some(left_out)) {
+                            hidden += 1;
+                            continue;
+                        }
                         stream.push(row)?;
                     }
                     Err(failed) => {
@@ -160,6 +177,9 @@ impl Rows {
             Some(failure) => Err(failure),
             None => {
                 written?;
+                if let Some((_, called)) = left_out.filter(|_| hidden > 0) {
+                    note(&format!("{hidden} {called} are left out; --format csv lists them too"));
+                }
                 Ok((count, is_met))
             }
         }

@@ -17,7 +17,7 @@ use std::path::Path;
 pub struct Arguments {
     #[command(flatten)]
     pub scene: SceneArguments,
-    /// Compute nothing; print what would be modelled, and why
+    /// Compute nothing; list the commands that would run, the model of each and why
     #[arg(long)]
     pub explain: bool,
 }

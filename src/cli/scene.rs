@@ -1,8 +1,8 @@
 //! The scene of a command: SCENE, `--set`, `--strict`.
 
 use super::source::{SourceProblem, TOML_AT_MOST};
-use super::{Failure, Source};
-use crate::scene::{self, BUILT_IN, Scene, Want};
+use super::{Failure, Source, note};
+use crate::scene::{self, BUILT_IN, Origin, Scene, Want};
 
 /// The scene of a command, and how it is changed.
 #[derive(Clone, Debug, clap::Args)]
@@ -10,10 +10,10 @@ pub struct SceneArguments {
     /// The scene: a TOML file, `-` for stdin, or a built-in name such as fig02
     #[arg(value_name = "SCENE")]
     scene: Source,
-    /// Override a key of the scene, as in motion.d=0.3; may be repeated
+    /// Change a key of the scene, as in motion.d=0.3; once for each key. Lists need quotes: 'words=["BT", "BTT"]'
     #[arg(long, value_name = "KEY=VALUE")]
     set: Vec<String>,
-    /// Refuse unused keys of the scene
+    /// Refuse a scene with keys that nothing asked for needs
     #[arg(long)]
     strict: bool,
 }
@@ -54,6 +54,13 @@ impl SceneArguments {
             let mut all = wants.to_vec();
             all.extend(scene.want()?);
             scene.refuse_unneeded(&all)?;
+        }
+        let notes = scene.notes(wants)?.into_iter();
+        for idle in notes.filter(|note| note.problem.is_some() || matches!(note.origin, Origin::Set(_))) {
+            note(&format!("{}: nothing that is asked for requires {idle}", scene.name()));
+        }
+        if let Some(angle) = scene.phase_in_degrees(wants)? {
+            note(&angle);
         }
         Ok(())
     }

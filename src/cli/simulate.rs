@@ -14,16 +14,16 @@ use crate::scene::{Scene, Want};
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// At most so many impacts, the start counted [default: 100, or no limit with --until]
+    /// Stop after N impacts; the start is number 1 [default: 100, or no limit with --until]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     impacts: Option<u64>,
-    /// The events up to this time; the period of the forcing is 2
+    /// Simulate up to time T; the period of the forcing is 2
     #[arg(long, value_name = "T", value_parser = time, allow_negative_numbers = true)]
     until: Option<f64>,
-    /// Only the last so many events
+    /// Print only the last N events
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     last: Option<u32>,
-    /// Only events that are proved, each with bounds of its errors, until intervals can no longer decide
+    /// Bound the errors of each event with proof; stop where they can no longer be bounded
     #[arg(long)]
     proved: bool,
 }
@@ -156,7 +156,9 @@ fn say(known: &Known, latest: Option<Kind>, proved: bool) {
 }
 
 fn time(text: &str) -> Result<f64, String> {
-    let time: f64 = text.parse().map_err(|_| "a number".to_string())?;
+    let time: f64 = text
+        .parse()
+        .map_err(|_| "write a number; the forcing has period 2, so that 100 periods are 200".to_string())?;
     if time >= 0.0 && time.is_finite() {
         Ok(time)
     } else {

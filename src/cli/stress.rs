@@ -9,21 +9,21 @@ use std::path::PathBuf;
 
 /// Count the correct digits of each formula at extreme parameters
 ///
-/// Text shows the rows of f64; csv, json and markdown have every number type. Exits with 1 where a default form keeps
-/// fewer of f64's digits than 14.5 less log10 of the condition, or a frozen worst point has lost a digit.
+/// Text shows double precision; csv, json and markdown have every number type. Exits with 1 where the form that is used
+/// keeps fewer digits than 14.5 - log10(condition), or where a stored worst point has become less accurate.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example: vibro-audit stress jacobian")]
 pub struct Arguments {
     /// Only the cases that have this in their names
     #[arg(value_name = "CASE", conflicts_with = "search")]
     case: Option<String>,
-    /// Look for the worst points for so long instead
+    /// Search for new worst points for this long instead
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     search: Option<f64>,
-    /// Freeze the points found: rewrite golden/stress/worst.csv, from the root of the repository
+    /// Store the points found in golden/stress/worst.csv (run it at the root of the repository)
     #[arg(long, requires = "search")]
     bless: bool,
-    /// Hold against these frozen points instead of the built-in ones
+    /// Compare with the points of this file instead of the built-in ones
     #[arg(long, value_name = "FILE", conflicts_with = "search")]
     frozen: Option<Source>,
     /// Approach each extreme step by step: digits against the distance, or against the length that grows

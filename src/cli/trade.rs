@@ -36,7 +36,7 @@ pub struct Arguments {
     /// with 1 where neither a means of a task nor a command does it, and names the closest.
     #[arg(long, value_name = "NEED", conflicts_with_all = ["task", "problems", "method", "number"])]
     pub(super) advise: Option<Need>,
-    /// Draw digits against time as an SVG, a panel a task: each ladder as a line, and the front
+    /// Draw digits against time as an SVG, a panel for each task; the fastest method for each number of digits is marked
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 }

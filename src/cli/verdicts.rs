@@ -237,6 +237,65 @@ fn in_words(evidence: &Evidence) -> String {
     lines.join("\n  ")
 }
 
+/// What of the input cannot be used: a file, a comment of a document, or the number that it asks for.
+#[derive(Clone, Debug)]
+pub struct Unusable {
+    pub file: Option<String>,
+    pub place: Option<(usize, usize)>,
+    pub message: String,
+}
+
+impl From<&Failure> for Unusable {
+    fn from(failure: &Failure) -> Self {
+        let (file, line, column) = failure.place();
+        Self {
+            file: file.map(str::to_owned),
+            place: line.zip(column),
+            message: failure.to_string(),
+        }
+    }
+}
+
+impl Unusable {
+    fn finding(&self) -> Finding {
+        let file = self.file.clone().unwrap_or_default();
+        Finding {
+            kind: Kind::Input,
+            label: "input".to_owned(),
+            verdict: UNUSABLE.to_owned(),
+            is_expected: false,
+            is_known: None,
+            message: self.message.clone(),
+            start: self.place,
+            end: None,
+            formula: String::new(),
+            fingerprint: fingerprint(&file, UNUSABLE, &self.message),
+            fixes: Vec::new(),
+            file: self.file.clone(),
+        }
+    }
+
+    /// What cannot be used, as rows of a test report whose first column is `first`.
+    pub fn rows(all: &[Self], first: &str) -> Result<Table, Failure> {
+        let mut table = Table::new([first, "verdict", "expected", "reason", "place", "file"]);
+        for own in all {
+            let place = own.place.map(|(line, column)| format!("{line}:{column}"));
+            table.push([
+                Cell::from("input"),
+                Cell::from(UNUSABLE),
+                Cell::from("usable"),
+                Cell::from(own.message.clone()),
+                Cell::from(place),
+                Cell::from(own.file.clone()),
+            ])?;
+        }
+        Ok(table)
+    }
+}
+
+/// The verdict on what cannot be used.
+const UNUSABLE: &str = "unusable";
+
 /// All that was found of a sheet, and of the numbers of a document.
 pub struct Audited {
     pub sheet: Sheet,
@@ -253,6 +312,7 @@ pub struct Audited {
 /// None that is the sheet's.
 pub fn answer(
     all: &[Audited],
+    unusable: &[Unusable],
     is_several: bool,
     exit: Exit,
     how: &prove::Options,
@@ -260,7 +320,11 @@ pub fn answer(
 ) -> Result<Answer, Failure> {
     let content = match (options.format, all) {
         (Format::Html, [audited]) => Content::Page(audited.page(how)?),
-        (Format::Sarif, _) => Content::Text(sarif(&all.iter().flat_map(Audited::findings).collect::<Vec<_>>())),
+        (Format::Sarif, _) => {
+            let found = all.iter().flat_map(Audited::findings);
+            let findings: Vec<Finding> = found.chain(unusable.iter().map(Unusable::finding)).collect();
+            Content::Text(sarif(&findings))
+        }
         (format, _) => {
             let (mut verdicts, mut numbers) = (Vec::new(), Vec::new());
             for audited in all {
@@ -278,6 +342,9 @@ pub fn answer(
                     let brief = format == Format::Text;
                     numbers.push(named(outcomes::table(&audited.numbers, brief)?));
                 }
+            }
+            if format == Format::Junit && !unusable.is_empty() {
+                verdicts.push(Unusable::rows(unusable, "label")?);
             }
             let joined = |tables: &[Table]| Table::joined(&tables.iter().collect::<Vec<_>>());
             match numbers.is_empty() {

@@ -134,7 +134,7 @@ impl<T: Analytic> Device<T> {
             return Err(DeviceError::OutOfRange {
                 name: "gravity",
                 found,
-                allowed: "finite and not below 0",
+                allowed: "finite and 0 or more",
             });
         }
         Ok(())

@@ -8,7 +8,8 @@ use super::{Decision, Options, decided};
 use crate::algebra::{coefficients_in, degree_in};
 use crate::claim::Sheet;
 use crate::kernel::{
-    Axiom, Certificate, Checker, Fact, Inference, LawSource, Polynomial, Property, Statement, Term, With, Witness,
+    Axiom, Certificate, Checker, DERIVATIVES_EXIST, Fact, Inference, LawSource, Polynomial, Property, Statement, Term,
+    With, Witness,
 };
 use crate::number::{Field, Rational};
 use crate::tex::Relation;
@@ -31,7 +32,24 @@ const FORMULA: [char; 2] = ['\u{2}', '\u{3}'];
 /// A formula within a line of an [`Explanation`].
 pub fn formula(tex: impl fmt::Display) -> String {
     let [before, behind] = FORMULA;
-    format!("{before}{tex}{behind}")
+    let tex = tex.to_string();
+    // a polynomial that is not printed whole ends in words
+    let (shown, words) = tex.split_at(tex.find(CUT).unwrap_or(tex.len()));
+    format!("{before}{shown}{behind}{words}")
+}
+
+/// Where a polynomial is cut off.
+const CUT: &str = " + ... (";
+
+/// A condition under which a verdict holds, as [`Decision::provided`] has it.
+fn condition(text: &str) -> String {
+    match text.strip_prefix(DERIVATIVES_EXIST) {
+        Some(names) => {
+            let names: Vec<String> = names.trim().split(", ").map(formula).collect();
+            format!("{DERIVATIVES_EXIST} {}", names.join(", "))
+        }
+        None => formula(text),
+    }
 }
 
 impl Explanation {
@@ -68,7 +86,8 @@ pub fn explain(sheet: &Sheet, position: usize, decision: &Decision, options: &Op
         lines.push(format!("reduced by rules that are trusted: {reductions}"));
     }
     if !decision.provided.is_empty() {
-        lines.push(format!("provided: {}", decision.provided.join("; ")));
+        let provided: Vec<String> = decision.provided.iter().map(|own| condition(own)).collect();
+        lines.push(format!("provided: {}", provided.join("; ")));
     }
     let mut given = Vec::new();
     if let Ok(statements) = Decision::without_search(sheet, position) {
@@ -333,7 +352,7 @@ impl Proof {
         let term = term_of(self.statement.terms_mut(), &shown);
         let shown = tex(self.statement.terms(), term);
         match count > MOST_TERMS {
-            true => format!("{shown} + ... ({count} terms)"),
+            true => format!("{shown}{CUT}{count} terms)"),
             false => shown,
         }
     }
@@ -361,6 +380,7 @@ impl Proof {
         let given = self.statement.givens().get(number);
         let label = given.map_or("", |given| given.label.as_str());
         match label.contains([' ', '[']) {
+            true if label.starts_with(DERIVATIVES_EXIST) => condition(label),
             true => label.to_string(),
             false => format!("({label})"),
         }

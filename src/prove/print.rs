@@ -27,6 +27,15 @@ fn within(terms: &Terms, term: Term, binding: Binding) -> String {
     }
 }
 
+/// A factor that is a number: beside letters `1/2 x` could be read in two ways.
+fn coefficient(value: &Rational) -> String {
+    let (above, below) = (value.0.numerator(), value.0.denominator());
+    match below == &dashu_int::UBig::ONE {
+        true => number(value),
+        false => format!("\\frac{{{above}}}{{{below}}}"),
+    }
+}
+
 /// A rational number, as `1/2`.
 pub fn number(value: &Rational) -> String {
     value.0.to_string()
@@ -54,13 +63,20 @@ fn print(terms: &Terms, term: Term) -> (String, Binding) {
             (text, Binding::Sum)
         }
         Node::Product(parts) => {
-            let minus = -Rational::one();
-            let is = |part: &Term, value: &Rational| matches!(terms.node(*part), Node::Number(known) if known == value);
-            let negative = parts.iter().filter(|part| is(part, &minus)).count() % 2 == 1;
-            let rest = parts
-                .iter()
-                .filter(|part| !is(part, &minus) && !is(part, &Rational::one()));
-            let rest: Vec<String> = rest.map(|&part| within(terms, part, Binding::Product)).collect();
+            let mut negative = false;
+            let mut rest = Vec::new();
+            for part in parts {
+                let Node::Number(value) = terms.node(*part) else {
+                    rest.push(within(terms, *part, Binding::Product));
+                    continue;
+                };
+                let is_below = *value < Rational::zero();
+                negative ^= is_below;
+                let size = if is_below { -value.clone() } else { value.clone() };
+                if size != Rational::one() {
+                    rest.push(coefficient(&size));
+                }
+            }
             let text = rest
                 .into_iter()
                 .reduce(|text, factor| match factor.starts_with(|c: char| c.is_ascii_digit()) {

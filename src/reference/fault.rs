@@ -22,6 +22,11 @@ impl Fault {
         }
     }
 
+    /// What is wrong, without the place.
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+
     /// The file.
     pub fn file(&self) -> &str {
         &self.file

@@ -8,6 +8,8 @@ use serde_json::{Map, Value, json};
 pub enum Kind {
     Formula,
     Number,
+    /// A file, or a comment in it.
+    Input,
 }
 
 /// Text to be put in the place of other text, each from a line and column to a line and column that it does not reach.
@@ -40,7 +42,13 @@ pub struct Finding {
 }
 
 /// The rules: kind, verdict, how serious it is where it was not expected, and what it says.
-const RULES: [(Kind, &str, &str, &str); 11] = [
+const RULES: [(Kind, &str, &str, &str); 12] = [
+    (
+        Kind::Input,
+        "unusable",
+        "error",
+        "A file or a comment cannot be read, so that something is not checked.",
+    ),
     (
         Kind::Formula,
         "proved",
@@ -108,6 +116,7 @@ fn rule(kind: Kind, verdict: &str) -> String {
     let kind = match kind {
         Kind::Formula => "formula",
         Kind::Number => "number",
+        Kind::Input => "input",
     };
     format!("{kind}-{verdict}")
 }

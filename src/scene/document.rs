@@ -1,7 +1,8 @@
 //! A scene's TOML as a table from keys to what was typed, each with its place; nothing is interpreted yet.
 
+use super::Quantity;
 use super::error::{Origin, SceneError, SceneProblem};
-use super::key::{Key, SECTIONS, instead_of_key, instead_of_section};
+use super::key::{Allowed, Key, SECTIONS, instead_of_key, instead_of_section};
 use crate::tex::Place;
 use std::borrow::Cow;
 use toml::Spanned;
@@ -97,15 +98,31 @@ fn shortened(text: &str) -> String {
     shown
 }
 
-/// Says how a number is written, of a line in which one has a decimal comma or a unit.
-fn advice_on_number(line: &str) -> Option<&'static str> {
-    let (_, value) = line.split_once('=')?;
-    let value = value.split('#').next()?.trim().trim_start_matches(['+', '-']);
-    let rest = value.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
-    match rest.trim_start().chars().next()? {
-        _ if rest.len() == value.len() => None,
-        ',' => Some("; write numbers with a decimal point, `0.4`"),
-        c if c.is_alphabetic() => Some("; write numbers without a unit: the guide says in which one each is"),
+/// What to write instead of a line that is no TOML, where that can be told.
+fn advice_on(line: &str) -> Option<String> {
+    let line = line.split('#').next()?.trim();
+    if line.starts_with('[') && !line.contains([']', '=']) {
+        return Some(format!("the name of the section lacks its `]`: write `{line}]`"));
+    }
+    let Some((key, value)) = line.split_once('=') else {
+        let (key, value) = line.split_once(':')?;
+        return Some(format!("write `{} = {}`", key.trim(), value.trim()));
+    };
+    let (key, value) = (key.trim(), value.trim());
+    let digits = value.trim_start_matches(['+', '-']);
+    let rest = digits.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
+    let write = |value: &str| Some(format!("write `{key} = {value}`"));
+    match rest.trim_start().chars().next() {
+        _ if Quantity::read(value).is_ok() && value.contains("pi") => write(&format!("\"{value}\"")),
+        None if digits.starts_with('.') => write(&value.replacen('.', "0.", 1)),
+        None if digits.ends_with('.') => write(&format!("{value}0")),
+        Some(',') if rest.len() < digits.len() => {
+            let advice = format!("numbers have a decimal point: {}", value.replacen(',', ".", 1));
+            Some(advice)
+        }
+        Some(c) if rest.len() < digits.len() && !"eE".contains(c) && (c.is_alphabetic() || c == '°') => Some(
+            "write numbers without a unit: kg, N, rad/s, rad, m, V are taken; \"20 pi/180\" are 20 degrees".to_owned(),
+        ),
         _ => None,
     }
 }
@@ -127,10 +144,20 @@ impl Document {
             let line = error.span().and_then(|span| {
                 let (before, behind) = text.split_at_checked(span.start)?;
                 let start = before.rfind('\n').map_or(0, |at| at + 1);
-                Some(format!("{}{}", before.get(start..)?, behind.lines().next()?))
+                Some(format!(
+                    "{}{}",
+                    before.get(start..)?,
+                    behind.lines().next().unwrap_or_default()
+                ))
             });
-            let advice = line.as_deref().and_then(advice_on_number).unwrap_or_default();
-            document.error(origin, SceneProblem::Syntax(format!("{}{advice}", error.message())))
+            let message = match error.message() {
+                "duplicate key" => "this key is given twice; leave one of them out".to_owned(),
+                message => line
+                    .as_deref()
+                    .and_then(advice_on)
+                    .unwrap_or_else(|| message.to_owned()),
+            };
+            document.error(origin, SceneProblem::Syntax(message))
         })?;
         for (key, value) in in_order(table.get_ref()) {
             let origin = reading.origin(key.span().start);
@@ -245,8 +272,21 @@ impl Document {
                 let at = error.span().map_or(0, |span| span.start.min(typed.len()));
                 let place = argument.trim_end().len() - typed.len() + at;
                 let column = argument.get(..place).unwrap_or(argument).chars().count() + 1;
-                let problem = SceneProblem::Override(format!(": column {column}: {}", error.message()));
-                return refuse(self, problem);
+                let is_list = matches!(key.allowed, Allowed::Names) && !typed.contains(['[', '"']);
+                let list = || {
+                    typed
+                        .split(',')
+                        .map(|name| format!("\"{}\"", name.trim()))
+                        .collect::<Vec<_>>()
+                };
+                let message = match is_list {
+                    true => format!("; several are a list: --set '{path}=[{}]'", list().join(", ")),
+                    false => match advice_on(argument) {
+                        Some(advice) => format!("; {advice}"),
+                        None => format!(": column {column}: {}", error.message()),
+                    },
+                };
+                return refuse(self, SceneProblem::Override(message));
             }
         };
         if !key.section.is_empty() && !self.has_section(key.section) {
@@ -380,6 +420,39 @@ mod tests {
     }
 
     #[test]
+    fn what_is_no_toml_is_told_as_it_is_to_be_written() {
+        for (line, wanted) in [
+            ("d = .3", "write `d = 0.3`"),
+            ("d = 3.", "write `d = 3.0`"),
+            ("d = 0,3", "numbers have a decimal point: 0.3"),
+            ("d = -1,5 # wide", "numbers have a decimal point: -1.5"),
+            ("d: 0.3", "write `d = 0.3`"),
+            ("d = 0.3 m", "write numbers without a unit"),
+            ("d = 20°", "\"20 pi/180\" are 20 degrees"),
+            ("d = 1e", "line 2, column 7"),
+            ("d = pi/9", "write `d = \"pi/9\"`"),
+            ("d = 0.3\nd = 0.4", "line 3, column 1: this key is given twice"),
+            ("d = 0.3\n[start", "write `[start]`"),
+        ] {
+            let error = Document::read(&format!("[motion]\n{line}"), "x")
+                .unwrap_err()
+                .to_string();
+            assert!(error.contains(wanted), "{line}: {error}");
+        }
+        let mut document = Document::read("motion.d = 0.26", "x").unwrap();
+        for (argument, wanted) in [
+            ("motion.d=0,25", "numbers have a decimal point: 0.25"),
+            ("words=BT,BTT", "--set 'words=[\"BT\", \"BTT\"]'"),
+            ("motion.r=0.5", "did you mean r_b or r_t?"),
+            ("device.mass=1", "did you mean device.capsule_mass?"),
+            ("periods=2", "did you mean max_periods?"),
+        ] {
+            let error = document.set(argument).unwrap_err().to_string();
+            assert!(error.contains(wanted), "{argument}: {error}");
+        }
+    }
+
+    #[test]
     fn an_override_replaces_or_adds_and_a_bare_word_is_text() {
         let mut document = Document::read("motion.d = 0.26", "x").unwrap();
         for argument in [
@@ -412,24 +485,6 @@ mod tests {
         let before = document.clone();
         assert!(document.set("map.x={from = 1, form = 2}").is_err());
         assert_eq!(document, before);
-    }
-
-    #[test]
-    fn a_decimal_comma_and_a_unit_are_told_as_such() {
-        let told = |value: &str| {
-            Document::read(&format!("[motion]\nd = {value}\n"), "x")
-                .unwrap_err()
-                .to_string()
-        };
-        for (value, advice) in [
-            ("0,4", "decimal point"),
-            ("-1,5 # m", "decimal point"),
-            ("0.4mm", "without a unit"),
-            ("0.4 m", "without a unit"),
-        ] {
-            assert!(told(value).contains(advice), "{value}: {}", told(value));
-        }
-        assert!(!told("[1").contains("write numbers"), "{}", told("[1"));
     }
 
     #[test]

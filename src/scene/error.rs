@@ -89,7 +89,9 @@ pub enum SceneProblem {
         where_to: String,
     },
     /// Gravity both ways.
-    #[error("g is given twice, by motion.g and by [device]; leave one of them out")]
+    #[error(
+        "g is given twice, by motion.g and by [device]; leave one of them out, or change device.incline instead of motion.g"
+    )]
     TwoGravities,
     /// An override that is none.
     #[error("write key=value, as in --set motion.d=0.3{0}")]

@@ -78,7 +78,7 @@ keys! {
     GRAVITY = "device" "gravity" Allowed::NotNegative, "the acceleration of gravity, m/s²";
     CAPSULE_LENGTH = "device" "capsule_length" Allowed::Positive, "the distance that the ball has between the walls, m, which box.forcing_amplitude leaves as it is";
     G = "motion" "g" Allowed::Finite, "gravity along the capsule in units of the forcing; [device] gives it too";
-    D = "motion" "d" Allowed::Positive, "the gap between the walls, without unit";
+    D = "motion" "d" Allowed::Positive, "the gap between the walls: the length that the ball has, m, over A pi²/(M omega²)";
     R_B = "motion" "r_b" Allowed::Part, "the restitution of the bottom";
     R_T = "motion" "r_t" Allowed::Part, "the restitution of the top";
     BALL_MASS = "membrane" "ball_mass" Allowed::Positive, "the mass of the ball, kg";
@@ -95,13 +95,13 @@ keys! {
     POINTS = "sweep" "points" Allowed::Count(MOST_POINTS), "the number of values, both ends counted";
     IMPACTS = "sweep" "impacts" Allowed::Count(IMPACTS_AT_MOST), "the impacts at each value";
     KEEP = "sweep" "keep" Allowed::Count(KEPT_AT_MOST), "the last impacts at each value, which are kept";
-    BEGIN = "sweep" "start" Allowed::Text, "where each value starts from";
+    BEGIN = "sweep" "start" Allowed::Text, "where each value starts from: \"each\" from [start], \"follow\" from the end of the value before";
     ERROR = "sweep" "error" Allowed::Positive, "the relative standard error that mean voltages are to have";
     MOST_IMPACTS = "sweep" "most_impacts" Allowed::Count(IMPACTS_AT_MOST), "the most impacts for sweep.error";
     MAP_WANT = "map" "want" Allowed::Names, "what is wanted at each point: some of word, mean_voltage, voltage_rate, lyapunov";
     MAP_IMPACTS = "map" "impacts" Allowed::Count(IMPACTS_AT_MOST), "the impacts at each point";
     MAP_KEEP = "map" "keep" Allowed::Count(KEPT_AT_MOST), "the last impacts at each point, among which a cycle is looked for";
-    MAP_BEGIN = "map" "start" Allowed::Text, "where each value of x starts from";
+    MAP_BEGIN = "map" "start" Allowed::Text, "where each value of x starts from: \"each\" from [start], \"follow\" from the end of the value before";
     MAP_ERROR = "map" "error" Allowed::Positive, "the relative standard error that mean voltages are to have";
     MAP_MOST_IMPACTS = "map" "most_impacts" Allowed::Count(IMPACTS_AT_MOST), "the most impacts for map.error";
     MAP_STARTS = "map" "starts" Allowed::Starts, "the starts at each point, instead of [start]";
@@ -314,6 +314,17 @@ impl Key {
     }
 }
 
+/// Returns true if some section has a key of this name.
+pub fn has_key(name: &str) -> bool {
+    KEYS.iter().any(|key| key.name == name)
+}
+
+/// The first key of this name with its section, as `motion.d`; the name itself where there is none.
+pub fn path_of_key(name: &str) -> String {
+    let key = KEYS.iter().find(|key| key.name == name);
+    key.map_or(name.to_owned(), |key| key.path())
+}
+
 /// What to write instead of a key that does not exist: the nearest name, the same name elsewhere, and all there are.
 pub(super) fn instead_of_key(section: &str, name: &str) -> String {
     let here: Vec<&str> = KEYS
@@ -321,10 +332,23 @@ pub(super) fn instead_of_key(section: &str, name: &str) -> String {
         .filter(|key| key.section == section)
         .map(|key| key.name)
         .collect();
-    let elsewhere = || KEYS.iter().find(|key| key.name == name);
+    let elsewhere = || {
+        let same = KEYS.iter().find(|key| key.name == name);
+        same.or_else(|| {
+            KEYS.iter()
+                .find(|key| name.len() > 2 && key.name.ends_with(&format!("_{name}")))
+        })
+    };
+    let begun: Vec<&str> = here
+        .iter()
+        .copied()
+        .filter(|known| known.strip_prefix(name).is_some_and(|rest| rest.starts_with('_')))
+        .collect();
     let meant = match nearest(name, here.iter().copied()) {
-        Some(near) => Some(near.to_string()),
-        None => elsewhere().map(|key| key.path()),
+        // r for r_b or r_t
+        _ if !begun.is_empty() => Some(begun.join(" or ")),
+        Some(near) if name.chars().count() > 1 => Some(near.to_string()),
+        _ => elsewhere().map(|key| key.path()),
     };
     let place = match section {
         "" => "above the sections".to_string(),
@@ -358,14 +382,14 @@ pub(super) fn allowed_number(allowed: Allowed, value: &Quantity) -> Option<&'sta
     let sign = value.sign();
     let (is_right, words) = match allowed {
         Allowed::Positive => (sign == Ordering::Greater, "above 0"),
-        Allowed::NotNegative => (sign != Ordering::Less, "not below 0"),
+        Allowed::NotNegative => (sign != Ordering::Less, "0 or more"),
         Allowed::Part => (
             sign == Ordering::Greater && value.compared_with_one() != Ordering::Greater,
             "above 0 and at most 1",
         ),
         Allowed::Angle => (
             value.value::<f64>().abs() <= std::f64::consts::FRAC_PI_2 * (1.0 + f64::EPSILON),
-            "an angle in rad from -pi/2 to pi/2; 30 degrees are \"pi/6\"",
+            "an angle in rad from -pi/2 to pi/2; 20 degrees are \"20 pi/180\"",
         ),
         _ => (true, ""),
     };

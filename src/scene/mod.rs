@@ -43,7 +43,7 @@ pub use builtin::{BUILT_IN, built_in, find};
 pub use choice::BoxChoice;
 pub use error::{Origin, SceneError, SceneProblem};
 pub use following::{MeanOver, Means};
-pub use key::MOST_DIGITS;
+pub use key::{MOST_DIGITS, has_key, path_of_key};
 pub use need::Note;
 pub use plane::Plane;
 pub use points::{MapPoint, MapPoints, Point, Points};

@@ -28,11 +28,17 @@ pub struct Note {
     pub key: String,
     /// Where it was given.
     pub origin: Origin,
+    /// What is wrong with its value, which does no harm here.
+    pub problem: Option<String>,
 }
 
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} ({})", self.key, self.origin)
+        write!(f, "{} ({})", self.key, self.origin)?;
+        match &self.problem {
+            Some(problem) => write!(f, ": {problem}"),
+            None => Ok(()),
+        }
     }
 }
 
@@ -308,8 +314,32 @@ impl Scene {
             .map(|(key, entry)| Note {
                 key: key.path(),
                 origin: entry.origin.clone(),
+                problem: self.check_key(key).err().map(|error| error.problem.to_string()),
             })
             .collect())
+    }
+
+    /// What to say of a phase that was probably meant in degrees: a number without pi that is more than a turn.
+    ///
+    /// # Errors
+    /// As [`Scene::check`].
+    pub fn phase_in_degrees(&self, wants: &[Want]) -> Result<Option<String>, SceneError> {
+        let mut is_read = false;
+        for &want in wants {
+            is_read |= self.needs(want)?.keys().any(|key| *key == key::PHASE);
+        }
+        if !is_read || self.document.get(&key::PHASE).is_none() {
+            return Ok(None);
+        }
+        let phase = self.number(&key::PHASE)?;
+        let is_large = phase.rational().is_some() && phase.value::<f64>().abs() > std::f64::consts::TAU;
+        Ok(is_large.then(|| {
+            format!(
+                "{} is {phase} rad, {:.6} within a turn; {phase} degrees are \"{phase} pi/180\"",
+                key::PHASE.path(),
+                phase.angle::<f64>()
+            )
+        }))
     }
 
     fn unneeded(&self, wants: &[Want]) -> Result<Vec<(&'static Key, &Entry)>, SceneError> {

@@ -556,13 +556,13 @@ impl Scene {
 fn read_word(text: &str) -> Result<Word, String> {
     let word: Word = text
         .parse()
-        .map_err(|error: WordError| format!("words such as \"BT\" or \"BTT\": {error}"))?;
+        .map_err(|error: WordError| format!("words such as \"BT\", which is a 1-1 motion, or \"BTT\": {error}"))?;
     let one_wall = !(text.contains('B') && text.contains('T'));
     if one_wall || (text.starts_with('B') && text.ends_with('T')) {
         return Ok(word);
     }
     Err(format!(
-        "written from a bottom impact that follows a top one: \"{word}\""
+        "written from a bottom impact that follows a top one, as \"{word}\""
     ))
 }
 

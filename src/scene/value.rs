@@ -53,7 +53,11 @@ impl Scene {
         let (Value::Text(typed) | Value::Number(typed)) = &entry.value else {
             return Err(self.wrong(key, entry, QuantityError::NoNumber.to_string()));
         };
-        let value = Quantity::read(typed).map_err(|error| self.wrong(key, entry, error.to_string()))?;
+        let told = |error: QuantityError| match error {
+            QuantityError::NoNumber => format!("{error}; it is {}", key.meaning),
+            error => error.to_string(),
+        };
+        let value = Quantity::read(typed).map_err(|error| self.wrong(key, entry, told(error)))?;
         match allowed_number(key.allowed, &value) {
             None => Ok(value),
             Some(allowed) => Err(self.wrong(key, entry, allowed.to_string())),

@@ -223,6 +223,57 @@ fn several_files_are_one_table_with_the_worst_status() {
 }
 
 #[test]
+fn a_report_for_machines_names_what_cannot_be_used() {
+    let scratch = Scratch::new("unusable");
+    scratch.file(
+        "paper.tex",
+        "% audit: symbols a\n\\[ a + a = 2 a \\]\nThe velocity is 0.677 % audit: value orbits.velocitys[0], scene fig02\n\
+         and 0.677 % audit: vlaue orbits.velocities[0], scene fig02\n",
+    );
+    scratch.file("broken.toml", "[symbols]\nparameters = ['a'\n");
+    for (arguments, wanted) in [
+        (
+            &["paper.tex"][..],
+            &["paper.tex 3: there is no column `velocitys`", "paper.tex 4: `vlaue "][..],
+        ),
+        (&["broken.toml"], &["broken.toml 2: "]),
+        (&["none.tex", "broken.toml"], &["none.tex -: ", "broken.toml 2: "]),
+    ] {
+        let of = |format: &str| {
+            let output = run(&scratch.0, &[&["audit"], arguments, &["--format", format]].concat());
+            assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+            output
+        };
+        let log = json(&of("sarif"));
+        let results = log["runs"][0]["results"].as_array().unwrap();
+        let mut found: Vec<String> = Vec::new();
+        for result in results.iter().filter(|result| result["ruleId"] == "input-unusable") {
+            let place = &result["locations"][0]["physicalLocation"];
+            let line = place["region"]["startLine"]
+                .as_i64()
+                .map_or("-".to_owned(), |line| line.to_string());
+            let message = result["message"]["text"]
+                .as_str()
+                .unwrap()
+                .trim_start_matches("(input) unusable: ");
+            let file = place["artifactLocation"]["uri"].as_str().unwrap();
+            assert_eq!(result["level"], "error");
+            found.push(format!("{file} {line}: {message}"));
+        }
+        assert_eq!(found.len(), wanted.len(), "{found:?}");
+        for part in wanted {
+            assert!(found.iter().any(|found| found.contains(part)), "{part}: {found:?}");
+        }
+        let junit = stdout(&of("junit"));
+        let junit = roxmltree::Document::parse(&junit).unwrap();
+        let failed = junit
+            .descendants()
+            .filter(|node| node.attribute("type") == Some("unusable"));
+        assert_eq!(failed.count(), wanted.len());
+    }
+}
+
+#[test]
 fn what_is_of_one_file_is_refused_for_several() {
     let scratch = Scratch::new("one");
     scratch.file("right.tex", RIGHT);

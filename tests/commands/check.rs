@@ -105,7 +105,9 @@ fn assert_refused(arguments: &[&str], words: &[&str]) {
     let output = check(arguments);
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
-    assert!(output.stdout.is_empty(), "{arguments:?} printed on stdout");
+    // a row that is at fault has no verdict, the others have theirs
+    let verdicts = String::from_utf8(output.stdout).unwrap();
+    assert!(verdicts.lines().count() <= 4, "{arguments:?}: {verdicts}");
     assert!(
         message.starts_with("error: ") && message.trim_end().lines().count() == 1,
         "{message}"
@@ -574,6 +576,25 @@ fn reference_files_are_read_as_strictly() {
     );
     let (status, rows) = golden.verdicts();
     assert_eq!((status, rows[1][1].as_str()), (Some(1), "wrong"), "{rows:?}");
+}
+
+#[test]
+fn a_row_that_cannot_be_compared_stops_no_other() {
+    let golden = Golden::new(
+        "goes-on",
+        &[
+            &RIGHT.replace("scenes/", "scenes/no-"),
+            &RIGHT.replace("g,section", "h,section"),
+        ],
+    );
+    let output = check(&[golden.path(), "--format", "junit"]);
+    let text = stdout(&output);
+    assert_eq!(output.status.code(), Some(2), "{text}");
+    assert!(text.contains("<testcase name=\"h\" classname=\"section 2\""), "{text}");
+    assert!(
+        text.contains("<failure type=\"unusable\"") && text.contains("line 2"),
+        "{text}"
+    );
 }
 
 #[test]

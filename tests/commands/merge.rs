@@ -527,7 +527,7 @@ fn what_cannot_go_on_is_refused_and_the_rows_stay() {
         assert!(error.contains(word), "{arguments:?}: {error}");
     };
     refused(&["--resume", "--format", "csv"], "add --out FILE");
-    refused(&["--resume", "--out", "rows.csv"], "add --format csv");
+    refused(&["--resume", "--out", "rows.txt"], "add --format csv");
     let to = ["--resume", "--format", "csv", "--out", "rows.csv"];
     refused(
         &[&to[..], &["--set", "map.start=follow"]].concat(),

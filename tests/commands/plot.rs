@@ -246,6 +246,22 @@ fn curves_over_two_parameters_are_drawn_over_their_map_and_alone() {
 }
 
 #[test]
+fn the_scenes_of_the_examples_are_drawn() {
+    for (file, sets, wanted) in [
+        ("map.toml", ["map.x.points=4", "map.y.points=3"], "BTBT"),
+        (
+            "basins.toml",
+            ["basins.phase.points=4", "basins.velocity.points=3"],
+            "BBT",
+        ),
+    ] {
+        let scene = format!("{}/examples/{file}", env!("CARGO_MANIFEST_DIR"));
+        let arguments = [&scene, "--set", sets[0], "--set", sets[1]];
+        assert_says(file, &texts(file, &plotted(&arguments)), &[wanted]);
+    }
+}
+
+#[test]
 fn the_best_device_of_a_box_is_drawn_among_the_others() {
     let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/optimum.toml");
     let frame = "where the best device is";

@@ -186,6 +186,14 @@ fn what_no_want_requires_may_be_wrong_or_missing() {
         assert!(notes.iter().any(|note| note.key == key), "{key}");
     }
     assert!(!notes.iter().any(|note| note.key.starts_with("motion.")));
+    let problem = |key: &str| {
+        notes
+            .iter()
+            .find(|note| note.key == key)
+            .and_then(|note| note.problem.clone())
+    };
+    assert!(problem("device.angular_frequency").is_some_and(|problem| problem.contains("above 0")));
+    assert_eq!(problem("device.incline"), None);
     assert_says(
         &broken.refuse_unneeded(&[Want::Orbits]).unwrap_err().to_string(),
         &["--strict", "angular_frequency"],
@@ -305,9 +313,9 @@ fn a_value_that_cannot_be_is_refused_with_place_and_range() {
         ("r_t", "\"pi/3\"", "above 0 and at most 1"),
         ("capsule_mass", "0.0", "above 0"),
         ("forcing_amplitude", "-5", "above 0"),
-        ("gravity", "-9.8", "not below 0"),
+        ("gravity", "-9.8", "0 or more"),
         ("incline", "\"6/pi\"", "pi/6"),
-        ("velocity", "-0.5", "not below 0"),
+        ("velocity", "-0.5", "0 or more"),
         ("digits", "0", "from 1 to"),
         ("digits", "12.0", "integer"),
         ("max_periods", "-1", "from 1 to"),

@@ -184,10 +184,7 @@ fn what_is_no_grid_of_starts_is_refused() {
             &["basins.phase.points is 0", "an integer from 1"][..],
         ),
         ("basins.phase.to=0", &["other than basins.phase.from"]),
-        (
-            "basins.velocity.from=-1",
-            &["basins.velocity.from is -1", "not below 0"],
-        ),
+        ("basins.velocity.from=-1", &["basins.velocity.from is -1", "0 or more"]),
         ("basins.velocity.to=NaN", &["basins.velocity.to"]),
         ("basins.impacts=0", &["basins.impacts is 0"]),
         (

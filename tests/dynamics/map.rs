@@ -171,10 +171,7 @@ fn what_cannot_be_mapped_is_refused_before_anything_is_written() {
         ("map.starts=[]", &["map.starts", "a list of starts"]),
         ("map.starts=[1]", &["map.starts", "a list of starts"]),
         ("map.starts=[{phase=1}]", &["map.starts", "velocity"]),
-        (
-            "map.starts=[{phase=1, velocity=-1}]",
-            &["velocity is -1", "not below 0"],
-        ),
+        ("map.starts=[{phase=1, velocity=-1}]", &["velocity is -1", "0 or more"]),
         ("map.starts=[{phase=1, velocity=1, side=1}]", &["not side"]),
         ("map.z.points=1", &["map.z", "map.x"]),
         ("map.x=1", &["map.x is a section"]),

@@ -655,7 +655,7 @@ fn symbols_beside_those_declared_are_guessed_and_never_refute() {
         (
             "8",
             Verdict::Proved,
-            "`u(t)`: each is a real function that no comment declares",
+            "`u(t)`, which no comment declares, is a real function",
         ),
         // a dot is no letter of its own, and a letter before a bracket may be a function
         ("9", Verdict::Unread, r"unknown symbol `\dot{w}`"),

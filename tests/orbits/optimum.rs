@@ -289,10 +289,7 @@ fn what_cannot_be_a_box_is_refused() {
         ("box={r_t = [0, 1]}", &["box.r_t is 0", "above 0 and at most 1"]),
         ("box={d = 0.3}", &["box.d is 0.3", "a list of two numbers"]),
         ("box={d = [0.1, 0.2, 0.3]}", &["box.d", "a list of two numbers"]),
-        (
-            "box={d = [0.1, 0.2], margin = -1}",
-            &["box.margin is -1", "not below 0"],
-        ),
+        ("box={d = [0.1, 0.2], margin = -1}", &["box.margin is -1", "0 or more"]),
         ("box={g = [0, 1], incline = [0, 1]}", &["box.g", "box.incline"]),
         (
             "box={d = [0.1, 0.2], forcing_amplitude = [4, 6]}",

@@ -102,7 +102,11 @@ pub(super) fn keys(text: &str) -> Result<Vec<Key>, String> {
             }
             _ => {
                 let word = part.split_whitespace().next().unwrap_or_default();
+                let first = word.trim_end_matches(',');
                 return Err(match nearest(word, KEYS) {
+                    _ if first != word && begins_key(first) => {
+                        format!("`{part}`: keys are parted by `;`, not by a comma")
+                    }
                     Some(key) if key != word => format!("`{part}` says nothing here; did you mean `{key}`?"),
                     _ => format!("`{part}` says nothing here (known: {})", KEYS.join(", ")),
                 });
@@ -162,8 +166,11 @@ fn verdict(word: &str) -> Result<Verdict, String> {
     }
 }
 
-/// The labels in `(9), (11) and \eqref{eq:law}`.
+/// The labels in `(9), (11) and \eqref{eq:law}`; none in `nothing`.
 fn labels(text: &str) -> Vec<String> {
+    if text.trim() == "nothing" {
+        return Vec::new();
+    }
     let text = text.replace(" and ", ",");
     let parts = text.split(',').map(str::trim).filter(|part| !part.is_empty());
     let alone = |part: &str| -> String {
@@ -274,6 +281,10 @@ fn symbols(parts: &[&str]) -> Result<Symbols, String> {
                 symbols.maps.insert(name, map);
                 continue;
             }
+            _ if !rest.is_empty() && nearest(kind, KINDS).is_some() => {
+                let meant = nearest(kind, KINDS).unwrap_or_default();
+                return Err(format!("`{kind}` is no kind of symbols; did you mean `{meant}`?"));
+            }
             // names alone are parameters
             _ => {
                 symbols
@@ -299,20 +310,6 @@ pub(super) fn completed(mut symbols: Symbols) -> Result<Symbols, String> {
     let is_name = |text: &String| !text.is_empty() && !text.contains([' ', '+', '-', '*', '/', '^', '(']);
     let undeclared = derivatives.filter(|name| is_name(name) && functions.iter().all(|(known, _)| known != name));
     add(&mut symbols.functions, undeclared.collect::<Vec<_>>());
-    // what is positive needs no second declaration
-    let declared: Vec<String> = symbols.positive.iter().chain(&symbols.at_most_one).cloned().collect();
-    let indexed = |name: &String| symbols.states.iter().chain(&symbols.times).any(|state| state == name);
-    let is_abbreviated = |name: &String| match &symbols.abbreviations {
-        Pairs::List(list) => list
-            .iter()
-            .any(|own| own.split('=').next().is_some_and(|left| left.trim() == name)),
-        Pairs::Table(table) => table.contains_key(name),
-    };
-    for name in declared {
-        if !symbols.parameters.contains(&name) && !indexed(&name) && !is_abbreviated(&name) {
-            symbols.parameters.push(name);
-        }
-    }
     Ok(symbols)
 }
 
@@ -372,6 +369,8 @@ mod tests {
             ("clam", "`clam`"),
             ("expect right", "expect right"),
             ("default x", "default x"),
+            ("symbols positiv m", "did you mean `positive`?"),
+            ("claim, follows from (1)", "parted by `;`"),
             ("symbols maps M", "maps"),
         ] {
             assert!(keys(text).unwrap_err().contains(word), "{text}");

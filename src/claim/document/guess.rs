@@ -518,7 +518,10 @@ impl Guess {
             below: labels.iter().flat_map(|label| equations(label)).collect(),
             is_restricted,
         };
-        let is_free = |name: &Name| !self.definitions.contains_key(name) && !self.vocabulary.knows(name);
+        let is_free = |name: &Name| match self.has_symbols {
+            true => self.undeclared.contains_key(name),
+            false => !self.definitions.contains_key(name),
+        };
         let mut doubts = self.marks.doubts(&stated, &is_free);
         for argument in stated
             .own
@@ -636,19 +639,16 @@ impl Guess {
             let shown: Vec<String> = names.iter().map(|name| format!("`{name}{argument}`")).collect();
             shown.join(", ")
         };
-        let of_numbers = match numbers.len() {
+        let kind = |count: usize, kind: &str| match count {
             0 => None,
-            1 => Some("is a real number"),
-            _ => Some("are real numbers"),
+            1 => Some(format!("is a real {kind}")),
+            _ => Some(format!("are real {kind}s")),
         };
-        let numbers_are = of_numbers.map(|kind| format!("{}, which no comment declares, {kind}", list(&numbers, "")));
-        let argument = format!("({TIME})");
-        let functions_are = (!functions.is_empty()).then(|| {
-            format!(
-                "{}: each is a real function that no comment declares",
-                list(&functions, &argument)
-            )
-        });
+        let told = |names: &[&Name], argument: &str, kind: Option<String>| {
+            kind.map(|kind| format!("{}, which no comment declares, {kind}", list(names, argument)))
+        };
+        let numbers_are = told(&numbers, "", kind(numbers.len(), "number"));
+        let functions_are = told(&functions, &format!("({TIME})"), kind(functions.len(), "function"));
         let meant = numbers.iter().filter_map(|name| {
             let meant = self.undeclared.get(*name)?.as_ref()?;
             Some(format!("`{name}` is no misprint of `{meant}`"))

@@ -18,13 +18,17 @@ use std::path::Path;
 
 /// Draw a scene as SVG; `plot all --out DIR` draws every figure of the paper
 ///
-/// `branch` and `sweep` give a bifurcation diagram, `voltage` an energy diagram beside it (without it the phase of the
-/// impacts), `trajectory` a phase portrait and the displacements, `map` a map in colours of each thing that it wants,
-/// `basins` the starts in the colours of their attractors, `optimum` the best device of the box and what the devices
-/// around it are worth, two parameters at a time, `branch` over two parameters its curves, over a map of the
-/// same two where the scene wants that too. What the paper prints is marked on its own figures: a ring is
-/// reproduced, a cross is wrong.
+/// What is drawn depends on `want` in the scene:
+///   branch, sweep   a bifurcation diagram
+///   voltage         an energy diagram beside it; without it the phases of the impacts stand there
+///   trajectory      a phase portrait, and position against time
+///   map             a map in colours for each quantity in map.want
+///   basins          each start in the colour of its attractor
+///   optimum         the best device, and the voltage of those around it
+///   branch over two parameters: the curves, on top of a map of the same two if that is wanted too
+/// On the paper's own figures a ring marks a printed value that is reproduced, and a cross one that is wrong.
 #[derive(Debug, clap::Args)]
+#[command(verbatim_doc_comment)]
 #[command(after_help = "Example: vibro-audit plot fig03 --out fig03.svg")]
 pub struct Arguments {
     #[command(flatten)]

@@ -3,6 +3,7 @@
 use super::table::listed;
 use super::{Verdicts, anchor, badge, foreign};
 use crate::claim::{Map, Sheet, Source};
+use crate::kernel::DERIVATIVES_EXIST;
 use crate::markup::{Element, Markup, element, text_in};
 use crate::prove::{Counterexample, Decision, Explanation};
 use crate::repair::{Part as Place, Repair};
@@ -22,7 +23,10 @@ impl Typeset {
     pub fn display(tex: &str, names: &Names) -> Self {
         match read_display(tex, names) {
             Ok(display) => Self::equations(&display.equations, &[]),
-            Err(_) => Self::expression(tex, names),
+            Err(_) => match read_conditions(tex, names) {
+                Ok(conditions) => Self::conditions(&conditions),
+                Err(_) => Self::expression(tex, names),
+            },
         }
     }
 
@@ -83,7 +87,12 @@ fn typeset(explanation: &Explanation, names: &Names) -> Option<Element> {
         element("div", shown).with("class", format!("indent-{}", indent.min(MOST_INDENT)))
     };
     let lines: Vec<Element> = explanation.lines().map(line).collect();
-    (!lines.is_empty()).then(|| element("div", lines).with("class", "explained").with("dir", "ltr"))
+    (!lines.is_empty()).then(|| {
+        element("div", lines)
+            .with("class", "explained")
+            .with("tabindex", "0")
+            .with("dir", "ltr")
+    })
 }
 
 /// Blanks before a line of an explanation, at most; the style has a rule for each even number.
@@ -91,12 +100,13 @@ const MOST_INDENT: usize = 10;
 
 /// What a verdict excludes: conditions, and derivatives that must exist.
 fn excluded(text: &str, names: &Names) -> Vec<Element> {
-    let part = |part: &str| match part.strip_prefix(DERIVATIVES) {
+    let part = |part: &str| match part.strip_prefix(DERIVATIVES_EXIST) {
         Some(names_of) => {
             let of = names_of
+                .trim()
                 .split(", ")
                 .map(|name| element("span", Typeset::expression(name, names).0));
-            element("div", [text_in("span", DERIVATIVES)]).and(joined(of.collect()))
+            element("div", [text_in("span", format!("{DERIVATIVES_EXIST} "))]).and(joined(of.collect()))
         }
         None => match read_conditions(part, names) {
             Ok(conditions) => element("div", Typeset::conditions(&conditions).0),
@@ -105,9 +115,6 @@ fn excluded(text: &str, names: &Names) -> Vec<Element> {
     };
     text.split("; ").filter(|part| !part.is_empty()).map(part).collect()
 }
-
-/// How `provided` begins where derivatives must exist.
-const DERIVATIVES: &str = "derivatives exist of ";
 
 /// What a sheet takes as given: its label and the formula.
 #[derive(Clone, Debug)]
