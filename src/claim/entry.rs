@@ -364,9 +364,7 @@ impl Entry {
                 if messages.insert(found.message.clone()) {
                     // The names that are known are the same for all.
                     let known = if faults.is_empty() { found.known } else { String::new() };
-                    let mut fault = source.fault(found.at, found.message + &known);
-                    fault.unknown.extend(found.unknown);
-                    faults.push(fault);
+                    faults.push(source.fault(found.at, found.message + &known).of_unknown(found.unknown));
                 }
             }
             any(tree, &mut |node| {

@@ -121,8 +121,10 @@ impl Source {
             label: None,
             file: self.file.clone(),
             place: Some(place),
-            shown: Some(shown),
-            unknown: Vec::new(),
+            more: Some(Box::new(More {
+                shown,
+                unknown: Vec::new(),
+            })),
         }
     }
 }
@@ -132,6 +134,15 @@ impl Source {
 pub(super) struct Unknown {
     pub name: Name,
     pub meant: Option<String>,
+}
+
+/// What else is known of a fault within TeX.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct More {
+    /// The line of TeX with a caret beneath.
+    shown: String,
+    /// The symbols that nothing declares, where that is the fault.
+    unknown: Vec<Unknown>,
 }
 
 /// Why a sheet cannot be used: what, and where.
@@ -144,10 +155,7 @@ pub struct Fault {
     pub file: Option<String>,
     /// Line and column in the file, from 1.
     pub place: Option<(usize, usize)>,
-    /// The line of TeX with a caret beneath.
-    shown: Option<String>,
-    /// The symbols that nothing declares, where that is the fault.
-    pub(super) unknown: Vec<Unknown>,
+    more: Option<Box<More>>,
 }
 
 impl Fault {
@@ -158,8 +166,7 @@ impl Fault {
             label: None,
             file: None,
             place: None,
-            shown: None,
-            unknown: Vec::new(),
+            more: None,
         }
     }
 
@@ -175,8 +182,23 @@ impl Fault {
             .place
             .map(|(line, column)| format!("line {line}, column {column}: "));
         self.message = format!("{}; {}{}", self.message, place.unwrap_or_default(), other.message);
-        self.unknown.extend(other.unknown);
+        if let (Some(more), Some(others)) = (&mut self.more, other.more) {
+            more.unknown.extend(others.unknown);
+        }
         self
+    }
+
+    /// The fault, which is that nothing declares this symbol.
+    pub(super) fn of_unknown(mut self, unknown: Option<Unknown>) -> Self {
+        if let Some(more) = &mut self.more {
+            more.unknown.extend(unknown);
+        }
+        self
+    }
+
+    /// The symbols that nothing declares, where that is the fault.
+    pub(super) fn unknown(&self) -> &[Unknown] {
+        self.more.as_ref().map_or(&[], |more| &more.unknown)
     }
 
     /// The fault with a word in front of its message.
@@ -207,8 +229,8 @@ impl fmt::Display for Fault {
             write!(f, "({label}) ")?;
         }
         f.write_str(&self.message)?;
-        match &self.shown {
-            Some(shown) => write!(f, "\n{shown}"),
+        match &self.more {
+            Some(more) => write!(f, "\n{}", more.shown),
             None => Ok(()),
         }
     }

@@ -2,7 +2,7 @@
 
 use super::super::definition::{is_constant, pair_of};
 use super::super::entry::{Entry, RawEntry, Role};
-use super::super::fault::Text;
+use super::super::fault::{Fault, Text};
 use super::super::implication;
 use super::super::nodes::{any, any_side, names_in};
 use super::super::sheet::{RawSheet, Sheet};
@@ -712,7 +712,7 @@ impl Guess {
                 .into_iter()
                 .filter(|name| self.functions.contains(name) && !known.contains(name));
             found.extend(functions.map(|name| (name, None)));
-            let symbols = entry.unread.iter().flat_map(|fault| &fault.unknown);
+            let symbols = entry.unread.iter().flat_map(Fault::unknown);
             let symbols = symbols.filter(|unknown| !is_derivative(&unknown.name));
             found.extend(symbols.map(|unknown| (unknown.name.clone(), unknown.meant.clone())));
         }
