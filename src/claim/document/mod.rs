@@ -191,7 +191,7 @@ impl Document {
                 None
             }
         });
-        let line = |at: usize| source(at).place().0;
+        let line = |at: usize| line_of(&lines, at);
         let mut raw = RawSheet {
             title: None,
             symbols,
@@ -213,7 +213,6 @@ impl Document {
             of_the_pair,
             &mut raw,
             &lines,
-            &line,
         ));
         Self {
             raw,
@@ -390,6 +389,11 @@ fn printed_number(comment: &Comment) -> Option<String> {
     }
 }
 
+/// The line of a byte, within its file.
+fn line_of(lines: &Text, at: usize) -> usize {
+    Source::new(lines, &Spanned::new(at..at, String::new())).place().0
+}
+
 /// Fills the sheet with the formulas, and tells what was guessed of all.
 fn entries(
     formulas: &[Formula],
@@ -399,8 +403,8 @@ fn entries(
     of_the_pair: bool,
     raw: &mut RawSheet,
     lines: &Text,
-    line: &dyn Fn(usize) -> usize,
 ) -> Vec<String> {
+    let line = |at: usize| line_of(lines, at);
     let mut said: Vec<Said> = said;
     let is_silent: Vec<bool> = said.iter().map(Said::is_nothing).collect();
     // an author who says of each row what it is leaves no doubt
@@ -435,7 +439,7 @@ fn entries(
             *own = std::mem::take(own).or(&before, formula.is_link);
         }
     }
-    let mut labels = labels(formulas, &said, line);
+    let mut labels = labels(formulas, &said, &line);
     // a label that is said of one row, or before the display, is that of the rows after it that say nothing
     let mut named: Option<(usize, &String)> = None;
     for (at, formula) in formulas.iter().enumerate() {
