@@ -23,8 +23,10 @@ struct Guide;
 
 #[cfg(feature = "audit")]
 pub mod input;
-pub mod number;
 pub mod stop;
+pub use numbers as number;
+pub use texmath as tex;
+pub use texmath::markup;
 
 // The dynamics, always there but where the kernel is built alone.
 #[cfg(any(feature = "audit", not(feature = "kernel")))]
@@ -46,16 +48,12 @@ pub mod claim;
 pub mod evidence;
 #[cfg(feature = "kernel")]
 pub mod kernel;
-#[cfg(feature = "kernel")]
-pub mod markup;
 #[cfg(feature = "audit")]
 pub mod prove;
 #[cfg(feature = "audit")]
 pub mod reference;
 #[cfg(feature = "audit")]
 pub mod repair;
-#[cfg(feature = "kernel")]
-pub mod tex;
 
 // Scenes, tables, commands.
 #[cfg(feature = "cli")]

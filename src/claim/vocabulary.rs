@@ -85,28 +85,6 @@ pub fn subscript_of(index: i32, letter: &str) -> String {
     }
 }
 
-impl Name {
-    /// The name without subscript, mark and primes.
-    pub fn bare(&self) -> Self {
-        Self {
-            base: self.base.clone(),
-            accents: self.accents.clone(),
-            ..Self::default()
-        }
-    }
-
-    /// The name of the derivative by time: one dot more.
-    pub fn dotted(&self) -> Self {
-        let mut name = self.clone();
-        match name.accents.last_mut() {
-            Some(last) if last == r"\dot" => *last = r"\ddot".to_string(),
-            Some(last) if last == r"\ddot" => *last = r"\dddot".to_string(),
-            _ => name.accents.push(r"\dot".to_string()),
-        }
-        name
-    }
-}
-
 impl Vocabulary {
     /// The sizes of formulas with these definitions and all abbreviations put in.
     pub(super) fn sizes<'a>(&'a self, definitions: impl Iterator<Item = (&'a Name, &'a Tree)>) -> Sizes<'a> {
