@@ -23,18 +23,11 @@ struct Guide;
 
 #[cfg(feature = "audit")]
 pub mod input;
-pub mod stop;
+pub use dynamics::{impact, model, orbit};
 pub use numbers as number;
+pub use stop;
 pub use texmath as tex;
 pub use texmath::markup;
-
-// The dynamics, always there but where the kernel is built alone.
-#[cfg(any(feature = "audit", not(feature = "kernel")))]
-pub mod impact;
-#[cfg(any(feature = "audit", not(feature = "kernel")))]
-pub mod model;
-#[cfg(any(feature = "audit", not(feature = "kernel")))]
-pub mod orbit;
 
 #[cfg(feature = "audit")]
 pub mod checksum;

@@ -1,0 +1,331 @@
+//! The first contact of every flight out of a box of departures, proved.
+//!
+//! Leaps: where the ball is a distance D from a wall, recedes at V at least and is pulled there by K at most, it keeps off
+//! the wall for as long as D + V x - K x²/2 > 0. Leap by leap the flight comes as near to its contact as rounding lets
+//! it, and never beyond; then the speed there bounds how soon it is met, and Newton's method over intervals how exactly.
+
+use super::super::expansion::{Expansion, seen};
+use super::super::swing::{REACH, Swing};
+use crate::model::{Motion, Side};
+use numbers::{Analytic, Endpoint, Field, Interval};
+use stop;
+
+/// Beyond so many leaps, a thousand or more flights of use, it is left open what is met.
+const MOST_LEAPS: usize = 20_000;
+
+/// Newton's method doubles the digits: 200 of them take fewer steps.
+const MOST_STEPS: usize = 40;
+
+/// More halvings than any range of use: 2^-60 of half a radian.
+const MOST_HALVINGS: usize = 60;
+
+/// A leap is tried at so many times its length.
+const STRETCH: f64 = 8.0;
+
+/// What is left of a leap for the roundings of its length.
+const CAUTION: f64 = 1.0 - 1e-9;
+
+/// A flight from a box of departures, in units without pi.
+pub(super) struct Flight<E: Endpoint> {
+    pub side: Side,
+    pub phase: Interval<E>,
+    pub start: Expansion<Interval<E>>,
+    /// g as seen from the wall that was left.
+    g: Interval<E>,
+    gap: Interval<E>,
+    /// Whether f + g vanishes at the departure.
+    released: bool,
+}
+
+/// Where every flight of the box ends: its first contact, and the only one within the angle.
+pub(super) struct Contact<E: Endpoint> {
+    pub wall: Side,
+    pub angle: Interval<E>,
+    /// The rate of approach at the wall.
+    pub speed: Interval<E>,
+    pub there: Expansion<Interval<E>>,
+}
+
+/// How a wall is approached: the distance, and its rate.
+struct Approach<E: Endpoint> {
+    distance: Interval<E>,
+    rate: Interval<E>,
+}
+
+impl<E: Endpoint> Flight<E> {
+    /// Out of a box of phases and speeds away from the wall; `released` where the departure is the very phase at which
+    /// f + g vanishes.
+    pub fn new(motion: &Motion<Interval<E>>, side: Side, [phase, speed]: [Interval<E>; 2], released: bool) -> Self {
+        let (sin, cos) = seen(side, phase.sincos());
+        let g = side.signed(motion.g().clone());
+        let pi = Interval::<E>::pi();
+        Self {
+            side,
+            phase,
+            start: Expansion {
+                y: Interval::from_integer(0),
+                w: speed,
+                push: if released {
+                    Interval::from_integer(0)
+                } else {
+                    cos.clone() + g.clone()
+                },
+                sin,
+                cos,
+            },
+            g,
+            gap: pi.square() * motion.d().clone(),
+            released,
+        }
+    }
+
+    /// The flight at an angle after the departure.
+    fn at(&self, x: &Interval<E>) -> Expansion<Interval<E>> {
+        if is_short(x) {
+            return self.start.swung(x, Swing::enclosing(x));
+        }
+        let (sin, cos) = seen(self.side, (self.phase.clone() + x.clone()).sincos());
+        self.start.far(&self.g, x, sin, cos)
+    }
+
+    /// The derivative of the distance by the phase of the departure: x cos + sin - sin(x + .).
+    pub fn lifted(&self, contact: &Contact<E>) -> Interval<E> {
+        let (x, start) = (&contact.angle, &self.start);
+        if is_short(x) {
+            let Swing { fall, lag, .. } = Swing::enclosing(x);
+            return start.cos.clone() * lag + start.sin.clone() * fall;
+        }
+        x.clone() * start.cos.clone() + start.sin.clone() - contact.there.sin.clone()
+    }
+
+    fn approach(&self, wall: Side, there: &Expansion<Interval<E>>) -> Approach<E> {
+        if wall == self.side {
+            Approach {
+                distance: there.y.clone(),
+                rate: -there.w.clone(),
+            }
+        } else {
+            Approach {
+                distance: self.gap.clone() - there.y.clone(),
+                rate: there.w.clone(),
+            }
+        }
+    }
+
+    /// The most that a ball is ever accelerated towards a wall, and away from it.
+    fn pulls(&self, wall: Side) -> [f64; 2] {
+        let g = if wall == self.side {
+            self.g.clone()
+        } else {
+            -self.g.clone()
+        };
+        let one = Interval::from_integer(1);
+        [one.clone() + g.clone(), one - g].map(|pull| above(&pull.high()).max(f64::MIN_POSITIVE))
+    }
+
+    /// The first contact; `None` where that is not decided, by how exactly the departure is known or by rounding.
+    ///
+    /// With it the angle up to which no wall is met.
+    pub fn contact(&self) -> (E, Option<Contact<E>>) {
+        let walls = [self.side, self.side.opposite()];
+        let mut x = E::zero();
+        if self.start.w.high() == E::zero() {
+            match self.lifted_off() {
+                Some(angle) => x = angle,
+                None => return (x, None),
+            }
+        }
+        for _ in 0..MOST_LEAPS {
+            let there = if x.is_zero() {
+                self.start.clone()
+            } else {
+                self.at(&Interval::point(x.clone()))
+            };
+            let [near, far] = walls.map(|wall| self.approach(wall, &there));
+            let clear =
+                [(&near, walls[0]), (&far, walls[1])].map(|(approach, wall)| self.clear(approach, wall, &there));
+            for (index, approach) in [&near, &far].into_iter().enumerate() {
+                let Some(reach) = self.reach(approach, walls[index]) else {
+                    continue;
+                };
+                // the other wall is not met before this one is
+                if reach.to_f64() * 1.001 < clear[1 - index] {
+                    let contact = self.refined(walls[index], &x, reach, approach);
+                    return (x, contact);
+                }
+            }
+            // down: the sum of an angle and a leap is rounded
+            let next = (x.clone() + E::from_f64(clear[0].min(clear[1]) * CAUTION)).below();
+            let has_moved = next > x;
+            if !(has_moved && stop::goes_on()) {
+                return (x, None);
+            }
+            x = next;
+        }
+        (x, None)
+    }
+
+    /// For how long a wall is not met, whatever is decided of the distance now: it is at least 0, by the leaps before.
+    ///
+    /// Over an angle s the pull is at most `now + slope s + s²/2`, with what it is now and its slope: less than it is ever
+    /// where a flight is short, so that the leap is stretched as far as that bears.
+    fn clear(&self, approach: &Approach<E>, wall: Side, there: &Expansion<Interval<E>>) -> f64 {
+        let [most, _] = self.pulls(wall);
+        let distance = below(&approach.distance.low()).max(0.0);
+        let recession = below(&(-approach.rate.clone()).low());
+        if recession.is_nan() {
+            return 0.0;
+        }
+        let leap = |pull: f64| {
+            // sqrt(V² + 2 K D), without a square that underflows
+            let root = recession.hypot((2.0 * pull).sqrt() * distance.sqrt());
+            if recession > 0.0 {
+                (recession + root) / pull
+            } else if distance > 0.0 {
+                2.0 * distance / (root - recession)
+            } else {
+                0.0
+            }
+        };
+        let now = above(&if wall == self.side {
+            there.push.high()
+        } else {
+            (-there.push.clone()).high()
+        });
+        let slope = above(&there.sin.magnitude());
+        let mut clear = leap(most);
+        while clear > 0.0 {
+            let further = STRETCH * clear;
+            let pull = (now + further * (slope + further)).max(f64::MIN_POSITIVE);
+            if pull.is_nan() || pull >= most {
+                break;
+            }
+            let bears = leap(pull);
+            if bears < further {
+                return clear.max(bears);
+            }
+            clear = further;
+        }
+        clear
+    }
+
+    /// Within which angle from now a wall is met for certain, and approached all the while at half the rate or more.
+    fn reach(&self, approach: &Approach<E>, wall: Side) -> Option<E> {
+        let is_off = approach.distance.high() > E::zero();
+        if !(approach.rate.is_positive() && is_off) {
+            return None;
+        }
+        let [_, away] = self.pulls(wall);
+        let rate = Interval::point(approach.rate.low());
+        let distance = Interval::point(approach.distance.high());
+        let reach = ((distance.clone() + distance) / rate.clone()).high();
+        let slowed = Interval::from_f64(away) * Interval::point(reach.clone());
+        (rate - (slowed.clone() + slowed)).is_positive().then_some(reach)
+    }
+
+    /// The contact between `x`, up to which there is none, and `reach` further on.
+    fn refined(&self, wall: Side, x: &E, reach: E, approach: &Approach<E>) -> Option<Contact<E>> {
+        let end = Interval::point(x.clone()) + Interval::point(reach.clone());
+        let angle = Interval::new(x.clone(), end.high());
+        let half = approach.rate.clone() / Interval::from_integer(2);
+        let gained = Interval::from_f64(self.pulls(wall)[0]) * Interval::point(reach);
+        let rates = half.hull(&(approach.rate.clone() + gained));
+        self.narrowed(wall, angle, &rates)
+    }
+
+    /// The contact in an angle that holds one and no other, where the wall is approached at one of the rates.
+    pub fn narrowed(&self, wall: Side, mut angle: Interval<E>, rates: &Interval<E>) -> Option<Contact<E>> {
+        for step in 0..=MOST_STEPS {
+            let there = self.at(&angle);
+            let speed = self.approach(wall, &there).rate.intersection(rates)?;
+            let middle = Interval::point(angle.midpoint());
+            let distance = self.approach(wall, &self.at(&middle)).distance;
+            let narrower = (middle + distance / speed.clone()).intersection(&angle)?;
+            let width = Interval::point(angle.width());
+            let gain = width.clone() - Interval::point(narrower.width());
+            if step == MOST_STEPS || !(gain.clone() + gain - width).is_positive() {
+                let contact = Contact {
+                    wall,
+                    speed,
+                    there,
+                    angle,
+                };
+                return contact.speed.is_positive().then_some(contact);
+            }
+            angle = narrower;
+        }
+        None
+    }
+
+    /// An angle within which a ball without velocity has left its wall for certain and meets none.
+    fn lifted_off(&self) -> Option<E> {
+        let wall = self.side.opposite();
+        let other = self.clear(&self.approach(wall, &self.start), wall, &self.start);
+        let mut angle = E::from_f64((other * CAUTION).min(0.5));
+        for _ in 0..MOST_HALVINGS {
+            let all = Interval::new(E::zero(), angle.clone());
+            let (sin, cos) = seen(self.side, (self.phase.clone() + all).sincos());
+            // from a push of 0 that falls, or from one below 0 that stays there, the distance only grows
+            let lifts = if self.released {
+                sin.is_positive()
+            } else {
+                (cos + self.g.clone()).is_negative()
+            };
+            if lifts {
+                return Some(angle);
+            }
+            angle *= E::from_ratio(1, 2);
+        }
+        None
+    }
+
+    /// The angle after which a chatter is complete; `None` where it is not known to complete by what is known here.
+    ///
+    /// While the push a stays in [l, h], a hop of launch speed u takes between 2u/h and 2u/l, rises to u²/(2l) at most, and
+    /// ends with a speed between u sqrt(l/h) and u sqrt(h/l): with restitution r the times are bounded by geometric
+    /// series of the ratios r sqrt(l/h) and r sqrt(h/l).
+    pub fn accumulation(&self, restitution: &Interval<E>) -> Option<Interval<E>> {
+        if self.released {
+            return None;
+        }
+        let one = || Interval::<E>::from_integer(1);
+        let twice = self.start.w.clone() + self.start.w.clone();
+        let room = one() - restitution.clone();
+        if !(self.start.push.is_positive() && room.is_positive() && self.start.w.low() >= E::zero()) {
+            return None;
+        }
+        let guess = (twice.clone() + twice.clone()) / (self.start.push.clone() * room);
+        let window = Interval::new(E::zero(), guess.high());
+        let (_, cos) = seen(self.side, (self.phase.clone() + window.clone()).sincos());
+        let push = cos + self.g.clone();
+        if !push.is_positive() {
+            return None;
+        }
+        let [low, high] = [push.low(), push.high()].map(Interval::point);
+        let total = |speed: E, push: &Interval<E>, ratio: Interval<E>| {
+            let room = one() - restitution.clone() * ratio.sqrt();
+            let all = Interval::point(speed) / (push.clone() * room.clone());
+            room.is_positive().then_some(all)
+        };
+        let latest = total(twice.high(), &low, high.clone() / low.clone())?;
+        let earliest = total(twice.low(), &high, low.clone() / high.clone())?;
+        let angle = Interval::new(earliest.low(), latest.high());
+        let rise = self.start.w.square() / (low.clone() + low);
+        let stays = angle.is_subset(&window) && (self.gap.clone() - rise).is_positive();
+        stays.then_some(angle)
+    }
+}
+
+fn is_short<E: Endpoint>(x: &Interval<E>) -> bool {
+    above(&x.high()) < REACH
+}
+
+/// A lower bound in f64.
+fn below<E: Endpoint>(value: &E) -> f64 {
+    value.to_f64().next_down()
+}
+
+/// An upper bound in f64.
+fn above<E: Endpoint>(value: &E) -> f64 {
+    value.to_f64().next_up()
+}

@@ -1,0 +1,308 @@
+//! The events of a motion, each enclosed: what is given holds, rounding included.
+
+mod flight;
+mod set;
+
+use self::flight::{Contact, Flight};
+use self::set::Set;
+use super::chatter::LISTED;
+use super::event::{Event, Kind};
+use super::start::Start;
+use crate::model::{Motion, Side};
+use numbers::{Analytic, Endpoint, Field, Interval};
+use stop;
+
+/// A chatter of more impacts below [`LISTED`] than this is listed, not completed.
+const MOST_HIDDEN: usize = 1_000_000;
+
+/// Where the ball is.
+#[derive(Clone, Debug)]
+enum Place<E: Endpoint> {
+    /// About to make the impact that the motion starts with.
+    Beginning(Start<Interval<E>>),
+    /// Leaving a wall with one of these phases and speeds; `released` where f + g is just taking it off.
+    Leaving { side: Side, set: Set<E>, released: bool },
+    /// At rest on a wall since this phase.
+    Resting { side: Side, since: Interval<E> },
+    /// Nothing happens any more, or nothing is known.
+    Ended,
+}
+
+/// The events of [`Simulation`](super::Simulation), proved: phase and velocity of each are in the intervals given, and no
+/// event is missed or invented, for as long as intervals over `E` tell. What they cannot tell is an event of the kind
+/// [`Kind::Undecided`], the last: up to its phase nothing happens.
+///
+/// The exact start and parameters are any in the intervals given. Source: R. Lohner, 1987, for how sets are carried from
+/// impact to impact; the first contact and the end of a chatter are proved in flight.rs.
+#[derive(Clone, Debug)]
+pub struct Enclosure<E: Endpoint> {
+    motion: Motion<Interval<E>>,
+    place: Place<E>,
+    turns: i64,
+    /// A chatter is completed where that leaves no more than this of the phase open, or no more than is open already.
+    completing: E,
+    has_started: bool,
+    /// Whether a chatter that does not complete is being listed whole.
+    exhaustive: bool,
+    /// The events since the last impact that was listed.
+    idle: u32,
+}
+
+impl<E: Endpoint> Enclosure<E> {
+    /// The motion from `start` on.
+    pub fn new(motion: &Motion<Interval<E>>, start: &Start<Interval<E>>) -> Self {
+        Self {
+            motion: motion.clone(),
+            place: Place::Beginning(start.clone()),
+            turns: 0,
+            completing: <E as Analytic>::epsilon(),
+            has_started: false,
+            exhaustive: false,
+            idle: 0,
+        }
+    }
+
+    /// The same, completing a chatter as soon as that leaves no more than this of the phase open: of many digits that
+    /// spares hundreds of impacts.
+    pub fn completing_to(mut self, error: f64) -> Self {
+        let error = E::from_f64(error);
+        if error > self.completing {
+            self.completing = error;
+        }
+        self
+    }
+
+    /// Whether the ball has been rested and released twice over without an impact that is listed: this goes on for ever.
+    pub fn is_idle(&self) -> bool {
+        self.idle > 4
+    }
+
+    fn restitution(&self, side: Side) -> &Interval<E> {
+        self.motion.restitution(side)
+    }
+
+    fn event(&self, kind: Kind, side: Side, phase: Interval<E>, velocity: Interval<E>) -> Event<Interval<E>> {
+        Event {
+            kind,
+            side,
+            turns: self.turns,
+            phase,
+            velocity,
+        }
+    }
+
+    /// The last event: nothing is known beyond a phase.
+    fn undecided(&mut self, side: Side, phase: Interval<E>) -> Event<Interval<E>> {
+        self.place = Place::Ended;
+        self.event(Kind::Undecided, side, phase, Interval::whole())
+    }
+
+    fn advance(&mut self) -> Option<Event<Interval<E>>> {
+        match std::mem::replace(&mut self.place, Place::Ended) {
+            Place::Beginning(start) => Some(self.begin(start)),
+            Place::Leaving { side, set, released } => Some(self.fly(side, &set, released)),
+            Place::Resting { side, since } => self.release(side, &since),
+            Place::Ended => None,
+        }
+    }
+
+    fn begin(&mut self, start: Start<Interval<E>>) -> Event<Interval<E>> {
+        let Start { side, phase, velocity } = start;
+        let [phase, _] = self.reduced([phase.clone(), phase]);
+        let speed = side.signed(velocity.clone());
+        // the phase loses as many digits as its turns take
+        let is_reduced = phase.is_finite() && self.turns.unsigned_abs() < 1 << 53;
+        if !(is_reduced && speed.is_finite() && speed.low() >= E::zero()) {
+            return self.undecided(side, phase);
+        }
+        let launch = self.restitution(side).clone() * speed * Interval::pi();
+        let set = Set::of([phase.clone(), launch]);
+        let released = false;
+        self.place = Place::Leaving { side, set, released };
+        self.event(Kind::Impact, side, phase, velocity)
+    }
+
+    /// Phases less the turns of the first, which are counted.
+    fn reduced(&mut self, phases: [Interval<E>; 2]) -> [Interval<E>; 2] {
+        let turns = (phases[0].to_f64() / std::f64::consts::TAU).floor();
+        if turns == 0.0 {
+            return phases;
+        }
+        let turns = turns as i64;
+        self.turns = self.turns.saturating_add(turns);
+        let angle = Interval::pi() * Interval::from_integer(turns.saturating_mul(2));
+        phases.map(|phase| phase - angle.clone())
+    }
+
+    fn fly(&mut self, side: Side, set: &Set<E>, released: bool) -> Event<Interval<E>> {
+        let flight = Flight::new(&self.motion, side, set.hull().clone(), released);
+        if let Some(event) = self.completed(&flight) {
+            return event;
+        }
+        let (clear, contact) = flight.contact();
+        let landed = contact.and_then(|contact| Some((self.landed(&flight, set, &contact, released)?, contact)));
+        let Some((set, contact)) = landed else {
+            let [phase, _] = self.reduced([flight.phase.clone() + Interval::point(clear), Interval::from_integer(0)]);
+            return self.undecided(side, phase);
+        };
+        let wall = contact.wall;
+        let [phase, launch] = set.hull().clone();
+        let speed = launch / self.restitution(wall).clone();
+        let speed = speed.intersection(&contact.speed).unwrap_or(contact.speed) / Interval::pi();
+        let event = self.event(Kind::Impact, wall, phase, wall.signed(speed));
+        self.place = Place::Leaving {
+            side: wall,
+            set,
+            released: false,
+        };
+        event
+    }
+
+    /// The departures after a contact.
+    fn landed(&mut self, flight: &Flight<E>, set: &Set<E>, contact: &Contact<E>, released: bool) -> Option<Set<E>> {
+        let wall = contact.wall;
+        let restitution = self.restitution(wall).clone();
+        let after = |flight: &Flight<E>, contact: &Contact<E>| {
+            [
+                flight.phase.clone() + contact.angle.clone(),
+                restitution.clone() * contact.speed.clone(),
+            ]
+        };
+        let hull = after(flight, contact);
+        // a release is one departure, known as exactly as can be
+        let image = if released {
+            hull.clone()
+        } else {
+            let centre = Flight::new(&self.motion, flight.side, set.centre(), false);
+            let narrowed = centre.narrowed(wall, contact.angle.clone(), &contact.speed)?;
+            after(&centre, &narrowed)
+        };
+        let [phase, centre] = self.reduced([hull[0].clone(), image[0].clone()]);
+        let [_, speed] = hull;
+        let hull = [phase, speed];
+        if released {
+            return Some(Set::of(hull));
+        }
+        let [_, image_speed] = image;
+        let slopes = slopes(flight, contact, &restitution);
+        set.mapped([centre, image_speed], &slopes, &hull)
+    }
+
+    /// The rest that a chatter ends with, where what is known here proves that it does.
+    fn completed(&mut self, flight: &Flight<E>) -> Option<Event<Interval<E>>> {
+        let side = flight.side;
+        let is_slow = flight.start.w.high().to_f64() < LISTED;
+        let angle = flight.accumulation(self.restitution(side)).filter(|_| is_slow)?;
+        if angle.width() > self.completing && angle.width() > flight.phase.width() {
+            return None;
+        }
+        let phase = flight.phase.clone() + angle;
+        let [phase, _] = self.reduced([phase.clone(), phase]);
+        let since = phase.clone();
+        self.place = Place::Resting { side, since };
+        Some(self.event(Kind::Rest, side, phase, Interval::from_integer(0)))
+    }
+
+    /// cos(phase) = -g, where f + g begins to pull the ball off.
+    fn release(&mut self, side: Side, since: &Interval<E>) -> Option<Event<Interval<E>>> {
+        let one = || Interval::<E>::from_integer(1);
+        let g = self.motion.g().clone();
+        let room = (one() - g.clone()) * (one() + g.clone());
+        if room.high() <= E::zero() {
+            return None;
+        }
+        if !room.is_positive() {
+            return Some(self.undecided(side, since.clone()));
+        }
+        let angle = (-g).acos();
+        let phase = match side {
+            Side::Bottom => angle,
+            Side::Top => Interval::pi() + Interval::pi() - angle,
+        };
+        // the push is positive from the rest on: the two are apart
+        if phase.midpoint() < since.midpoint() {
+            self.turns += 1;
+        }
+        let set = Set::of([phase.clone(), Interval::from_integer(0)]);
+        let released = true;
+        self.place = Place::Leaving { side, set, released };
+        Some(self.event(Kind::Release, side, phase, Interval::from_integer(0)))
+    }
+
+    /// The next event that is listed.
+    fn listed(&mut self) -> Option<Event<Interval<E>>> {
+        let event = self.advance()?;
+        let is_start = !std::mem::replace(&mut self.has_started, true);
+        if !is_hidden(&event) {
+            self.exhaustive = false;
+            return Some(event);
+        }
+        if self.exhaustive || is_start || self.restitution(event.side).high() >= E::one() {
+            return Some(event);
+        }
+        match self.completion(&event) {
+            Some((ahead, rest)) => {
+                *self = ahead;
+                Some(rest)
+            }
+            None => {
+                self.exhaustive = true;
+                Some(event)
+            }
+        }
+    }
+
+    /// The rest that the chatter which goes on with `event` ends with, if it does.
+    fn completion(&self, event: &Event<Interval<E>>) -> Option<(Self, Event<Interval<E>>)> {
+        let mut ahead = self.clone();
+        for _ in 0..MOST_HIDDEN {
+            if !stop::goes_on() {
+                return None;
+            }
+            let next = ahead.advance()?;
+            match next.kind {
+                Kind::Rest => return Some((ahead, next)),
+                Kind::Impact if next.side == event.side && is_hidden(&next) => {}
+                _ => return None,
+            }
+        }
+        None
+    }
+}
+
+/// Too slow to be listed where its chatter completes.
+fn is_hidden<E: Endpoint>(event: &Event<Interval<E>>) -> bool {
+    event.kind == Kind::Impact && event.velocity.to_f64().abs() < LISTED
+}
+
+/// The derivatives of phase and launch speed after a contact by those before: (20), (21) in units without pi.
+fn slopes<E: Endpoint>(flight: &Flight<E>, contact: &Contact<E>, restitution: &Interval<E>) -> [[Interval<E>; 2]; 2] {
+    let is_back = contact.wall == flight.side;
+    let towards = |value: Interval<E>| if is_back { -value } else { value };
+    let (start, there) = (&flight.start, &contact.there);
+    let rate = towards(contact.speed.clone());
+    let one = Interval::<E>::from_integer(1);
+    let by_phase = -(flight.lifted(contact) / rate.clone());
+    let by_speed = -(contact.angle.clone() / rate);
+    let gained = start.cos.clone() - there.cos.clone();
+    let speed = |direct: Interval<E>, angle: &Interval<E>| {
+        restitution.clone() * towards(direct - there.push.clone() * angle.clone())
+    };
+    [
+        [one.clone() + by_phase.clone(), by_speed.clone()],
+        [speed(gained, &by_phase), speed(one, &by_speed)],
+    ]
+}
+
+impl<E: Endpoint> Iterator for Enclosure<E> {
+    type Item = Event<Interval<E>>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let event = self.listed()?;
+        self.idle = if event.kind == Kind::Impact { 0 } else { self.idle + 1 };
+        Some(event)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,110 @@
+//! A flight from a wall: where it starts, how the walls are seen from there, and how it can end.
+
+use super::expansion::Expansion;
+use super::scaled::{Departure, Scaled};
+use super::swing::REACH;
+use crate::model::Side;
+use numbers::Analytic;
+
+/// The end of a flight.
+#[derive(Clone, Debug)]
+pub(super) struct Arrival<T> {
+    /// The wall.
+    pub side: Side,
+    /// The angle of the forcing since the departure.
+    pub angle: T,
+    /// The flight there, as seen from the wall that was left; `w` points towards the wall.
+    pub there: Expansion<T>,
+    /// The least distance of a dip from a wall, times pi²; infinite where there was none, a lower bound else.
+    pub clearance: f64,
+}
+
+/// Why a flight has no end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Stop {
+    /// Rounding hides whether the ball touches this wall, about so far after the departure.
+    Undecided { wall: Side, angle: f64 },
+    /// The ball meets no wall any more.
+    Unending,
+}
+
+/// A flight: where it starts, and the walls as seen from there.
+#[derive(Debug)]
+pub(super) struct Flight<'a, T> {
+    pub scaled: &'a Scaled<T>,
+    pub from: &'a Departure<T>,
+    pub start: Expansion<T>,
+    /// g as seen from the wall that was left.
+    pub g: T,
+}
+
+impl<'a, T: Analytic> Flight<'a, T> {
+    pub fn new(scaled: &'a Scaled<T>, from: &'a Departure<T>) -> Self {
+        Self {
+            scaled,
+            from,
+            start: Expansion::start(scaled, from),
+            g: from.side.signed(scaled.g.clone()),
+        }
+    }
+
+    /// What the same flight in f64 says, where the number is a wider one: what f64 can tell need not be computed in that.
+    pub fn in_f64<R>(&self, ask: impl FnOnce(&Flight<f64>) -> R) -> Option<R> {
+        let scaled = self.scaled.narrow.as_deref()?;
+        let from = self.from.convert(T::to_f64);
+        let [y, w, push, sin, cos] = [
+            &self.start.y,
+            &self.start.w,
+            &self.start.push,
+            &self.start.sin,
+            &self.start.cos,
+        ]
+        .map(T::to_f64);
+        Some(ask(&Flight {
+            scaled,
+            from: &from,
+            start: Expansion { y, w, push, sin, cos },
+            g: self.g.to_f64(),
+        }))
+    }
+
+    /// Whether a ball without velocity stays: f + g presses it to the wall, or, 0 as far as rounding can tell, is about to.
+    pub fn starts_at_rest(&self) -> bool {
+        let start = &self.start;
+        let push = start.push.to_f64();
+        let turns_to_press = push.abs() <= 4.0 * self.scaled.epsilon && start.sin.to_f64() < 0.0;
+        start.w.is_zero() && !self.from.released && (push > 0.0 || turns_to_press)
+    }
+
+    /// The distance from a wall, seen from the one that was left.
+    pub fn distance(&self, wall: Side, there: &Expansion<T>) -> T {
+        if wall == self.from.side {
+            there.y.clone()
+        } else {
+            self.scaled.gap.clone() - there.y.clone()
+        }
+    }
+
+    /// The rate at which the ball approaches a wall.
+    pub fn approach(&self, wall: Side, there: &Expansion<T>) -> T {
+        if wall == self.from.side {
+            -there.w.clone()
+        } else {
+            there.w.clone()
+        }
+    }
+
+    /// How far rounding may have moved `y` at an angle after the departure.
+    pub fn noise(&self, angle: f64) -> f64 {
+        let start = &self.start;
+        let bent = 0.5 * angle * angle;
+        let size = if angle < REACH {
+            // terms of the series; the push, and with it the second, has an absolute error
+            start.w.to_f64() * angle + bent
+        } else {
+            let drift = start.w.to_f64() + start.sin.to_f64();
+            drift.abs() * angle + self.g.to_f64().abs() * bent + 2.0
+        };
+        4.0 * self.scaled.epsilon * size
+    }
+}

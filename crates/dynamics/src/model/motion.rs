@@ -1,0 +1,197 @@
+//! The non-dimensional parameters of a motion.
+
+use numbers::Analytic;
+use std::fmt;
+
+/// A wall of the capsule.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// Z = +d/2, where impacts have positive velocity.
+    Bottom,
+    /// Z = -d/2, where impacts have negative velocity.
+    Top,
+}
+
+impl fmt::Display for Side {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Bottom => "bottom",
+            Self::Top => "top",
+        })
+    }
+}
+
+impl Side {
+    /// The other wall.
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::Bottom => Self::Top,
+            Self::Top => Self::Bottom,
+        }
+    }
+
+    /// The sign of Z at the wall, and of the velocity towards it.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Bottom => 1.0,
+            Self::Top => -1.0,
+        }
+    }
+
+    /// `value` for the bottom, `-value` for the top.
+    pub fn signed<T: Analytic>(self, value: T) -> T {
+        match self {
+            Self::Bottom => value,
+            Self::Top => -value,
+        }
+    }
+}
+
+/// A parameter that no motion can have.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MotionError {
+    /// The gravity component is NaN or infinite.
+    #[error("g is {found}, must be a finite number")]
+    Gravity {
+        /// What was given.
+        found: f64,
+    },
+    /// The gap is not positive.
+    #[error("d is {found}, must be finite and above 0")]
+    Gap {
+        /// What was given.
+        found: f64,
+    },
+    /// A restitution is outside (0, 1].
+    #[error("{name} is {found}, must be above 0 and at most 1")]
+    Restitution {
+        /// `r_b` or `r_t`.
+        name: &'static str,
+        /// What was given.
+        found: f64,
+    },
+}
+
+/// The four numbers that, with a forcing, fix the motion: gravity along the capsule, gap and restitutions.
+///
+/// Units: time 2 is the forcing period of the paper, lengths and velocities as [`Scales`](super::Scales) says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion<T> {
+    g: T,
+    d: T,
+    r_b: T,
+    r_t: T,
+}
+
+impl<T: Analytic> Motion<T> {
+    /// A motion with gravity `g` (any finite number), gap `d` > 0, restitutions `r_b`, `r_t` in (0, 1].
+    ///
+    /// # Errors
+    /// What is out of range or NaN, by name.
+    pub fn new(g: T, d: T, r_b: T, r_t: T) -> Result<Self, MotionError> {
+        let found = g.to_f64();
+        if !found.is_finite() {
+            return Err(MotionError::Gravity { found });
+        }
+        let found = d.to_f64();
+        if !(found > 0.0 && found.is_finite()) {
+            return Err(MotionError::Gap { found });
+        }
+        for (name, r) in [("r_b", &r_b), ("r_t", &r_t)] {
+            let found = r.to_f64();
+            // 1 - r as well: a wide r just above 1 rounds to 1 in f64
+            let room = (T::one() - r.clone()).to_f64();
+            if !(found > 0.0 && room >= 0.0) {
+                return Err(MotionError::Restitution { name, found });
+            }
+        }
+        Ok(Self { g, d, r_b, r_t })
+    }
+
+    /// M g0 sin(beta) / A: gravity along the capsule in units of the forcing.
+    pub fn g(&self) -> &T {
+        &self.g
+    }
+
+    /// The gap between the walls.
+    pub fn d(&self) -> &T {
+        &self.d
+    }
+
+    /// The restitution of a wall.
+    pub fn restitution(&self, side: Side) -> &T {
+        match side {
+            Side::Bottom => &self.r_b,
+            Side::Top => &self.r_t,
+        }
+    }
+
+    /// The same motion over another number, each parameter through `convert`.
+    ///
+    /// # Errors
+    /// As [`Motion::new`], where a narrower number rounds a parameter out of its range.
+    pub fn convert<U: Analytic>(&self, convert: impl Fn(&T) -> U) -> Result<Motion<U>, MotionError> {
+        let [g, d, r_b, r_t] = [&self.g, &self.d, &self.r_b, &self.r_t].map(convert);
+        Motion::new(g, d, r_b, r_t)
+    }
+
+    /// The motion seen upside down: walls exchanged, gravity reversed. Under a forcing shifted by half a period
+    /// (phase + pi) its flights are the mirror images of this one's.
+    pub fn mirrored(&self) -> Self {
+        Self {
+            g: -self.g.clone(),
+            d: self.d.clone(),
+            r_b: self.r_t.clone(),
+            r_t: self.r_b.clone(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use numbers::Wide;
+
+    #[test]
+    fn what_physics_allows_is_a_motion() {
+        for (g, d, r) in [(-2.0, 1e-9, 1.0), (0.0, 1e9, 1e-9), (1.1, 1.57, 0.8)] {
+            let motion = Motion::new(g, d, r, r).map(|motion| (*motion.g(), *motion.d()));
+            assert_eq!(motion, Ok((g, d)));
+        }
+    }
+
+    #[test]
+    fn what_is_out_of_range_is_named() {
+        let error = |g, d, r_b, r_t| Motion::new(g, d, r_b, r_t).err().map(|error| error.to_string());
+        let says = |text: &str| Some(text.to_string());
+        assert_eq!(
+            error(f64::NAN, 0.3, 0.5, 0.5),
+            says("g is NaN, must be a finite number")
+        );
+        assert_eq!(error(0.1, 0.0, 0.5, 0.5), says("d is 0, must be finite and above 0"));
+        assert!(error(0.1, f64::NAN, 0.5, 0.5).is_some() && error(0.1, f64::INFINITY, 0.5, 0.5).is_some());
+        assert_eq!(
+            error(0.1, 0.3, 0.0, 0.5),
+            says("r_b is 0, must be above 0 and at most 1")
+        );
+        assert_eq!(
+            error(0.1, 0.3, 0.5, 1.5),
+            says("r_t is 1.5, must be above 0 and at most 1")
+        );
+        assert!(error(0.1, 0.3, 0.5, f64::NAN).is_some());
+    }
+
+    #[test]
+    fn a_restitution_above_one_by_thirty_digits_is_still_above_one() {
+        let number = Wide::<40>::from_f64;
+        let above = number(1.0) + number(1e-30);
+        assert!(Motion::new(number(0.1), number(0.3), above, number(0.5)).is_err());
+    }
+
+    #[test]
+    fn the_mirror_image_of_the_mirror_image_is_the_motion() {
+        let motion = Motion::new(0.1, 0.3, 0.6, 0.2).ok();
+        assert!(motion.is_some());
+        assert_eq!(motion.as_ref().map(|motion| motion.mirrored().mirrored()), motion);
+    }
+}

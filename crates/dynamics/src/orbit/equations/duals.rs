@@ -1,0 +1,35 @@
+//! Derivatives of equations by dual numbers: one pass for each unknown.
+
+use numbers::{Analytic, Dual, Endpoint, Interval, seeded};
+use num_dual::DualNum;
+
+/// The values of `D` equations at a point, and their derivatives, one row an equation.
+pub type Linearised<T, const D: usize> = ([T; D], [[T; D]; D]);
+
+/// The values of `equations` at a point, or over a box, and their derivatives; `None` where they have none.
+pub fn by_duals<T: Analytic + DualNum, const D: usize>(
+    equations: impl Fn(&[Dual<T>; D]) -> Option<[Dual<T>; D]>,
+    at: &[T; D],
+) -> Option<Linearised<T, D>> {
+    let pass = |column: usize| {
+        let seeds = std::array::from_fn(|i| {
+            let value = at[i].clone();
+            if i == column {
+                seeded(value)
+            } else {
+                Dual::from_re(value)
+            }
+        });
+        equations(&seeds)
+    };
+    let passes: Vec<[Dual<T>; D]> = (0..D).map(pass).collect::<Option<_>>()?;
+    let values = passes.first()?.each_ref().map(|value| value.re.clone());
+    let slopes = std::array::from_fn(|row| std::array::from_fn(|column| passes[column][row].eps.clone()));
+    Some((values, slopes))
+}
+
+/// Where the equations have no value, as where a parameter is out of its range: nothing is known.
+pub fn unknown<E: Endpoint, const D: usize>() -> Linearised<Interval<E>, D> {
+    let whole = || std::array::from_fn(|_| Interval::whole());
+    (whole(), std::array::from_fn(|_| whole()))
+}

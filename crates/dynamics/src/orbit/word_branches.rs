@@ -1,0 +1,169 @@
+//! The motions of any word followed over a sweep, and the bifurcations on the way.
+
+use crate::model::Exact;
+use crate::model::MotionError;
+use numbers::Interval;
+use crate::orbit::bifurcation::detect::detect;
+use crate::orbit::bifurcation::point::BifurcationPoint;
+use crate::orbit::continuation::branch::{Branch, BranchEnd};
+use crate::orbit::continuation::extended_system::ExtendedSystem;
+use crate::orbit::family::Family;
+use crate::orbit::find::{FoundOrbits, settled};
+use crate::orbit::options::OrbitOptions;
+use crate::orbit::output::{Output, OutputPrecision};
+use crate::orbit::parallel::each;
+use crate::orbit::solve::starts::{brought_near, solve_word};
+use crate::orbit::solve::words::{WordOrbit, moves, search_word_from};
+use crate::orbit::word::Word;
+
+/// A motion found there is known to this, in radians.
+const ROOM: f64 = 1e-9;
+
+/// The branches of motions of a word that a search at some values of the parameter leads to.
+///
+/// Each is followed in both directions, through folds, to where it ends: where the parameter leaves its range, a
+/// velocity or a time is 0, or the motion is one of a shorter word. From each step to the next it is proved that one
+/// curve of motions leads there, and no other passes near it, but where two branches cross.
+///
+/// A motion that goes through a shorter word twice is where the period of the shorter motion doubles: the branch ends
+/// there, in an event [`PeriodDoubling`](crate::orbit::BifurcationKind::PeriodDoubling), whose trace, that of the word followed, is
+/// 1 + Det(DP). A multiplier of 1 is a fold where that is proved, and likely symmetry breaking where the branch goes on.
+///
+/// **Completeness is not claimed**: a branch between two of the values searched may attract no start, and an even
+/// number of like events between two steps is not seen.
+pub struct WordBranches<F> {
+    extended: ExtendedSystem<F>,
+    branches: Vec<Branch>,
+}
+
+impl<F: Family + Sync> WordBranches<F> {
+    /// Follows the motions of `word` over `periods` forcing periods for parameters in `range`.
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn new(
+        family: F,
+        word: &Word,
+        periods: u32,
+        range: Interval<f64>,
+        options: &OrbitOptions,
+    ) -> Result<Self, MotionError> {
+        let extended = ExtendedSystem {
+            family,
+            word: word.spelled(),
+            periods,
+            range,
+            options: *options,
+        };
+        let count = options.branch_starts as usize * word.impacts() * periods as usize;
+        let places =
+            (0..options.branch_values).map(|index| f64::from(index) / f64::from(options.branch_values.max(2) - 1));
+        let places: Vec<f64> = places.collect();
+        let found = each(&places, |place| {
+            let motion = extended.family.motion_at(&Interval::point(extended.parameter(place)))?;
+            search_word_from(count, word, periods, &motion)
+        });
+        let mut branches: Vec<Branch> = Vec::new();
+        for (place, cycles) in places.iter().zip(found) {
+            let cycles = cycles?;
+            for cycle in cycles.iter().filter(|cycle| cycle.is_certified()) {
+                let point = [cycle.phases(), &[*place]].concat();
+                if !branches.iter().any(|branch| branch.holds(&extended, &point, ROOM)) {
+                    branches.extend(Branch::through(&extended, point));
+                }
+            }
+        }
+        Ok(Self { extended, branches })
+    }
+
+    /// The motions at each of the values, in their order, on all cores: each proved by itself, as by
+    /// [`find`](crate::orbit::find()).
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn points<V: Exact + Sync>(&self, values: &[V]) -> Result<Vec<FoundOrbits>, MotionError> {
+        self.points_as(&OutputPrecision::DOUBLES, values)
+    }
+
+    /// The same, told as they are wanted.
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn points_as<W: Output, V: Exact + Sync>(
+        &self,
+        wanted: &W,
+        values: &[V],
+    ) -> Result<Vec<FoundOrbits<W::Number>>, MotionError> {
+        each(values, |value| self.orbits_as(wanted, value))
+            .into_iter()
+            .collect()
+    }
+
+    /// The motions at one value.
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn orbits(&self, value: &impl Exact) -> Result<FoundOrbits, MotionError> {
+        self.orbits_as(&OutputPrecision::DOUBLES, value)
+    }
+
+    /// The same, told as they are wanted.
+    ///
+    /// # Errors
+    /// A parameter out of its range.
+    pub fn orbits_as<W: Output, V: Exact>(&self, wanted: &W, value: &V) -> Result<FoundOrbits<W::Number>, MotionError> {
+        let ExtendedSystem {
+            word, periods, family, ..
+        } = &self.extended;
+        let parameter: Interval<f64> = value.value();
+        let system = crate::orbit::equations::words::WordEquations {
+            motion: family.motion_at(&parameter)?,
+            word: word.clone(),
+            periods: *periods,
+        };
+        let middle = system.convert(Interval::midpoint)?;
+        let place = self.extended.place(parameter.midpoint());
+        let mut cycles: Vec<WordOrbit> = Vec::new();
+        for guess in self.branches.iter().flat_map(|branch| branch.proposals(place)) {
+            let phases = solve_word(&middle, guess).filter(|phases| moves(&middle, phases));
+            let Some(phases) = phases else { continue };
+            let cycle = WordOrbit::near(&system, brought_near(&phases, std::f64::consts::PI));
+            if !cycle.is_of_shorter_word() && !cycles.iter().any(|other| other.is_same(&cycle)) {
+                cycles.push(cycle);
+            }
+        }
+        let fixed = family.fixed(value);
+        let orbits = cycles.iter().map(|cycle| settled(wanted, &fixed, cycle));
+        let mut found = FoundOrbits::new();
+        found.take(word, *periods, orbits.collect());
+        Ok(found)
+    }
+
+    /// Every bifurcation seen on the way, in order of the parameter; those without an error bound are not proved.
+    pub fn bifurcations(&self) -> Vec<BifurcationPoint> {
+        let all = each(&self.branches, |branch| detect(&self.extended, branch));
+        let mut told: Vec<BifurcationPoint> = Vec::new();
+        for point in all.into_iter().flatten() {
+            // a motion that is its own mirror image touches in two flights at once, and two branches may end in one
+            if !told.iter().any(|other| self.is_same(other, &point)) {
+                told.push(point);
+            }
+        }
+        told.sort_by(|one, other| one.parameter.total_cmp(&other.parameter));
+        told
+    }
+
+    fn is_same(&self, one: &BifurcationPoint, other: &BifurcationPoint) -> bool {
+        let near = |one: &[f64], other: &[f64]| one.iter().zip(other).all(|(one, other)| (one - other).abs() < 1e-7);
+        one.kind == other.kind
+            && (one.parameter - other.parameter).abs() < 1e-9 * self.extended.range.width()
+            && near(&one.velocities, &other.velocities)
+            && near(&one.times, &other.times)
+    }
+
+    /// The number of branches, and how many of their ends are no end: where no step on could be made.
+    pub fn branches(&self) -> (usize, usize) {
+        let ends = self.branches.iter().flat_map(|branch| branch.ends);
+        (self.branches.len(), ends.filter(|end| *end == BranchEnd::Lost).count())
+    }
+}
