@@ -12,7 +12,6 @@ use super::spelling::{
 };
 use super::symbols::{MapEntry, Symbols};
 use super::vocabulary::Vocabulary;
-#[cfg(feature = "audit")]
 use crate::tex::Equation;
 use crate::tex::{Name, Tree, nearest};
 use serde::Deserialize;
@@ -196,7 +195,6 @@ impl Sheet {
 
     /// Puts other formulas in the place of those of the entry at a position: what it states, and as many definitions of
     /// `where` as it has. What cannot be read then is `unread` as it would be in a sheet.
-    #[cfg(feature = "audit")]
     pub(crate) fn replace(&mut self, position: usize, equations: Vec<Equation>, local: Vec<Equation>) {
         let Some(entry) = self.entries.get_mut(position) else {
             return;

@@ -35,7 +35,6 @@ pub use figures::Figures;
 pub use outcome::Outcome;
 pub use printed::{COLUMNS as PRINTED_COLUMNS, Printed};
 pub use quantity::{Across, FieldName, NoQuantity, Quantity};
-#[cfg(feature = "cli")]
 pub(crate) use records::Lines;
 pub use records::Record;
 pub use request::{Answer, Asked, Request};

@@ -1,5 +1,4 @@
 //! `audit` of several files, of documents with printed numbers, and against a baseline: one document of the format, one status.
-#![cfg(feature = "cli")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -5,7 +5,6 @@ mod audits;
 mod check;
 mod cli;
 mod columns;
-mod features;
 mod fuzz;
 mod hostile;
 mod merge;

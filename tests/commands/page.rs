@@ -1,5 +1,4 @@
 //! The report page and the findings of `audit`: what a referee attaches, and what CI shows.
-#![cfg(feature = "cli")]
 
 use std::collections::HashSet;
 use std::fs;

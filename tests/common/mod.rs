@@ -5,7 +5,6 @@
 pub mod attacks;
 pub mod formulas;
 pub mod judge;
-pub mod motions;
 pub mod mutants;
 pub mod paper;
 pub mod rewrite;

@@ -1,8 +1,9 @@
 //! Impacts, simulation, sweeps and trajectories, and their bounds.
 
 mod basins;
-mod bounds;
+mod many_digits;
 mod map;
+mod optimum;
 mod simulate;
 mod sweep;
 mod swept_voltages;

@@ -5,11 +5,8 @@
 //! condition at a time. `mutants.py` breaks the kernel's own code, a line at a time, and says what these tests do not
 //! notice.
 
-#![cfg(feature = "kernel")]
-
 mod attacks;
 mod axioms;
-#[cfg(feature = "audit")]
 mod breaks;
 mod digits;
 mod forge;

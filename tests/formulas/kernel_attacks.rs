@@ -1,7 +1,5 @@
 //! Certificates and witnesses made by hand to deceive the kernel: each would give a wrong verdict if it were accepted.
 
-#![cfg(feature = "kernel")]
-
 use num_traits::{One, Zero};
 use vibro_audit::claim::{Sheet, Statements, vocabulary};
 use vibro_audit::kernel::{

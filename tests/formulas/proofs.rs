@@ -1,7 +1,5 @@
 //! Proofs and counterexamples checked by Python, by a checker that shares no line with the kernel.
 
-#![cfg(feature = "audit")]
-
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -196,7 +194,7 @@ fn a_script_prints_the_claim_as_read_its_reductions_and_the_goal() {
     }
 }
 
-#[cfg(all(feature = "cli", unix))]
+#[cfg(unix)]
 #[test]
 fn an_export_that_is_killed_leaves_no_directory_and_no_script_that_accepts() {
     let directory = directory("killed");

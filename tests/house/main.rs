@@ -1,6 +1,6 @@
 //! The rules of the house, held by tests: who may use whom, that no files import each other in circles, and that no golden
 //! file lies about unused. Each rule is a function that is itself shown sources that break it. That nothing panics by its own word is
-//! clippy's to say: `src/lib.rs` denies it.
+//! clippy's to say: each `lib.rs` denies it.
 
 mod golden;
 mod imports;
@@ -49,13 +49,34 @@ fn collect(path: &Path, name: &str, found: &mut Vec<File>) {
     }
 }
 
+/// The sources of the program.
 fn sources() -> Vec<File> {
-    let sources: Vec<File> = files("src")
-        .into_iter()
-        .filter(|file| file.path.ends_with(".rs"))
-        .collect();
+    let sources = rust("src");
     assert!(sources.len() > 5, "the sources were not found");
     sources
+}
+
+fn rust(place: &str) -> Vec<File> {
+    let all = files(place).into_iter();
+    all.filter(|file| file.path.ends_with(".rs")).collect()
+}
+
+/// The sources of each other crate, by their paths from its own directory.
+fn crates() -> Vec<Vec<File>> {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("crates");
+    let names = fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().file_name());
+    let crates: Vec<Vec<File>> = names
+        .map(|name| {
+            let place = format!("crates/{}/", name.to_string_lossy());
+            let of_crate = |file: File| File::new(&file.path[place.len()..], &file.text);
+            rust(&format!("{place}src")).into_iter().map(of_crate).collect()
+        })
+        .collect();
+    assert!(
+        crates.iter().all(|sources| !sources.is_empty()),
+        "a crate without sources"
+    );
+    crates
 }
 
 fn assert_clean(complaints: &[String]) {
@@ -75,11 +96,14 @@ fn each_folder_uses_only_what_stands_before_it_in_its_stack() {
 #[test]
 fn files_import_each_other_in_no_circle() {
     assert_clean(&imports::circles(&sources()));
+    for sources in crates() {
+        assert_clean(&imports::circles(&sources));
+    }
 }
 
 #[test]
 fn every_golden_file_is_named_where_it_is_used() {
-    let places = ["src", "tests", "benches", "README.md", ".ci"];
+    let places = ["src", "crates", "tests", "benches", "README.md", ".ci"];
     // These tests name golden files that do not exist, to show that the check can fail.
     let users: Vec<File> = places
         .into_iter()

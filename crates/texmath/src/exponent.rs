@@ -5,8 +5,8 @@ use super::reader::Reader;
 use super::symbol::base;
 use super::token::{Kind, Token};
 use super::{At, Tree};
-use numbers::{Field, Rational};
 use num_traits::Zero;
+use numbers::{Field, Rational};
 
 /// The largest integer exponent that is read.
 const HIGHEST: i32 = 1000;

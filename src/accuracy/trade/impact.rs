@@ -116,7 +116,6 @@ enum Way {
     /// The first step of [`SCANNED`] across a wall, halved until it is no longer than 10^-n.
     Bisection(i32),
     /// Adaptive integration to a tolerance of 10^-n.
-    #[cfg(feature = "integration")]
     Integration(i32),
     /// [`next_impact`]: the crossing bracketed between the turning points, then Newton's method.
     Bracketing,
@@ -133,7 +132,6 @@ const STEPS: [i32; 7] = [-3, -5, -7, -9, -11, -13, -15];
 const WIDTHS: [i32; 8] = [3, 4, 6, 9, 12, 15, 20, 30];
 
 /// Tolerances of adaptive integration, as powers of 1/10.
-#[cfg(feature = "integration")]
 const TOLERANCES: [i32; 7] = [2, 4, 6, 8, 10, 12, 14];
 
 impl Means<Point> for Way {
@@ -141,7 +139,6 @@ impl Means<Point> for Way {
         match self {
             Self::FixedStep(_) => "fixed-step",
             Self::Bisection(_) => "bisection",
-            #[cfg(feature = "integration")]
             Self::Integration(_) => "dop853",
             Self::Bracketing => "bracketing",
             Self::Own => "own",
@@ -153,7 +150,6 @@ impl Means<Point> for Way {
         match self {
             Self::FixedStep(exponent) => format!("step=2^{exponent}"),
             Self::Bisection(zeros) => format!("width=1e-{zeros}"),
-            #[cfg(feature = "integration")]
             Self::Integration(zeros) => format!("tol=1e-{zeros}"),
             _ => String::new(),
         }
@@ -167,7 +163,6 @@ impl Means<Point> for Way {
         match self {
             // its error is that of the step, in any number
             Self::FixedStep(_) => OF_THE_MACHINE,
-            #[cfg(feature = "integration")]
             Self::Integration(_) => &[Rung::Double],
             // no narrower than a rounding of the time
             Self::Bisection(..=6) => &EVERY[..3],
@@ -192,7 +187,6 @@ impl Means<Point> for Way {
         let found = match self {
             Self::FixedStep(exponent) => by_steps(&flight()?, 2_f64.powi(*exponent)),
             Self::Bisection(zeros) => by_bisection(&flight()?, 0.1_f64.powi(*zeros)),
-            #[cfg(feature = "integration")]
             Self::Integration(zeros) => {
                 let phase = <T as Analytic>::from_f64(point.phase);
                 let given = [motion.g(), &phase];
@@ -270,7 +264,6 @@ fn by_bisection<T: Machine>(flight: &Flight<T>, width: f64) -> Option<Vec<T>> {
 pub(super) fn rows(options: &TradeOptions) -> Result<Vec<TradeRow>, TradeError> {
     let mut means: Vec<Way> = STEPS.map(Way::FixedStep).to_vec();
     means.extend(WIDTHS.map(Way::Bisection));
-    #[cfg(feature = "integration")]
     means.extend(TOLERANCES.map(Way::Integration));
     means.extend([Way::Bracketing, Way::Own, Way::Enclosure]);
     let mut rows = Vec::new();

@@ -5,7 +5,6 @@ mod clock;
 mod contest;
 mod dp;
 mod impact;
-#[cfg(feature = "integration")]
 mod integration;
 mod machine;
 mod multipliers;

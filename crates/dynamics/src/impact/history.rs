@@ -11,8 +11,8 @@ use numbers::{
     Analytic, Decimal, Decimals, Digits, DoubleDouble, Doubles, Endpoint, FIGURES_OF_F64, Field, Interval, Rung,
     Telling, Told as Number, at_digits,
 };
-use stop;
 use std::collections::VecDeque;
+use stop;
 
 /// How much of a motion is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]

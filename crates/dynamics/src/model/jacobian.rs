@@ -6,9 +6,9 @@ use super::flight::Impact;
 use super::flight::{Flight, FlightError, State};
 use super::forcing::Forcing;
 use super::motion::{Motion, MotionError};
-use numbers::{Analytic, Dual, seeded};
 use nalgebra::Matrix2;
 use num_dual::DualNum;
+use numbers::{Analytic, Dual, seeded};
 
 /// A flight whose duration is known: the point at which the derivative of a one-impact map is wanted.
 ///

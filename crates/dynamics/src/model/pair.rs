@@ -5,8 +5,8 @@ use super::flight::Impact;
 use super::forcing::Forcing;
 use super::jacobian::{JacobianError, Passage, not_zero};
 use super::motion::{Motion, Side};
-use numbers::Analytic;
 use nalgebra::Matrix2;
+use numbers::Analytic;
 
 /// Two flights that close a motion: P_2 after P_1, t_{k+2} = t_k and a whole number of periods.
 #[derive(Clone, Debug, PartialEq)]

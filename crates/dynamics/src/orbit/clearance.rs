@@ -1,8 +1,8 @@
 //! How far a flight keeps off the walls where it turns.
 
-use numbers::{Analytic, Endpoint, Field, Interval};
 use crate::orbit::equations::flight::HarmonicFlight;
 use crate::orbit::inconclusive::{Inconclusive, Property, undecided};
+use numbers::{Analytic, Endpoint, Field, Interval};
 use std::f64::consts::PI;
 
 /// A flight between two impacts whose start and duration are enclosed. Its launch velocity is decided to lead off its wall,

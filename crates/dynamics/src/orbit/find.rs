@@ -1,7 +1,6 @@
 //! Every motion that is asked for, to the last digit of f64, with what could not be decided.
 
 use crate::model::{MotionError, Parameters};
-use numbers::{Analytic, DoubleDouble, Interval, Told};
 use crate::orbit::inconclusive::Inconclusive;
 use crate::orbit::interval_box::{IntervalBox, joined};
 use crate::orbit::output::{Output, OutputPrecision};
@@ -12,6 +11,7 @@ use crate::orbit::solve::one_one::{again, isolate_one_one};
 use crate::orbit::solve::words;
 use crate::orbit::solve::words::WordOrbit;
 use crate::orbit::word::Word;
+use numbers::{Analytic, DoubleDouble, Interval, Told};
 
 /// Motions found, and the boxes in which more may be.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,6 @@
 
 use crate::model::Exact;
 use crate::model::MotionError;
-use numbers::Interval;
 use crate::orbit::bifurcation::one_one::{Bifurcations, LocatedBifurcation, bifurcations};
 use crate::orbit::bifurcation::point::BifurcationPoint;
 use crate::orbit::equations::conditions::BifurcationKind;
@@ -18,6 +17,7 @@ use crate::orbit::solve::cover::{Cover, CoverError};
 use crate::orbit::solve::isolate::{SearchLimits, isolate};
 use crate::orbit::solve::one_one::OneOneSearch;
 use crate::orbit::word::Word;
+use numbers::Interval;
 
 /// The ends of a piece of the range that is covered by itself are in this ratio at most: at a small d motions change with
 /// d itself, not with the range.

@@ -1,12 +1,12 @@
 //! A periodic motion of which every value is an enclosure.
 
 use crate::model::{Motion, Side};
-use numbers::{Analytic, Endpoint, Field, Interval};
 use crate::orbit::clearance::{OrbitFlight, least};
 use crate::orbit::equations::flight::{HarmonicFlight, OrbitImpact};
 use crate::orbit::inconclusive::{Inconclusive, Property, undecided};
 use crate::orbit::stability::{FlightJacobian, Multiplier, OrbitKind, determinant, loss_factor, multipliers, trace};
 use crate::orbit::word::Word;
+use numbers::{Analytic, Endpoint, Field, Interval};
 
 /// A periodic motion: its impacts, its stability and whether it keeps off the walls between them.
 ///

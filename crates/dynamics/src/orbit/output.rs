@@ -2,10 +2,6 @@
 
 use crate::model::{Exact, Parameters};
 use crate::model::{Motion, MotionError, Side};
-use numbers::{
-    Decimal, Decimals, Digits, DoubleDouble, Doubles, Endpoint, FIGURES_OF_F64, Interval, Rung, Supported, Telling,
-    Told, at_digits,
-};
 use crate::orbit::bifurcation::one_one::LocatedBifurcation;
 use crate::orbit::bifurcation::point::BifurcationPoint;
 use crate::orbit::family::Family;
@@ -13,6 +9,10 @@ use crate::orbit::inconclusive::{Inconclusive, Property};
 use crate::orbit::options::OrbitOptions;
 use crate::orbit::proved_orbit::ProvedOrbit;
 use crate::orbit::rounding::RoundedOrbit;
+use numbers::{
+    Decimal, Decimals, Digits, DoubleDouble, Doubles, Endpoint, FIGURES_OF_F64, Interval, Rung, Supported, Telling,
+    Told, at_digits,
+};
 
 /// What becomes of what was proved: rows of numbers, each computed over the narrowest number that will do.
 pub trait Output: Sync {

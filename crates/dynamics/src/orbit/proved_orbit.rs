@@ -1,7 +1,6 @@
 //! A motion of any word that is proved to be there, and its orbit over any number.
 
 use crate::model::{Motion, Parameters};
-use numbers::{DoubleDouble, Endpoint, Interval};
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::inconclusive::{Inconclusive, Property};
 use crate::orbit::orbit::Orbit;
@@ -9,6 +8,7 @@ use crate::orbit::solve::krawczyk::{ProvedRoot, prove_over};
 use crate::orbit::solve::refine::refine_one_one;
 use crate::orbit::solve::words::WordOrbit;
 use crate::orbit::word::Word;
+use numbers::{DoubleDouble, Endpoint, Interval};
 
 /// A motion known to be there, not yet to the last digit.
 pub enum ProvedOrbit<'a> {

@@ -1,11 +1,11 @@
 //! An orbit as numbers of a table, with the bound of its errors.
 
-use numbers::{Doubles, Endpoint, Interval, Rung, Telling, Told};
 use crate::orbit::bifurcation::point::not_below_zero;
 use crate::orbit::interval_box::larger;
 use crate::orbit::orbit::Orbit;
 use crate::orbit::stability::{Multiplier, OrbitKind};
 use crate::orbit::word::Word;
+use numbers::{Doubles, Endpoint, Interval, Rung, Telling, Told};
 
 /// An orbit as numbers: a row of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -128,9 +128,9 @@ impl<E: Endpoint> Orbit<E> {
 mod tests {
     use super::*;
     use crate::model::Motion;
-    use numbers::Field;
     use crate::orbit::options::OrbitOptions;
     use crate::orbit::solve::words::search_word;
+    use numbers::Field;
 
     type Line = Interval<f64>;
 

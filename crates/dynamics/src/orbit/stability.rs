@@ -2,8 +2,8 @@
 
 #[cfg(any(test, feature = "calls"))]
 use crate::model::calls::{self, Call};
-use numbers::{Analytic, Field};
 use nalgebra::Matrix2;
+use numbers::{Analytic, Field};
 use std::fmt;
 
 /// What the derivative of a one-impact map is made of: the impact a flight starts from, and the flight.

@@ -1,8 +1,8 @@
 //! The voltages of a periodic motion, enclosed.
 
 use crate::model::{Membrane, Side};
-use numbers::{Analytic, Field, Interval, Told, Wide};
 use crate::orbit::rounding::RoundedOrbit;
+use numbers::{Analytic, Field, Interval, Told, Wide};
 
 /// More digits than are told of any orbit.
 const DIGITS: usize = 60;

@@ -2,7 +2,6 @@
 
 use crate::model::Exact;
 use crate::model::MotionError;
-use numbers::Interval;
 use crate::orbit::bifurcation::detect::detect;
 use crate::orbit::bifurcation::point::BifurcationPoint;
 use crate::orbit::continuation::branch::{Branch, BranchEnd};
@@ -15,6 +14,7 @@ use crate::orbit::parallel::each;
 use crate::orbit::solve::starts::{brought_near, solve_word};
 use crate::orbit::solve::words::{WordOrbit, moves, search_word_from};
 use crate::orbit::word::Word;
+use numbers::Interval;
 
 /// A motion found there is known to this, in radians.
 const ROOM: f64 = 1e-9;

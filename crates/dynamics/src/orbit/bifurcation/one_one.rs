@@ -4,7 +4,6 @@
 //! two between neighbouring values of a sweep are found like one.
 
 use crate::model::{Motion, Side};
-use numbers::{Endpoint, Field, Interval};
 use crate::orbit::bifurcation::point::{EnclosedBifurcation, clearance_at};
 use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind};
 use crate::orbit::equations::one_one::OneOneEquations;
@@ -19,6 +18,7 @@ use crate::orbit::solve::krawczyk::{ProvedRoot, distinct_phases, is_shifted, pro
 use crate::orbit::word::Word;
 use num_dual::DualNum;
 use num_traits::One;
+use numbers::{Endpoint, Field, Interval};
 
 /// The conditions on a 1-1 motion of one equation each: on its multipliers, and an impact of velocity 0.
 const CONDITIONS: [BifurcationCondition; 6] = [

@@ -1,13 +1,13 @@
 //! The motion at a bifurcation: enclosed, and rounded to a row of a table. The same for 1-1 motions and other words.
 
 use crate::model::{Motion, Side};
-use numbers::{Analytic, Endpoint, Field, Interval, Rung, Telling, Told};
 use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind};
 use crate::orbit::equations::flight::OrbitImpact;
 use crate::orbit::inconclusive::{Inconclusive, Property, undecided};
 use crate::orbit::interval_box::larger;
 use crate::orbit::orbit::{clearance, reduced};
 use crate::orbit::word::Word;
+use numbers::{Analytic, Endpoint, Field, Interval, Rung, Telling, Told};
 
 /// Where an impact has velocity 0, a flight starts and ends on the wall itself. Its turning points are those of the motion
 /// with this velocity instead, towards the wall: on the side of the bifurcation on which there are motions.

@@ -1,7 +1,6 @@
 //! The bifurcations of motions of any word: their equations beside those of the word, proved and located.
 
 use crate::model::Side;
-use numbers::{Analytic, DoubleDouble, Doubles, Endpoint, Field, Interval, Rung};
 use crate::orbit::bifurcation::point::{BifurcationPoint, EnclosedBifurcation, clearance_at};
 use crate::orbit::continuation::extended_system::ExtendedSystem;
 use crate::orbit::continuation::test_functions::TestFunctions;
@@ -18,6 +17,7 @@ use crate::orbit::solve::newton::{Ending, newton_by_duals};
 use crate::orbit::stability::{determinant, trace};
 use crate::orbit::word::Word;
 use num_dual::DualNum;
+use numbers::{Analytic, DoubleDouble, Doubles, Endpoint, Field, Interval, Rung};
 
 /// The equations of a word and a condition, in the phases, the parameter and, for a touch, its time.
 pub(crate) struct ConditionedWord<'a, F> {

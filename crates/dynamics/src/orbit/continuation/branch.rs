@@ -340,12 +340,12 @@ pub(crate) const TOGETHER: f64 = 1e-4;
 mod tests {
     use super::*;
     use crate::model::Motion;
-    use numbers::Interval;
     use crate::orbit::continuation::extended_system::ExtendedSystem;
     use crate::orbit::family::Family;
     use crate::orbit::interval_box::apart;
     use crate::orbit::solve::starts::brought_near;
     use crate::orbit::solve::words::search_word;
+    use numbers::Interval;
     use std::f64::consts::PI;
 
     #[test]

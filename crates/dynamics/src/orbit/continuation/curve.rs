@@ -1,9 +1,9 @@
 //! A curve, the solutions of one equation less than unknowns: its points and tangents, in f64.
 
-use numbers::Interval;
 use crate::orbit::interval_box::apart;
 use crate::orbit::solve::newton::{Ending, newton};
 use nalgebra::{DMatrix, DVector};
+use numbers::Interval;
 
 /// How Newton's method ends: from a good prediction it takes three steps.
 const ENDING: Ending = Ending {

@@ -1,6 +1,5 @@
 //! The motions of a word along a parameter: a curve in the phases and the parameter, followed in f64.
 
-use numbers::{Analytic, Dual, Interval, seeded};
 use crate::orbit::continuation::branch::{BranchEnd, BranchPoint, Continued, TOGETHER};
 use crate::orbit::continuation::curve::CurveEquations;
 use crate::orbit::continuation::test_functions::TestFunctions;
@@ -11,6 +10,7 @@ use crate::orbit::options::OrbitOptions;
 use crate::orbit::solve::starts::{brought_near, listed_from};
 use crate::orbit::word::Word;
 use num_dual::DualNum;
+use numbers::{Analytic, Dual, Interval, seeded};
 use std::f64::consts::PI;
 use std::ops::Range;
 

@@ -1,9 +1,9 @@
 //! The proof that one curve of solutions, and no other, leads from a point to the next.
 
-use numbers::{Field, Interval};
 use crate::orbit::continuation::curve::{CurveEquations, dot};
 use crate::orbit::interval_box::apart;
 use crate::orbit::solve::contraction::{contraction, largest, times};
+use numbers::{Field, Interval};
 
 /// How wide a tube is, as a part of its length.
 const SLENDER: f64 = 0.25;

@@ -163,9 +163,9 @@ fn zero(value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64, low: f64, high: 
 mod tests {
     use super::*;
     use crate::model::Motion;
-    use numbers::Interval;
     use crate::orbit::options::OrbitOptions;
     use crate::orbit::solve::words::search_word;
+    use numbers::Interval;
 
     #[test]
     fn the_gauge_agrees_with_the_enclosures_of_a_motion() {

@@ -7,11 +7,11 @@
 //! twice the period becomes one of unstable ones.
 
 use crate::model::Motion;
-use numbers::{Analytic, Dual};
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::word::Word;
 use num_dual::DualNum;
+use numbers::{Analytic, Dual};
 
 /// The part of s³, times a factor that is not 0 where the entries of F' that are in `kernels` are not: of this row q, of
 /// this column the left kernel.

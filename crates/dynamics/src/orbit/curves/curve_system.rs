@@ -1,7 +1,6 @@
 //! The equations of curves of bifurcations and of the special points on them, in both parameters.
 
 use crate::model::{Motion, Side};
-use numbers::{Analytic, Dual, Interval, seeded};
 use crate::orbit::continuation::branch::{BranchEnd, BranchPoint, Continued};
 use crate::orbit::continuation::curve::{CurveEquations, dot};
 use crate::orbit::continuation::extended_system::parameter_at;
@@ -21,6 +20,7 @@ use crate::orbit::solve::krawczyk::{ProvedRoot, prove};
 use crate::orbit::solve::newton::{Ending, newton_by_duals};
 use crate::orbit::word::Word;
 use num_dual::DualNum;
+use numbers::{Analytic, Dual, Interval, seeded};
 use std::f64::consts::TAU;
 use std::ops::Range;
 

@@ -1,7 +1,6 @@
 //! A curve of bifurcations as the points that are reported: its steps, its special points and its ends.
 
 use crate::model::Side;
-use numbers::{Doubles, Interval};
 use crate::orbit::bifurcation::one_one::KnownMotion;
 use crate::orbit::bifurcation::point::{BifurcationPoint, EnclosedBifurcation};
 use crate::orbit::continuation::branch::{Branch, BranchEnd, BranchPoint};
@@ -11,6 +10,7 @@ use crate::orbit::curves::curve_system::{CurveCondition, CurveFunctions, CurveSy
 use crate::orbit::curves::special_points::{Found, SAME, SpecialPoint, on_piece};
 use crate::orbit::equations::conditions::BifurcationCondition::{MultiplierOne, ZeroVelocity};
 use crate::orbit::family::ParameterPlane;
+use numbers::{Doubles, Interval};
 
 /// A point of a curve of bifurcations over two parameters.
 #[derive(Clone, Debug, PartialEq)]
@@ -239,9 +239,9 @@ fn motion_at<P: ParameterPlane>(
 mod tests {
     use super::*;
     use crate::model::{Motion, MotionError};
-    use numbers::Analytic;
     use crate::orbit::continuation::curve::{CurveEquations, dot};
     use crate::orbit::equations::conditions::BifurcationCondition;
+    use numbers::Analytic;
 
     /// The paper's device over d and r_B.
     struct Device;

@@ -1,6 +1,5 @@
 //! All curves of bifurcations of 1-1 motions over two parameters that lines across their rectangle lead to.
 
-use numbers::{Analytic, Interval};
 use crate::orbit::bifurcation::one_one::LocatedBifurcation;
 use crate::orbit::continuation::branch::Branch;
 use crate::orbit::continuation::curve::{CurveEquations, dot};
@@ -14,6 +13,7 @@ use crate::orbit::one_one_branches::OneOneBranches;
 use crate::orbit::options::OrbitOptions;
 use crate::orbit::parallel::each;
 use crate::orbit::solve::cover::CoverError;
+use numbers::{Analytic, Interval};
 use std::collections::VecDeque;
 
 /// A bifurcation found on a line is known to this, in radians, times and parts of a range.

@@ -1,9 +1,9 @@
 //! The conditions that a motion meets at a bifurcation, and the kinds of bifurcations.
 
 use crate::model::Side;
-use numbers::Analytic;
 use crate::orbit::equations::flight::HarmonicFlight;
 use crate::orbit::stability::{FlightJacobian, loss_factor, product};
+use numbers::Analytic;
 use std::fmt;
 
 /// A bifurcation of codimension one, or a change of kind.

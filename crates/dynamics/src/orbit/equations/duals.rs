@@ -1,7 +1,7 @@
 //! Derivatives of equations by dual numbers: one pass for each unknown.
 
-use numbers::{Analytic, Dual, Endpoint, Interval, seeded};
 use num_dual::DualNum;
+use numbers::{Analytic, Dual, Endpoint, Interval, seeded};
 
 /// The values of `D` equations at a point, and their derivatives, one row an equation.
 pub type Linearised<T, const D: usize> = ([T; D], [[T; D]; D]);

@@ -19,10 +19,10 @@
 //! which hold for rho = 1, g = 0, velocities of 0 and T_1 = r_T T_2 as for any other.
 
 use crate::model::{Motion, Side};
-use numbers::{Analytic, Endpoint, Interval};
 use crate::orbit::equations::flight::{HarmonicFlight, OrbitImpact};
 use crate::orbit::equations::square_system::{Decision, SquareSystem, not_excluded};
 use crate::orbit::interval_box::IntervalBox;
+use numbers::{Analytic, Endpoint, Interval};
 
 /// The equations of the 1-1 motions of a [`Motion`] that take `periods` periods of the forcing f = cos(phase).
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,6 @@
 //! The equations of the bifurcations of 1-1 motions, as systems to be isolated.
 
 use crate::model::{MotionError, Side};
-use numbers::{Analytic, Endpoint, Field, Interval};
 use crate::orbit::equations::conditions::BifurcationCondition;
 use crate::orbit::equations::duals::{Linearised, by_duals, unknown};
 use crate::orbit::equations::one_one::OneOneEquations;
@@ -11,6 +10,7 @@ use crate::orbit::family::Family;
 use crate::orbit::interval_box::IntervalBox;
 use num_dual::DualNum;
 use num_traits::Zero;
+use numbers::{Analytic, Endpoint, Field, Interval};
 
 /// h_1, h_2 and the equations of a condition, in (T_1, psi, parameter) or, for a touch, (T_1, psi, parameter, time
 /// from the impact at the wall that is touched).

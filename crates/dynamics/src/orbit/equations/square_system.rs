@@ -1,8 +1,8 @@
 //! A small system of equations, as intervals see it.
 
-use numbers::{Endpoint, Interval};
 use crate::orbit::equations::duals::Linearised;
 use crate::orbit::interval_box::IntervalBox;
+use numbers::{Endpoint, Interval};
 
 /// `D` equations in `D` unknowns.
 pub trait SquareSystem<E: Endpoint, const D: usize> {

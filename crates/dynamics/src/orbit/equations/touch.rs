@@ -11,8 +11,8 @@
 //! - 2 w' = g + j_0(x) cos m - j_1(x) sin m, with + j_1 in reversed time.
 
 use crate::model::Side;
-use numbers::Analytic;
 use crate::orbit::equations::one_one::OneOneEquations;
+use numbers::Analytic;
 
 /// The motion of the ball close to an impact: after it, or in reversed time before it.
 #[derive(Clone, Debug)]
@@ -125,8 +125,8 @@ pub fn spherical_bessel<T: Analytic>(x: &T) -> [T; 2] {
 mod tests {
     use super::*;
     use crate::model::Motion;
-    use numbers::{Dual, Field, Interval, Sequence, seeded};
     use crate::orbit::equations::conditions::touch_excess;
+    use numbers::{Dual, Field, Interval, Sequence, seeded};
 
     #[test]
     fn series_and_closed_form_of_the_bessel_functions_agree_and_their_derivatives_are_enclosed() {

@@ -1,9 +1,9 @@
 //! The equations (9) to (13) of any word, in the phases of its impacts alone.
 
 use crate::model::{Map, Motion};
-use numbers::{Analytic, Gradient};
 use crate::orbit::equations::flight::{FlightBoundaryDerivatives, FlightBoundaryValues, OrbitImpact};
 use crate::orbit::word::Word;
+use numbers::{Analytic, Gradient};
 
 /// A word at a motion: as many equations as impacts, in the phases of the impacts.
 ///

@@ -4,10 +4,10 @@ use crate::impact::Event;
 use crate::model::Motion;
 #[cfg(any(test, feature = "calls"))]
 use crate::model::calls::{self, Call};
-use numbers::Analytic;
 use crate::orbit::long_run::attractor::Attractor;
 use crate::orbit::stability::FlightJacobian;
 use nalgebra::Matrix2;
+use numbers::Analytic;
 
 /// The largest Lyapunov exponent of a cycle, per unit of time (the forcing period is 2): that of its multipliers,
 /// ln |lambda| / (2 periods), as accurate as the cycle; minus infinity through a rest, which wipes every distance out.

@@ -2,7 +2,6 @@
 
 use crate::impact::Event;
 use crate::model::{MotionError, Parameters};
-use numbers::Interval;
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::find::settled;
 use crate::orbit::long_run::attractor::Attractor;
@@ -11,6 +10,7 @@ use crate::orbit::rounding::RoundedOrbit;
 use crate::orbit::solve::starts::{listed_from, solve_word};
 use crate::orbit::solve::words::WordOrbit;
 use crate::orbit::word::Word;
+use numbers::Interval;
 use std::f64::consts::TAU;
 
 /// A simulated cycle is farther from the motion it comes to than its rounding, as long as it still settles; Newton's

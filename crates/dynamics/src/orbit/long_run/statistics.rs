@@ -421,8 +421,8 @@ fn variance_of_sum(series: impl ExactSizeIterator<Item = f64>) -> f64 {
 mod tests {
     use super::*;
     use crate::impact::Start;
-    use numbers::Sequence;
     use crate::orbit::{SteadyState, lyapunov};
+    use numbers::Sequence;
 
     fn measured(motion: &Motion<f64>, length: AveragingLength) -> Option<Statistics> {
         let (side, phase, velocity) = (Side::Bottom, 6.18, 0.5293);

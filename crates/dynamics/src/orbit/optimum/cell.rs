@@ -1,11 +1,11 @@
 //! What holds of every device and motion in a box, and what it is worth at most.
 
 use crate::model::Side;
-use numbers::{Analytic, Dual, Field, Interval, seeded};
 use crate::orbit::equations::flight::HarmonicFlight;
 use crate::orbit::interval_box::{IntervalBox, width};
 use crate::orbit::optimum::design::{Choice, Devices};
 use crate::orbit::optimum::explicit::{ExplicitOneOne, Restitutions};
+use numbers::{Analytic, Dual, Field, Interval, seeded};
 
 /// The unknowns: the two parameters of the capsule, T_1, the phase halfway through the flight from bottom to top.
 pub const UNKNOWNS: usize = 4;

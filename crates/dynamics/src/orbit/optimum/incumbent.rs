@@ -1,7 +1,6 @@
 //! Good devices by local search in f64, and the proof that one of them is what it seems.
 
 use crate::model::Motion;
-use numbers::{Interval, Sequence};
 use crate::orbit::clearance::{OrbitFlight, least};
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::optimum::design::{Choice, Devices};
@@ -12,6 +11,7 @@ use crate::orbit::solve::one_one::newton_one_one;
 use crate::orbit::solve::proposals::propose;
 use crate::orbit::word::Word;
 use nalgebra::{DMatrix, DVector};
+use numbers::{Interval, Sequence};
 
 /// A device and its best motion, in f64: likely, not proved.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,9 +3,9 @@
 //! A search takes the same steps each time: only what it found in each box has to be known to be where it was. The devices
 //! are looked for and proved again.
 
-use numbers::Interval;
 use crate::orbit::interval_box::is_subset;
 use crate::orbit::optimum::cell::{Cell, UNKNOWNS};
+use numbers::Interval;
 use std::cmp::Ordering;
 use std::convert::Infallible;
 use std::fmt;

@@ -5,7 +5,6 @@
 //! Using Interval Analysis*, 2004, ch. 12). What was dropped cannot hold the optimum; the largest bound of what is left
 //! encloses it from above.
 
-use numbers::Interval;
 use crate::orbit::interval_box::width;
 use crate::orbit::optimum::cell::{Cell, Constraint, Examined, Form, Formulas, Outcome, UNKNOWNS};
 use crate::orbit::optimum::design::Choice;
@@ -14,8 +13,9 @@ use crate::orbit::optimum::record::{Left, SearchBatch, SearchOutcomes, SearchRec
 use crate::orbit::optimum::sensitivity::sensitivities;
 use crate::orbit::optimum::supremum::{Active, active, is_attained};
 use crate::orbit::parallel::each;
-use stop::{self, Token};
+use numbers::Interval;
 use std::collections::BinaryHeap;
+use stop::{self, Token};
 
 /// How far a search for the optimum goes.
 #[derive(Clone, Copy, Debug, PartialEq)]

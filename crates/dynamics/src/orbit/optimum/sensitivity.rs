@@ -1,10 +1,10 @@
 //! How the voltage changes with each parameter of a device, the motion followed.
 
 use crate::model::Motion;
-use numbers::{Dual, seeded};
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::optimum::design::Choice;
 use crate::orbit::optimum::incumbent::ProvedDevice;
+use numbers::{Dual, seeded};
 
 /// The derivatives of the voltage per forcing period by the parameters of the capsule, r_B and r_T, in f64; those of a
 /// parameter that is held too. `None` at a fold, where the motion cannot be followed.
@@ -41,9 +41,9 @@ pub fn sensitivities(choice: &Choice, device: &ProvedDevice) -> Option<[f64; 4]>
 mod tests {
     use super::*;
     use crate::model::Side;
-    use numbers::Interval;
     use crate::orbit::optimum::incumbent::LocalSearch;
     use crate::orbit::optimum::paper_choice;
+    use numbers::Interval;
 
     #[test]
     fn the_sensitivities_are_those_of_differences() {

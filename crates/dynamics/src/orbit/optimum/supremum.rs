@@ -1,11 +1,11 @@
 //! Whether the supremum is the value of a motion, or only approached where the motion stops attracting or grazes.
 
-use numbers::Interval;
 use crate::orbit::clearance::OrbitFlight;
 use crate::orbit::interval_box::width;
 use crate::orbit::optimum::cell::{Cell, Constraint, Form, Formulas, UNKNOWNS, flight};
 use crate::orbit::optimum::design::Choice;
 use nalgebra::{DMatrix, DVector};
+use numbers::Interval;
 
 /// A direction in the space of the unknowns.
 type Direction = [Interval; UNKNOWNS];

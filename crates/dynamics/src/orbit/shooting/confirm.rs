@@ -1,13 +1,13 @@
 //! Rows of the first means as the second one has them.
 
 use crate::model::Parameters;
-use numbers::{Decimal, Decimals, Interval, Telling, Told, Wide};
 use crate::orbit::bifurcation::point::BifurcationPoint;
 use crate::orbit::equations::flight::OrbitImpact;
 use crate::orbit::family::Family;
 use crate::orbit::orbit::reduced;
 use crate::orbit::rounding::RoundedOrbit;
 use crate::orbit::shooting::return_map::{ShootingError, ShootingSolution, shoot, shoot_bifurcation};
+use numbers::{Decimal, Decimals, Interval, Telling, Told, Wide};
 
 /// The digits of the second means; it loses some to the condition of a motion.
 const DIGITS: usize = 100;

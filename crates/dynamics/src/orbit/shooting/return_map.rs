@@ -5,7 +5,6 @@
 //! of dual numbers through the flights. Nothing is proved: it confirms what was.
 
 use crate::model::{Flight, FlightError, Forcing, Impact, Leg, Motion, MotionError, Side};
-use numbers::{Analytic, Dual, seeded};
 use crate::orbit::bifurcation::point::BifurcationPoint;
 use crate::orbit::equations::conditions::{BifurcationCondition, BifurcationKind};
 use crate::orbit::equations::flight::OrbitImpact;
@@ -15,6 +14,7 @@ use crate::orbit::solve::newton::newton_by_chords;
 use crate::orbit::word::Word;
 use nalgebra::Matrix2;
 use num_dual::DualNum;
+use numbers::{Analytic, Dual, seeded};
 
 /// A velocity at a grazing below this is that of an impact; else the flight touches a wall on its way.
 const SLOW: f64 = 1e-9;

@@ -1,10 +1,10 @@
 //! The proof that an orbit exists near a proposal, that it is the only one there, and where exactly it is.
 
-use numbers::{Analytic, Endpoint, Field, Interval};
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::interval_box::apart;
 use crate::orbit::solve::contraction::{contraction, largest, times};
 use nalgebra::DMatrix;
+use numbers::{Analytic, Endpoint, Field, Interval};
 
 /// A box with one orbit in it.
 ///
@@ -156,8 +156,8 @@ impl Proof {
 mod tests {
     use super::*;
     use crate::model::Motion;
-    use numbers::Wide;
     use crate::orbit::solve::starts::{solve_word, starts};
+    use numbers::Wide;
 
     fn system<T: Analytic>(word: &str) -> WordEquations<T> {
         let [g, d, r_b, r_t] = [12, 26, 60, 30].map(|hundredths| T::from_ratio(hundredths, 100));

@@ -2,9 +2,9 @@
 
 #[cfg(any(test, feature = "calls"))]
 use crate::model::calls::{self, Call};
-use numbers::{Analytic, Endpoint, Field, Interval};
 use crate::orbit::interval_box::larger;
 use nalgebra::DMatrix;
+use numbers::{Analytic, Endpoint, Field, Interval};
 
 /// A bound of |I - Y J| in the maximum norm, of enclosures `rows` of J over a box, for any number of unknowns: below 1, the
 /// simplified Newton iteration x - Y F(x) contracts the box. NaN where nothing is known.

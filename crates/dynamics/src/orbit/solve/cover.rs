@@ -4,12 +4,12 @@
 //! one value, and the events along the range, are then looked for in these cells alone.
 
 use crate::model::MotionError;
-use numbers::{Dual, Interval, seeded};
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::family::Family;
 use crate::orbit::interval_box::IntervalBox;
 use crate::orbit::options::OrbitOptions;
 use crate::orbit::solve::krawczyk::image;
+use numbers::{Dual, Interval, seeded};
 use stop;
 
 /// Cells of a cover are at most this part of the range of each unknown, for one period of the forcing.
@@ -235,8 +235,8 @@ fn width(side: Interval<f64>) -> f64 {
 mod tests {
     use super::*;
     use crate::model::Motion;
-    use numbers::Analytic;
     use crate::orbit::solve::one_one::isolate_one_one;
+    use numbers::Analytic;
 
     #[test]
     fn every_orbit_at_every_value_lies_in_the_cover() {

@@ -4,10 +4,10 @@
 //! equation excludes 0, contracted by Krawczyk's operator K = m - Y F(m) + (I - Y J)(cell - m), and halved where
 //! that does not help. K inside the cell proves one solution in it, an empty intersection none (Krawczyk, 1969).
 
-use numbers::{Endpoint, Interval};
 use crate::orbit::equations::square_system::{Decision, SquareSystem};
 use crate::orbit::interval_box::{IntervalBox, halves, holds, intersection, is_inside, is_subset, width};
 use crate::orbit::solve::krawczyk::{ProvedRoot, image, narrow, prove};
+use numbers::{Endpoint, Interval};
 use stop;
 
 /// What a search found.

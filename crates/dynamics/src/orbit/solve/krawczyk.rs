@@ -5,10 +5,10 @@
 
 #[cfg(any(test, feature = "calls"))]
 use crate::model::calls::{self, Call};
-use numbers::{Analytic, Endpoint, Interval};
 use crate::orbit::equations::square_system::SquareSystem;
 use crate::orbit::interval_box::{IntervalBox, around, intersection, is_inside, is_subset, larger, width};
 use nalgebra::SMatrix;
+use numbers::{Analytic, Endpoint, Interval};
 
 /// A proved solution.
 #[derive(Clone, Debug, PartialEq)]

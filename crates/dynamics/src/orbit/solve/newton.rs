@@ -1,9 +1,9 @@
 //! Newton's method, for any number of equations over any number type. It proposes: nothing is proved here.
 
-use numbers::{Analytic, Dual};
 use crate::orbit::equations::duals::by_duals;
 use crate::orbit::interval_box::larger;
 use nalgebra::{SMatrix, SVector};
+use numbers::{Analytic, Dual};
 
 /// When Newton's method stops. The size of a step is that of its largest component, if not said otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]

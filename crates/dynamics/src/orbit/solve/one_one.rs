@@ -1,7 +1,6 @@
 //! All 1-1 motions of a scene: none missed, none invented.
 
 use crate::model::Motion;
-use numbers::{Analytic, DoubleDouble, Endpoint, Interval};
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::equations::one_one_bifurcations::ConditionedOneOne;
 use crate::orbit::equations::square_system::SquareSystem;
@@ -12,6 +11,7 @@ use crate::orbit::solve::isolate::{Isolation, SearchLimits, isolate};
 use crate::orbit::solve::krawczyk::{ProvedRoot, distinct_phases, is_shifted, prove};
 use crate::orbit::solve::newton::{Ending, newton, newton_by_duals};
 use crate::orbit::solve::proposals;
+use numbers::{Analytic, DoubleDouble, Endpoint, Interval};
 
 /// Cells examined again over the wider number are halved to this width, and so many of them are.
 const FINEST_AGAIN: f64 = 1e-18;

@@ -5,11 +5,11 @@
 //! is below 1e-52, so that F(x_1), the two sines and cosines of it, is all that many digits are needed for.
 
 use crate::model::Motion;
-use numbers::{Analytic, DoubleDouble, Endpoint, Field, Interval};
 use crate::orbit::equations::one_one::OneOneEquations;
 use crate::orbit::interval_box::IntervalBox;
 use crate::orbit::solve::krawczyk::ProvedRoot;
 use crate::orbit::solve::krawczyk::prove_over;
+use numbers::{Analytic, DoubleDouble, Endpoint, Field, Interval};
 
 type Line = Interval<DoubleDouble>;
 
@@ -73,10 +73,10 @@ fn lifted<E: Endpoint>(number: &DoubleDouble) -> Interval<E> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use numbers::Wide;
     use crate::orbit::options::OrbitOptions;
     use crate::orbit::solve::krawczyk::sharpen;
     use crate::orbit::solve::one_one::isolate_one_one;
+    use numbers::Wide;
 
     #[test]
     fn fifty_digits_by_one_evaluation_are_those_of_newtons_method_in_a_hundred() {

@@ -1,9 +1,9 @@
 //! Motions of any word by Newton's method in f64 from many starts: proposed, not proved.
 
-use numbers::{Sequence, mix};
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::solve::newton::{Ending, newton_sized};
 use nalgebra::{DMatrix, DVector};
+use numbers::{Sequence, mix};
 use std::f64::consts::{PI, TAU};
 
 /// How Newton's method ends: starts that lead to an orbit take some ten steps.

@@ -1,7 +1,6 @@
 //! The search for periodic motions of any word: from many starts, each proved by itself.
 
 use crate::model::{Motion, MotionError};
-use numbers::{Analytic, Endpoint, Interval, Wide};
 use crate::orbit::equations::words::WordEquations;
 use crate::orbit::inconclusive::Inconclusive;
 use crate::orbit::interval_box::apart;
@@ -10,6 +9,7 @@ use crate::orbit::orbit::Orbit;
 use crate::orbit::solve::certify::{Proof, approached, prove};
 use crate::orbit::solve::starts::{brought_near, listed_from, solve_word, starts};
 use crate::orbit::word::Word;
+use numbers::{Analytic, Endpoint, Interval, Wide};
 use stop;
 
 /// Proposals without a proof that are no farther apart are told once: around a point where three motions meet, as at
@@ -235,8 +235,8 @@ impl WordOrbit {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use numbers::Field;
     use crate::orbit::rounding::RoundedOrbit;
+    use numbers::Field;
 
     fn motion(g: i64, d: i64, r_b: i64, r_t: i64) -> Motion<Interval<f64>> {
         let [d, r_b, r_t] = [d, r_b, r_t].map(|hundredths| Interval::from_ratio(hundredths, 100));

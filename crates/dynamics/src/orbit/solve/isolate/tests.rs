@@ -1,9 +1,9 @@
 //! Small systems whose solutions are known by hand.
 
 use super::*;
+use crate::orbit::solve::krawczyk::{distinct_phases, is_shifted};
 use numbers::Analytic;
 use numbers::{DoubleDouble, Field};
-use crate::orbit::solve::krawczyk::{distinct_phases, is_shifted};
 
 /// x² + y² = 1 and y = level.
 struct Circle {

@@ -1,9 +1,9 @@
 //! The orbits that the paper prints are orbits of the map: velocities, phases, trace and determinant.
 
+use dynamics::model::{Device, Forcing, Impact, Leg, Map, Motion, Pair, Passage, Side, next_impact};
 use nalgebra::{Matrix2, Vector2};
 use num_dual::DualNum;
-use vibro_audit::model::{Device, Forcing, Impact, Leg, Map, Motion, Pair, Passage, Side, next_impact};
-use vibro_audit::number::{Analytic, Field, Wide};
+use numbers::{Analytic, Field, Wide};
 
 type Digits = Wide<40>;
 

@@ -1,12 +1,10 @@
 //! The motion against the equations and symmetries that it must obey.
 
+use dynamics::model::{Flight, FlightError, Forcing, Impact, Motion, Order, Pair, Passage, Side, Watch, next_impact};
 use nalgebra::Matrix2;
+use numbers::{Analytic, Dual, Wide, seeded};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
-use vibro_audit::model::{
-    Flight, FlightError, Forcing, Impact, Motion, Order, Pair, Passage, Side, Watch, next_impact,
-};
-use vibro_audit::number::{Analytic, Dual, Wide, seeded};
 
 type Digits = Wide<40>;
 

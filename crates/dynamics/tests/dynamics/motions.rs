@@ -3,11 +3,11 @@
 
 #![allow(dead_code)] // each test uses a part
 
+use dynamics::model::{Motion, Side};
+use dynamics::orbit::RoundedOrbit;
 use nalgebra::{Matrix4, Vector4};
+use numbers::{Analytic, Dual, Field, Sequence, Wide, seeded};
 use std::f64::consts::{PI, TAU};
-use vibro_audit::model::{Motion, Side};
-use vibro_audit::number::{Analytic, Dual, Field, Sequence, Wide, seeded};
-use vibro_audit::orbit::RoundedOrbit;
 
 pub type Digits = Wide<40>;
 

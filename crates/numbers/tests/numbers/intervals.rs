@@ -1,9 +1,9 @@
 //! What an interval promises: the result of every number inside is inside, and a smaller interval has no larger
 //! result. Numbers and results are computed in 80 digits, which is as good as exactly.
 
+use numbers::{Analytic, DoubleDouble, Endpoint, Field, Interval, Rational, Wide};
 use proptest::prelude::*;
 use std::fmt::Display;
-use vibro_audit::number::{Analytic, DoubleDouble, Endpoint, Field, Interval, Rational, Wide};
 
 type Exact = Wide<80>;
 

@@ -1,12 +1,12 @@
 //! Curves of bifurcations over two parameters: none is lost along random lines, and each point is what it is said to be.
 
-use std::f64::consts::PI;
-use vibro_audit::model::{Motion, MotionError};
-use vibro_audit::number::{Analytic, DoubleDouble, Interval, Sequence};
-use vibro_audit::orbit::{
+use dynamics::model::{Motion, MotionError};
+use dynamics::orbit::{
     BifurcationKind, BifurcationPoint, CurvePoint, Family, OneOneBranches, OneOneCurves, OrbitOptions, ParameterPlane,
     RoundedOrbit, SpecialPoint, Word, find, shoot_bifurcation,
 };
+use numbers::{Analytic, DoubleDouble, Interval, Sequence};
+use std::f64::consts::PI;
 
 /// Devices over d and r_B.
 #[derive(Clone, Copy, Debug)]

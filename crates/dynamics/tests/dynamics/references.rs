@@ -2,8 +2,8 @@
 //! random arguments and on the hardest known: near multiples of pi/2, tiny, huge, subnormal, infinite.
 
 use astro_float::{BigFloat, Consts, Radix, RoundingMode};
+use numbers::{Analytic, DoubleDouble, Endpoint, Field, Sequence, Wide};
 use std::cell::RefCell;
-use vibro_audit::number::{Analytic, DoubleDouble, Endpoint, Field, Sequence, Wide};
 
 type Exact = Wide<80>;
 

@@ -1,12 +1,12 @@
 //! Periodic motions of general words, against the model they never call: its flights, its maps, its many digits.
 
+use dynamics::impact::{Simulation, Start};
+use dynamics::model::{Forcing, Impact, Leg, Map, Motion, Order, Passage, Side, next_impact};
+use dynamics::orbit::{Inconclusive, Orbit, OrbitOptions, Property, RoundedOrbit, Word, find, search_word};
 use nalgebra::Matrix2;
+use numbers::{Analytic, DoubleDouble, Field, Interval, Rung, Sequence, Wide};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
-use vibro_audit::impact::{Simulation, Start};
-use vibro_audit::model::{Forcing, Impact, Leg, Map, Motion, Order, Passage, Side, next_impact};
-use vibro_audit::number::{Analytic, DoubleDouble, Field, Interval, Rung, Sequence, Wide};
-use vibro_audit::orbit::{Inconclusive, Orbit, OrbitOptions, Property, RoundedOrbit, Word, find, search_word};
 
 type Digits = Wide<40>;
 type Line = Interval<f64>;

@@ -5,12 +5,12 @@
 //! from the bottom and y = 2 pi n - x from the top, the balance of momentum and the sum of both displacements are linear in
 //! sine and cosine of the phase at the bottom and in the velocity there, so that all is explicit in x.
 
+use dynamics::model::Motion;
+use dynamics::orbit::{BifurcationKind, BifurcationPoint, OneOneBranches, OpenBifurcation, OrbitOptions};
+use numbers::{Analytic, Field, Interval, Sequence, Wide};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
-use vibro_audit::model::Motion;
-use vibro_audit::number::{Analytic, Field, Interval, Sequence, Wide};
-use vibro_audit::orbit::{BifurcationKind, BifurcationPoint, OneOneBranches, OpenBifurcation, OrbitOptions};
 
 type Digits = Wide<60>;
 
@@ -294,7 +294,7 @@ fn examined(seed: u64, fine: u32) -> Outcome {
     let (listed, open) = prepared.bifurcations();
     let device = Device {
         g: Digits::from_f64(*motion.g()),
-        r: [vibro_audit::model::Side::Bottom, vibro_audit::model::Side::Top]
+        r: [dynamics::model::Side::Bottom, dynamics::model::Side::Top]
             .map(|side| Digits::from_f64(*motion.restitution(side))),
         total: whole(2 * i64::from(periods)) * Digits::pi(),
     };

@@ -1,11 +1,11 @@
 //! Motions of words other than BT followed over a sweep, and what happens to them on the way.
 
-use std::f64::consts::PI;
-use vibro_audit::model::{Forcing, Impact, Motion, Side, next_impact};
-use vibro_audit::number::Interval;
-use vibro_audit::orbit::{
+use dynamics::model::{Forcing, Impact, Motion, Side, next_impact};
+use dynamics::orbit::{
     BifurcationKind, BifurcationPoint, Family, OneOneBranches, OrbitOptions, RoundedOrbit, Word, WordBranches, find,
 };
+use numbers::Interval;
+use std::f64::consts::PI;
 
 const G: f64 = 0.12201;
 
@@ -255,10 +255,7 @@ fn a_mirrored_family_has_the_same_events() {
 fn a_sweep_over_restitution_is_followed_to_its_end_at_one() {
     struct Restitution;
     impl Family for Restitution {
-        fn motion_at<T: vibro_audit::number::Analytic>(
-            &self,
-            r: &T,
-        ) -> Result<Motion<T>, vibro_audit::model::MotionError> {
+        fn motion_at<T: numbers::Analytic>(&self, r: &T) -> Result<Motion<T>, dynamics::model::MotionError> {
             Motion::new(T::from_f64(G), T::from_f64(0.26), r.clone(), T::from_f64(0.3))
         }
         fn is_symmetric(&self) -> bool {

@@ -4,11 +4,11 @@
 //! Some hundreds at each run; the ten thousands of the README by
 //! `cargo test --release --test dynamics bounds -- --ignored --nocapture`.
 
+use dynamics::impact::{Event, Extent, Kind, Row, Simulation, Start, history, history_in_decimals};
+use dynamics::model::{Motion, Side};
+use dynamics::orbit::{OutputPrecision, Parameters, RoundedOrbit, Word, find, find_as, shoot};
+use numbers::{Analytic, Decimal, Decimals, FIGURES_OF_F64, Field, Rung, Sequence, Told, Wide};
 use std::f64::consts::TAU;
-use vibro_audit::impact::{Event, Extent, Kind, Row, Simulation, Start, history, history_in_decimals};
-use vibro_audit::model::{Motion, Side};
-use vibro_audit::number::{Analytic, Decimal, Decimals, FIGURES_OF_F64, Field, Rung, Sequence, Told, Wide};
-use vibro_audit::orbit::{OutputPrecision, Parameters, RoundedOrbit, Word, find, find_as, shoot};
 
 /// Exact values have fifty digits.
 type Number = Wide<50>;

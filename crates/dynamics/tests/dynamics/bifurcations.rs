@@ -1,12 +1,12 @@
 //! Bifurcations of the 1-1 orbits along the gap: each is where it must be, and the orbits change in number there alone.
 
-use std::f64::consts::{PI, TAU};
-use vibro_audit::model::{Motion, MotionError, Side};
-use vibro_audit::number::{Analytic, Interval};
-use vibro_audit::orbit::{
+use dynamics::model::{Motion, MotionError, Side};
+use dynamics::orbit::{
     BifurcationKind, BifurcationPoint, Family, FoundOrbits, OneOneBranches, OrbitKind, OrbitOptions, Parameters,
     RoundedOrbit, Word, find,
 };
+use numbers::{Analytic, Interval};
+use std::f64::consts::{PI, TAU};
 
 /// g in hundred thousandths, restitutions in hundredths, so that they are the same in every number.
 #[derive(Clone, Copy, Debug)]

@@ -1,15 +1,15 @@
 //! The 1-1 orbits of motions of all kinds: what each must satisfy, and that none is missed or invented.
 
-use crate::common::motions;
+use crate::motions;
 
+use dynamics::model::{Flight, Forcing, Impact, Motion, Passage, Side, next_impact};
+use dynamics::orbit::{FoundOrbits, OneOneEquations, OrbitKind, RoundedOrbit, SearchLimits, Word, find, isolate};
 use motions::{Digits, Pair, improved, is_near, motion_of, planted, scanned, scenes};
 use nalgebra::Matrix2;
+use numbers::{Analytic, DoubleDouble, Dual, Field, Interval, Sequence, seeded};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 use std::sync::LazyLock;
-use vibro_audit::model::{Flight, Forcing, Impact, Motion, Passage, Side, next_impact};
-use vibro_audit::number::{Analytic, DoubleDouble, Dual, Field, Interval, Sequence, seeded};
-use vibro_audit::orbit::{FoundOrbits, OneOneEquations, OrbitKind, RoundedOrbit, SearchLimits, Word, find, isolate};
 
 /// A motion, the most periods, and all its orbits.
 struct Case {

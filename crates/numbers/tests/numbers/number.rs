@@ -2,8 +2,8 @@
 
 use num_dual::DualNum;
 use num_traits::{One, Zero};
+use numbers::{Analytic, Counted, DoubleDouble, Dual, Field, Rational, Wide};
 use proptest::prelude::*;
-use vibro_audit::number::{Analytic, Counted, DoubleDouble, Dual, Field, Rational, Wide};
 
 /// The one helper of comparisons: all parts of a number, dual parts too, as f64. `==` and approx look at the
 /// real part of a dual number alone.

@@ -1,0 +1,13 @@
+//! Motions, periodic orbits and bifurcations, held against other ways to compute them.
+
+mod bifurcations;
+mod bounds;
+mod curves;
+mod follow;
+mod model;
+mod motions;
+mod orbits;
+mod printed_orbits;
+mod references;
+mod scan;
+mod words;

@@ -1,0 +1,4 @@
+//! The laws of each number type, held against the others and against references of many digits.
+
+mod intervals;
+mod number;
