@@ -1217,10 +1217,7 @@ pub(super) fn read_entry(
     for value in raw.assume.iter().filter(|_| wanted) {
         let source = Source::new(lines, value);
         let read = read_conditions(&source.tex, &vocabulary.names);
-        assume.extend(conditions(
-            &source,
-            read.map_err(|error| source.fault(error.at, error.reason.to_string())),
-        ));
+        assume.extend(conditions(&source, read.map_err(|error| source.misread(&error))));
     }
     let mut of_some = Vec::new();
     if raw.role == Role::Claim {
@@ -1410,7 +1407,7 @@ fn is_bare(side: &Tree) -> bool {
 
 fn read_tex(source: &Source, vocabulary: &Vocabulary) -> Result<Vec<Equation>, Fault> {
     let equations = read(&source.tex, &vocabulary.names);
-    let equations = equations.map_err(|error| source.fault(error.at, error.reason.to_string()))?;
+    let equations = equations.map_err(|error| source.misread(&error))?;
     let one_or_two = equations
         .into_iter()
         .flat_map(|equation| two_of_pair(equation, vocabulary));

@@ -1,6 +1,6 @@
 //! What is wrong with a sheet, and where.
 
-use crate::tex::{Lines, Name, Place};
+use crate::tex::{Lines, Name, Place, ReadError};
 use std::fmt;
 use toml::Spanned;
 
@@ -96,6 +96,12 @@ impl Source {
         self.verbatim.then_some(place)
     }
 
+    /// The fault that the TeX cannot be read, with advice where it has a decimal comma or a unit.
+    pub fn misread(&self, error: &ReadError) -> Fault {
+        let advice = advice(&self.tex, error.at).map_or(String::new(), |advice| format!("; {advice}"));
+        self.fault(error.at, format!("{}{advice}", error.reason))
+    }
+
     /// A fault at byte `at` of the TeX.
     pub fn fault(&self, at: usize, message: impl Into<String>) -> Fault {
         let at = (0..=at.min(self.tex.len()))
@@ -128,6 +134,47 @@ impl Source {
         }
     }
 }
+
+/// What to write instead of TeX that cannot be read at a place, where that can be told.
+fn advice(tex: &str, at: usize) -> Option<&'static str> {
+    let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    let has_comma = ["{,}", ","].iter().any(|comma| {
+        tex.match_indices(comma).any(|(place, _)| {
+            let (before, behind) = (tex.get(..place), tex.get(place + comma.len()..));
+            is_digit(before.and_then(|text| text.chars().last()))
+                && is_digit(behind.and_then(|text| text.chars().next()))
+        })
+    });
+    if has_comma {
+        return Some("write numbers with a decimal point, 9.81");
+    }
+    // a unit stands where the reading ends, or is a command of siunitx
+    let of_siunitx = [r"\SI{", r"\si{", r"\qty{", r"\unit{"]
+        .iter()
+        .any(|command| tex.contains(command));
+    // the fault is the command, or stands in its braces
+    let before = tex.get(..at).unwrap_or_default();
+    let start = before
+        .rfind('\\')
+        .filter(|start| !tex[*start..at].contains('}'))
+        .unwrap_or(at);
+    let starts = [at, start].map(|start| tex.get(start..).unwrap_or_default().trim_start());
+    let commands = [r"\mathrm{", r"\text{", r"\textrm{", r"\rm "];
+    let inner = starts
+        .iter()
+        .find_map(|near| commands.iter().find_map(|command| near.strip_prefix(command)));
+    let unit = inner.and_then(|inner| inner.split('}').next()).unwrap_or_default();
+    let is_unit = |word: &str| UNITS.contains(&word);
+    let words = unit.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty());
+    let is_of_units = !unit.is_empty() && words.clone().count() > 0 && words.clone().all(is_unit);
+    (of_siunitx || is_of_units).then_some("units are not read: leave them out")
+}
+
+/// Units that stand behind numbers.
+const UNITS: [&str; 24] = [
+    "m", "mm", "cm", "km", "s", "ms", "min", "h", "kg", "g", "N", "kN", "J", "W", "V", "A", "Hz", "kHz", "Pa", "kPa",
+    "K", "C", "rad", "deg",
+];
 
 /// A symbol that nothing declares, and the declared one that was probably meant.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -237,3 +284,28 @@ impl fmt::Display for Fault {
 }
 
 impl std::error::Error for Fault {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_decimal_comma_and_a_unit_are_told_as_such() {
+        let point = Some("write numbers with a decimal point, 9.81");
+        let unit = Some("units are not read: leave them out");
+        for (tex, at, wanted) in [
+            ("g = 9,81", 0, point),
+            (r"g = \frac{9,81}{2}", 11, point),
+            ("g = 9{,}81", 5, point),
+            (r"9.81 \mathrm{m/s^2}", 5, unit),
+            (r"9.81 \mathrm{m/s^2}", 12, unit),
+            (r"9.81\,\text{m/s}^2", 6, unit),
+            (r"\SI{9.81}{m/s^2}", 0, unit),
+            (r"x = \foo", 4, None),
+            (r"f(a, b) = \text{for}", 10, None),
+            (r"\mathrm{m} x = \foo", 15, None),
+        ] {
+            assert_eq!(advice(tex, at), wanted, "{tex}");
+        }
+    }
+}

@@ -298,7 +298,7 @@ pub(super) struct Stated {
 /// What cannot be read, and alternatives that are not one equation each.
 pub(super) fn stated_of(source: &Source, names: &Names, is_implied: bool) -> Result<Stated, Fault> {
     let mut alternatives = Vec::new();
-    let fault = |error: ReadError| source.fault(error.at, error.reason.to_string());
+    let fault = |error: ReadError| source.misread(&error);
     let parts = parts(&source.tex);
     let mut display = match parts.as_slice() {
         [_] => read_display(&source.tex, names).map_err(fault)?,
@@ -382,7 +382,7 @@ pub(super) fn assumed(source: &Source, names: &Names) -> Result<(Vec<Condition>,
         let read = read_conditions(&source.tex, names);
         return read
             .map(|conditions| (conditions, Vec::new()))
-            .map_err(|error| source.fault(error.at, error.reason.to_string()));
+            .map_err(|error| source.misread(&error));
     }
     let Stated { display, alternatives } = stated_of(source, names, true)?;
     let stated = display

@@ -157,27 +157,28 @@ struct Read {
 impl Read {
     fn new(source: Option<&Source>, vocabulary: &Vocabulary) -> Result<Self, Failure> {
         let name = source.map_or(PAPER.to_owned(), Source::name);
-        if let Some(source @ Source::Stdin) = source {
-            let text = source.read(DOCUMENT_AT_MOST)?;
-            let document = document::of_stdin(&text);
-            let sheet = match &document {
-                Some(document) => {
-                    document::tell(document, &name);
-                    document.sheet(vocabulary)
+        let (document, text) = match source {
+            None => (None, claim::EQUATIONS.to_owned()),
+            Some(source @ Source::Stdin) => {
+                let text = source.read(DOCUMENT_AT_MOST)?;
+                match document::of_stdin(&text) {
+                    Some(document) => (Some(document), text),
+                    None => (None, source.of_length(&text, TOML_AT_MOST)?.to_owned()),
                 }
-                None => Sheet::read(source.of_length(&text, TOML_AT_MOST)?, vocabulary),
-            };
-            let sheet = sheet.map_err(|fault| in_sheet(&name, fault))?;
-            return Ok(Self { name, sheet, document });
-        }
-        let document = source.map(document::read).transpose()?.flatten();
-        let sheet = match (&document, source) {
-            (Some(document), _) => {
-                document::tell(document, &name);
-                document.sheet(vocabulary)
             }
-            (None, Some(source)) => Sheet::read(&source.read(TOML_AT_MOST)?, vocabulary),
-            (None, None) => Sheet::read(claim::EQUATIONS, vocabulary),
+            Some(source) => match document::read(source)? {
+                Some(document) => (Some(document), String::new()),
+                None => (None, source.read(TOML_AT_MOST)?),
+            },
+        };
+        let sheet = match &document {
+            Some(document) => {
+                document::tell(document, &name);
+                // where nothing is to be decided, what is wrong before says why
+                let cause = |fault: Fault| document.faults.first().cloned().unwrap_or(fault);
+                document.sheet(vocabulary).map_err(cause)
+            }
+            None => Sheet::read(&text, vocabulary),
         };
         let sheet = sheet.map_err(|fault| in_sheet(&name, fault))?;
         Ok(Self { name, sheet, document })

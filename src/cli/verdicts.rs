@@ -159,7 +159,7 @@ pub fn table(rows: &[Row], sheet: &Sheet, format: Format) -> Result<Table, Failu
             Cell::from(decision.label.clone()),
             Cell::from(decision.verdict.to_string()),
             Cell::from(row.expected().to_string()),
-            Cell::from(digits.map(|digits| (digits * 10.0).round().max(0.0) / 10.0)),
+            Cell::from(digits.map(|digits| (digits * 10.0).round().max(0.0) / 10.0 + 0.0)),
             decision.counterexample.as_ref().map_or(Cell::Empty, values),
             Cell::from(row.reason()),
             Cell::from((!decision.provided.is_empty()).then(|| decision.provided.join("; "))),
@@ -217,9 +217,12 @@ const DIGITS: &str = "digits: -log10 of |left - right| as a part of the larger s
 fn in_words(evidence: &Evidence) -> String {
     let mut lines = vec!["\nevidence, which shares no code with the above".to_string()];
     match (evidence.digits, evidence.median) {
+        // no figure in common is 0, not -0
         (Some(digits), Some(median)) => lines.push(format!(
-            "left and right agree to {digits:.1} digits at the worst of {} random points of the premises in f64, to {median:.1} at half of them",
-            evidence.points
+            "left and right agree to {:.1} digits at the worst of {} random points of the premises in f64, to {:.1} at half of them",
+            digits.max(0.0) + 0.0,
+            evidence.points,
+            median.max(0.0) + 0.0
         )),
         _ if evidence.points > 0 => lines.push(format!("the inequality was tried at {} random points", evidence.points)),
         _ => lines.push("no point".to_string()),

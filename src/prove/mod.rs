@@ -376,7 +376,11 @@ impl<'a> Search<'a> {
                         decision.reason = "nowhere defined".into();
                         break;
                     }
-                    decision.reason = "does not follow from its premises".into();
+                    // what nothing is named for is judged as an identity
+                    decision.reason = match self.reason.as_str() {
+                        AN_IDENTITY => "not an identity, and it names nothing that it follows from".into(),
+                        _ => "does not follow from its premises".into(),
+                    };
                     decision.counterexample = counterexample::at(&witness, question.equation.relation);
                     decision
                         .doubts
@@ -443,6 +447,9 @@ fn goals(sheet: &Sheet, position: usize) -> Result<Reduced, Box<Decision>> {
 /// The reason of a claim at which the search itself fails.
 const BROKE_DOWN: &str = "the search broke down here, which is a fault of this program: please report the sheet";
 
+/// The reason of a claim without premises.
+const AN_IDENTITY: &str = "an identity";
+
 fn follows_from(sheet: &Sheet, position: usize) -> String {
     let premises = sheet
         .entries
@@ -455,7 +462,7 @@ fn follows_from(sheet: &Sheet, position: usize) -> String {
         .map(|entry| format!("({})", entry.label));
     let labels: Vec<String> = labels.collect();
     match labels.is_empty() {
-        true => "an identity".to_string(),
+        true => AN_IDENTITY.to_string(),
         false => format!("follows from {}", labels.join(", ")),
     }
 }
@@ -511,6 +518,12 @@ fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
         certificate = proof::search(statement, PROOF_STEPS * effort);
     }
     let follows = certificate.is_some();
+    // that what is written has a value is a question of its own, which says nothing of the claim
+    let is_identity = certificate.as_ref().is_some_and(|certificate| {
+        let of_nothing =
+            |step: &kernel::Inference| matches!(step, kernel::Inference::Zero { target, .. } if target.is_zero());
+        certificate.evidence.steps.iter().all(of_nothing)
+    });
     if let Some(certificate) = certificate
         && let Some((proved, witness)) = proved(statement, &certificate, point, effort)
     {
@@ -518,6 +531,7 @@ fn outcome(statement: &kernel::Statement, effort: u64) -> Outcome {
     }
     without_points(statement, effort).unwrap_or_else(|| {
         let reason = match follows {
+            true if is_identity => "no point is found at which the premises hold and all that is written is defined",
             true => "it follows, but no point is found at which all that is written is defined and holds",
             false => "neither a proof nor a counterexample is found",
         };

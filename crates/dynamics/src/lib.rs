@@ -1,8 +1,4 @@
-//! The motion of a ball in a shaken, inclined capsule: impacts, periodic motions, their stability and bifurcations.
-//!
-//! [`model`] has the parameters, [`impact`] flights and impacts, [`orbit`] periodic motions and long runs; all of them over any
-//! number of the crate `numbers`.
-
+#![doc = include_str!("../README.md")]
 // Library code never panics by its own word: errors are returned.
 #![cfg_attr(
     not(test),
@@ -15,6 +11,9 @@
         clippy::unreachable
     )
 )]
+
+pub use nalgebra;
+pub use numbers;
 
 pub mod impact;
 pub mod model;

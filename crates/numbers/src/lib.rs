@@ -1,4 +1,6 @@
-//! Numbers: what a formula may be evaluated over.
+#![doc = include_str!("../README.md")]
+//!
+//! ## The traits
 //!
 //! [`Field`] is what an algebraic formula needs, [`Analytic`] what the motion of the capsule needs on top.
 //! One file per number type. Names stay apart from those of num-dual's `DualNum` (`sincos`, not `sin_cos`),
@@ -17,16 +19,20 @@
     )
 )]
 
+use std::fmt;
 use std::ops::{AddAssign, DivAssign, MulAssign, Neg, SubAssign};
 use std::ops::{Div, Sub};
 
 /// A field: the four operations and the integers.
 ///
-/// Addition and multiplication come through `num_traits::{Zero, One}`, so that nalgebra's matrices work over
-/// every `Field`. Dividing by zero is the caller's to rule out (`is_zero`): floats answer with an infinity or
+/// Addition and multiplication come through `num_traits::{Zero, One}`, and the rest is what a scalar of nalgebra is, so that
+/// its matrices work over every `Field`. Dividing by zero is the caller's to rule out (`is_zero`): floats answer with an infinity or
 /// NaN, exact types panic.
 pub trait Field:
-    nalgebra::Scalar
+    Clone
+    + PartialEq
+    + fmt::Debug
+    + 'static
     + num_traits::Zero
     + num_traits::One
     + Sub<Output = Self>
@@ -104,8 +110,10 @@ pub trait Analytic: Field {
     }
 }
 
+// its macros are those of the modules below
 #[macro_use]
 mod derivable;
+
 mod any;
 mod counted;
 mod decimal;
@@ -122,6 +130,9 @@ mod rung;
 mod sequence;
 mod telling;
 mod wide;
+
+pub use num_dual;
+pub use num_traits;
 
 pub use any::{Any, of_type};
 pub use counted::{Counted, Counts};

@@ -803,7 +803,10 @@ impl Guess {
                 names.join(", ")
             ));
         }
-        if let Some(symbols) = self.symbols() {
+        if let Some(symbols) = self
+            .symbols()
+            .filter(|symbols| !symbols.parameters.is_empty() || !self.functions.is_empty())
+        {
             let list = |names: &[String]| names.join(", ");
             let functions: Vec<String> = self.functions.iter().map(ToString::to_string).collect();
             let of_time = if functions.is_empty() {

@@ -29,7 +29,7 @@ for path in files:
                 places.append((path, number, rule, found.start()))
 draw = random.Random(SEED)
 draw.shuffle(places)
-flags = ["--no-default-features", "--features", "kernel", "--test", "formulas", "kernel", "-q"]
+flags = ["--test", "formulas", "kernel", "-q"]
 killed = survived = unbuilt = 0
 for path, number, rule, start in places:
     if killed + survived == COUNT:
