@@ -8,4 +8,5 @@ pub mod judge;
 pub mod mutants;
 pub mod paper;
 pub mod rewrite;
+pub mod sample;
 pub mod trees;

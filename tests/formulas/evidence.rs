@@ -411,7 +411,7 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
     // wrong proofs and wrong refutations: how many there could be, how many are contradicted
     let mut caught = [(0, 0); 2];
     let mut special = (0, 0);
-    for path in attacks::sheets() {
+    for path in attacks::sampled() {
         let text = std::fs::read_to_string(&path).unwrap();
         let Ok(sheet) = Sheet::read(&text, &vocabulary) else {
             continue;

@@ -1,6 +1,6 @@
 //! The rules by which claims are reduced to goals: each goal that is not the claim as read names one.
 
-use crate::common::attacks;
+use crate::common::{attacks, sample};
 use vibro_audit::claim::{Reduced, Rule, Sheet, Statements, other_ways, reduced, reduced_by_cases, vocabulary};
 use vibro_audit::prove::{Options, decide};
 use vibro_audit::tex::DoubtKind;
@@ -24,7 +24,7 @@ fn all_reductions(read: &Statements, sheet: &Sheet) -> Vec<Reduced> {
 
 #[test]
 fn every_goal_that_is_not_the_claim_as_read_names_a_rule() {
-    let mut paths = attacks::sheets();
+    let mut paths = attacks::sampled();
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
     paths.extend(["tests/handbook/formulas.toml", "golden/oscillator/equations.toml"].map(|path| root.join(path)));
     let (mut goals, mut ways) = (0, 0);
@@ -66,7 +66,8 @@ fn every_goal_that_is_not_the_claim_as_read_names_a_rule() {
             }
         }
     }
-    assert!(goals > 400 && ways > 100, "{goals} goals, {ways} ways");
+    let [most_goals, most_ways] = sample::of([400, 100], [200, 50]);
+    assert!(goals > most_goals && ways > most_ways, "{goals} goals, {ways} ways");
 }
 
 fn rules_of(symbols: &str, tex: &str) -> String {

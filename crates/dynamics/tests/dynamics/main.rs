@@ -8,6 +8,5 @@ mod model;
 mod motions;
 mod orbits;
 mod printed_orbits;
-mod references;
 mod scan;
 mod words;

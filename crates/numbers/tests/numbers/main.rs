@@ -2,3 +2,4 @@
 
 mod intervals;
 mod number;
+mod references;
