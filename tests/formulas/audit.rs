@@ -276,7 +276,10 @@ fn a_refutation_shows_periods_and_derives_the_derivatives_of_the_map() {
     // (10) differentiated: one linear equation, which the value shown solves
     let slope = r"\frac{\partial t_{k+1}}{\partial t_k}";
     assert_eq!(value(slope), "167/704", "{text}");
-    assert!(text.contains(&format!("176/15 {slope} - 167/60 = 0")), "{text}");
+    assert!(
+        text.contains(&format!(r"\frac{{176}}{{15}} {slope} - 167/60 = 0")),
+        "{text}"
+    );
     assert!(text.contains("functions with these values exist"), "{text}");
     assert!(!text.contains("F_1(0)") && !text.contains("^{1}"), "{text}");
 }

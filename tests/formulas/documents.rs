@@ -675,9 +675,14 @@ fn symbols_beside_those_declared_are_guessed_and_never_refute() {
     );
     decided_as_its_draft(&found);
     let strict = document(&format!("% audit: symbols positive m; only\n{formulas}"), &[]);
-    let unread = decisions(&strict);
-    let unread = unread.iter().filter(|row| row.verdict == Verdict::Unread);
-    assert_eq!(unread.count(), 9, "all but (7), and (1) too");
+    let unread = decisions(&strict)
+        .into_iter()
+        .filter(|row| row.verdict == Verdict::Unread);
+    let unread: Vec<String> = unread.map(|row| row.label).collect();
+    for label in ["1", "2", "3", "6", "8", "9", "10"] {
+        assert!(unread.iter().any(|own| own == label), "({label}): {unread:?}");
+    }
+    assert!(!unread.contains(&"7".to_owned()), "{unread:?}");
 }
 
 /// Label, verdict and reason of each row of a sheet.

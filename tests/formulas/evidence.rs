@@ -1,6 +1,6 @@
 //! Witnesses of the paper's claims, and of claims made from them at random.
 
-use crate::common::attacks;
+use crate::common::{attacks, sample};
 
 use proptest::prelude::*;
 use vibro_audit::claim::{Role, Sheet, Verdict, read_symbols};
@@ -494,15 +494,22 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
     assert!(complaints.is_empty(), "{complaints:#?}");
     // an operation that is refused has no points: 3.4% of the claims, most of them complex series and limits
     assert!(refused * 20 <= decidable + refused, "{refused} refused");
-    assert!(with_points * 100 >= decidable * 97, "{with_points} of {decidable}");
+    // in percent; a sample scatters
+    let [points, proofs, refutations, inequalities] = sample::of([97, 86, 76, 16], [95, 80, 70, 10]);
+    assert!(with_points * 100 >= decidable * points, "{with_points} of {decidable}");
     // points that agree say little of a claim that special values break: of integers, of functions that premises shape
     assert!(
-        wrong_proofs * 100 >= false_claims * 86,
+        wrong_proofs * 100 >= false_claims * proofs,
         "{wrong_proofs} of {false_claims}"
     );
     assert!(
-        wrong_refutations * 100 >= true_claims * 76,
+        wrong_refutations * 100 >= true_claims * refutations,
         "{wrong_refutations} of {true_claims}"
     );
-    assert!(special.1 * 100 >= special.0 * 16, "{} of {}", special.1, special.0);
+    assert!(
+        special.1 * 100 >= special.0 * inequalities,
+        "{} of {}",
+        special.1,
+        special.0
+    );
 }

@@ -245,7 +245,10 @@ fn vocabularies_that_name_what_they_do_not_declare() {
         ("parameters = [\"a\", \"b\"]\nperiods = { g = \"a\" }", "g"),
         ("parameters = [\"a\", \"b\"]\n[symbols.maps]\nM = \"M\"", "M"),
         ("parameters = [\"a\", \"b\"]\ngeneric = [\"q\"]", "q"),
-        ("parameters = [\"a\", \"b\"]\npositive = [\"q\"]", "q"),
+        (
+            "parameters = [\"a\", \"b\"]\nfunctions = [\"q = p\"]\ntimes = [\"t\"]\npositive = [\"q\"]",
+            "q",
+        ),
     ] {
         let text = format!(
             "[symbols]\n{symbols}\n\n{}",

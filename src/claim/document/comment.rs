@@ -417,7 +417,10 @@ mod tests {
             panic!("{found:?}");
         };
         let symbols = completed((**symbols).clone()).unwrap();
-        assert_eq!(symbols.parameters, ["a", "b", "T_1"]);
+        assert_eq!(
+            (&symbols.parameters[..], &symbols.positive[..]),
+            (&["a", "b"].map(str::to_owned)[..], &["T_1".to_owned()][..])
+        );
         assert_eq!(symbols.times, ["t"]);
         assert_eq!(
             symbols.functions.pairs().unwrap(),
