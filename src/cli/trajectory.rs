@@ -20,7 +20,7 @@ pub const UNTIL: f64 = 10.0;
 
 /// Print position and velocity between impacts at evenly spaced times
 ///
-/// z and zdot are the ball's against the capsule: z = d/2 at the bottom, -d/2 at the top. capsule is the middle of the
+/// z is capsule minus ball, and zdot its rate: z = d/2 at the bottom, -d/2 at the top. capsule is the middle of the
 /// capsule and ball = capsule - z the ball, in the frame in which the capsule swings about 0; the columns in SI follow,
 /// empty where [device] does not give the units. energy is zdot²/2 - g z, that of the ball against the capsule, and
 /// ball_energy its energy in the frame at rest. At an impact the velocity is that before it.
@@ -32,10 +32,10 @@ pub struct Arguments {
     /// Number of time points, both ends counted
     #[arg(long, value_name = "N", default_value_t = SAMPLES, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
     samples: u32,
-    /// The last time; the forcing period is 2. The default is the paper's t_final [default: 10]
+    /// The last time; the forcing has period 2 [default: 10, as in the paper]
     #[arg(long, value_name = "T", conflicts_with = "impacts")]
     until: Option<Duration>,
-    /// The last time is that of this impact, the start counted as the first
+    /// End at impact N; the start is number 1
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     impacts: Option<u32>,
 }

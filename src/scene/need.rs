@@ -268,9 +268,7 @@ impl Scene {
     pub fn check(&self, wants: &[Want]) -> Result<(), SceneError> {
         for &want in wants {
             let need = self.needs(want)?;
-            for key in &need.required {
-                self.require(key, Some(want))?;
-            }
+            self.require_all(&need.required, want)?;
             for key in need.keys() {
                 self.check_key(key)?;
             }
@@ -301,6 +299,32 @@ impl Scene {
             }
         }
         Ok(())
+    }
+
+    /// Refuses a scene that lacks keys of a want, by all of these.
+    fn require_all(&self, keys: &[&'static Key], want: Want) -> Result<(), SceneError> {
+        let missing: Vec<&Key> = keys
+            .iter()
+            .copied()
+            .filter(|key| self.document.get(key).is_none())
+            .collect();
+        let Some(first) = keys.iter().find(|key| self.document.get(key).is_none()) else {
+            return Ok(());
+        };
+        let mut error = match self.require(first, Some(want)) {
+            Ok(_) => return Ok(()),
+            Err(error) => error,
+        };
+        if let (SceneProblem::Missing { where_to, .. }, [_, others @ ..]) = (&mut *error.problem, missing.as_slice())
+            && !others.is_empty()
+        {
+            let others: Vec<String> = others
+                .iter()
+                .map(|key| format!("{} ({})", key.path(), key.meaning))
+                .collect();
+            where_to.push_str(&format!("; and {}", others.join(", ")));
+        }
+        Err(error)
     }
 
     /// The known keys that none of `wants` requires. They are left alone.

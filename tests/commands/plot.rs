@@ -160,7 +160,7 @@ fn bifurcations_and_printed_points_are_marked_right_and_wrong_apart() {
     let wanted = [
         "BT stable",
         "BT unstable",
-        "BT through a wall, grey as its marks",
+        "BT not possible: through a wall (grey)",
         "grazing",
         "period doubling",
         "fold",

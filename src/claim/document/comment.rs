@@ -103,7 +103,8 @@ pub(super) fn keys(text: &str) -> Result<Vec<Key>, String> {
             _ => {
                 let word = part.split_whitespace().next().unwrap_or_default();
                 let first = word.trim_end_matches(',');
-                return Err(match nearest(word, KEYS) {
+                let firsts = KEYS.map(|key| key.split(' ').next().unwrap_or(key));
+                return Err(match nearest(word, firsts) {
                     _ if first != word && begins_key(first) => {
                         format!("`{part}`: keys are parted by `;`, not by a comma")
                     }
@@ -371,6 +372,8 @@ mod tests {
             ("default x", "default x"),
             ("symbols positiv m", "did you mean `positive`?"),
             ("claim, follows from (1)", "parted by `;`"),
+            ("folows from (1)", "did you mean `follows`?"),
+            ("asume x > 0", "did you mean `assume`?"),
             ("symbols maps M", "maps"),
         ] {
             assert!(keys(text).unwrap_err().contains(word), "{text}");

@@ -19,6 +19,7 @@ use super::sheet::{RawSheet, Sheet};
 use super::symbols::Symbols;
 use super::verdict::Verdict;
 use super::vocabulary::Vocabulary;
+use crate::tex::nearest;
 use comment::{Key, completed, keys};
 use guess::Guess;
 use members::Members;
@@ -572,7 +573,11 @@ impl Labels {
         let places: BTreeSet<(usize, usize)> = found.iter().map(|(place, _)| *place).collect();
         let shown: Vec<String> = places.iter().map(|(_, line)| format!("line {line}")).collect();
         match shown.len() {
-            0 => Err("no label here".to_owned()),
+            0 => {
+                let meant = nearest(asked, self.known.keys().map(String::as_str));
+                let meant = meant.map_or(String::new(), |label| format!("; did you mean `{label}`?"));
+                Err(format!("no label here{meant}"))
+            }
             1 => Ok(found.iter().map(|(_, label)| label.clone()).collect()),
             _ => Err(format!(
                 "the name of more than one formula, at {}: call one of them by another label",

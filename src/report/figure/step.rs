@@ -26,7 +26,7 @@ impl Course {
         match self {
             Self::Stable => "stable",
             Self::Unstable => "unstable",
-            Self::Inadmissible => "through a wall, grey as its marks",
+            Self::Inadmissible => "not possible: through a wall (grey)",
         }
     }
 
