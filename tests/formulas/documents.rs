@@ -545,6 +545,14 @@ $$ f(t) = \sin(\omega t) $$
 $$ f(t)^2 = 1 - \cos^2(\omega t) $$
 $$ f(t) = 1 $$
 ";
+    // a current is a function too
+    let current = document(r"\[ v(t) = R i(t) \] \[ v(t)^2 = R^2 i(t)^2 \]", &[]);
+    assert!(
+        current.guesses.join("\n").contains("functions of t: v, i"),
+        "{:?}",
+        current.guesses
+    );
+    assert_ne!(decisions(&current)[0].verdict, Verdict::Unread);
     let found = document(text, &[]);
     let rows = decisions(&found);
     let shown: Vec<String> = rows

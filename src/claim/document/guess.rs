@@ -258,7 +258,7 @@ impl Guess {
                 .flat_map(|formula| called_with_time(formula.tex.as_deref().unwrap_or_default()))
             {
                 // `\dif{r}{t}(t)` makes time no function of itself
-                if !functions.contains(&name) && name.to_string() != TIME && !vocabulary.knows(&name) {
+                if !functions.contains(&name) && name.to_string() != TIME && !vocabulary.declares(&name) {
                     functions.push(name);
                 }
             }
