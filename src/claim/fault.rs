@@ -135,13 +135,17 @@ impl Source {
     }
 }
 
-/// What to write instead of TeX that cannot be read at a place, where that can be told.
+/// Returns what to write instead of TeX that cannot be read at a place, where that can be told.
 fn advice(tex: &str, at: usize) -> Option<&'static str> {
     let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
     let has_comma = ["{,}", ","].iter().any(|comma| {
         tex.match_indices(comma).any(|(place, _)| {
             let (before, behind) = (tex.get(..place), tex.get(place + comma.len()..));
-            is_digit(before.and_then(|text| text.chars().last()))
+            // x_{1,2} and (1,2) are lists
+            let whole = before.map(|text| text.trim_end_matches(|c: char| c.is_ascii_digit() || c == '.'));
+            let is_list = whole.is_some_and(|text| text.ends_with("_{") || text.ends_with(['(', '[', ',']));
+            !is_list
+                && is_digit(before.and_then(|text| text.chars().last()))
                 && is_digit(behind.and_then(|text| text.chars().next()))
         })
     });
@@ -183,7 +187,7 @@ pub(super) struct Unknown {
     pub meant: Option<String>,
 }
 
-/// What else is known of a fault within TeX.
+/// The line at fault within TeX, and the symbols that it lacks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct More {
     /// The line of TeX with a caret beneath.
@@ -302,6 +306,7 @@ mod tests {
             (r"9.81\,\text{m/s}^2", 6, unit),
             (r"\SI{9.81}{m/s^2}", 0, unit),
             (r"x = \foo", 4, None),
+            (r"x_{1,2} = \foo (1,2)", 10, None),
             (r"f(a, b) = \text{for}", 10, None),
             (r"\mathrm{m} x = \foo", 15, None),
         ] {

@@ -25,7 +25,7 @@ pub struct Symbols {
     pub abbreviations: Pairs,
     pub relations: Pairs,
     pub maps: BTreeMap<String, MapEntry>,
-    /// Whether a document uses no others: without it, what it does not declare is guessed.
+    /// True if a document uses no others; else what it does not declare is guessed.
     #[serde(skip)]
     pub only: bool,
 }

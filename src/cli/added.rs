@@ -37,7 +37,7 @@ pub struct RowToAdd {
     /// The expected verdict: reproduced, truncated, off-by-one, rounded, wrong or undetermined (doc/numbers.md explains them)
     #[arg(long, value_name = "VERDICT", requires = "id", default_value = Verdict::Reproduced.name())]
     expected: String,
-    /// What the paper does not say and is assumed, as 'A = 5 N'
+    /// An assumption that the paper does not state, as 'A = 5 N'
     #[arg(long, value_name = "TEXT", requires = "id")]
     rests_on: Option<String>,
     /// A remark for readers

@@ -92,7 +92,7 @@ pub fn tell(document: &Document, name: &str) {
     }
 }
 
-/// What of a document makes no sense.
+/// Returns the faults of a document, for reports.
 pub fn unusable(document: &Document, source: &Source) -> Vec<Unusable> {
     let of = |fault: &Fault| Unusable {
         file: Some(file_of(source, fault.file.as_deref())),
@@ -110,7 +110,7 @@ fn file_of(source: &Source, included: Option<&str>) -> String {
     }
 }
 
-/// What the printed numbers came to. One that makes no sense is said, and stops no other.
+/// Checks the printed numbers. One that makes no sense is told, and stops no other.
 pub fn numbers(document: &Document, source: &Source, options: &Options) -> (Vec<Outcome>, Vec<Unusable>) {
     let Source::File(path) = source else {
         return (Vec::new(), Vec::new());

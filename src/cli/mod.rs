@@ -276,7 +276,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
     })
 }
 
-/// What is wrong with a command line, and what was probably meant.
+/// Returns what is wrong with a command line, and what was probably meant.
 fn advised(error: &clap::Error) -> String {
     let found = match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(found)) => found.as_str(),

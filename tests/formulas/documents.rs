@@ -682,6 +682,15 @@ fn symbols_beside_those_declared_are_guessed_and_never_refute() {
         found.guesses
     );
     decided_as_its_draft(&found);
+    // nor do derivatives of a guessed function, and single symbols of a guessed pair
+    let beside = r"
+\begin{equation} u(t) + u(t) = 2 u(t) \end{equation} % audit: claim
+\begin{equation} \dot u + \dot u = \dot u \end{equation} % audit: claim
+\begin{equation} x_{1,2} = m \pm m \end{equation} % audit: premise
+\begin{equation} 2 x = x \end{equation} % audit: claim
+";
+    let rows = decisions(&document(&format!("% audit: symbols positive m\n{beside}"), &[]));
+    assert!(rows.iter().all(|row| row.verdict != Verdict::Refuted), "{rows:?}");
     let strict = document(&format!("% audit: symbols positive m; only\n{formulas}"), &[]);
     let unread = decisions(&strict)
         .into_iter()

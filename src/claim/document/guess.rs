@@ -50,9 +50,9 @@ pub(super) struct Guess {
     marks: Marks,
     /// Letters before brackets.
     factors: Factors,
-    /// Whether the document declares symbols.
+    /// True if the document declares symbols.
     pub has_symbols: bool,
-    /// Whether it uses no others.
+    /// True if it uses no others.
     is_strict: bool,
     /// What the document declares itself.
     vocabulary: Vocabulary,
@@ -72,7 +72,7 @@ pub(super) struct Guess {
     doubtful: HashSet<String>,
     /// The symbols beside those declared, and the declared ones that were probably meant.
     undeclared: BTreeMap<Name, Option<String>>,
-    /// Which of them each formula uses.
+    /// Those of them that each formula uses.
     uses: HashMap<String, BTreeSet<Name>>,
 }
 
@@ -625,7 +625,7 @@ impl Guess {
             .collect()
     }
 
-    /// What a claim takes for granted of the symbols that nothing declares.
+    /// Returns what a claim takes for granted of the symbols that nothing declares.
     fn undeclared_beneath(&self, label: &str, below: &HashMap<String, Vec<String>>) -> Vec<String> {
         let labels = labels_below(label, below).into_iter().map(String::as_str);
         let used: BTreeSet<&Name> = labels
@@ -702,9 +702,7 @@ impl Guess {
         let known: HashSet<Name> = read.into_iter().flat_map(of_time).collect();
         let mut found = BTreeMap::new();
         for entry in unread {
-            let at = self
-                .numbers
-                .get(entry.label.trim_end_matches(" =>").trim_end_matches(" <="));
+            let at = self.numbers.get(printed_label(&entry.label));
             if at.is_none_or(|&at| self.problem(at, &entry.tex.tex).is_some()) {
                 continue;
             }
@@ -714,13 +712,17 @@ impl Guess {
             found.extend(functions.map(|name| (name, None)));
             let symbols = entry.unread.iter().flat_map(Fault::unknown);
             let symbols = symbols.filter(|unknown| !is_derivative(&unknown.name));
-            found.extend(symbols.map(|unknown| (unknown.name.clone(), unknown.meant.clone())));
+            for unknown in symbols {
+                // of a pair its single symbol is what is declared
+                found.extend(pair_of(&unknown.name).map(|single| (single, None)));
+                found.insert(unknown.name.clone(), unknown.meant.clone());
+            }
         }
         found.retain(|name, _| !self.undeclared.contains_key(name));
         found
     }
 
-    /// Which of the symbols that nothing declares each formula uses.
+    /// Returns the symbols that nothing declares, for each formula that uses some.
     fn uses(&self, sheet: &Sheet) -> HashMap<String, BTreeSet<Name>> {
         let mut uses: HashMap<String, BTreeSet<Name>> = HashMap::new();
         for entry in &sheet.entries {
@@ -728,9 +730,13 @@ impl Guess {
             for (tree, _) in entry.trees(&sheet.vocabulary) {
                 names_in(tree, &mut names);
             }
-            names.retain(|name| self.undeclared.contains_key(name));
-            let label = entry.label.trim_end_matches(" =>").trim_end_matches(" <=");
-            uses.entry(label.to_owned()).or_default().append(&mut names);
+            let undeclared = names
+                .iter()
+                .flat_map(|name| [Some(name.clone()), pair_of(name), undotted(name)]);
+            let own = undeclared.flatten().filter(|name| self.undeclared.contains_key(name));
+            uses.entry(printed_label(&entry.label).to_owned())
+                .or_default()
+                .extend(own);
         }
         uses
     }
@@ -821,6 +827,21 @@ impl Guess {
         }
         told
     }
+}
+
+/// The label that a formula has in the document, of which an equivalence `7` is decided as `7 =>` and `7 <=`.
+fn printed_label(label: &str) -> &str {
+    label.trim_end_matches(" =>").trim_end_matches(" <=")
+}
+
+/// The name that this is a derivative of, where it has dots or primes.
+fn undotted(name: &Name) -> Option<Name> {
+    let accents = name.accents.iter().filter(|accent| !accent.contains("dot"));
+    is_derivative(name).then(|| Name {
+        primes: 0,
+        accents: accents.cloned().collect(),
+        ..name.clone()
+    })
 }
 
 /// Returns true for a name with dots or primes, which is the derivative of another.
