@@ -4,7 +4,7 @@ use super::nodes::{any, speaks_of};
 use super::substitute::{number_of, rewrite};
 use super::vocabulary::Vocabulary;
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Name, Operation, Relation, Tree};
+use crate::tex::{Condition, Elementary, Name, Operation, Relation, Tree};
 use std::collections::BTreeSet;
 
 /// The numbers from 0 that are put in for the letters of an exponent, and the most letters.
@@ -86,7 +86,7 @@ pub(super) fn is_plainly_not_negative(tree: &Tree, vocabulary: &Vocabulary, assu
                     || vocabulary.positive.contains(name)
                     || vocabulary.nonnegative.contains(name)
             }
-            Tree::Call(name, ..) => matches!(name.base.as_str(), "\\abs" | "\\exp" | "\\cosh"),
+            Tree::Call(name, ..) => Elementary::named(name).is_some_and(Elementary::is_never_negative),
             Tree::Power(inner, exponent, _) => exponent % 2 == 0 || again(inner),
             Tree::Root(_, index, _) => index % 2 == 0,
             Tree::RealPower(base, ..) => again(base),

@@ -5,7 +5,9 @@ use super::fault::{Fault, Source};
 use super::nodes::any;
 use super::vocabulary::Vocabulary;
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Display, Equation, Name, Names, ReadError, Relation, Tree, read_conditions, read_display};
+use crate::tex::{
+    Condition, Display, Elementary, Equation, Name, Names, ReadError, Relation, Tree, read_conditions, read_display,
+};
 use std::collections::HashSet;
 
 /// A way of an equivalence.
@@ -230,19 +232,6 @@ fn parts(tex: &str) -> Vec<String> {
     parts.collect()
 }
 
-/// Functions that have a value everywhere.
-const TOTAL: [&str; 9] = [
-    "\\sin",
-    "\\cos",
-    "\\exp",
-    "\\abs",
-    "\\sinh",
-    "\\cosh",
-    "\\tanh",
-    "\\arctan",
-    "\\operatorname{sgn}",
-];
-
 /// The parts of an equation that may have no value somewhere.
 fn partial(equation: &Equation) -> HashSet<Tree> {
     let mut found = HashSet::new();
@@ -253,7 +242,9 @@ fn partial(equation: &Equation) -> HashSet<Tree> {
                 Tree::Quotient(_, below, _) if !is_number(below) => Some(below.as_ref()),
                 Tree::Power(_, ..0, _) | Tree::RealPower(..) | Tree::Operation(..) => Some(node),
                 Tree::Root(of, ..) if !is_number(of) => Some(node),
-                Tree::Call(name, ..) if name.base.starts_with('\\') && !TOTAL.contains(&name.base.as_str()) => {
+                Tree::Call(name, ..)
+                    if name.base.starts_with('\\') && !Elementary::named(name).is_some_and(Elementary::is_total) =>
+                {
                     Some(node)
                 }
                 _ => None,

@@ -7,7 +7,7 @@ use super::space::{Slot, Space};
 use super::value::Function;
 use crate::claim::{Local, Vocabulary, index_of, number_of};
 use crate::number::{Field, Rational};
-use crate::tex::{Invariant, Name, Tree};
+use crate::tex::{Elementary, Invariant, Name, Tree};
 use dashu_int::ops::Gcd;
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
@@ -388,21 +388,13 @@ impl<'a> Compiler<'a> {
             "Re" => Re,
             "Im" => Im,
             "arg" => Arg,
-            quotient => {
-                let (above, below) = match quotient {
-                    "tan" => (Some(Sin), Cos),
-                    "cot" => (Some(Cos), Sin),
-                    "sec" => (None, Cos),
-                    "csc" => (None, Sin),
-                    "tanh" => (Some(Sinh), Cosh),
-                    "coth" => (Some(Cosh), Sinh),
-                    _ => return None,
-                };
+            _ => {
+                let (above, below) = Elementary::by_command(command)?.quotient()?;
                 let above = match above {
-                    Some(function) => self.formulas.apply(function, u),
+                    Some(above) => self.elementary(above.command, u)?,
                     None => self.formulas.integer(1),
                 };
-                let below = self.formulas.apply(below, u);
+                let below = self.elementary(below.command, u)?;
                 return Some(self.formulas.divide(above, below));
             }
         };

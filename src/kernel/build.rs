@@ -8,7 +8,7 @@ use super::statement::{
 use super::term::{Elementary, Node, Symbol, Term};
 use crate::claim::{Local, Map, Statements, Vocabulary, index_of, pair_of};
 use crate::number::Rational;
-use crate::tex::{Condition, Equation, Invariant, Name, Relation, Tree};
+use crate::tex::{self, At, Condition, Equation, Invariant, Name, Relation, Tree};
 use std::collections::{BTreeSet, HashMap};
 
 /// What a claim asks of one of its equations: all of these must hold for it.
@@ -1157,7 +1157,7 @@ impl<'a> Builder<'a> {
             return Err(unreadable(at, format!("`{name}` is not a function here")));
         }
         let of = self.tree(argument)?;
-        self.elementary(function, of)
+        self.elementary(name, of)
             .ok_or_else(|| unreadable(at, format!("`{name}` is not read yet")))
     }
 
@@ -1196,77 +1196,63 @@ impl<'a> Builder<'a> {
         self.value_of(name, u32::from(name.primes), time)
     }
 
-    /// An elementary function, made of those that are terms of their own.
-    fn elementary(&mut self, function: &str, of: Term) -> Option<Term> {
-        let terms = &mut self.statement.terms;
-        let ratio = |terms: &mut super::term::Terms, above, below| {
-            let above = terms.elementary(above, of);
-            let below = terms.elementary(below, of);
-            terms.quotient(above, below)
-        };
-        let one = terms.integer(1);
-        Some(match function {
-            r"\sin" => terms.elementary(Elementary::Sin, of),
-            r"\cos" => terms.elementary(Elementary::Cos, of),
-            r"\exp" => terms.elementary(Elementary::Exp, of),
-            r"\ln" | r"\log" => terms.elementary(Elementary::Ln, of),
-            r"\arcsin" => terms.elementary(Elementary::Arcsin, of),
-            r"\arccos" => terms.elementary(Elementary::Arccos, of),
-            r"\arctan" => terms.elementary(Elementary::Arctan, of),
-            r"\tan" => ratio(terms, Elementary::Sin, Elementary::Cos),
-            r"\cot" => ratio(terms, Elementary::Cos, Elementary::Sin),
-            r"\sec" | r"\csc" => {
-                let below = if function == r"\sec" {
-                    Elementary::Cos
-                } else {
-                    Elementary::Sin
-                };
-                let below = terms.elementary(below, of);
-                terms.quotient(one, below)
-            }
-            r"\sinh" | r"\cosh" | r"\tanh" | r"\coth" => {
-                let minus = terms.negative(of);
-                let (up, down) = (
-                    terms.elementary(Elementary::Exp, of),
-                    terms.elementary(Elementary::Exp, minus),
-                );
-                let (sum, difference, two) = (terms.sum(vec![up, down]), terms.difference(up, down), terms.integer(2));
-                match function {
-                    r"\sinh" => terms.quotient(difference, two),
-                    r"\cosh" => terms.quotient(sum, two),
-                    r"\tanh" => terms.quotient(difference, sum),
-                    _ => terms.quotient(sum, difference),
-                }
-            }
-            r"\arcosh" if self.statement.complex => {
-                // DLMF 4.37.19: the principal value is not the logarithm of z + root(z² - 1) everywhere
-                let minus_one = terms.integer(-1);
-                let [above, below] = [one, minus_one].map(|shift| terms.sum(vec![of, shift]));
-                let [above, below] = [above, below].map(|of| terms.elementary(Elementary::Root(2), of));
-                let product = terms.product(vec![above, below]);
-                let sum = terms.sum(vec![of, product]);
-                terms.elementary(Elementary::Ln, sum)
-            }
-            r"\arsinh" | r"\arcosh" => {
-                let square = terms.add(Node::Power(of, 2));
-                let radicand = match function {
-                    r"\arsinh" => terms.sum(vec![square, one]),
-                    _ => terms.difference(square, one),
-                };
-                let root = terms.elementary(Elementary::Root(2), radicand);
-                let sum = terms.sum(vec![of, root]);
-                terms.elementary(Elementary::Ln, sum)
-            }
-            r"\artanh" => {
-                let (above, below, two) = (terms.sum(vec![one, of]), terms.difference(one, of), terms.integer(2));
-                let quotient = terms.quotient(above, below);
-                let logarithm = terms.elementary(Elementary::Ln, quotient);
-                terms.quotient(logarithm, two)
-            }
+    /// An elementary function: a term of its own, or what it is defined to be.
+    fn elementary(&mut self, function: &Name, of: Term) -> Option<Term> {
+        let own = match function.base.as_str() {
+            r"\sin" => Elementary::Sin,
+            r"\cos" => Elementary::Cos,
+            r"\exp" => Elementary::Exp,
+            r"\ln" => Elementary::Ln,
+            r"\arcsin" => Elementary::Arcsin,
+            r"\arccos" => Elementary::Arccos,
+            r"\arctan" => Elementary::Arctan,
             r"\abs" => {
                 self.real_only = true;
-                let square = terms.add(Node::Power(of, 2));
-                terms.elementary(Elementary::Root(2), square)
+                let square = self.statement.terms.add(Node::Power(of, 2));
+                return Some(self.statement.terms.elementary(Elementary::Root(2), square));
+            }
+            _ => {
+                let letter = Tree::Symbol(Name::default(), At::default());
+                let definition = tex::Elementary::named(function)?.definition(&letter)?;
+                return self.defined(&definition, of);
+            }
+        };
+        Some(self.statement.terms.elementary(own, of))
+    }
+
+    /// The term of a definition, where each symbol stands for this one.
+    fn defined(&mut self, definition: &Tree, of: Term) -> Option<Term> {
+        let mut part = |tree: &Tree| self.defined(tree, of);
+        Some(match definition {
+            Tree::Symbol(..) => of,
+            Tree::Number(value) => self.statement.terms.number(value.clone()),
+            Tree::Negate(inner) => {
+                let inner = part(inner)?;
+                self.statement.terms.negative(inner)
+            }
+            Tree::Sum(parts) => {
+                let parts = parts.iter().map(part).collect::<Option<_>>()?;
+                self.statement.terms.sum(parts)
+            }
+            Tree::Product(parts) => {
+                let parts = parts.iter().map(part).collect::<Option<_>>()?;
+                self.statement.terms.product(parts)
+            }
+            Tree::Quotient(above, below, _) => {
+                let (above, below) = (part(above)?, part(below)?);
+                self.statement.terms.quotient(above, below)
+            }
+            Tree::Power(base, exponent, _) => {
+                let base = part(base)?;
+                self.statement.terms.add(Node::Power(base, *exponent))
+            }
+            Tree::Root(radicand, index, _) => {
+                let radicand = part(radicand)?;
+                self.statement.terms.elementary(Elementary::Root(*index), radicand)
+            }
+            Tree::Call(name, argument, _) => {
+                let argument = part(argument)?;
+                self.elementary(name, argument)?
             }
             _ => return None,
         })

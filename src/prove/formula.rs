@@ -2,7 +2,7 @@
 
 use crate::claim::{Local, Map, Statements, Vocabulary, flies, index_of, pair_of, subscript_of};
 use crate::kernel::{Question, Symbol};
-use crate::tex::{Condition, Equation, Invariant, Name, Relation, Tree};
+use crate::tex::{Condition, Elementary, Equation, Invariant, Name, Relation, Tree};
 
 /// All formulas of a question.
 pub struct Formulas<'a> {
@@ -363,15 +363,11 @@ impl Within<'_> {
             return unknown;
         }
         let function = match name.base.as_str() {
-            r"\ln" | r"\log" => "ln",
-            r"\arcsin" => "asin",
-            r"\arccos" => "acos",
-            r"\arctan" => "atan",
             r"\arsinh" | r"\arcosh" | r"\artanh" => {
                 return format!("v.{}({at})", name.base.trim_start_matches('\\'));
             }
             r"\abs" => return format!("v.root({at} ** 2, 2)"),
-            other => other.trim_start_matches('\\'),
+            _ => Elementary::named(name).map_or(name.base.as_str(), |function| function.sympy),
         };
         format!("mpmath.{function}({at})")
     }

@@ -4,7 +4,8 @@
 //! and symbols that ends in its variable. It ends before a sign, a relation, a closing bracket, `\cdot` and the next
 //! function. Whatever else follows may print as more of it, and is refused with both readings.
 
-use super::command::{ABSOLUTE, elementary, is_part};
+use super::command::ABSOLUTE;
+use super::elementary::Elementary;
 use super::error::Fault;
 use super::part::{Form, Part, starts_factor};
 use super::reader::{Reader, product};
@@ -29,7 +30,7 @@ impl<'a> Reader<'a> {
     /// The argument without brackets of `function`, whose value there is `value`.
     pub(super) fn bare_argument(
         &mut self,
-        function: &str,
+        function: &Elementary,
         value: &dyn Fn(Box<Tree>) -> Box<Tree>,
     ) -> Result<Box<Tree>, Fault> {
         self.deepen()?;
@@ -43,7 +44,7 @@ impl<'a> Reader<'a> {
             (Form::Knot, Tree::Product(factors)) if self.prints_as_run(start) && self.is_run(&factors) => factors,
             (form, tree) if self.is_argument(token.kind, form, &tree) => vec![tree],
             // `\arg G(x)` has one reading
-            (Form::Plain, tree @ Tree::Call(..)) if is_part(function) => vec![tree],
+            (Form::Plain, tree @ Tree::Call(..)) if function.is_part() => vec![tree],
             _ => {
                 let instead = "write brackets around the argument";
                 return Err(Fault::ambiguous(at, "an argument without brackets", instead));
@@ -128,7 +129,9 @@ impl<'a> Reader<'a> {
     fn is_argument(&self, kind: Kind, form: Form, tree: &Tree) -> bool {
         match (form, tree) {
             (Form::Literal | Form::Fraction | Form::Bracketed | Form::Bare, _) => true,
-            (Form::Plain, Tree::Call(name, ..)) => elementary(&name.base).is_some() && !self.names.is_function(name),
+            (Form::Plain, Tree::Call(name, ..)) => {
+                Elementary::by_command(&name.base).is_some() && !self.names.is_function(name)
+            }
             (Form::Plain, Tree::Symbol(..) | Tree::Root(..)) => true,
             (Form::Plain, Tree::Operation(operation, _)) => matches!(**operation, Operation::Root { .. }),
             // an angle in degrees
@@ -195,7 +198,7 @@ fn symbol_of(tree: &Tree) -> Option<&Name> {
 fn last_call(tree: &Tree) -> Option<(&Name, &Tree)> {
     match tree {
         Tree::Call(name, argument, _) => {
-            let is_open = name.base != ABSOLUTE && elementary(&name.base).is_some();
+            let is_open = name.base != ABSOLUTE && Elementary::by_command(&name.base).is_some();
             is_open.then_some((name, &**argument))
         }
         Tree::Power(base, ..) | Tree::RealPower(base, ..) => last_call(base),

@@ -51,7 +51,7 @@ impl<'a> Reader<'a> {
             Kind::Letter | Kind::Word | Kind::Accent => self.named(token),
             Kind::BraceOpen => self.group(token.at),
             Kind::Function => {
-                let function = super::command::elementary(token.text);
+                let function = super::elementary::Elementary::by_word(token.text);
                 let function = function.ok_or_else(|| self.instead_of("a function"))?;
                 self.elementary(function, 1)
             }

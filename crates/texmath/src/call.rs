@@ -1,9 +1,7 @@
 //! What a bracket makes of a name: calls, elementary functions, traces and determinants.
 
-use super::command::{
-    CONJUGATE, DECIMAL_LOGARITHM, HYPERBOLIC_COSECANT, HYPERBOLIC_SECANT, elementary, elementary_at_start, has_powers,
-    invariant, is_part,
-};
+use super::command::{CONJUGATE, invariant};
+use super::elementary::Elementary;
 use super::error::{Fault, Reason};
 use super::exponent::Exponent;
 use super::part::{Form, Part};
@@ -11,7 +9,6 @@ use super::reader::{Reader, product};
 use super::symbol::base;
 use super::token::{Bracket, Kind, Token};
 use super::{At, DoubtKind, Invariant, Name, OtherReading, Tree};
-use numbers::{Field, Rational};
 
 impl<'a> Reader<'a> {
     /// What begins with a letter, a word or an accent: a symbol, a call, a trace or an elementary function.
@@ -43,9 +40,9 @@ impl<'a> Reader<'a> {
     }
 
     /// The elementary function that an upright word names; `Re` may be declared to be something else.
-    pub(super) fn function_word(&self, word: &str) -> Option<&'static str> {
+    pub(super) fn function_word(&self, word: &str) -> Option<&'static Elementary> {
         let is_declared = self.names.words.iter().any(|declared| declared == word);
-        elementary(word).filter(|function| !(is_declared && is_part(function)))
+        Elementary::by_word(word).filter(|function| !(is_declared && function.is_part()))
     }
 
     /// `\overline{..}`: over a symbol an accent, over any other formula its conjugate.
@@ -196,13 +193,13 @@ impl<'a> Reader<'a> {
     }
 
     /// An elementary function, whose name is the next `length` tokens.
-    pub(super) fn elementary(&mut self, function: &'static str, length: usize) -> Result<Part, Fault> {
+    pub(super) fn elementary(&mut self, function: &'static Elementary, length: usize) -> Result<Part, Fault> {
         let at = self.here();
         self.next += length;
         let base = self.logarithm_base(function)?;
         let value = |argument| match &base {
             Some(base) => logarithm(base.clone(), argument, at),
-            None => elementary_call(function, argument, at),
+            None => function.of(argument, at),
         };
         let power = match self.peek_kind() {
             Some(Kind::Sup | Kind::Sub | Kind::Prime) => self.power_of(function)?,
@@ -221,11 +218,10 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The base of a logarithm, written as in `\log_2 x` or meant as in `\lg x`.
-    fn logarithm_base(&mut self, function: &str) -> Result<Option<Box<Tree>>, Fault> {
-        match (function, self.peek_kind()) {
-            (DECIMAL_LOGARITHM, _) => Ok(Some(Box::new(Tree::Number(Rational::from_integer(10))))),
-            ("\\log", Some(Kind::Sub)) => {
+    /// The base of a logarithm, as in `\log_2 x`.
+    fn logarithm_base(&mut self, function: &Elementary) -> Result<Option<Box<Tree>>, Fault> {
+        match (function.command, self.peek_kind()) {
+            (r"\log", Some(Kind::Sub)) => {
                 self.next += 1;
                 self.argument().map(Some)
             }
@@ -234,12 +230,12 @@ impl<'a> Reader<'a> {
     }
 
     /// The power between an elementary function and its argument.
-    fn power_of(&mut self, function: &str) -> Result<Option<Exponent>, Fault> {
+    fn power_of(&mut self, function: &Elementary) -> Result<Option<Exponent>, Fault> {
         let is = |ahead: usize, kind: Kind| self.look(ahead).is_some_and(|token| token.kind == kind);
         // `\sin^{(n)}` is a derivative
         let in_brackets = is(1, Kind::BraceOpen) && matches!(self.look(2).map(|token| token.kind), Some(Kind::Open(_)));
         let power = self.power()?;
-        match has_powers(function) && !in_brackets {
+        match function.has_powers && !in_brackets {
             true => power.map(Exponent::of_function).transpose(),
             false => power.map(Exponent::before_argument).transpose(),
         }
@@ -256,10 +252,10 @@ impl<'a> Reader<'a> {
 
     /// Whether `cos(` or its like stands next, in letters: which, and how many letters. Without the bracket such
     /// letters are an error, not a product.
-    fn plain_elementary(&self) -> Option<(&'static str, usize)> {
+    fn plain_elementary(&self) -> Option<(&'static Elementary, usize)> {
         let run = self.letters(true);
-        let function = elementary_at_start(&run).filter(|_| self.names.word_at_start(&run).is_none())?;
-        let length = function.len() - 1;
+        let function = Elementary::at_start(&run).filter(|_| self.names.word_at_start(&run).is_none())?;
+        let length = function.command.len() - 1;
         self.bracket_follows(length).then_some((function, length))
     }
 
@@ -356,19 +352,9 @@ const FOREIGN_FUNCTIONS: [&str; 19] = [
     "round", "gcd", "Re", "Im", "arg",
 ];
 
-fn elementary_call(function: &str, argument: Box<Tree>, at: usize) -> Box<Tree> {
-    let reciprocal = match function {
-        HYPERBOLIC_SECANT => "\\cosh",
-        HYPERBOLIC_COSECANT => "\\sinh",
-        _ => return Box::new(Tree::Call(base(function), argument, At(at))),
-    };
-    let one = Box::new(Tree::Number(Rational::from_integer(1)));
-    Box::new(Tree::Quotient(one, elementary_call(reciprocal, argument, at), At(at)))
-}
-
 /// `\log_a x` = ln x / ln a.
 fn logarithm(of_base: Box<Tree>, argument: Box<Tree>, at: usize) -> Box<Tree> {
-    let [above, below] = [argument, of_base].map(|of| elementary_call("\\ln", of, at));
+    let [above, below] = [argument, of_base].map(|of| Box::new(Tree::Call(base(r"\ln"), of, At(at))));
     Box::new(Tree::Quotient(above, below, At(at)))
 }
 

@@ -1,5 +1,6 @@
 //! The TeX commands and characters that are known, and what each does to the reading.
 
+use super::elementary::Elementary;
 use super::token::{Bracket, Kind};
 use super::{Invariant, Relation, Series};
 
@@ -107,29 +108,6 @@ pub(super) const DOUBLE_FACTORIAL: &str = "\\doublefactorial";
 /// The name of the conjugate as a function: a line over its argument.
 pub(super) const CONJUGATE: &str = "\\conjugate";
 
-/// The real and the imaginary part and the argument of a complex number; never read from letters, as `Re` may be the
-/// Reynolds number.
-const PARTS: [&str; 3] = ["\\Re", "\\Im", "\\arg"];
-
-/// Whether a function is the real or the imaginary part of its argument, or the argument of it as a complex number.
-pub(super) fn is_part(function: &str) -> bool {
-    PARTS.contains(&function)
-}
-
-/// Functions that are known without a declaration, longest first where one starts another.
-const FUNCTIONS: &[&str] = &[
-    "\\arccos", "\\arcsin", "\\arctan", "\\arcosh", "\\arsinh", "\\artanh", "\\sinh", "\\cosh", "\\tanh", "\\coth",
-    "\\sin", "\\cos", "\\tan", "\\cot", "\\sec", "\\csc", "\\exp", "\\log", "\\ln", "\\sgn", ABSOLUTE,
-];
-
-/// Those of them that LaTeX has no command for.
-const OPERATOR_NAMES: &[&str] = &["\\arcosh", "\\arsinh", "\\artanh", "\\sgn", ABSOLUTE];
-
-/// The word that `\operatorname` takes to print the function `base`, where LaTeX has no command for it.
-pub(super) fn operator_name(base: &str) -> Option<&str> {
-    OPERATOR_NAMES.contains(&base).then(|| base.trim_start_matches('\\'))
-}
-
 const SKIPPED: &[&str] = &[
     "\\!",
     "\\/",
@@ -155,56 +133,6 @@ const SKIPPED: &[&str] = &[
 /// The width of the blank between two words, in eighteenths of a quad.
 pub(super) const WORD_SPACE: u32 = 6;
 
-/// The logarithm with base 10; never read from letters, which are a product as in `m l g(1 - \cos\theta)`.
-pub(super) const DECIMAL_LOGARITHM: &str = "\\lg";
-
-/// Reciprocals of hyperbolic functions, read as quotients; never read from letters.
-pub(super) const HYPERBOLIC_SECANT: &str = "\\sech";
-pub(super) const HYPERBOLIC_COSECANT: &str = "\\csch";
-
-/// The command of the elementary function `word`, as `cos` or `\cos`.
-pub(super) fn elementary(word: &str) -> Option<&'static str> {
-    let word = match word.strip_prefix('\\').unwrap_or(word) {
-        "arcsinh" => "arsinh",
-        "arccosh" => "arcosh",
-        "arctanh" => "artanh",
-        "lg" => return Some(DECIMAL_LOGARITHM),
-        "sech" => return Some(HYPERBOLIC_SECANT),
-        "csch" => return Some(HYPERBOLIC_COSECANT),
-        word => word,
-    };
-    let known = |command: &&&str| command.strip_prefix('\\') == Some(word);
-    FUNCTIONS.iter().chain(&PARTS).find(known).copied()
-}
-
-/// The elementary function that a run of letters starts with.
-pub(super) fn elementary_at_start(run: &str) -> Option<&'static str> {
-    let starts = |command: &&&str| command.strip_prefix('\\').is_some_and(|name| run.starts_with(name));
-    FUNCTIONS.iter().find(starts).copied()
-}
-
-/// Whether a symbol before the argument of this function is a power, as in `\sin^n x`.
-pub(super) fn has_powers(function: &str) -> bool {
-    const POWERS: &[&str] = &[
-        "\\sin",
-        "\\cos",
-        "\\tan",
-        "\\cot",
-        "\\sec",
-        "\\csc",
-        "\\sinh",
-        "\\cosh",
-        "\\tanh",
-        "\\coth",
-        HYPERBOLIC_SECANT,
-        HYPERBOLIC_COSECANT,
-        "\\ln",
-        "\\log",
-        DECIMAL_LOGARITHM,
-    ];
-    POWERS.contains(&function)
-}
-
 /// The invariant that `word` names, as `Tr` or `det`.
 pub(super) fn invariant(word: &str) -> Option<Invariant> {
     match word {
@@ -222,8 +150,8 @@ pub(super) fn command(text: &str) -> Command {
     if LETTERS.contains(&text) {
         return Command::Token(Kind::Letter);
     }
-    if let Some(function) = elementary(text).filter(|_| text.starts_with('\\')) {
-        return Command::Spelled(Kind::Function, function);
+    if let Some(function) = Elementary::by_word(text).filter(|_| text.starts_with('\\')) {
+        return Command::Spelled(Kind::Function, function.command);
     }
     structure(text)
         .or_else(|| sign(text))
@@ -441,18 +369,5 @@ fn hint(text: &str) -> &'static str {
         }
         "\\notin" | "\\subset" | "\\subseteq" => ": only \\in is read, and only in a condition",
         _ => "",
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn longest_function_first() {
-        assert_eq!(elementary_at_start("sinhx"), Some("\\sinh"));
-        assert_eq!(elementary_at_start("sin"), Some("\\sin"));
-        assert_eq!(elementary("cos"), Some("\\cos"));
-        assert_eq!(elementary("x"), None);
     }
 }

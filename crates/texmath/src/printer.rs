@@ -1,14 +1,15 @@
 //! Tree -> TeX that reads back to the same tree, given the same [`Names`](super::Names).
 
 use super::argument::may_scale;
-use super::command::{ABSOLUTE, CONJUGATE, DOUBLE_FACTORIAL, FACTORIAL, operator_name};
+use super::command::{ABSOLUTE, CONJUGATE, DOUBLE_FACTORIAL, FACTORIAL};
+use super::elementary::Elementary;
 use super::{Case, Condition, Equation, Invariant, Name, Operation, Relation, Series, Tree};
 use numbers::Rational;
 use std::fmt;
 
 impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let plain = match operator_name(&self.base) {
+        let plain = match Elementary::by_command(&self.base).and_then(Elementary::operator_name) {
             Some(word) => format!("\\operatorname{{{word}}}"),
             None => self.base.clone(),
         };

@@ -1,7 +1,7 @@
 //! Names: letters, declared words, accents.
 
 use super::Name;
-use super::command::elementary_at_start;
+use super::elementary::Elementary;
 use super::error::{Fault, Reason};
 use super::reader::Reader;
 use super::token::{Kind, Token};
@@ -63,9 +63,9 @@ impl<'a> Reader<'a> {
             self.next += word.len();
             return Ok(base(&word));
         }
-        if let Some(function) = elementary_at_start(&run) {
+        if let Some(function) = Elementary::at_start(&run) {
             let instead = "write it with a backslash or a bracket behind it, or its letters apart for a product";
-            let found = function.trim_start_matches('\\');
+            let found = function.command.trim_start_matches('\\');
             return Err(Fault::ambiguous(first.at, &format!("`{found}`"), instead));
         }
         self.next += 1;

@@ -13,7 +13,8 @@ use super::marks::{Marks, Stated};
 use super::members::Members;
 use super::scan::Formula;
 use crate::tex::{
-    Display, Equation, Name, Names, Operation, ReadError, Relation, Tree, read_display, read_name, with_commands,
+    Display, Elementary, Equation, Name, Names, Operation, ReadError, Relation, Tree, read_display, read_name,
+    with_commands,
 };
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use toml::Spanned;
@@ -880,8 +881,7 @@ fn last_name(before: &str) -> Option<Name> {
     let names = starts.filter_map(|at| {
         let text = before.get(at..)?;
         let name = read_name(text, &Names::default()).ok()?;
-        let is_elementary = name.base.starts_with('\\')
-            && ["\\sin", "\\cos", "\\tan", "\\exp", "\\ln", "\\log"].contains(&name.base.as_str());
+        let is_elementary = Elementary::named(&name).is_some();
         (!is_elementary && name.primes == 0 && name.mark.is_empty()).then_some(name)
     });
     names.last()

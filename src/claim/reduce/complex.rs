@@ -18,7 +18,7 @@ use super::factorial::is_integer;
 use super::law::{names_function, value_of};
 use super::{Goal, Reduced, Rule, fresh_like, rewritten, trees};
 use crate::number::{Field, Rational};
-use crate::tex::{At, Condition, Equation, Name, Operation, Relation, Tree};
+use crate::tex::{At, Condition, Elementary, Equation, Name, Operation, Relation, Tree};
 use std::collections::BTreeMap;
 
 /// The largest formula of a part, in nodes.
@@ -857,45 +857,34 @@ impl Splitter<'_> {
                 let argument = self.pair(argument)?;
                 circular(&name.base, argument)
             }
-            r"\tan" | r"\cot" | r"\sec" | r"\csc" | r"\tanh" | r"\coth" => {
-                let argument = self.pair(argument)?;
-                if is_zero(&argument.im) {
-                    return Ok(Pair::real(self.noted(again(argument.re))));
-                }
-                let of = |function: &str| circular(function, argument.clone());
-                let one = Pair::real(integer(1));
-                let (above, below) = match name.base.as_str() {
-                    r"\tan" => (of(r"\sin"), of(r"\cos")),
-                    r"\cot" => (of(r"\cos"), of(r"\sin")),
-                    r"\sec" => (one, of(r"\cos")),
-                    r"\csc" => (one, of(r"\sin")),
-                    r"\tanh" => (of(r"\sinh"), of(r"\cosh")),
-                    _ => (of(r"\cosh"), of(r"\sinh")),
-                };
-                self.quotient(above, below)
-            }
             r"\ln" | r"\log" => {
                 let argument = self.positive(argument)?;
                 Pair::real(self.noted(again(argument)))
             }
-            r"\arctan" | r"\arsinh" => Pair::real(again(self.real(argument)?)),
-            r"\arcsin" | r"\arccos" | r"\artanh" => {
-                let argument = self.real(argument)?;
-                let rest = difference(integer(1), power(argument.clone(), 2));
-                let relation = match name.base.as_str() {
-                    r"\artanh" => Relation::Greater,
-                    _ => Relation::GreaterOrEqual,
-                };
-                self.need(less(rest, relation));
-                Pair::real(self.noted(again(argument)))
+            _ => {
+                let unknown = || format!("the real and imaginary part of `{name}`");
+                let function = Elementary::named(name).ok_or_else(unknown)?;
+                if let Some((above, below)) = function.quotient() {
+                    let argument = self.pair(argument)?;
+                    if is_zero(&argument.im) {
+                        return Ok(Pair::real(self.noted(again(argument.re))));
+                    }
+                    let of = |function: &Elementary| circular(function.command, argument.clone());
+                    self.quotient(above.map_or_else(|| Pair::real(integer(1)), of), of(below))
+                } else if function.inverse_of.is_some() {
+                    let argument = self.real(argument)?;
+                    let domain = function.domain(&argument).into_iter();
+                    for condition in domain {
+                        self.need(less(difference(condition.left, condition.right), condition.relation));
+                    }
+                    match function.is_total() {
+                        true => Pair::real(again(argument)),
+                        false => Pair::real(self.noted(again(argument))),
+                    }
+                } else {
+                    return Err(unknown());
+                }
             }
-            r"\arcosh" => {
-                let argument = self.real(argument)?;
-                let rest = difference(argument.clone(), integer(1));
-                self.need(less(rest, Relation::GreaterOrEqual));
-                Pair::real(self.noted(again(argument)))
-            }
-            _ => return Err(format!("the real and imaginary part of `{name}`")),
         })
     }
 

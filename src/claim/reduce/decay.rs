@@ -7,7 +7,7 @@ use super::derivative::mentions;
 use super::evaluate::may_be_undefined;
 use super::series::{Small, is_likely_zero, is_zero, relation};
 use crate::number::{Field, Rational};
-use crate::tex::{Relation, Tree};
+use crate::tex::{Elementary, Relation, Tree};
 
 impl Small<'_> {
     /// Whether a tree is o(h^n) for every n: its series is 0 then, as far as any is followed.
@@ -98,7 +98,7 @@ impl Small<'_> {
             Tree::Quotient(above, below, _) => self.is_divisor(below) && self.is_moderate(above),
             // bounded, wherever their argument has a value
             Tree::Call(name, argument, _)
-                if matches!(name.base.as_str(), "\\sin" | "\\cos" | "\\tanh" | "\\arctan") =>
+                if Elementary::named(name).is_some_and(|function| function.is_bounded() && function.is_total()) =>
             {
                 !self.vocabulary.speaks_of_complex(argument) && self.is_moderate(argument)
             }

@@ -2,9 +2,10 @@
 
 use super::super::substitute::number_of;
 use super::super::vocabulary::Vocabulary;
-use super::build::{call, difference, integer, plain};
+use super::build::{integer, plain};
+use super::factorial::{DOUBLE_FACTORIAL, FACTORIAL};
 use crate::number::{Field, Rational};
-use crate::tex::{Equation, Name, Operation, Relation, Tree};
+use crate::tex::{Elementary, Equation, Name, Operation, Relation, Tree};
 
 fn relation(left: Tree, relation: Relation, right: Tree) -> Equation {
     Equation {
@@ -96,27 +97,11 @@ fn collect(
         }
         Tree::Call(name, argument, _) => {
             collect(argument, vocabulary, is_smooth, found)?;
-            let at = (**argument).clone();
-            match name.base.as_str() {
-                "\\sin" | "\\cos" | "\\sinh" | "\\cosh" | "\\tanh" | "\\exp" | "\\arctan" | "\\arsinh" | "\\abs" => {}
-                "\\factorial" | "\\doublefactorial" => found.push(relation(at, Relation::GreaterOrEqual, zero())),
-                "\\tan" | "\\sec" => found.push(relation(call("\\cos", at), Relation::NotEqual, zero())),
-                "\\cot" | "\\csc" => found.push(relation(call("\\sin", at), Relation::NotEqual, zero())),
-                "\\coth" => found.push(relation(at, Relation::NotEqual, zero())),
-                "\\ln" | "\\log" => found.push(relation(at, Relation::Greater, zero())),
-                "\\arcsin" | "\\arccos" => {
-                    let square = super::build::power(at, 2);
-                    found.push(relation(
-                        difference(integer(1), square),
-                        Relation::GreaterOrEqual,
-                        zero(),
-                    ));
+            match (name.base.as_str(), Elementary::named(name)) {
+                (FACTORIAL | DOUBLE_FACTORIAL, _) => {
+                    found.push(relation((**argument).clone(), Relation::GreaterOrEqual, zero()));
                 }
-                "\\arcosh" => found.push(relation(at, Relation::GreaterOrEqual, integer(1))),
-                "\\artanh" => {
-                    let square = super::build::power(at, 2);
-                    found.push(relation(difference(integer(1), square), Relation::Greater, zero()));
-                }
+                (_, Some(function)) if !function.is_part() => found.extend(function.domain(argument)),
                 _ if is_smooth(name) => {}
                 _ => return Err(format!("where `{name}` has a value is not known")),
             }

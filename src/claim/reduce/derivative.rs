@@ -4,9 +4,9 @@ use super::super::nodes::{any, nodes_of};
 use super::super::substitute::rewrite;
 use super::super::vocabulary::Vocabulary;
 use super::build::{
-    call, difference, integer, is_zero, negative, plain, power, product, quotient, real_power, root, sum, symbol,
+    call, difference, integer, is_zero, negative, plain, power, product, quotient, real_power, sum, symbol,
 };
-use crate::tex::{Name, Operation, Series, Tree};
+use crate::tex::{Elementary, Name, Operation, Series, Tree};
 
 /// The largest derivative, in nodes.
 const LARGEST: usize = 20_000;
@@ -57,7 +57,9 @@ impl By<'_> {
                 }
                 let outer = match self.vocabulary.is_function(name) || self.vocabulary.is_in_flight(name) {
                     true => self.derivative_of(name, Some(argument))?,
-                    false => elementary(name, argument)?,
+                    false => Elementary::named(name)
+                        .and_then(|function| function.derivative(argument))
+                        .ok_or_else(|| format!("`{name}` is not differentiated"))?,
                 };
                 product(vec![outer, slope])
             }
@@ -185,36 +187,4 @@ impl By<'_> {
             }),
         })
     }
-}
-
-/// The derivative of an elementary function at its argument.
-fn elementary(name: &Name, at: &Tree) -> Result<Tree, String> {
-    let at = || at.clone();
-    let square = |tree: Tree| power(tree, 2);
-    let over = |below: Tree| quotient(integer(1), below);
-    Ok(match name.base.as_str() {
-        "\\sin" => call("\\cos", at()),
-        "\\cos" => negative(call("\\sin", at())),
-        "\\tan" => over(square(call("\\cos", at()))),
-        "\\cot" => negative(over(square(call("\\sin", at())))),
-        "\\sec" => product(vec![call("\\sec", at()), call("\\tan", at())]),
-        "\\csc" => negative(product(vec![call("\\csc", at()), call("\\cot", at())])),
-        "\\sinh" => call("\\cosh", at()),
-        "\\cosh" => call("\\sinh", at()),
-        "\\tanh" => over(square(call("\\cosh", at()))),
-        "\\coth" => negative(over(square(call("\\sinh", at())))),
-        "\\exp" => call("\\exp", at()),
-        "\\ln" | "\\log" => over(at()),
-        "\\arcsin" => over(root(difference(integer(1), square(at())))),
-        "\\arccos" => negative(over(root(difference(integer(1), square(at()))))),
-        "\\arctan" => over(sum(vec![integer(1), square(at())])),
-        "\\arsinh" => over(root(sum(vec![square(at()), integer(1)]))),
-        "\\arcosh" => over(product(vec![
-            root(sum(vec![at(), integer(-1)])),
-            root(sum(vec![at(), integer(1)])),
-        ])),
-        "\\artanh" => over(difference(integer(1), square(at()))),
-        "\\abs" => quotient(at(), call("\\abs", at())),
-        _ => return Err(format!("`{name}` is not differentiated")),
-    })
 }

@@ -13,7 +13,7 @@ use crate::tex::{Condition, Equation, Name, Relation, Tree};
 use std::collections::BTreeMap;
 
 pub(super) const FACTORIAL: &str = "\\factorial";
-const DOUBLE: &str = "\\doublefactorial";
+pub(super) const DOUBLE_FACTORIAL: &str = "\\doublefactorial";
 
 /// The largest number whose factorial is written out, and the most factors n (n - 1) ... of a symbol.
 const LARGEST: i64 = 200;
@@ -26,14 +26,14 @@ pub(super) fn stands_in(tree: &Tree) -> bool {
 
 /// Whether a node is a factorial.
 pub(super) fn is_one(node: &Tree) -> bool {
-    matches!(node, Tree::Call(name, ..) if [FACTORIAL, DOUBLE].contains(&name.base.as_str()))
+    matches!(node, Tree::Call(name, ..) if [FACTORIAL, DOUBLE_FACTORIAL].contains(&name.base.as_str()))
 }
 
 /// The factorial of a number, simple or double; `None` where the argument is no number.
 pub(super) fn of_number(name: &Name, argument: &Tree) -> Option<Result<Tree, String>> {
     let step = match name.base.as_str() {
         FACTORIAL => 1,
-        DOUBLE => 2,
+        DOUBLE_FACTORIAL => 2,
         _ => return None,
     };
     let mut value = whole(argument)?;
@@ -140,7 +140,7 @@ fn simple(tree: &Tree) -> Tree {
         let Tree::Call(name, argument, _) = node else {
             return None;
         };
-        if name.base != DOUBLE {
+        if name.base != DOUBLE_FACTORIAL {
             return None;
         }
         let (letters, constant) = linear(argument)?;

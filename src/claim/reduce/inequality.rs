@@ -15,7 +15,7 @@ use super::derivative::{By, mentions};
 use super::series::{guess_at, seed};
 use super::{Goal, Rule, defined, fresh_like, has_operation, is_spoken_of, ranges, trees, written_out};
 use crate::number::{Field, Rational};
-use crate::tex::{Condition, Equation, Name, Relation, Tree};
+use crate::tex::{Condition, Elementary, Equation, Name, Parity, Relation, Tree};
 
 /// The highest derivative, the largest in nodes, and the most ways that are tried.
 const HIGHEST: usize = 6;
@@ -27,9 +27,6 @@ const MOST_ORDERS: usize = 3;
 const FRACTIONS: [f64; 7] = [0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99];
 const SLACK: f64 = 1e-9;
 const SHIFTS: [f64; 6] = [0.0, 1.0, -1.5, 3.0, -0.4, 10.0];
-
-/// Inverse functions that are 0 at 0.
-const ODD_INVERSES: [&str; 4] = ["\\arctan", "\\arcsin", "\\arsinh", "\\artanh"];
 
 /// Where the letter may be, as relations with the letter on their left: no value of it is beyond them.
 struct Range {
@@ -396,7 +393,10 @@ impl Question<'_> {
     fn at(&self, tree: &Tree, point: &Tree) -> Tree {
         let there = rewrite(tree, &|name| (name == self.between).then(|| point.clone()));
         mapped(&there, &|node| match node {
-            Tree::Call(name, argument, _) if ODD_INVERSES.contains(&name.base.as_str()) => {
+            Tree::Call(name, argument, _)
+                if Elementary::named(name)
+                    .is_some_and(|function| function.inverse_of.is_some() && function.parity == Some(Parity::Odd)) =>
+            {
                 let is_zero = number_of(argument).is_some_and(|value| value == Rational::from_integer(0));
                 is_zero.then(|| integer(0))
             }

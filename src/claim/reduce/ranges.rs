@@ -5,10 +5,10 @@
 use super::super::nodes::any;
 use super::super::premise::Statements;
 use super::super::vocabulary::Vocabulary;
-use super::build::{call, integer, negative, plain, power, product, quotient, sum, symbol};
+use super::build::{call, integer, negative, plain, power, sum};
 use super::integral::terms;
 use super::{Goal, Rule};
-use crate::tex::{Condition, Equation, Relation, Tree};
+use crate::tex::{Condition, Elementary, Equation, Relation, Tree};
 
 /// What a value is known by.
 struct Meaning {
@@ -39,12 +39,9 @@ fn is_root(tree: &Tree) -> Option<(&Tree, u32)> {
 
 /// What it means that the root, or the value of an inverse function, is `value`.
 fn meaning(tree: &Tree, value: &Tree) -> Option<Meaning> {
-    use Relation::{GreaterOrEqual, Less, LessOrEqual};
-    let half = |sign: i64| quotient(product(vec![integer(sign), symbol(&plain("\\pi"))]), integer(2));
-    let own = |kind: Relation, bound: Tree| relation(value.clone(), kind, bound);
     if let Some((radicand, index)) = is_root(tree) {
         let is_even = index % 2 == 0;
-        let signs = |tree: &Tree| relation(tree.clone(), GreaterOrEqual, integer(0));
+        let signs = |tree: &Tree| relation(tree.clone(), Relation::GreaterOrEqual, integer(0));
         return (index <= HIGHEST).then(|| Meaning {
             equation: Equation::between(
                 power(value.clone(), i32::try_from(index).unwrap_or(0)),
@@ -57,32 +54,12 @@ fn meaning(tree: &Tree, value: &Tree) -> Option<Meaning> {
     let Tree::Call(name, argument, _) = tree else {
         return None;
     };
-    let (function, range) = match name.base.as_str() {
-        "\\arcsin" => ("\\sin", vec![own(GreaterOrEqual, half(-1)), own(LessOrEqual, half(1))]),
-        "\\arccos" => (
-            "\\cos",
-            vec![
-                own(GreaterOrEqual, integer(0)),
-                own(LessOrEqual, symbol(&plain("\\pi"))),
-            ],
-        ),
-        "\\arctan" => ("\\tan", vec![own(Relation::Greater, half(-1)), own(Less, half(1))]),
-        "\\arsinh" => ("\\sinh", Vec::new()),
-        "\\arcosh" => ("\\cosh", vec![own(GreaterOrEqual, integer(0))]),
-        "\\artanh" => ("\\tanh", Vec::new()),
-        "\\ln" => ("\\exp", Vec::new()),
-        _ => return None,
-    };
-    let within = |kind: Relation, bound: i64| relation((**argument).clone(), kind, integer(bound));
-    let domain = match name.base.as_str() {
-        "\\arcsin" | "\\arccos" => vec![within(GreaterOrEqual, -1), within(LessOrEqual, 1)],
-        "\\arcosh" => vec![within(GreaterOrEqual, 1)],
-        _ => Vec::new(),
-    };
+    let function = Elementary::named(name)?;
+    let inverse = Elementary::by_command(function.inverse_of?)?;
     Some(Meaning {
-        equation: Equation::between(call(function, value.clone()), (**argument).clone()),
-        range,
-        domain,
+        equation: Equation::between(call(inverse.command, value.clone()), (**argument).clone()),
+        range: function.range(value),
+        domain: inverse.range(argument),
     })
 }
 

@@ -10,7 +10,7 @@ use super::build::{call, infinity, integer, negative, power, product, quotient, 
 use super::derivative::{By, mentions};
 use super::factorial;
 use crate::number::{Field, Rational};
-use crate::tex::{At, Equation, Name, Operation, Relation, Tree};
+use crate::tex::{At, Elementary, Equation, Name, Operation, Parity, Relation, Tree};
 
 /// The sum of `terms[k] h^(low + k)`, and what follows is not known.
 #[derive(Clone, Debug)]
@@ -38,12 +38,6 @@ pub(super) struct Small<'a> {
 }
 
 type Found = Result<Series, String>;
-
-/// Functions whose series hold of complex numbers too, by themselves or by what each division and logarithm needs.
-const ENTIRE_OR_GUARDED: [&str; 14] = [
-    "\\exp", "\\ln", "\\log", "\\sin", "\\cos", "\\sinh", "\\cosh", "\\tan", "\\cot", "\\tanh", "\\coth", "\\sec",
-    "\\csc", "\\csch",
-];
 
 /// The tree, a number where it is written with numbers.
 fn tidy(tree: Tree) -> Tree {
@@ -118,27 +112,9 @@ pub(super) fn guess_at(tree: &Tree, of: &dyn Fn(&Name) -> Option<f64>) -> Option
         Tree::Root(radicand, index, _) => value(radicand)?.powf(1.0 / f64::from(*index)),
         Tree::Call(name, argument, _) => {
             let at = value(argument)?;
-            match name.base.as_str() {
-                "\\sin" => at.sin(),
-                "\\cos" => at.cos(),
-                "\\tan" => at.tan(),
-                "\\sec" => at.cos().recip(),
-                "\\csc" => at.sin().recip(),
-                "\\cot" => at.tan().recip(),
-                "\\sinh" => at.sinh(),
-                "\\cosh" => at.cosh(),
-                "\\tanh" => at.tanh(),
-                "\\coth" => at.tanh().recip(),
-                "\\exp" => at.exp(),
-                "\\ln" | "\\log" => at.ln(),
-                "\\arctan" => at.atan(),
-                "\\arcsin" => at.asin(),
-                "\\arccos" => at.acos(),
-                "\\arsinh" => at.asinh(),
-                "\\arcosh" => at.acosh(),
-                "\\artanh" => at.atanh(),
-                "\\abs" => at.abs(),
-                _ => hashed(&format!("{name} {at:.9}")),
+            match Elementary::named(name) {
+                Some(function) => (function.real)(at),
+                None => hashed(&format!("{name} {at:.9}")),
             }
         }
         _ => return None,
@@ -558,7 +534,7 @@ impl Small<'_> {
 
     fn of_call(&mut self, name: &Name, argument: &Tree) -> Found {
         let is_complex = self.vocabulary.speaks_of_complex(argument);
-        if is_complex && !ENTIRE_OR_GUARDED.contains(&name.base.as_str()) {
+        if is_complex && !Elementary::named(name).is_some_and(|function| function.is_analytic) {
             return Err(format!("{name} of a complex number in a series"));
         }
         let inner = self.of(argument)?;
@@ -567,6 +543,18 @@ impl Small<'_> {
         }
         let length = self.length;
         let one = || Series::constant(integer(1), length);
+        if let Some((above, below)) = Elementary::named(name).and_then(Elementary::quotient) {
+            let (sine, cosine) = self.waves(&inner, below.command.ends_with('h'))?;
+            let of = |function: &Elementary| {
+                if function.parity == Some(Parity::Odd) {
+                    &sine
+                } else {
+                    &cosine
+                }
+            };
+            let inverse = self.inverse(of(below))?;
+            return Ok(above.map_or_else(one, |above| of(above).clone()).times(&inverse));
+        }
         let square = inner.times(&inner);
         let first = inner.at(0).unwrap_or_else(|| integer(0));
         let start = |function: &str| match is_zero(&first) {
@@ -581,16 +569,6 @@ impl Small<'_> {
             "\\cos" => return Ok(self.waves(&inner, false)?.1),
             "\\sinh" => return Ok(self.waves(&inner, true)?.0),
             "\\cosh" => return Ok(self.waves(&inner, true)?.1),
-            "\\tan" | "\\cot" | "\\tanh" | "\\coth" | "\\sec" | "\\csc" => {
-                let (sine, cosine) = self.waves(&inner, matches!(name.base.as_str(), "\\tanh" | "\\coth"))?;
-                let (above, below) = match name.base.as_str() {
-                    "\\tan" | "\\tanh" => (sine, cosine),
-                    "\\cot" | "\\coth" => (cosine, sine),
-                    "\\sec" => (one(), cosine),
-                    _ => (one(), sine),
-                };
-                return Ok(above.times(&self.inverse(&below)?));
-            }
             "\\abs" => {
                 let (inner, is_negative) = self.with_sign(&inner)?;
                 return Ok(if is_negative { inner.scaled(&integer(-1)) } else { inner });

@@ -5,7 +5,7 @@ use super::super::substitute::number_of;
 use super::build::{difference, integer, power, product};
 use super::defined::conditions;
 use super::{Goal, trees};
-use crate::tex::{Condition, Equation, Relation, Tree};
+use crate::tex::{Condition, Elementary, Equation, Relation, Tree};
 
 /// The most roots that are looked at.
 const MOST: usize = 4;
@@ -51,11 +51,13 @@ pub fn thin_domains(goal: &Goal) -> Vec<(Tree, Goal)> {
 fn whole_radicand(node: &Tree) -> Option<Tree> {
     let under = |node: &Tree| match node {
         Tree::Root(radicand, index, _) if index % 2 == 0 && number_of(radicand).is_none() => Some((**radicand).clone()),
-        Tree::Call(name, at, _) if number_of(at).is_none() => match name.base.as_str() {
-            "\\arcsin" | "\\arccos" => Some(difference(integer(1), power((**at).clone(), 2))),
-            "\\arcosh" => Some(difference((**at).clone(), integer(1))),
-            _ => None,
-        },
+        Tree::Call(name, at, _) if number_of(at).is_none() => {
+            let domain = Elementary::named(name)?.domain(at).into_iter();
+            let mut closed = domain.filter(|condition| condition.relation == Relation::GreaterOrEqual);
+            closed
+                .next()
+                .map(|condition| difference(condition.left, condition.right))
+        }
         _ => None,
     };
     let Tree::Product(factors) = node else {

@@ -1,7 +1,7 @@
 //! What a formula is worth at a point: a number, real or complex, or a matrix of numbers; and the operations on these.
 
 use crate::number::Rational;
-use crate::tex::{Name, Operation, Tree};
+use crate::tex::{Elementary, Operation, Tree};
 use nalgebra::{Complex, DMatrix};
 
 /// A difference below this part of what it is the difference of is taken for rounding, and one below this number.
@@ -158,7 +158,7 @@ pub enum Op {
     Power(i32),
     RealPower,
     Root(u32),
-    Function(Function),
+    Function(&'static Elementary),
     /// `\pm`, or `\mp` where not.
     Signed(bool),
     /// With so many columns.
@@ -174,15 +174,6 @@ pub enum Op {
     Order,
 }
 
-/// A function of one number: over the reals, and over the complex numbers.
-#[derive(Clone, Copy, Debug)]
-pub struct Function {
-    real: fn(f64) -> f64,
-    complex: fn(Number) -> Number,
-    /// Whether it is that of the modulus, which vectors have too.
-    is_modulus: bool,
-}
-
 impl Op {
     pub fn of(tree: &Tree) -> Option<Self> {
         Some(match tree {
@@ -196,7 +187,7 @@ impl Op {
                 _ => Self::RealPower,
             },
             Tree::Root(_, index, _) => Self::Root(*index),
-            Tree::Call(name, ..) => Self::Function(elementary(name)?),
+            Tree::Call(name, ..) => Self::Function(Elementary::named(name)?),
             Tree::PlusMinus(_) => Self::Signed(true),
             Tree::MinusPlus(_) => Self::Signed(false),
             Tree::Operation(operation, _) => match &**operation {
@@ -239,7 +230,7 @@ impl Arithmetic {
             Op::Root(index) => number(part(0).number().map(|base| self.root(base, index))),
             Op::Function(function) => match part(0) {
                 Value::Number(value) => Value::Number(self.function(function, value)),
-                Value::Matrix(entries) if function.is_modulus && entries.ncols() == 1 => {
+                Value::Matrix(entries) if function.command == r"\abs" && entries.ncols() == 1 => {
                     Value::Number(real(entries.iter().map(Complex::norm_sqr).sum::<f64>().sqrt()))
                 }
                 Value::Matrix(_) => Value::UNDEFINED,
@@ -289,7 +280,7 @@ impl Arithmetic {
         }
     }
 
-    fn function(self, function: Function, value: Number) -> Number {
+    fn function(self, function: &Elementary, value: Number) -> Number {
         match self.is_complex {
             false => real((function.real)(value.re)),
             true => (function.complex)(value),
@@ -325,47 +316,4 @@ fn binomial(of: Number, chosen: Number) -> Option<Number> {
     Some(real(
         factors.fold(1.0, |product, n| product * (of.re - n as f64) / (n + 1) as f64),
     ))
-}
-
-fn elementary(name: &Name) -> Option<Function> {
-    let plain = Name {
-        base: name.base.clone(),
-        ..Name::default()
-    };
-    if plain != *name {
-        return None;
-    }
-    let both = |real: fn(f64) -> f64, complex: fn(Number) -> Number| Function {
-        real,
-        complex,
-        is_modulus: false,
-    };
-    Some(match name.base.trim_start_matches('\\') {
-        "sin" => both(f64::sin, |z| z.sin()),
-        "cos" => both(f64::cos, |z| z.cos()),
-        "tan" => both(f64::tan, |z| z.tan()),
-        "cot" => both(|x| 1.0 / x.tan(), |z| z.tan().inv()),
-        "sec" => both(|x| 1.0 / x.cos(), |z| z.cos().inv()),
-        "csc" => both(|x| 1.0 / x.sin(), |z| z.sin().inv()),
-        "exp" => both(f64::exp, |z| z.exp()),
-        "ln" | "log" => both(f64::ln, |z| z.ln()),
-        "sinh" => both(f64::sinh, |z| z.sinh()),
-        "cosh" => both(f64::cosh, |z| z.cosh()),
-        "tanh" => both(f64::tanh, |z| z.tanh()),
-        "coth" => both(|x| 1.0 / x.tanh(), |z| z.tanh().inv()),
-        "arcsin" => both(f64::asin, |z| z.asin()),
-        "arccos" => both(f64::acos, |z| z.acos()),
-        "arctan" => both(f64::atan, |z| z.atan()),
-        "arsinh" => both(f64::asinh, |z| z.asinh()),
-        "arcosh" => both(f64::acosh, |z| z.acosh()),
-        "artanh" => both(f64::atanh, |z| z.atanh()),
-        "Re" => both(|x| x, |z| real(z.re)),
-        "Im" => both(|_| 0.0, |z| real(z.im)),
-        "arg" => both(|x| if x < 0.0 { std::f64::consts::PI } else { 0.0 }, |z| real(z.arg())),
-        "abs" => Function {
-            is_modulus: true,
-            ..both(f64::abs, |z| real(z.norm()))
-        },
-        _ => return None,
-    })
 }
