@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Re-checks the stated truth of the attack sheets at 50 digits. Needs mpmath (and Python 3.11 for tomllib).
 
-A sheet is CLASS/NAME.toml: `# truth: true | false | contradictory | ambiguous | unread` and `# because: ...` (with several claims one
+A sheet stands in CLASS.sheets behind a line `=== NAME`: `# truth: true | false | contradictory | ambiguous | unread` and `# because: ...` (with several claims one
 of each for every label: `# truth c2: ...`), then an audit sheet. Truth is that of DESIGN.md. `contradictory`: the premises
 have no common solution, so the claim may be neither proved nor refuted. `ambiguous`: of the meanings that
 a reader would think of one is true and one false, so that it may be neither too. `unread`: the claim, or a premise that it rests
@@ -1380,9 +1380,8 @@ TABLE = {
 }
 
 
-def truths(path):
+def truths(text):
     """The truth of each claim of a sheet, by label ("" where there is one), and faults of its form."""
-    text = path.read_text()
     sheet = tomllib.loads(text)
     # a claim `A <=> B` has a truth for each of its ways, `c =>` and `c <=`
     found = dict(re.findall(r"^# truth ?(.*?): (true|false|contradictory|ambiguous|unread|unknown)$", text, re.M))
@@ -1404,16 +1403,20 @@ def main():
     random.seed(20)
     arguments = [word for word in sys.argv[1:] if word != "-v"]
     counts, unchecked, failures = Counter(), [], []
-    sheets = sorted(HERE.glob("*/*.toml"))
+    sheets = [
+        (file.stem, *sheet.split("\n", 1))
+        for file in sorted(HERE.glob("*.sheets"))
+        for sheet in ("\n" + file.read_text()).split("\n=== ")[1:]
+    ]
     names = set()
-    for path in sheets:
-        name = f"{path.parent.name}/{path.stem}"
-        found, faults = truths(path)
+    for klass, stem, text in sheets:
+        name = f"{klass}/{stem}"
+        found, faults = truths(text)
         failures += [f"{name}: {fault}" for fault in faults]
         for label, truth in found.items():
             key = f"{name}:{label}" if label else name
             names.add(key)
-            counts[path.parent.name, truth] += 1
+            counts[klass, truth] += 1
             if arguments and not any(word in key for word in arguments):
                 continue
             if key not in TABLE:

@@ -1,7 +1,8 @@
 //! Inputs that nobody wrote: what each parser and each command makes of files with random changes.
 
+use crate::common::attacks;
 use std::panic::catch_unwind;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use vibro_audit::accuracy::problems::{Certified as Problem, all};
@@ -139,16 +140,6 @@ fn file(path: &str) -> String {
     std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap()
 }
 
-/// The attack sheets of every folder.
-fn sheets() -> Vec<PathBuf> {
-    let folders = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/attacks")).unwrap();
-    let folders = folders.map(|entry| entry.unwrap().path()).filter(|path| path.is_dir());
-    let files = folders.flat_map(|folder| std::fs::read_dir(folder).unwrap());
-    let mut found: Vec<PathBuf> = files.map(|entry| entry.unwrap().path()).collect();
-    found.sort();
-    found
-}
-
 /// The header of a table with each of its first rows.
 fn short(table: &str) -> Vec<String> {
     let (header, rows) = table.split_once('\n').unwrap();
@@ -157,7 +148,7 @@ fn short(table: &str) -> Vec<String> {
 
 impl Texts {
     fn new() -> Self {
-        let small = sheets().into_iter().map(|path| std::fs::read_to_string(path).unwrap());
+        let small = attacks::all().into_iter().map(|attack| attack.text);
         let sheets: Vec<String> = small.filter(|text| text.len() < 1500).collect();
         let formulas = EQUATIONS.lines().chain(sheets.iter().flat_map(|sheet| sheet.lines()));
         let formulas = formulas.filter_map(|line| line.strip_prefix("tex = '''")?.strip_suffix("'''"));

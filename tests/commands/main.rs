@@ -1,5 +1,8 @@
 //! The commands, their input, output and exit statuses.
 
+#[path = "../common/mod.rs"]
+mod common;
+
 mod asked_digits;
 mod audits;
 mod check;

@@ -1,55 +1,38 @@
 //! Sheets made to attack the verdicts, from many fields. The truth of each stands in its first lines and was
 //! established by other means (`tests/attacks/verify.py`): no verdict may be wrong, and few undecided.
 
-use crate::common::attacks;
+use crate::common::attacks::{self, Decided};
 
 use std::collections::BTreeMap;
-use std::path::Path;
 use vibro_audit::claim::{Sheet, Verdict, vocabulary};
 use vibro_audit::prove::{Options, decide};
 
 #[test]
 fn no_verdict_is_wrong_and_few_are_undecided() {
-    let only = std::env::var("ATTACK").ok();
-    let paths = match only {
-        Some(_) => attacks::sheets(),
-        None => attacks::sampled(),
-    };
-    assert!(attacks::sheets().len() >= 600 && paths.len() >= 200, "{}", paths.len());
+    let all = attacks::all().len();
+    assert!(all >= 800 && attacks::decided().len() >= all / 6, "{all}");
     let mut wrong = Vec::new();
     // by class: claims, undecided
-    let mut classes: BTreeMap<String, (usize, usize)> = BTreeMap::new();
-    for path in paths {
-        let shown = path.display().to_string();
-        if only.as_ref().is_some_and(|only| !shown.contains(only.as_str())) {
-            continue;
+    let mut classes: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
+    for Decided {
+        attack,
+        sheet,
+        decisions,
+    } in attacks::decided()
+    {
+        let shown = attack.path();
+        if let Err(fault) = sheet
+            && attack.truth("", true).as_deref() != Some("unread")
+        {
+            wrong.push(format!("{shown}: {fault}"));
         }
-        let class = path
-            .parent()
-            .and_then(Path::file_name)
-            .unwrap()
-            .to_string_lossy()
-            .into_owned();
-        let text = std::fs::read_to_string(&path).unwrap();
-        let sheet = match Sheet::read(&text, &vocabulary().unwrap()) {
-            Ok(sheet) => sheet,
-            Err(fault) => {
-                if attacks::truth(&text, "", true).as_deref() != Some("unread") {
-                    wrong.push(format!("{shown}: {fault}"));
-                }
-                continue;
-            }
-        };
-        let claims: Vec<usize> = (0..sheet.entries.len()).filter(|&n| sheet.is_claim(n)).collect();
-        for &position in &claims {
-            let label = sheet.entries[position].label.clone();
-            let Some(truth) = attacks::truth(&text, &label, claims.last() == Some(&position)) else {
+        let last = decisions.last().map(|(position, ..)| *position);
+        for (position, decision, taken) in decisions {
+            let label = &decision.label;
+            let Some(truth) = attack.truth(label, last == Some(*position)) else {
                 continue;
             };
-            let start = std::time::Instant::now();
-            let decision = decide(&sheet, position, &Options::default());
-            let taken = start.elapsed();
-            let class = classes.entry(class.clone()).or_default();
+            let class = classes.entry(&attack.class).or_default();
             class.0 += 1;
             let right = match (truth.as_str(), decision.verdict) {
                 ("true", Verdict::Proved) | ("false", Verdict::Refuted) | ("unread", Verdict::Unread) => true,
@@ -57,12 +40,9 @@ fn no_verdict_is_wrong_and_few_are_undecided() {
                 ("contradictory" | "ambiguous" | "unread", Verdict::Undecided) => true,
                 ("true" | "false", Verdict::Undecided) => {
                     class.1 += 1;
-                    println!(
-                        "undecided ({truth}): {shown} ({label}) {:?}: {}",
-                        taken, decision.reason
-                    );
+                    println!("undecided ({truth}): {shown} ({label}) {taken:?}: {}", decision.reason);
                     // of a sheet that says so, each verdict is to be found
-                    !text.contains("# decided")
+                    !attack.text.contains("# decided")
                 }
                 _ => false,
             };
@@ -70,9 +50,10 @@ fn no_verdict_is_wrong_and_few_are_undecided() {
                 println!("slow: {shown} {taken:?}");
             }
             if !right {
+                let verdict = decision.verdict;
                 wrong.push(format!(
-                    "{shown} ({label}): {truth}, but {}: {}",
-                    decision.verdict, decision.reason
+                    "{shown} ({label}): {truth}, but {verdict}: {}",
+                    decision.reason
                 ));
             }
         }

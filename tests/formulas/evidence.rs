@@ -1,11 +1,11 @@
 //! Witnesses of the paper's claims, and of claims made from them at random.
 
-use crate::common::{attacks, sample};
+use crate::common::attacks::{self, Decided};
+use crate::common::sample;
 
 use proptest::prelude::*;
 use vibro_audit::claim::{Role, Sheet, Verdict, read_symbols};
 use vibro_audit::evidence::{Evidence, Flown, witness, witness_near};
-use vibro_audit::prove::{Options, decide};
 use vibro_audit::tex::{Condition, Relation};
 
 const SYMBOLS: &str = include_str!("../../golden/paper/symbols.toml");
@@ -406,20 +406,24 @@ fn hostile_formulas_end_with_a_reason() {
 /// its premises contradict each other; no alarm is raised against the truth, and one against most wrong verdicts.
 #[test]
 fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
-    let vocabulary = read_symbols(SYMBOLS).unwrap();
     let (mut refused, mut decidable, mut with_points, mut at_integers, mut complaints) = (0, 0, 0, 0, Vec::new());
     // wrong proofs and wrong refutations: how many there could be, how many are contradicted
     let mut caught = [(0, 0); 2];
     let mut special = (0, 0);
-    for path in attacks::sampled() {
-        let text = std::fs::read_to_string(&path).unwrap();
-        let Ok(sheet) = Sheet::read(&text, &vocabulary) else {
+    for Decided {
+        attack,
+        sheet,
+        decisions,
+    } in attacks::decided()
+    {
+        let Ok(sheet) = sheet else {
             continue;
         };
-        let claims = claims(&sheet);
-        for &position in &claims {
-            let label = &sheet.entries[position].label;
-            let truth = attacks::truth(&text, label, claims.last() == Some(&position));
+        let last = decisions.last().map(|(position, ..)| *position);
+        for (position, decision, _) in decisions {
+            let position = *position;
+            let label = &decision.label;
+            let truth = attack.truth(label, last == Some(position));
             // points are of the meaning that was taken, the truth may be of another
             let truth = truth.filter(|_| sheet.doubts(position).is_empty());
             let (right, wrong) = match truth.as_deref() {
@@ -427,19 +431,22 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
                 Some("false") => (Verdict::Refuted, Verdict::Proved),
                 _ => (Verdict::Undecided, Verdict::Undecided),
             };
-            let Ok(mut found) = witness(&sheet, position, right, 24) else {
+            let Ok(mut found) = witness(sheet, position, right, 24) else {
                 continue;
             };
             // as the command does: from the counterexample too
             if found.against.is_some() {
-                let decision = decide(&sheet, position, &Options::default());
-                let counterexample = decision.counterexample.map(|own| own.point).unwrap_or_default();
-                found = witness_near(&sheet, position, right, 24, &counterexample).unwrap();
+                let counterexample = decision
+                    .counterexample
+                    .as_ref()
+                    .map(|own| own.point.clone())
+                    .unwrap_or_default();
+                found = witness_near(sheet, position, right, 24, &counterexample).unwrap();
             }
             if let Some(against) = &found.against {
-                complaints.push(format!("{} ({label}): {against}", path.display()));
+                complaints.push(format!("{} ({label}): {against}", attack.path()));
             }
-            assert!(found.points > 0 || !found.notes.is_empty(), "{}", path.display());
+            assert!(found.points > 0 || !found.notes.is_empty(), "{}", attack.path());
             if right == Verdict::Undecided {
                 continue;
             }
@@ -447,13 +454,13 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
                 refused += 1;
                 continue;
             }
-            if attacks::has_no_points(&text, label, claims.last() == Some(&position)) {
-                assert_eq!(found.points, 0, "{} ({label}): {}", path.display(), found.worst);
+            if attack.has_no_points(label, last == Some(position)) {
+                assert_eq!(found.points, 0, "{} ({label}): {}", attack.path(), found.worst);
                 continue;
             }
             decidable += 1;
             with_points += usize::from(found.points > 0);
-            let found = witness(&sheet, position, wrong, 24).unwrap();
+            let found = witness(sheet, position, wrong, 24).unwrap();
             let is_caught = found.against.is_some();
             // a claim about every integer may fail beyond those that are tried
             if found
@@ -477,7 +484,7 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
             };
             (*all, *contradicted) = (*all + 1, *contradicted + usize::from(is_caught));
             if std::env::var("SHOW").is_ok() && !is_caught {
-                let (name, notes) = (path.display(), found.notes.join("; "));
+                let (name, notes) = (attack.path(), found.notes.join("; "));
                 println!(
                     "{name} ({label}): {wrong:?} not contradicted at {} points: {notes}",
                     found.points

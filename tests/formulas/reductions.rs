@@ -24,12 +24,19 @@ fn all_reductions(read: &Statements, sheet: &Sheet) -> Vec<Reduced> {
 
 #[test]
 fn every_goal_that_is_not_the_claim_as_read_names_a_rule() {
-    let mut paths = attacks::sampled();
+    let mut texts: Vec<(String, String)> = attacks::sampled()
+        .into_iter()
+        .map(|attack| (attack.path(), attack.text))
+        .collect();
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-    paths.extend(["tests/handbook/formulas.toml", "golden/oscillator/equations.toml"].map(|path| root.join(path)));
+    texts.extend(
+        ["tests/handbook/formulas.toml", "golden/oscillator/equations.toml"].map(|path| {
+            let text = std::fs::read_to_string(root.join(path)).unwrap();
+            (path.to_owned(), text)
+        }),
+    );
     let (mut goals, mut ways) = (0, 0);
-    for path in paths {
-        let text = std::fs::read_to_string(&path).unwrap();
+    for (path, text) in texts {
         let Ok(sheet) = Sheet::read(&text, &vocabulary().unwrap()) else {
             continue;
         };
@@ -42,7 +49,7 @@ fn every_goal_that_is_not_the_claim_as_read_names_a_rule() {
             if sheet.doubts(position).iter().any(tends) {
                 continue;
             }
-            let label = format!("{} ({})", path.display(), sheet.entries[position].label);
+            let label = format!("{path} ({})", sheet.entries[position].label);
             assert!(read.rules.is_empty(), "{label}");
             for reduced in all_reductions(&read, &sheet) {
                 for goal in reduced

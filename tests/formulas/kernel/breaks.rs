@@ -6,10 +6,10 @@
 //! evaluated at random points where everything given holds.
 
 use super::digits::{Value, polynomial, value};
+use crate::common::attacks::{self, Attack};
 use crate::common::sample;
 use std::collections::{BTreeMap, HashMap};
-use std::path::{Path, PathBuf};
-use vibro_audit::claim::{Sheet, Statements, vocabulary};
+use vibro_audit::claim::{Sheet, Statements};
 use vibro_audit::kernel::{
     Axiom, Certificate, Checker, Inference, LawSource, Node, Polynomial, Property, Statement, Summand, Symbol, Term,
     With, follows, questions,
@@ -28,40 +28,23 @@ fn sampled([all, some]: [usize; 2]) -> usize {
     sample::of(all, some)
 }
 
-fn sheet(text: &str) -> Sheet {
-    Sheet::read(text, &vocabulary().unwrap()).unwrap()
-}
-
 fn claim_of(sheet: &Sheet) -> Option<usize> {
     (0..sheet.entries.len()).rfind(|&n| sheet.is_claim(n))
 }
 
 /// Pairs of a true sheet and its misprinted twin, in order.
-fn twins() -> Vec<(PathBuf, PathBuf)> {
-    let mut found = Vec::new();
-    let attacks = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/attacks");
-    for folder in std::fs::read_dir(attacks).unwrap() {
-        let folder = folder.unwrap().path();
-        if !folder.is_dir() {
-            continue;
-        }
-        for file in std::fs::read_dir(folder).unwrap() {
-            let wrong = file.unwrap().path();
-            let name = wrong.file_name().unwrap().to_string_lossy().into_owned();
-            if let Some(stem) = name.strip_suffix("-wrong.toml") {
-                let right = wrong.with_file_name(format!("{stem}.toml"));
-                let is = |path: &Path, truth: &str| {
-                    std::fs::read_to_string(path)
-                        .is_ok_and(|text| text.lines().any(|line| line == format!("# truth: {truth}")))
-                };
-                if is(&right, "true") && is(&wrong, "false") {
-                    found.push((right, wrong));
-                }
-            }
-        }
-    }
-    found.sort();
-    found
+fn twins() -> Vec<(Attack, Attack)> {
+    let is = |attack: &Attack, truth: &str| attack.truth("", true).as_deref() == Some(truth);
+    let (wrong, right): (Vec<_>, Vec<_>) = attacks::all()
+        .into_iter()
+        .partition(|attack| attack.name.ends_with("-wrong"));
+    let mut right: BTreeMap<String, Attack> = right.into_iter().map(|attack| (attack.path(), attack)).collect();
+    let twin = |wrong: Attack| {
+        let path = wrong.path();
+        let right = right.remove(path.strip_suffix("-wrong")?)?;
+        (is(&right, "true") && is(&wrong, "false")).then_some((right, wrong))
+    };
+    wrong.into_iter().filter_map(twin).collect()
 }
 
 /// Applies `new` to every term, `polynomial` to every polynomial and `number` to every fact that a step speaks of.
@@ -621,11 +604,7 @@ fn broken_certificates_prove_nothing_false() {
             break;
         }
         let (right, wrong) = &all[n];
-        let (right_text, wrong_text) = (
-            std::fs::read_to_string(right).unwrap(),
-            std::fs::read_to_string(wrong).unwrap(),
-        );
-        let (sheet_of_right, sheet_of_wrong) = (sheet(&right_text), sheet(&wrong_text));
+        let (sheet_of_right, sheet_of_wrong) = (right.read().unwrap(), wrong.read().unwrap());
         let (Some(claim), Some(twin)) = (claim_of(&sheet_of_right), claim_of(&sheet_of_wrong)) else {
             continue;
         };
@@ -639,7 +618,7 @@ fn broken_certificates_prove_nothing_false() {
         }
         taken += 1;
         for (certificate, question) in found.into_iter().zip(statements) {
-            sources.push((right.display().to_string(), certificate, Some(question.statement)));
+            sources.push((right.path(), certificate, Some(question.statement)));
         }
     }
     println!("{of_paper} certificates of the paper, {taken} of twins");
