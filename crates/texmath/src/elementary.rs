@@ -97,7 +97,7 @@ const fn reads(command: &'static str, words: &'static [&'static str], means: &'s
     }
 }
 
-static TABLE: [Elementary; 27] = [
+static TABLE: [Elementary; 28] = [
     Elementary {
         command: r"\sin",
         derivative: Some(r"\cos x"),
@@ -357,6 +357,7 @@ static TABLE: [Elementary; 27] = [
     reads(r"\lg", &[], r"\frac{\ln x}{\ln 10}"),
     reads(r"\sech", &[], r"\frac{1}{\cosh x}"),
     reads(r"\csch", &["cosech"], r"\frac{1}{\sinh x}"),
+    reads(r"\arsech", &["arcsech"], r"\arcosh(\frac{1}{x})"),
 ];
 
 /// What the formulas of a row say, read.
