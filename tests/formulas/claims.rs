@@ -1,6 +1,6 @@
 //! Claims on the impact pair in many spellings, with premises of many kinds: `claims.txt` says what is right.
 
-use crate::common::paper;
+use crate::common::{paper, sample};
 
 use paper::{Bench, sheet};
 
@@ -30,6 +30,9 @@ fn claims_in_many_forms() {
             "S" => append(&mut with),
             "C" => {
                 let (wanted, tex) = rest.split_once(' ').expect("a verdict and a claim");
+                if !sample::takes(&format!("{premises:?} {local:?} {with:?} {rest}"), 4) {
+                    continue;
+                }
                 let labelled: Vec<(String, String)> = premises
                     .iter()
                     .enumerate()
@@ -52,7 +55,7 @@ fn claims_in_many_forms() {
         }
     }
     assert!(wrong.is_empty(), "{} of {count}:\n{}", wrong.len(), wrong.join("\n"));
-    assert!(count >= 200, "{count}");
+    assert!(count >= sample::of(200, 40), "{count}");
 }
 
 /// What follows from a refuted claim is decided with that claim taken as given, and the reason says so.

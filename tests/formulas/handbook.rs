@@ -1,6 +1,7 @@
 //! 400 printed formulas of handbooks, half of them with a misprint (`tests/handbook`), each as the sheet that an author would
 //! write: none is decided wrongly, and most are decided. Their truth was established by numbers, before any of this was built.
 
+use crate::common::sample;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use vibro_audit::claim::{Sheet, Verdict, Vocabulary};
@@ -115,7 +116,8 @@ impl Formula {
 
 #[test]
 fn no_formula_of_the_handbooks_is_decided_wrongly_and_most_are_decided() {
-    let handbook: Handbook = toml::from_str(include_str!("../handbook/formulas.toml")).unwrap();
+    let mut handbook: Handbook = toml::from_str(include_str!("../handbook/formulas.toml")).unwrap();
+    handbook.formula.retain(|formula| sample::takes(&formula.id, 4));
     let half = handbook.formula.len() / 2;
     let decide = |formulas: &'static [Formula]| -> Vec<_> { formulas.iter().map(Formula::decided).collect() };
     let formulas: &'static [Formula] = Box::leak(handbook.formula.into_boxed_slice());
@@ -150,7 +152,7 @@ fn no_formula_of_the_handbooks_is_decided_wrongly_and_most_are_decided() {
     assert!(wrong.is_empty(), "wrong: {wrong:?}");
     let right: usize = table.values().map(|[right, _]| right).sum();
     println!("in all {right} of {}", formulas.len());
-    assert!(right >= RIGHT, "{right} are decided rightly");
+    assert!(right >= sample::of(RIGHT, RIGHT / 5), "{right} are decided rightly");
 }
 
 /// The examples of the guide: a line `true: TEX; given PREMISE; assume CONDITION` or `false: ...` each.

@@ -1,6 +1,7 @@
 //! Three documents laid out as journals do, and thirty misprints in them (`tests/papers`), both made by somebody who knew of
 //! this program only what the README and doc/truth.md say: no true formula is accused, and each misprint that is found is.
 
+use crate::common::sample;
 use std::collections::BTreeSet;
 use vibro_audit::claim::{Document, Markup, Verdict, Vocabulary};
 use vibro_audit::prove::{self, Decision, Options};
@@ -24,10 +25,9 @@ const PAPERS: [[&str; 3]; 3] = [
     ],
 ];
 
-/// Misprints that are found, at least; the others stand in formulas that are undecided or not read.
-const FOUND: usize = 28;
-/// Formulas of the three documents that are proved, at least.
-const PROVED: usize = 157;
+/// Misprints that are found and formulas that are proved, at least, of all documents and of the first; the other misprints
+/// stand in formulas that are undecided or not read.
+const LEAST: [[usize; 2]; 2] = [[28, 157], [8, 46]];
 
 fn decisions(text: &str) -> Vec<Decision> {
     let document = Document::read(text, Markup::Tex, &mut |_| Err("nothing is included".to_owned()));
@@ -45,14 +45,15 @@ fn no_formula_of_three_papers_is_accused_but_for_its_misprint() {
     let mut misprints = csv::Reader::from_reader(include_str!("../papers/misprints.csv").as_bytes());
     let misprints: Vec<csv::StringRecord> = misprints.records().map(Result::unwrap).collect();
     let (mut found, mut proved) = (0, 0);
-    for [name, text, altered] in PAPERS {
+    let papers = sample::of(3, 1);
+    for [name, text, altered] in &PAPERS[..papers] {
         let correct = decisions(text);
         assert_eq!(refuted(&correct), BTreeSet::new(), "{name} is right");
         proved += correct
             .iter()
             .filter(|decision| decision.verdict == Verdict::Proved)
             .count();
-        let own: Vec<_> = misprints.iter().filter(|misprint| &misprint[0] == name).collect();
+        let own: Vec<_> = misprints.iter().filter(|misprint| misprint[0] == **name).collect();
         assert_eq!(own.len(), 10);
         let accused = refuted(&decisions(altered));
         for label in &accused {
@@ -64,6 +65,10 @@ fn no_formula_of_three_papers_is_accused_but_for_its_misprint() {
         }
         found += accused.len();
     }
-    println!("{found} of 30 misprints found, {proved} formulas proved");
-    assert!(found >= FOUND && proved >= PROVED, "{found} misprints, {proved} proved");
+    let [least_found, least_proved] = sample::of(LEAST[0], LEAST[1]);
+    println!("{found} misprints found, {proved} formulas proved");
+    assert!(
+        found >= least_found && proved >= least_proved,
+        "{found} misprints, {proved} proved"
+    );
 }

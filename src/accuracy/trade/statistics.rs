@@ -426,7 +426,7 @@ mod tests {
     #[test]
     fn more_impacts_buy_digits_and_a_wider_number_buys_none_where_sampling_rules() {
         let options = TradeOptions {
-            points: 3 * FEWER,
+            points: FEWER,
             seconds_per_row: 0.0,
             ..TradeOptions::default()
         };

@@ -2,6 +2,7 @@
 
 use super::digits::{Value, polynomial, value};
 use super::forge::{of, statement, symbol};
+use crate::common::sample;
 use proptest::prelude::*;
 use std::collections::HashMap;
 use vibro_audit::kernel::{
@@ -318,7 +319,7 @@ fn holds(property: Property, found: &Value, scale: &astro_float::BigFloat) -> bo
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: sample::of(60, 20), failure_persistence: None, ..ProptestConfig::default() })]
     #[test]
     fn axioms_hold_where_their_conditions_do(drawn in prop::collection::vec((-50_i64..50, -50_i64..50), 4)) {
         for (number, case) in cases().iter().enumerate() {

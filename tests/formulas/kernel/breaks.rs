@@ -18,10 +18,10 @@ use vibro_audit::number::{Field, Rational, Sequence};
 use vibro_audit::prove::certificates;
 
 /// Random breaks in all.
-const BREAKS: [usize; 2] = [2000, 600];
+const BREAKS: [usize; 2] = [2000, 200];
 
 /// Twins of which certificates are taken.
-const TWINS: [usize; 2] = [40, 16];
+const TWINS: [usize; 2] = [40, 8];
 
 /// The first where corpora are run whole, else the second.
 fn sampled([all, some]: [usize; 2]) -> usize {
