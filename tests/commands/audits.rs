@@ -1,51 +1,10 @@
 //! `audit` of several files, of documents with printed numbers, and against a baseline: one document of the format, one status.
 
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use crate::common::program::{Ran, program, scratch};
+use std::path::Path;
 
-/// A directory of its own, gone when it goes out of scope.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("vibro-audit-audits-{}-{name}", std::process::id()));
-        let _ = fs::remove_dir_all(&path);
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-
-    fn file(&self, name: &str, text: &str) {
-        fs::write(self.0.join(name), text).unwrap();
-    }
-
-    fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.0.join(name)).unwrap()
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-fn run(directory: &Path, arguments: &[&str]) -> Output {
-    let program = env!("CARGO_BIN_EXE_vibro-audit");
-    let run = Command::new(program).args(arguments).current_dir(directory).output();
-    run.expect("it runs")
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).expect("UTF-8")
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn json(output: &Output) -> serde_json::Value {
-    serde_json::from_slice(&output.stdout).unwrap_or_else(|error| panic!("{error}: {}", stderr(output)))
+fn json(ran: &Ran) -> serde_json::Value {
+    serde_json::from_str(&ran.stdout).unwrap_or_else(|error| panic!("{error}: {}", ran.stderr))
 }
 
 /// A document with formulas and a printed number, of which one is refuted, as is said.
@@ -66,12 +25,12 @@ const SHEET: &str = "[symbols]\nparameters = ['x']\n[[equation]]\nlabel = 's'\nr
 
 #[test]
 fn a_document_with_printed_numbers_is_one_document_of_each_format() {
-    let scratch = Scratch::new("numbers");
+    let scratch = scratch("numbers");
     scratch.file("notes.md", NOTES);
     let of = |format: &str| {
-        let output = run(&scratch.0, &["audit", "notes.md", "--format", format]);
-        assert_eq!(output.status.code(), Some(0), "{format}: {}", stderr(&output));
-        output
+        let ran = scratch.run(&["audit", "notes.md", "--format", format]);
+        assert_eq!(ran.status, Some(0), "{format}: {}", ran.stderr);
+        ran
     };
     let both = json(&of("json"));
     let keys: Vec<&String> = both.as_object().expect("one object").keys().collect();
@@ -80,7 +39,7 @@ fn a_document_with_printed_numbers_is_one_document_of_each_format() {
         (&both["formulas"][0]["verdict"], &both["numbers"][0]["verdict"]),
         (&"refuted".into(), &"reproduced".into())
     );
-    let csv = stdout(&of("csv"));
+    let csv = of("csv").stdout;
     let mut reader = csv::Reader::from_reader(csv.as_bytes());
     let head = reader.headers().unwrap().clone();
     let rows: Vec<csv::StringRecord> = reader
@@ -93,11 +52,11 @@ fn a_document_with_printed_numbers_is_one_document_of_each_format() {
         [cell(0, "verdict"), cell(2, "verdict"), cell(2, "id")],
         ["refuted", "reproduced", "number-1"]
     );
-    for line in stdout(&of("jsonl")).lines() {
+    for line in of("jsonl").stdout.lines() {
         serde_json::from_str::<serde_json::Map<_, _>>(line).unwrap_or_else(|error| panic!("{error}: {line:?}"));
     }
     assert!(json(&of("sarif"))["runs"].is_array());
-    let junit = stdout(&of("junit"));
+    let junit = of("junit").stdout;
     assert_eq!(
         roxmltree::Document::parse(&junit)
             .unwrap()
@@ -110,53 +69,46 @@ fn a_document_with_printed_numbers_is_one_document_of_each_format() {
 
 #[test]
 fn each_format_of_a_document_with_wrong_numbers_is_a_baseline_of_its_formulas() {
-    let scratch = Scratch::new("baseline");
+    let scratch = scratch("baseline");
     scratch.file(
         "notes.md",
-        &NOTES.replace("; expect refuted", "").replace("0.83272", "0.9"),
+        NOTES.replace("; expect refuted", "").replace("0.83272", "0.9"),
     );
     for format in ["json", "jsonl", "csv", "sarif"] {
-        run(&scratch.0, &["audit", "notes.md", "--format", format, "--out", "known"]);
-        let output = run(
-            &scratch.0,
-            &["audit", "notes.md", "--baseline", "known", "--format", "json"],
-        );
+        scratch.run(&["audit", "notes.md", "--format", format, "--out", "known"]);
+        let ran = scratch.run(&["audit", "notes.md", "--baseline", "known", "--format", "json"]);
         // the number is no finding that a baseline knows
-        assert_eq!(output.status.code(), Some(1), "{format}: {}", stderr(&output));
-        assert!(
-            !stderr(&output).contains("not found any more"),
-            "{format}: {}",
-            stderr(&output)
-        );
-        assert_eq!(json(&output)["formulas"][0]["expected"], "refuted", "{format}");
+        assert_eq!(ran.status, Some(1), "{format}: {}", ran.stderr);
+        assert!(!ran.stderr.contains("not found any more"), "{format}: {}", ran.stderr);
+        assert_eq!(json(&ran)["formulas"][0]["expected"], "refuted", "{format}");
     }
 }
 
 #[test]
 fn several_files_are_one_table_with_the_worst_status() {
-    let scratch = Scratch::new("several");
+    let scratch = scratch("several");
     scratch.file("right.tex", RIGHT);
     scratch.file("wrong.tex", WRONG);
     scratch.file("sheet.toml", SHEET);
     scratch.file("notes.md", NOTES);
     scratch.file("broken.toml", "[[equation]\n");
-    let files = |output: &Output| -> Vec<String> {
-        let rows = json(output);
+    let files = |ran: &Ran| -> Vec<String> {
+        let rows = json(ran);
         let rows = rows.as_array().expect("one array").iter();
         rows.map(|row| format!("{} {}", row["file"].as_str().unwrap(), row["verdict"].as_str().unwrap()))
             .collect()
     };
-    let output = run(&scratch.0, &["audit", "right.tex", "sheet.toml", "--format", "json"]);
+    let ran = scratch.run(&["audit", "right.tex", "sheet.toml", "--format", "json"]);
     assert_eq!(
-        (output.status.code(), files(&output)),
+        (ran.status, files(&ran)),
         (
             Some(0),
             vec!["right.tex proved".to_owned(), "sheet.toml proved".to_owned()]
         )
     );
-    let output = run(&scratch.0, &["audit", "wrong.tex", "right.tex", "--format", "json"]);
+    let ran = scratch.run(&["audit", "wrong.tex", "right.tex", "--format", "json"]);
     assert_eq!(
-        (output.status.code(), files(&output)),
+        (ran.status, files(&ran)),
         (
             Some(1),
             vec!["wrong.tex refuted".to_owned(), "right.tex proved".to_owned()]
@@ -164,26 +116,26 @@ fn several_files_are_one_table_with_the_worst_status() {
     );
     // one that cannot be used, or is not there, stops no other
     let all = ["audit", "broken.toml", "wrong.tex", "none.tex", "sheet.toml"];
-    let output = run(&scratch.0, &[&all[..], &["--format", "json"]].concat());
+    let ran = scratch.run(&[&all[..], &["--format", "json"]].concat());
     assert_eq!(
-        (output.status.code(), files(&output)),
+        (ran.status, files(&ran)),
         (
             Some(2),
             vec!["wrong.tex refuted".to_owned(), "sheet.toml proved".to_owned()]
         )
     );
-    assert!(stderr(&output).contains("broken.toml") && stderr(&output).contains("none.tex"));
+    assert!(ran.stderr.contains("broken.toml") && ran.stderr.contains("none.tex"));
     // the last column, and none of one file
     let head = |arguments: &[&str]| {
-        let output = run(&scratch.0, &[arguments, &["--format", "csv"]].concat());
-        stdout(&output).lines().next().unwrap_or_default().to_owned()
+        let ran = scratch.run(&[arguments, &["--format", "csv"]].concat());
+        ran.stdout.lines().next().unwrap_or_default().to_owned()
     };
     assert!(head(&["audit", "right.tex", "sheet.toml"]).ends_with(",file"));
     assert!(head(&["audit", "notes.md", "sheet.toml"]).ends_with(",file"));
     assert!(!head(&["audit", "right.tex"]).contains("file"));
     // the others are one document too
     let both = ["audit", "wrong.tex", "notes.md"];
-    let log = json(&run(&scratch.0, &[&both[..], &["--format", "sarif"]].concat()));
+    let log = json(&scratch.run(&[&both[..], &["--format", "sarif"]].concat()));
     let uris: Vec<&str> = log["runs"][0]["results"]
         .as_array()
         .unwrap()
@@ -198,7 +150,7 @@ fn several_files_are_one_table_with_the_worst_status() {
         (log["runs"].as_array().unwrap().len(), uris),
         (1, vec!["wrong.tex", "notes.md"])
     );
-    let junit = stdout(&run(&scratch.0, &[&both[..], &["--format", "junit"]].concat()));
+    let junit = scratch.run(&[&both[..], &["--format", "junit"]].concat()).stdout;
     let junit = roxmltree::Document::parse(&junit).unwrap();
     let classes: Vec<&str> = junit
         .descendants()
@@ -209,21 +161,19 @@ fn several_files_are_one_table_with_the_worst_status() {
         classes[0].starts_with("wrong.tex:") && classes[3].starts_with("notes.md:"),
         "{classes:?}"
     );
-    let both = json(&run(&scratch.0, &[&both[..], &["--format", "json"]].concat()));
+    let both = json(&scratch.run(&[&both[..], &["--format", "json"]].concat()));
     assert_eq!(both["formulas"].as_array().unwrap().len(), 3);
     assert_eq!(both["numbers"][0]["file"], "notes.md");
     // what a baseline knows of any of them
-    run(
-        &scratch.0,
-        &["audit", "wrong.tex", "right.tex", "--format", "sarif", "--out", "known"],
-    );
-    let output = run(&scratch.0, &["audit", "right.tex", "wrong.tex", "--baseline", "known"]);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    scratch.run(&["audit", "wrong.tex", "right.tex", "--format", "sarif", "--out", "known"]);
+    scratch
+        .run(&["audit", "right.tex", "wrong.tex", "--baseline", "known"])
+        .succeeded();
 }
 
 #[test]
 fn a_report_for_machines_names_what_cannot_be_used() {
-    let scratch = Scratch::new("unusable");
+    let scratch = scratch("unusable");
     scratch.file(
         "paper.tex",
         "% audit: symbols a\n\\[ a + a = 2 a \\]\nThe velocity is 0.677 % audit: value orbits.velocitys[0], scene fig02\n\
@@ -239,9 +189,9 @@ fn a_report_for_machines_names_what_cannot_be_used() {
         (&["none.tex", "broken.toml"], &["none.tex -: ", "broken.toml 2: "]),
     ] {
         let of = |format: &str| {
-            let output = run(&scratch.0, &[&["audit"], arguments, &["--format", format]].concat());
-            assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
-            output
+            let ran = scratch.run(&[&["audit"], arguments, &["--format", format]].concat());
+            assert_eq!(ran.status, Some(2), "{}", ran.stderr);
+            ran
         };
         let log = json(&of("sarif"));
         let results = log["runs"][0]["results"].as_array().unwrap();
@@ -263,7 +213,7 @@ fn a_report_for_machines_names_what_cannot_be_used() {
         for part in wanted {
             assert!(found.iter().any(|found| found.contains(part)), "{part}: {found:?}");
         }
-        let junit = stdout(&of("junit"));
+        let junit = of("junit").stdout;
         let junit = roxmltree::Document::parse(&junit).unwrap();
         let failed = junit
             .descendants()
@@ -274,7 +224,7 @@ fn a_report_for_machines_names_what_cannot_be_used() {
 
 #[test]
 fn what_is_of_one_file_is_refused_for_several() {
-    let scratch = Scratch::new("one");
+    let scratch = scratch("one");
     scratch.file("right.tex", RIGHT);
     scratch.file("wrong.tex", WRONG);
     for (flag, arguments) in [
@@ -284,19 +234,13 @@ fn what_is_of_one_file_is_refused_for_several() {
         ("--repair-into", &["--repair-into", "mended.tex"]),
         ("--format html", &["--format", "html"]),
     ] {
-        let output = run(&scratch.0, &[&["audit", "right.tex", "wrong.tex"], arguments].concat());
-        assert_eq!(output.status.code(), Some(2), "{flag}");
-        assert!(
-            stderr(&output).contains(&format!("{flag} is of one file, and 2 are named")),
-            "{}",
-            stderr(&output)
-        );
-        assert!(output.stdout.is_empty());
+        let ran = scratch.run(&[&["audit", "right.tex", "wrong.tex"], arguments].concat());
+        ran.refused(&[&format!("{flag} is of one file, and 2 are named")]);
     }
-    assert!(!scratch.0.join("proofs").exists() && !scratch.0.join("mended.tex").exists());
-    let output = run(&scratch.0, &["audit", "-", "-"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(stderr(&output).contains("read once"), "{}", stderr(&output));
+    assert!(!scratch.join("proofs").exists() && !scratch.join("mended.tex").exists());
+    let ran = scratch.run(&["audit", "-", "-"]);
+    assert_eq!(ran.status, Some(2));
+    assert!(ran.stderr.contains("read once"), "{}", ran.stderr);
 }
 
 #[test]
@@ -310,18 +254,15 @@ fn the_hook_takes_any_name_of_a_file() {
         (field("entry:"), field("args:")),
         ("vibro-audit audit".to_owned(), "[--]".to_owned())
     );
-    let scratch = Scratch::new("hook");
+    let scratch = scratch("hook");
     scratch.file("main.tex", RIGHT);
     scratch.file("--out=main.tex", WRONG);
     scratch.file("--format=json", SHEET);
     // as pre-commit calls it: entry, args, names of files
-    let output = run(
-        &scratch.0,
-        &["audit", "--", "--out=main.tex", "main.tex", "--format=json"],
-    );
-    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+    let ran = scratch.run(&["audit", "--", "--out=main.tex", "main.tex", "--format=json"]);
+    assert_eq!(ran.status, Some(1), "{}", ran.stderr);
     assert_eq!(scratch.read("main.tex"), RIGHT);
-    assert!(stdout(&output).contains("--out=main.tex"));
+    assert!(ran.stdout.contains("--out=main.tex"));
 }
 
 #[test]
@@ -333,17 +274,17 @@ fn the_example_for_ci_passes_as_shipped() {
     let commands: Vec<Vec<&str>> = commands.map(|line| line.split_whitespace().skip(1).collect()).collect();
     assert!(!commands.is_empty());
     for command in &commands {
-        let output = run(&directory, command);
-        assert_eq!(output.status.code(), Some(0), "{command:?}: {}", stderr(&output));
+        let ran = program(command).within(&directory).run();
+        assert_eq!(ran.status, Some(0), "{command:?}: {}", ran.stderr);
         assert!(
-            stdout(&output).contains("known from the baseline") && output.stderr.is_empty(),
+            ran.stdout.contains("known from the baseline") && ran.stderr.is_empty(),
             "{}",
-            stderr(&output)
+            ran.stderr
         );
     }
     // what the workflow runs, and what makes the baseline
-    let scratch = Scratch::new("ci");
-    let out = scratch.0.join("audit.sarif").display().to_string();
+    let scratch = scratch("ci");
+    let out = scratch.path("audit.sarif");
     let marked = [
         "audit",
         "paper.tex",
@@ -355,12 +296,13 @@ fn the_example_for_ci_passes_as_shipped() {
         "--out",
         &out,
     ];
-    let output = run(&directory, &marked);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
-    let output = run(&directory, &["audit", "paper.tex", "--format", "sarif"]);
-    assert_eq!(output.status.code(), Some(1));
+    program(marked).within(&directory).run().succeeded();
+    let ran = program(["audit", "paper.tex", "--format", "sarif"])
+        .within(&directory)
+        .run();
+    assert_eq!(ran.status, Some(1));
     assert_eq!(
-        stdout(&output),
+        ran.stdout,
         include_str!("../../examples/ci/baseline.sarif"),
         "make it anew"
     );
@@ -368,13 +310,13 @@ fn the_example_for_ci_passes_as_shipped() {
 
 #[test]
 fn a_baseline_of_another_version_is_refused() {
-    let scratch = Scratch::new("version");
+    let scratch = scratch("version");
     scratch.file("right.tex", RIGHT);
     let old = include_str!("../../examples/ci/baseline.sarif").replace("vibroAudit/v2", "vibroAudit/v1");
     scratch.file("old.sarif", &old);
-    let output = run(&scratch.0, &["audit", "right.tex", "--baseline", "old.sarif"]);
-    assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
-    let said = stderr(&output);
+    let ran = scratch.run(&["audit", "right.tex", "--baseline", "old.sarif"]);
+    assert_eq!(ran.status, Some(2), "{}", ran.stderr);
+    let said = ran.stderr;
     assert!(
         said.contains("old.sarif") && said.contains("version v1") && said.contains("make the baseline anew"),
         "{said}"
@@ -383,15 +325,15 @@ fn a_baseline_of_another_version_is_refused() {
 
 #[test]
 fn repairs_are_written_beside_their_formulas_and_into_no_string() {
-    let scratch = Scratch::new("mended");
+    let scratch = scratch("mended");
     let sheet = "title = '''\ntex = 'a - b = b - a'\n'''\n[symbols]\nparameters = ['a', 'b']\n\n[[equation]]\n\
         label = 'one'\nrole = 'claim'\ntex = '''\ntex = \na - b = b - a'''\n\n[[equation]]\nlabel = 'two'\n\
         role = 'claim'\n  tex = \"\"\"(a + b)^2 = \\\n    a^2 + a b + b^2\"\"\" # tex = 'x'\n\n[[equation]]\n\
         label = 'three'\nrole = 'claim'\ntex = 'a b = b a'\n";
     let sheet = sheet.replace("tex = \na - b", "\na - b");
     scratch.file("sheet.toml", &sheet);
-    let output = run(&scratch.0, &["audit", "sheet.toml", "--repair-into", "mended.toml"]);
-    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+    let ran = scratch.run(&["audit", "sheet.toml", "--repair-into", "mended.toml"]);
+    assert_eq!(ran.status, Some(1), "{}", ran.stderr);
     let mended = scratch.read("mended.toml");
     let value = |text: &str| text.parse::<toml::Table>().unwrap();
     assert_eq!(value(&mended), value(&sheet));

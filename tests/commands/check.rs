@@ -1,10 +1,10 @@
 //! Golden values as their users meet them: the paper's, and a directory of one's own with everything that can be
 //! wrong about it.
 
+use crate::common::program::{Ran, Scratch, run, scratch};
 use std::collections::HashSet;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::path::Path;
 use std::sync::LazyLock;
 
 const HEADER: &str = "id,place,scene,set,quantity,printed,unit,expected,rests_on,note";
@@ -13,28 +13,17 @@ const SCENE: &str = "[device]\ncapsule_mass = 0.1245\nforcing_amplitude = 5.0\ni
 /// A row that holds.
 const RIGHT: &str = "g,section 2,scenes/own.toml,,motion.g,0.12201,,reproduced,forcing_amplitude,";
 
-fn check(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .arg("check")
-        .args(arguments)
-        .stdin(Stdio::null())
-        .output()
-        .unwrap()
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).unwrap()
+fn check(arguments: &[&str]) -> Ran {
+    run(&[&["check"], arguments].concat())
 }
 
 /// A directory of golden values of its own for each test, removed at its end.
-pub struct Golden(PathBuf);
+pub struct Golden(Scratch);
 
 impl Golden {
     fn new(name: &str, rows: &[&str]) -> Self {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("check-{name}"));
-        let _ = fs::remove_dir_all(&path);
-        fs::create_dir_all(path.join("scenes")).unwrap();
-        let golden = Self(path);
+        let golden = Self(scratch(name));
+        fs::create_dir(golden.0.join("scenes")).unwrap();
         golden.write("printed.csv", format!("{HEADER}\n{}\n", rows.join("\n")));
         golden.write("scenes/own.toml", SCENE);
         golden
@@ -46,14 +35,14 @@ impl Golden {
         let golden = Self::new(name, &[]);
         copy(&Path::new(env!("CARGO_MANIFEST_DIR")).join("golden/paper"), &golden.0);
         fs::remove_dir_all(golden.0.join("reference")).unwrap();
-        let text = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+        let text = golden.0.read("printed.csv");
         let rows: Vec<&str> = text.lines().skip(1).filter(is_kept).collect();
         golden.write("printed.csv", format!("{HEADER}\n{}\n", rows.join("\n")));
         golden
     }
 
     fn write(&self, file: &str, text: impl AsRef<[u8]>) {
-        fs::write(self.0.join(file), text).unwrap();
+        self.0.file(file, text);
     }
 
     pub fn path(&self) -> &str {
@@ -62,9 +51,8 @@ impl Golden {
 
     /// Status and rows by id: verdict, expected, reason.
     fn verdicts(&self) -> (Option<i32>, Vec<[String; 4]>) {
-        let output = check(&[self.path(), "--format", "csv"]);
-        let text = stdout(&output);
-        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        let ran = check(&[self.path(), "--format", "csv"]);
+        let mut reader = csv::Reader::from_reader(ran.stdout.as_bytes());
         let headers = reader.headers().unwrap().clone();
         let rows = reader.records().map(|record| {
             let record = record.unwrap();
@@ -73,18 +61,12 @@ impl Golden {
                 record[index].to_owned()
             })
         });
-        (output.status.code(), rows.collect())
+        (ran.status, rows.collect())
     }
 
     /// Asserts that the directory is refused: status 2, nothing on stdout, one message that has `words`.
     fn assert_refused(&self, words: &[&str]) {
         assert_refused(&[self.path()], words);
-    }
-}
-
-impl Drop for Golden {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
     }
 }
 
@@ -102,11 +84,11 @@ fn copy(from: &Path, to: &Path) {
 }
 
 fn assert_refused(arguments: &[&str], words: &[&str]) {
-    let output = check(arguments);
-    let message = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+    let ran = check(arguments);
+    let message = ran.stderr;
+    assert_eq!(ran.status, Some(2), "{arguments:?}: {message}");
     // a row that is at fault has no verdict, the others have theirs
-    let verdicts = String::from_utf8(output.stdout).unwrap();
+    let verdicts = ran.stdout;
     assert!(verdicts.lines().count() <= 4, "{arguments:?}: {verdicts}");
     assert!(
         message.starts_with("error: ") && message.trim_end().lines().count() == 1,
@@ -195,15 +177,14 @@ fn add(golden: &Path, other: &[(&str, &str)]) -> (Option<i32>, String, String) {
     }
     let more = other.iter().filter(|(name, _)| !ADDED.contains(name));
     arguments.extend(more.map(|(name, value)| format!("{name}={value}")));
-    let output = check(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
-    let message = String::from_utf8(output.stderr.clone()).unwrap();
-    (output.status.code(), stdout(&output), message)
+    let ran = check(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
+    (ran.status, ran.stdout, ran.stderr)
 }
 
 #[test]
 fn a_row_is_added_where_its_verdict_is_the_expected_one() {
     let golden = Golden::new("add", &[RIGHT]);
-    let before = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+    let before = golden.0.read("printed.csv");
     let (status, table, message) = add(&golden.0, &[("--format", "csv"), ("--unit", "m")]);
     assert_eq!(status, Some(0), "{message}");
     assert!(
@@ -211,7 +192,7 @@ fn a_row_is_added_where_its_verdict_is_the_expected_one() {
         "{table}"
     );
     assert!(message.contains("`added` is line 3 of "), "{message}");
-    let after = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+    let after = golden.0.read("printed.csv");
     let row = "added,\"section 2, \"\"g\"\"\",scenes/own.toml,,motion.g,0.12201,m,reproduced,,\n";
     assert_eq!(after, before + row);
     assert_eq!(golden.verdicts().0, Some(0));
@@ -224,13 +205,13 @@ fn a_row_is_added_where_its_verdict_is_the_expected_one() {
         message.contains("`other` is not added") && message.contains("--expected wrong"),
         "{message}"
     );
-    assert_eq!(fs::read_to_string(golden.0.join("printed.csv")).unwrap(), after);
+    assert_eq!(golden.0.read("printed.csv"), after);
     let (status, ..) = add(
         &golden.0,
         &[&wrong[..], &[("--expected", "wrong"), ("--set", "motion.d=0.3")]].concat(),
     );
     assert_eq!(status, Some(0));
-    let added = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+    let added = golden.0.read("printed.csv");
     assert!(
         added.ends_with("scenes/own.toml,motion.d=0.3,motion.g,-0.5,,wrong,,\n"),
         "{added}"
@@ -258,7 +239,7 @@ fn the_first_row_makes_a_directory_that_stands_alone() {
     assert!(message.contains("another scene than"), "{message}");
     fs::rename(&mine, &other).unwrap();
     let moved = check(&[other.to_str().unwrap()]);
-    assert_eq!(moved.status.code(), Some(0), "{}", stdout(&moved));
+    assert_eq!(moved.status, Some(0), "{}", moved.stdout);
     // of what cannot be a row nothing remains
     let (status, ..) = add(&mine, &[of_file[0], ("--quantity", "motion.speed")]);
     assert!(status == Some(2) && !mine.exists());
@@ -268,9 +249,9 @@ fn the_first_row_makes_a_directory_that_stands_alone() {
 fn a_scene_that_no_row_names_is_said() {
     let golden = Golden::new("unused", &[&RIGHT.replace("scenes/own.toml", "./scenes/own.toml")]);
     golden.write("scenes/other.toml", SCENE);
-    let output = check(&[golden.path()]);
-    let message = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(0), "{message}");
+    let ran = check(&[golden.path()]);
+    let message = ran.stderr;
+    assert_eq!(ran.status, Some(0), "{message}");
     assert!(
         message.contains("scenes/other.toml: no row names this scene") && !message.contains("own.toml"),
         "{message}"
@@ -341,7 +322,7 @@ fn rows_that_are_added_at_once_are_all_there() {
 #[test]
 fn what_makes_no_row_is_refused_by_column_and_changes_nothing() {
     let golden = Golden::new("add-bad", &[RIGHT]);
-    let before = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+    let before = golden.0.read("printed.csv");
     let printed = golden.0.join("printed.csv");
     for (other, words) in [
         (("--add", "g"), "--add, column `id`: `g` stands on line 2 already"),
@@ -386,8 +367,8 @@ fn what_makes_no_row_is_refused_by_column_and_changes_nothing() {
         &["golden", "--place", "p"],
         &["golden", "--add", "a"],
     ] {
-        let output = check(arguments);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        let ran = check(arguments);
+        assert_eq!(ran.status, Some(2), "{arguments:?}");
     }
 }
 
@@ -587,9 +568,9 @@ fn a_row_that_cannot_be_compared_stops_no_other() {
             &RIGHT.replace("g,section", "h,section"),
         ],
     );
-    let output = check(&[golden.path(), "--format", "junit"]);
-    let text = stdout(&output);
-    assert_eq!(output.status.code(), Some(2), "{text}");
+    let ran = check(&[golden.path(), "--format", "junit"]);
+    let text = ran.stdout;
+    assert_eq!(ran.status, Some(2), "{text}");
     assert!(text.contains("<testcase name=\"h\" classname=\"section 2\""), "{text}");
     assert!(
         text.contains("<failure type=\"unusable\"") && text.contains("line 2"),
@@ -601,12 +582,12 @@ fn a_row_that_cannot_be_compared_stops_no_other() {
 fn blessing_never_touches_what_is_printed() {
     assert_refused(&["--bless"], &["name it"]);
     let golden = Golden::new("bless", &[&RIGHT.replace("0.12201", "0.5")]);
-    let before = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+    let before = golden.0.read("printed.csv");
     assert_refused(
         &[golden.path(), "--bless"],
         &["no folder reference/", "none is created"],
     );
-    assert_eq!(fs::read_to_string(golden.0.join("printed.csv")).unwrap(), before);
+    assert_eq!(golden.0.read("printed.csv"), before);
     assert!(!golden.0.join("reference").exists());
 }
 
@@ -619,9 +600,9 @@ fn junit_reports_one_test_a_row_and_other_commands_have_none() {
             &RIGHT.replace("g,section", "h,section").replace("0.12201", "0.5"),
         ],
     );
-    let output = check(&[golden.path(), "--format", "junit"]);
-    let text = stdout(&output);
-    assert_eq!(output.status.code(), Some(1));
+    let ran = check(&[golden.path(), "--format", "junit"]);
+    let text = ran.stdout;
+    assert_eq!(ran.status, Some(1));
     assert!(
         text.contains("<testsuite name=\"vibro-audit\" tests=\"2\" failures=\"1\""),
         "{text}"
@@ -634,16 +615,8 @@ fn junit_reports_one_test_a_row_and_other_commands_have_none() {
         text.contains("<failure type=\"wrong\" message=\"EXPECTED reproduced, IS wrong: "),
         "{text}"
     );
-    let other = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .args(["stress", "--format", "junit"])
-        .output()
-        .unwrap();
-    let message = String::from_utf8(other.stderr).unwrap();
-    assert_eq!(other.status.code(), Some(2));
-    assert!(
-        message.contains("[possible values: text, csv, json, jsonl, markdown]") && other.stdout.is_empty(),
-        "{message}"
-    );
+    let other = run(&["stress", "--format", "junit"]);
+    other.refused(&["[possible values: text, csv, json, jsonl, markdown]"]);
 }
 
 #[test]
@@ -652,14 +625,14 @@ fn a_full_disk_is_an_error_and_no_partial_file() {
         return;
     }
     let golden = Golden::new("full", &[RIGHT]);
-    let output = check(&[golden.path(), "--out", "/dev/full"]);
-    assert_eq!(output.status.code(), Some(2));
+    let ran = check(&[golden.path(), "--out", "/dev/full"]);
+    assert_eq!(ran.status, Some(2));
 }
 
 /// `check` of the built-in values, the slowest command, once for all tests: its status and its CSV.
 pub static BUILT_IN: LazyLock<(Option<i32>, String)> = LazyLock::new(|| {
-    let output = check(&["--format", "csv"]);
-    (output.status.code(), stdout(&output))
+    let ran = check(&["--format", "csv"]);
+    (ran.status, ran.stdout)
 });
 
 #[test]
@@ -672,9 +645,9 @@ fn the_paper_s_values_are_all_as_expected() {
         let scene = row.split(',').find(|field| field.starts_with("scenes/"));
         scene.is_some_and(|scene| !row.contains(",inferred.") && scenes.insert(scene.to_owned()))
     });
-    let output = check(&[copied.path(), "--format", "csv"]);
-    let there = stdout(&output);
-    assert!(output.status.success() && there.lines().count() > 8, "{there}");
+    let ran = check(&[copied.path(), "--format", "csv"]);
+    let there = ran.stdout;
+    assert!(ran.status == Some(0) && there.lines().count() > 8, "{there}");
     for line in there.lines() {
         assert!(built_in.lines().any(|row| row == line), "{line} is not in\n{built_in}");
     }
@@ -693,7 +666,7 @@ fn changed(printed: &str) -> Option<String> {
 #[test]
 fn every_reproduced_figure_changed_by_five_changes_its_row_and_the_status() {
     let golden = Golden::paper("changed", |_| true);
-    let text = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+    let text = golden.0.read("printed.csv");
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     // all of them in one run: no row that prints a number is computed from others
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -725,7 +698,7 @@ fn every_reproduced_figure_changed_by_five_changes_its_row_and_the_status() {
 #[test]
 fn a_printed_pair_changed_by_five_excludes_the_amplitude_of_the_scenes() {
     let golden = Golden::paper("pair", |_| true);
-    let text = fs::read_to_string(golden.0.join("printed.csv")).unwrap();
+    let text = golden.0.read("printed.csv");
     let amplitude = |text: String| {
         let wanted =
             |line: &&str| line.starts_with("id,") || line.contains("amplitude") || line.contains("row.word=BT,");

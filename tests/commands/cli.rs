@@ -1,59 +1,18 @@
 //! The binary as a script sees it: exit status, stdout, stderr.
 
+use crate::common::program::{program, run, scratch};
 use std::fs;
-use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
-
-fn command(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
-    command.args(arguments).stdin(Stdio::null());
-    command
-}
-
-fn run(arguments: &[&str]) -> Output {
-    command(arguments).output().unwrap()
-}
 
 /// Asserts that the input was refused: status 2, nothing on stdout, one message on stderr that has `words`.
 fn assert_refused(arguments: &[&str], words: &[&str]) {
-    let output = run(arguments);
-    let message = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
-    assert!(output.stdout.is_empty(), "{arguments:?} printed on stdout");
+    let message = run(arguments).refused(words);
     assert!(message.starts_with("error: "), "{arguments:?}: {message}");
-    assert!(
-        !message.contains("panicked") && !message.contains("backtrace"),
-        "{message}"
-    );
+    assert!(!message.contains("backtrace"), "{message}");
     assert!(
         !message.contains('\u{1b}'),
         "colours where there is no terminal: {message:?}"
     );
-    for word in words {
-        assert!(message.contains(word), "{arguments:?} does not say `{word}`: {message}");
-    }
-}
-
-/// An empty directory of its own for each test, removed at its end.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("cli-{name}"));
-        let _ = fs::remove_dir_all(&path);
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-
-    fn path(&self, name: &str) -> String {
-        self.0.join(name).to_str().unwrap().to_owned()
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
 }
 
 #[test]
@@ -65,15 +24,15 @@ fn help_and_version_succeed_on_stdout() {
         &["trade", "--help"],
         &["--version"],
     ] {
-        let output = run(arguments);
-        assert_eq!(output.status.code(), Some(0), "{arguments:?}");
-        assert!(!output.stdout.is_empty() && output.stderr.is_empty(), "{arguments:?}");
+        let ran = run(arguments);
+        assert_eq!(ran.status, Some(0), "{arguments:?}");
+        assert!(!ran.stdout.is_empty() && ran.stderr.is_empty(), "{arguments:?}");
     }
 }
 
 #[test]
 fn help_names_every_command_format_and_exit_status() {
-    let help = String::from_utf8(run(&["--help"]).stdout).unwrap();
+    let help = run(&["--help"]).stdout;
     for word in [
         "audit",
         "trade",
@@ -92,13 +51,13 @@ fn help_names_every_command_format_and_exit_status() {
 #[test]
 fn advice_names_a_means_that_does_what_is_asked_and_else_the_closest() {
     let advised = |need: &str| {
-        let output = run(&["trade", "--advise", need, "--format", "csv"]);
-        let text = String::from_utf8(output.stdout).unwrap();
+        let ran = run(&["trade", "--advise", need, "--format", "csv"]);
+        let text = ran.stdout;
         let rows: Vec<Vec<String>> = text
             .lines()
             .map(|line| line.split(',').map(str::to_owned).collect())
             .collect();
-        (output.status.code(), rows)
+        (ran.status, rows)
     };
     let (code, rows) = advised("digits=12,task=multipliers/saddle");
     assert_eq!(code, Some(0));
@@ -122,9 +81,9 @@ fn advice_names_a_means_that_does_what_is_asked_and_else_the_closest() {
 
 #[test]
 fn no_command_at_all_shows_help_and_is_refused() {
-    let output = run(&[]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8(output.stderr).unwrap().contains("Usage: vibro-audit"));
+    let ran = run(&[]);
+    assert_eq!(ran.status, Some(2));
+    assert!(ran.stderr.contains("Usage: vibro-audit"));
 }
 
 #[test]
@@ -147,7 +106,7 @@ fn an_unknown_command_option_task_or_format_is_refused() {
 
 #[test]
 fn a_sheet_that_cannot_be_read_is_named() {
-    let scratch = Scratch::new("sheet");
+    let scratch = scratch("sheet");
     assert_refused(&["audit", &scratch.path("none.toml")], &["none.toml", "no such file"]);
     assert_refused(&["audit", &scratch.path("")], &["directory"]);
     fs::write(scratch.path("bytes.toml"), b"title = \"\xff\"").unwrap();
@@ -159,20 +118,20 @@ fn a_sheet_that_cannot_be_read_is_named() {
 
 #[test]
 fn out_into_a_missing_directory_is_refused_and_creates_nothing() {
-    let scratch = Scratch::new("missing");
+    let scratch = scratch("missing");
     assert_refused(
         &["audit", "--out", &scratch.path("none/table.csv")],
         &["none/table.csv", "no directory"],
     );
-    assert_eq!(fs::read_dir(&scratch.0).unwrap().count(), 0);
+    assert_eq!(scratch.names().len(), 0);
 }
 
 #[test]
 fn out_onto_a_directory_is_refused() {
-    let scratch = Scratch::new("directory");
+    let scratch = scratch("directory");
     assert_refused(&["audit", "--out", &scratch.path("")], &["it is a directory"]);
     assert_refused(&["audit", "--out", &scratch.path("new/")], &["it is a directory"]);
-    assert_eq!(fs::read_dir(&scratch.0).unwrap().count(), 0);
+    assert_eq!(scratch.names().len(), 0);
 }
 
 #[cfg(unix)]
@@ -181,11 +140,8 @@ fn a_reader_that_stops_reading_is_no_error() {
     for arguments in [&["--help"][..], &["audit", "--help"]] {
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
-        let output = command(arguments)
-            .stdout(writer)
-            .stderr(Stdio::piped())
-            .output()
-            .unwrap();
+        let mut command = program(arguments).command();
+        let output = command.stdout(writer).stderr(Stdio::piped()).output().unwrap();
         assert_eq!(output.status.code(), Some(0), "{arguments:?}");
         assert_eq!(String::from_utf8(output.stderr).unwrap(), "", "{arguments:?}");
     }
@@ -194,14 +150,14 @@ fn a_reader_that_stops_reading_is_no_error() {
 #[test]
 fn whether_the_rows_are_all_is_a_column_and_can_be_required() {
     let last = |arguments: &[&str]| {
-        let output = run(&[arguments, &["--format", "csv", "--require-complete"]].concat());
-        let text = String::from_utf8(output.stdout).unwrap();
+        let ran = run(&[arguments, &["--format", "csv", "--require-complete"]].concat());
+        let text = ran.stdout;
         let rows: Vec<String> = text.lines().skip(1).map(str::to_owned).collect();
         assert!(
             text.lines().next().unwrap().ends_with(",number,complete,low,high"),
             "{text}"
         );
-        (output.status.code(), rows)
+        (ran.status, rows)
     };
     let (status, rows) = last(&["orbits", "fig02"]);
     assert!(
@@ -245,12 +201,11 @@ fn whether_the_rows_are_all_is_a_column_and_can_be_required() {
 fn more_digits_lose_no_orbit() {
     // close to a symmetry breaking, where 60 digits could not prove the one in the middle
     let scene = "want = ['orbits']\nwords = ['BT']\n[motion]\ng = 0.0\nd = 0.26343156\nr_b = 0.5\nr_t = 0.5\n";
-    let scratch = Scratch::new("digits");
+    let scratch = scratch("digits");
     let path = scratch.path("scene.toml");
     fs::write(&path, scene).unwrap();
     for digits in ["15", "30", "60", "100"] {
-        let output = run(&["orbits", &path, "--digits", digits, "--format", "csv"]);
-        let text = String::from_utf8(output.stdout).unwrap();
+        let text = run(&["orbits", &path, "--digits", digits, "--format", "csv"]).stdout;
         assert_eq!(text.lines().count(), 5, "{digits}: {text}");
         assert!(!text.contains("undecided"), "{digits}: {text}");
     }
@@ -258,7 +213,7 @@ fn more_digits_lose_no_orbit() {
 
 #[test]
 fn no_output_replaces_an_input() {
-    let scratch = Scratch::new("inputs");
+    let scratch = scratch("inputs");
     let [sheet, link] = [scratch.path("sheet.toml"), scratch.path("link.toml")];
     let text = "[[equation]]\nlabel = 'a'\nrole = 'claim'\ntex = 'd = d'\n";
     fs::write(&sheet, text).unwrap();
@@ -272,20 +227,15 @@ fn no_output_replaces_an_input() {
     let hard = scratch.path("hard.toml");
     fs::hard_link(&sheet, &hard).unwrap();
     assert_refused(&["audit", &sheet, "--out", &hard], &["read as an input"]);
-    let output = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .args(["audit", "-", "--out", &sheet])
-        .stdin(fs::File::open(&sheet).unwrap())
-        .output()
-        .unwrap();
+    let mut command = program(["audit", "-", "--out", &sheet]).command();
+    let output = command.stdin(fs::File::open(&sheet).unwrap()).output().unwrap();
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("read as an input"));
     assert_eq!(fs::read_to_string(&sheet).unwrap(), text);
     // behind standard output, whatever its name
-    let output = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .args(["audit", &sheet, "--out", "/dev/stdout"])
-        .stdout(fs::OpenOptions::new().append(true).open(&sheet).unwrap())
-        .output()
-        .unwrap();
+    let mut command = program(["audit", &sheet, "--out", "/dev/stdout"]).command();
+    let behind = fs::OpenOptions::new().append(true).open(&sheet).unwrap();
+    let output = command.stdout(behind).output().unwrap();
     assert_eq!(output.status.code(), Some(2));
     assert_eq!(fs::read_to_string(&sheet).unwrap(), text);
     // below a directory that is read
@@ -301,16 +251,14 @@ fn no_output_replaces_an_input() {
     );
     // beside it there is room
     assert_eq!(
-        run(&["audit", &sheet, "--out", &scratch.path("rows.txt")])
-            .status
-            .code(),
+        run(&["audit", &sheet, "--out", &scratch.path("rows.txt")]).status,
         Some(0)
     );
 }
 
 #[test]
 fn a_table_and_a_drawing_are_two_files_however_they_are_spelled() {
-    let scratch = Scratch::new("both");
+    let scratch = scratch("both");
     for out in ["x.svg", "./x.svg", "sub/../x.svg"] {
         fs::create_dir_all(scratch.path("sub")).unwrap();
         let (plot, out) = (scratch.path("x.svg"), scratch.path(out));
@@ -323,15 +271,12 @@ fn a_table_and_a_drawing_are_two_files_however_they_are_spelled() {
 
 #[test]
 fn a_file_behind_stdout_keeps_what_is_in_it() {
-    let scratch = Scratch::new("behind");
+    let scratch = scratch("behind");
     let log = scratch.path("log.txt");
     let mut file = fs::File::create(&log).unwrap();
     std::io::Write::write_all(&mut file, b"before\n").unwrap();
-    let status = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .args(["scenes", "--out", "/dev/stdout"])
-        .stdout(file)
-        .status()
-        .unwrap();
+    let mut command = program(["scenes", "--out", "/dev/stdout"]).command();
+    let status = command.stdout(file).status().unwrap();
     let text = fs::read_to_string(&log).unwrap();
     assert!(
         status.success() && text.starts_with("before\n") && text.contains("fig02"),
@@ -342,7 +287,7 @@ fn a_file_behind_stdout_keeps_what_is_in_it() {
 #[test]
 fn what_cannot_be_parsed_is_told_by_line_and_column() {
     assert_refused(&["orbits", "fig02", "--set", "words = [3 x] "], &["column 10"]);
-    let scratch = Scratch::new("answers");
+    let scratch = scratch("answers");
     let answers = scratch.path("answers.csv");
     for (row, place) in [
         ("foo,phase_1,1", "line 2, column problem"),
@@ -364,7 +309,7 @@ fn an_endless_input_is_refused() {
     assert_refused(&["merge", "/dev/zero"], &["/dev/zero", "not a regular file"]);
     #[cfg(unix)]
     {
-        let scratch = Scratch::new("endless");
+        let scratch = scratch("endless");
         // three gigabytes without a line break, of which the disk holds none
         let long = scratch.path("long.csv");
         fs::File::create(&long).unwrap().set_len(3 << 30).unwrap();
@@ -388,7 +333,7 @@ const MAP: &str = r#"map={impacts = 60, starts = [{phase = 6.18, velocity = 0.53
 #[cfg(unix)]
 #[test]
 fn a_name_that_the_program_chose_is_never_written_through_a_link() {
-    let scratch = Scratch::new("links");
+    let scratch = scratch("links");
     let precious = scratch.path("precious");
     fs::write(&precious, "precious").unwrap();
     let directory = scratch.path("all");
@@ -439,10 +384,10 @@ fn a_name_that_the_program_chose_is_never_written_through_a_link() {
         }
     }
     assert_eq!(fs::read_to_string(&precious).unwrap(), "precious");
-    assert!(!scratch.0.join("nothing").exists() && !scratch.0.join("rows.csv").exists());
+    assert!(!scratch.join("nothing").exists() && !scratch.join("rows.csv").exists());
     // a directory between may be a link
     std::os::unix::fs::symlink(&directory, scratch.path("way")).unwrap();
-    assert_eq!(run(&["man", &scratch.path("way")]).status.code(), Some(0));
+    assert_eq!(run(&["man", &scratch.path("way")]).status, Some(0));
 }
 
 #[test]
@@ -469,8 +414,7 @@ fn a_branch_of_more_values_than_are_computed_together_is_in_order_with_each_even
         let [from, to] = ends.map(String::from);
         let (from, to) = (format!("sweep.from={from}"), format!("sweep.to={to}"));
         let sets = ["--set", &from, "--set", &to, "--set", "sweep.points=2500"];
-        let output = run(&[&["branch", "fig02", "--format", "csv"], &sets[..]].concat());
-        let text = String::from_utf8(output.stdout).unwrap();
+        let text = run(&[&["branch", "fig02", "--format", "csv"], &sets[..]].concat()).stdout;
         let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
         let gaps: Vec<f64> = rows.iter().map(|row| row[3].parse().unwrap()).collect();
         let rises = ends[0] < ends[1];
@@ -489,12 +433,8 @@ fn a_branch_of_more_values_than_are_computed_together_is_in_order_with_each_even
 /// What a command that would run for ever comes to under a signal that is sent after its first output, or after a time.
 #[cfg(unix)]
 fn signalled(arguments: &[&str], signal: &str) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .args(arguments)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let mut command = program(arguments).command();
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     std::thread::sleep(std::time::Duration::from_millis(700));
     let id = child.id().to_string();
     // the pipe is full by now: nobody may wait for what is read after the signal alone
@@ -529,15 +469,15 @@ fn a_signal_ends_with_whole_rows_and_leaves_no_file() {
             .unwrap()
             .contains("stopped by a signal after")
     );
-    let scratch = Scratch::new("signals");
-    let out = scratch.0.join("rows.csv");
+    let scratch = scratch("signals");
+    let out = scratch.join("rows.csv");
     fs::write(&out, "before").unwrap();
     let out = out.to_str().unwrap();
     let sweep = ["sweep", "fig04", "--set", "sweep.impacts=1000000000"];
     for (command, signal) in [(&endless[..], "TERM"), (&sweep[..], "HUP"), (&sweep[..], "INT")] {
         let stopped = signalled(&[command, &["--out", out]].concat(), signal);
         assert_eq!(stopped.status.code(), Some(130), "{signal}");
-        assert_eq!(fs::read_dir(&scratch.0).unwrap().count(), 1, "{signal}");
+        assert_eq!(scratch.names().len(), 1, "{signal}");
         assert_eq!(fs::read_to_string(out).unwrap(), "before", "{signal}");
     }
 }
@@ -546,38 +486,33 @@ fn a_signal_ends_with_whole_rows_and_leaves_no_file() {
 #[test]
 fn a_replaced_file_keeps_its_permissions_and_a_link_to_nothing_is_said() {
     use std::os::unix::fs::PermissionsExt;
-    let scratch = Scratch::new("permissions");
-    let out = scratch.0.join("rows.csv");
+    let scratch = scratch("permissions");
+    let out = scratch.join("rows.csv");
     fs::write(&out, "").unwrap();
     fs::set_permissions(&out, fs::Permissions::from_mode(0o600)).unwrap();
-    assert_eq!(run(&["scenes", "--out", out.to_str().unwrap()]).status.code(), Some(0));
+    assert_eq!(run(&["scenes", "--out", out.to_str().unwrap()]).status, Some(0));
     assert!(fs::metadata(&out).unwrap().len() > 0);
     assert_eq!(fs::metadata(&out).unwrap().permissions().mode() & 0o777, 0o600);
-    let link = scratch.0.join("link");
-    std::os::unix::fs::symlink(scratch.0.join("nowhere"), &link).unwrap();
+    let link = scratch.join("link");
+    std::os::unix::fs::symlink(scratch.join("nowhere"), &link).unwrap();
     let refused = run(&["scenes", "--out", link.to_str().unwrap()]);
-    let message = String::from_utf8(refused.stderr).unwrap();
+    let message = refused.stderr;
     assert!(
-        refused.status.code() == Some(2) && message.contains("is a link to"),
+        refused.status == Some(2) && message.contains("is a link to"),
         "{message}"
     );
-    assert!(fs::read_link(&link).is_ok() && !scratch.0.join("nowhere").exists());
+    assert!(fs::read_link(&link).is_ok() && !scratch.join("nowhere").exists());
 }
 
 #[test]
 fn nothing_of_an_input_reaches_a_terminal_as_a_control_character() {
-    let scratch = Scratch::new("control");
-    let file = |name: &str, text: &str| {
-        let path = scratch.0.join(name);
-        fs::write(&path, text).unwrap();
-        path.to_str().unwrap().to_owned()
-    };
-    let scene = file("scene.toml", "\"\\u001b[31mkey\" = 1\n");
+    let scratch = scratch("control");
+    let scene = scratch.file("scene.toml", "\"\\u001b[31mkey\" = 1\n");
     let sheet = |label: &str, tex: &str| {
         format!("[symbols]\nparameters = ['x']\n[[equation]]\nlabel = \"{label}\"\nrole = \"claim\"\ntex = \"{tex}\"\n")
     };
-    let label = file("label.toml", &sheet("a\\u0000b", "x=x"));
-    let tex = file("tex.toml", &sheet("a", "x=y\\u001b[31m"));
+    let label = scratch.file("label.toml", sheet("a\\u0000b", "x=x"));
+    let tex = scratch.file("tex.toml", sheet("a", "x=y\\u001b[31m"));
     for arguments in [
         &["orbits", "fig02", "--set", "motion.d=\u{1b}[31mred"][..],
         &["orbits", &scene],
@@ -586,28 +521,25 @@ fn nothing_of_an_input_reaches_a_terminal_as_a_control_character() {
         &["audit", &tex, "--format", "csv"],
         &["\u{1b}[31mred"],
     ] {
-        let output = run(arguments);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        let said = [output.stdout, output.stderr].concat();
-        assert!(!said.contains(&0x1b) && !said.contains(&0), "{arguments:?}");
+        let ran = run(arguments);
+        assert_eq!(ran.status, Some(2), "{arguments:?}");
+        let said = ran.stdout + &ran.stderr;
+        assert!(!said.contains(['\u{1b}', '\0']), "{arguments:?}");
     }
     let title =
         "title = \"\\u001b[31m\\u009b\"\nwant = [\"orbits\"]\n[motion]\nd = 0.3\ng = 0.1\nr_b = 0.5\nr_t = 0.5\n";
-    let titled = file("titled.toml", title);
-    let output = run(&["run", &titled, "--explain"]);
-    assert_eq!(output.status.code(), Some(0));
-    let text = String::from_utf8(output.stdout).unwrap();
+    let titled = scratch.file("titled.toml", title);
+    let text = run(&["run", &titled, "--explain"]).succeeded();
     assert!(!text.contains(['\u{1b}', '\u{9b}']), "{text:?}");
-    let formula = file("formula.toml", &sheet("=cmd()", "x=x"));
-    let output = run(&["audit", &formula, "--format", "csv"]);
-    let text = String::from_utf8(output.stdout).unwrap();
+    let formula = scratch.file("formula.toml", sheet("=cmd()", "x=x"));
+    let text = run(&["audit", &formula, "--format", "csv"]).stdout;
     assert!(text.lines().nth(1).unwrap().starts_with("'=cmd(),"), "{text}");
 }
 
 #[test]
 fn a_very_long_word_of_a_message_is_cut() {
     let long = format!("motion.{}=1", "d".repeat(100_000));
-    let message = String::from_utf8(run(&["orbits", "fig02", "--set", &long]).stderr).unwrap();
+    let message = run(&["orbits", "fig02", "--set", &long]).stderr;
     assert!(
         message.len() < 5000 && message.contains('\u{2026}'),
         "{}",
@@ -617,11 +549,8 @@ fn a_very_long_word_of_a_message_is_cut() {
 
 #[test]
 fn rows_come_before_the_motion_is_over() {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .args(["simulate", "fig03", "--impacts", "100000000000", "--format", "jsonl"])
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let mut command = program(["simulate", "fig03", "--impacts", "100000000000", "--format", "jsonl"]).command();
+    let mut child = command.stdout(Stdio::piped()).spawn().unwrap();
     let lines = std::io::BufRead::lines(std::io::BufReader::new(child.stdout.take().unwrap()));
     let rows: Vec<serde_json::Value> = lines
         .take(5)

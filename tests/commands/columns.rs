@@ -1,19 +1,10 @@
 //! What `--columns` says of every command is what the command writes.
 
+use crate::common::program::{run, scratch};
 use serde_json::{Map, Value};
 use std::collections::BTreeSet;
-use std::process::Command;
 use vibro_audit::cli::{described, described_commands, schema};
 use vibro_audit::report::Form;
-
-fn run(arguments: &[&str]) -> String {
-    let run = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .args(arguments)
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .output()
-        .expect("the binary");
-    String::from_utf8(run.stdout).unwrap_or_else(|error| panic!("{arguments:?}: {error}"))
-}
 
 /// The form of a value is the one described.
 fn is_of(form: Form, value: &Value) -> bool {
@@ -54,24 +45,20 @@ const BASINS: &str =
 
 #[test]
 fn the_columns_of_every_command_are_as_described() {
-    let directory = std::env::temp_dir().join(format!("vibro-audit-columns-{}", std::process::id()));
-    std::fs::create_dir_all(directory.join("golden/reference")).expect("a directory");
-    let path = |name: &str| directory.join(name).display().to_string();
-    let write = |name: &str, text: &str| {
-        std::fs::write(directory.join(name), text).expect("a file");
-        path(name)
-    };
-    let answers = write("answers.csv", "problem,quantity,answer\nimpact-fast,time,1.7\n");
-    let sheet = write(
+    let scratch = scratch("described");
+    std::fs::create_dir_all(scratch.join("golden/reference")).expect("a directory");
+    let path = |name: &str| scratch.path(name);
+    let answers = scratch.file("answers.csv", "problem,quantity,answer\nimpact-fast,time,1.7\n");
+    let sheet = scratch.file(
         "sheet.toml",
         "[[equation]]\nlabel = 'a'\nrole = 'claim'\ntex = '(T + d)^2 = T^2 + d^2'\n",
     );
-    write(
+    scratch.file(
         "golden/printed.csv",
         "id,place,scene,set,quantity,printed,unit,expected,rests_on,note\n\
          a,p. 1,fig02,motion.d=0.4,orbits.velocities[0],0.83272,,reproduced,,\n",
     );
-    write(
+    scratch.file(
         "golden/reference/mine.csv",
         "id,scene,set,quantity,value,by,confirmed_by\nb,fig02,motion.d=0.4,orbits.trace,,,\n",
     );
@@ -175,7 +162,7 @@ fn the_columns_of_every_command_are_as_described() {
     ];
     let mut shown = BTreeSet::new();
     for (command, arguments) in runs {
-        let text = run(&[&arguments[..], &["--format", "json"]].concat());
+        let text = run(&[&arguments[..], &["--format", "json"]].concat()).stdout;
         let rows: Vec<Map<String, Value>> =
             serde_json::from_str(&text).unwrap_or_else(|error| panic!("{arguments:?}: {error} in {text:.400}"));
         assert!(!rows.is_empty(), "{arguments:?}");
@@ -188,7 +175,6 @@ fn the_columns_of_every_command_are_as_described() {
             shown.extend(there.map(|(column, _)| (*command, column.clone())));
         }
     }
-    std::fs::remove_dir_all(&directory).expect("the directory");
     // every column that is described was seen, but those that only other scenes have
     let rare = ["incline", "g", "forcing_amplitude", "provided", "r_t"];
     for command in described_commands() {
@@ -209,13 +195,13 @@ fn the_columns_of_every_command_are_as_described() {
 
 #[test]
 fn columns_are_printed_as_a_table_and_as_a_schema() {
-    let table = run(&["--columns", "sweep --summary", "--format", "csv"]);
+    let table = run(&["--columns", "sweep --summary", "--format", "csv"]).stdout;
     assert!(
         table.starts_with("command,column,type,unit,optional,meaning,version\n"),
         "{table}"
     );
     assert_eq!(table.lines().count(), described("sweep --summary").count() + 1);
-    let printed: Value = serde_json::from_str(&run(&["--columns", "orbits", "--schema"])).expect("JSON");
+    let printed: Value = serde_json::from_str(&run(&["--columns", "orbits", "--schema"]).stdout).expect("JSON");
     assert_eq!(printed, schema("orbits"));
     assert!(printed.pointer("/items/properties/velocities/anyOf").is_some());
 }
@@ -228,19 +214,15 @@ fn a_command_that_has_no_columns_is_refused_and_named() {
         &["--columns", "orbits", "scenes"],
         &["--digits", "3"],
     ] {
-        let run = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-            .args(arguments)
-            .output()
-            .expect("the binary");
-        assert_eq!(run.status.code(), Some(2), "{arguments:?}");
-        assert!(!run.stderr.is_empty() && run.stdout.is_empty(), "{arguments:?}");
+        let message = run(arguments).refused(&[]);
+        assert!(!message.is_empty(), "{arguments:?}");
     }
 }
 
 #[test]
 fn shells_complete_and_manuals_name_every_command() {
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
-        let script = run(&["completions", shell]);
+        let script = run(&["completions", shell]).stdout;
         assert!(
             ["orbits", "digits", "completions"]
                 .iter()
@@ -248,10 +230,9 @@ fn shells_complete_and_manuals_name_every_command() {
             "{shell}"
         );
     }
-    let directory = std::env::temp_dir().join(format!("vibro-audit-man-{}", std::process::id()));
-    run(&["man", directory.to_str().expect("a path")]);
-    let page = |name: &str| std::fs::read_to_string(directory.join(name)).expect("a page");
+    let scratch = scratch("man");
+    run(&["man", &scratch.path("pages")]);
+    let page = |name: &str| scratch.read(&format!("pages/{name}"));
     assert!(page("vibro-audit.1").contains("orbits"));
     assert!(page("vibro-audit-simulate.1").contains("impacts"));
-    std::fs::remove_dir_all(&directory).expect("the directory");
 }

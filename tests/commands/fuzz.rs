@@ -1,9 +1,9 @@
 //! Inputs that nobody wrote: what each parser and each command makes of files with random changes.
 
 use crate::common::attacks;
+use crate::common::program::{program, scratch};
 use std::panic::catch_unwind;
 use std::path::Path;
-use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use vibro_audit::accuracy::problems::{Certified as Problem, all};
 use vibro_audit::accuracy::score::Answers;
@@ -251,7 +251,7 @@ fn arguments(command: &str) -> Vec<&'static str> {
 
 fn commands(count: u64) {
     let texts = Texts::new();
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let scratch = scratch(&format!("commands-{count}"));
     on_seeds(count, |seed| {
         if seed > 0 && seed.is_multiple_of(1000) {
             println!("{seed} inputs answered");
@@ -263,29 +263,18 @@ fn commands(count: u64) {
             "score" => &texts.answers,
             _ => &texts.scenes,
         });
-        let path = folder.join(format!("fuzz-{}-{}", std::process::id(), seed % 2));
-        std::fs::write(&path, text).unwrap();
+        let path = scratch.file(&format!("{}", seed % 2), text);
         let start = Instant::now();
-        let output = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-            .arg(command)
-            .arg(&path)
-            .args(arguments(command))
-            .stdin(Stdio::null())
-            .output()
-            .unwrap();
-        let said = String::from_utf8_lossy(&output.stderr);
-        let is_told = matches!(output.status.code(), Some(0..=2)) && !said.contains("panicked");
+        let ran = program([&[command, &path], &arguments(command)[..]].concat()).run();
+        let said = ran.stderr;
+        let is_told = matches!(ran.status, Some(0..=2)) && !said.contains("panicked");
         assert!(
             is_told && start.elapsed() < 3 * LONGEST,
             "{command}, seed {seed}: {:?} {said}",
-            output.status
+            ran.status
         );
-        let is_clean = |bytes: &[u8]| {
-            !bytes
-                .iter()
-                .any(|byte| byte.is_ascii_control() && !b"\n\t".contains(byte))
-        };
-        assert!(is_clean(&output.stderr), "{command}, seed {seed}: {said:?}");
+        let is_clean = !said.chars().any(|c| c.is_ascii_control() && !"\n\t".contains(c));
+        assert!(is_clean, "{command}, seed {seed}: {said:?}");
         let _ = std::fs::remove_file(path);
     });
 }

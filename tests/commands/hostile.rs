@@ -1,28 +1,19 @@
 //! Small inputs that would come to something huge: each ends with a message that names the place, and a short answer.
 
-use std::process::{Command, Output};
+use crate::common::program::{Ran, run, scratch};
 
 /// The answer of `audit` to a file of this name.
-fn audited(name: &str, text: &str) -> Output {
-    let directory = std::env::temp_dir().join(format!("vibro-audit-hostile-{}-{name}", std::process::id()));
-    std::fs::create_dir_all(&directory).unwrap();
-    let file = directory.join(name);
-    std::fs::write(&file, text).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .arg("audit")
-        .arg(&file)
-        .output();
-    std::fs::remove_dir_all(&directory).unwrap();
-    output.unwrap()
+fn audited(name: &str, text: &str) -> Ran {
+    run(&["audit", &scratch(name).file(name, text)])
 }
 
 /// Checks the exit status, that a message holds `wanted`, and that the answer is short.
 fn assert_ends(name: &str, text: &str, status: i32, wanted: &str) {
-    let output = audited(name, text);
-    let said = String::from_utf8_lossy(&[output.stdout.as_slice(), output.stderr.as_slice()].concat()).into_owned();
+    let ran = audited(name, text);
+    let said = ran.stdout + &ran.stderr;
     let words: Vec<&str> = said.split_whitespace().collect();
     let shown: String = said.chars().take(2000).collect();
-    assert_eq!(output.status.code(), Some(status), "{name}: {shown}");
+    assert_eq!(ran.status, Some(status), "{name}: {shown}");
     assert!(words.join(" ").contains(wanted), "{name}: {shown}");
     assert!(said.len() < 100_000, "{name}: {} bytes", said.len());
 }
@@ -199,8 +190,8 @@ fn what_never_closes_is_searched_once() {
         "\\ifx",
     ] {
         let body = unclosed.repeat(500_000 / unclosed.len());
-        let output = audited("unclosed.tex", &document(&body));
-        assert_eq!(output.status.code(), Some(2), "{unclosed}");
-        assert!(output.stderr.len() < 100_000, "{unclosed}");
+        let ran = audited("unclosed.tex", &document(&body));
+        assert_eq!(ran.status, Some(2), "{unclosed}");
+        assert!(ran.stderr.len() < 100_000, "{unclosed}");
     }
 }

@@ -1,10 +1,10 @@
 //! Parts of a run: joined they are the run byte for byte, and nothing else is joined; a run that was stopped goes on to the
 //! same bytes.
 
+use crate::common::program::{Ran, Scratch, program, scratch};
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Child, Command};
 use vibro_audit::report::{Checksum, SummedLines};
 
 const MAP: &str = r#"map={impacts = 60, starts = [{phase = 6.18, velocity = 0.53}, {phase = 1, velocity = 2}], x = {over = "d", from = 0.1, to = 0.5, points = 5}, y = {over = "r_b", from = 0.3, to = 0.9, points = 4}}"#;
@@ -40,26 +40,28 @@ fn with_its_sum(part: &str) -> String {
     format!("{}\n{}, {sum}\n", rest.join("\n"), tail.rsplit_once(", ").unwrap().0)
 }
 
-struct Parts(PathBuf);
+/// A directory in which a run and its parts are written.
+struct Parts(Scratch);
 
 impl Parts {
+    #[track_caller]
     fn new(name: &str) -> Self {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("merge-{name}"));
-        let _ = fs::remove_dir_all(&path);
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
+        Self(scratch(name))
     }
 
-    fn run(&self, arguments: &[&str]) -> Output {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
-        command.current_dir(&self.0).args(arguments).output().unwrap()
+    fn run(&self, arguments: &[&str]) -> Ran {
+        self.0.run(arguments)
     }
 
-    fn printed(&self, arguments: &[&str]) -> Vec<u8> {
-        let output = self.run(arguments);
-        let error = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "{arguments:?}: {error}");
-        output.stdout
+    /// Starts a run that is to be stopped.
+    #[cfg(unix)]
+    fn start(&self, arguments: &[&str]) -> Child {
+        program(arguments).within(&*self.0).spawn()
+    }
+
+    #[track_caller]
+    fn printed(&self, arguments: &[&str]) -> String {
+        self.run(arguments).succeeded()
     }
 
     /// The files of all parts of a command.
@@ -72,17 +74,14 @@ impl Parts {
         (1..=of).map(part).collect()
     }
 
-    fn merged(&self, files: &[String]) -> Output {
+    fn merged(&self, files: &[String]) -> Ran {
         let files = files.iter().map(String::as_str);
         self.run(&["merge"].into_iter().chain(files).collect::<Vec<_>>())
     }
 
     #[track_caller]
     fn refused(&self, files: &[String], word: &str) {
-        let output = self.merged(files);
-        let error = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{files:?}: {error}");
-        assert!(error.contains(word) && output.stdout.is_empty(), "{files:?}: {error}");
+        self.merged(files).refused(&[word]);
     }
 }
 
@@ -107,7 +106,7 @@ fn parts_in_any_order_are_the_one_run_byte_for_byte() {
         (&SEVERAL, &[1, 2, 7, 40]),
     ] {
         let whole = here.printed(&[command, &["--format", "csv"]].concat());
-        assert!(whole.iter().filter(|byte| **byte == b'\n').count() > 12);
+        assert!(whole.matches('\n').count() > 12);
         for of in all {
             let mut files = here.parts(command, *of);
             files.reverse();
@@ -124,10 +123,10 @@ fn what_is_not_all_of_one_run_is_refused_and_nothing_is_written() {
     let files = here.parts(&command, 3);
     here.refused(&files[..2], "missing: 3");
     here.refused(&[&files[..], &files[1..2]].concat(), "twice");
-    let whole = fs::read_to_string(here.0.join("2.csv")).unwrap();
+    let whole = here.0.read("2.csv");
     let lines: Vec<&str> = whole.lines().collect();
     let changed = |name: &str, lines: &[&str]| {
-        fs::write(here.0.join(name), lines.join("\n") + "\n").unwrap();
+        here.0.file(name, lines.join("\n") + "\n");
         [files[0].clone(), name.to_owned(), files[2].clone()]
     };
     here.refused(&changed("cut.csv", &lines[..lines.len() - 1]), "cut short");
@@ -139,33 +138,32 @@ fn what_is_not_all_of_one_run_is_refused_and_nothing_is_written() {
         ["map", "fig03", "--set", MAP, "--set", "map.impacts=61"],
     ] {
         let other = here.printed(&[&other[..], &["--format", "csv", "--shard", "2/3"]].concat());
-        let other = String::from_utf8(other).unwrap();
         here.refused(&changed("other.csv", &other.lines().collect::<Vec<_>>()), "two runs");
     }
     here.refused(&["nowhere.csv".to_owned()], "nowhere.csv");
     // a part is never written over
-    let output = here.run(&["merge", "1.csv", "2.csv", "3.csv", "--out", "2.csv"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert_eq!(fs::read_to_string(here.0.join("2.csv")).unwrap(), whole);
+    let ran = here.run(&["merge", "1.csv", "2.csv", "3.csv", "--out", "2.csv"]);
+    assert_eq!(ran.status, Some(2));
+    assert_eq!(here.0.read("2.csv"), whole);
     // an attractor that the table does not have, and a table of other rows
     let files = here.parts(&SEVERAL, 2);
-    let whole = fs::read_to_string(here.0.join("2.csv")).unwrap();
+    let whole = here.0.read("2.csv");
     let lines: Vec<&str> = whole.lines().collect();
     let (last, rest) = lines.split_last().unwrap();
     let without_one = [rest.split_last().unwrap().1, &[*last]].concat().join("\n") + "\n";
     for text in [whole.replacen(",1\n", ",9\n", 1), without_one] {
-        fs::write(here.0.join("2.csv"), with_its_sum(&text)).unwrap();
+        here.0.file("2.csv", with_its_sum(&text));
         here.refused(&files, "its attractors are not those of its rows");
-        fs::write(here.0.join("2.csv"), text).unwrap();
+        here.0.file("2.csv", text);
         here.refused(&files, "was changed");
     }
-    fs::write(here.0.join("2.csv"), with_its_sum(&whole)).unwrap();
-    assert!(here.merged(&files).status.success());
+    here.0.file("2.csv", with_its_sum(&whole));
+    here.merged(&files).succeeded();
 }
 
 /// The numbers of some columns of each row, NaN where there is none.
-fn numbers<const N: usize>(table: &[u8], columns: [&str; N]) -> Vec<[f64; N]> {
-    let mut reader = csv::Reader::from_reader(table);
+fn numbers<const N: usize>(table: &str, columns: [&str; N]) -> Vec<[f64; N]> {
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
     let header = reader.headers().unwrap().clone();
     let places = columns.map(|column| header.iter().position(|name| name == column).unwrap());
     let row = |row: csv::StringRecord| places.map(|place| row[place].parse().unwrap_or(f64::NAN));
@@ -188,15 +186,14 @@ fn the_parts_of_a_search_for_an_optimum_enclose_it_together_within_the_gap() {
     for of in [1, 3] {
         let files = here.parts(&command, of);
         let merged = here.merged(&files);
-        assert!(merged.status.success(), "{}", String::from_utf8_lossy(&merged.stderr));
-        let text = String::from_utf8_lossy(&merged.stdout).into_owned();
+        let text = merged.succeeded();
         assert!(
             text.lines().nth(1).is_some_and(|line| line.contains(",true,")),
             "{text}"
         );
-        let gaps = numbers(&merged.stdout, ["gap"]);
+        let gaps = numbers(&text, ["gap"]);
         assert!(gaps[0][0] <= 1e-3, "{text}");
-        let merged = numbers(&merged.stdout, ["low", "high", "value"]);
+        let merged = numbers(&text, ["low", "high", "value"]);
         assert_eq!(merged.len(), whole.len());
         for (&[low, high, value], &[other_low, other_high, other]) in merged.iter().zip(&whole) {
             assert!(
@@ -209,11 +206,11 @@ fn the_parts_of_a_search_for_an_optimum_enclose_it_together_within_the_gap() {
     // searched to another gap it is another search
     let other = [&command[..3], &["1e-2"], &command[4..]].concat();
     let other = here.printed(&[&other[..], &["--format", "csv", "--shard", "2/3"]].concat());
-    fs::write(here.0.join("2.csv"), other).unwrap();
+    here.0.file("2.csv", other);
     here.refused(&["1.csv", "2.csv", "3.csv"].map(str::to_owned), "two runs");
     let none = ["optimise", "fig03", "--set", "box={d = [3, 4], r_b = [0.1, 0.2]}"];
     let files = here.parts(&none, 2);
-    assert_eq!(String::from_utf8_lossy(&here.merged(&files).stdout).lines().count(), 1);
+    assert_eq!(here.merged(&files).stdout.lines().count(), 1);
 }
 
 #[test]
@@ -239,9 +236,9 @@ fn what_has_no_parts_is_refused() {
             "follow",
         ),
     ] {
-        let output = here.run(arguments);
-        let error = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
+        let ran = here.run(arguments);
+        let error = ran.stderr;
+        assert_eq!(ran.status, Some(2), "{arguments:?}: {error}");
         assert!(error.contains(word), "{arguments:?}: {error}");
     }
 }
@@ -282,8 +279,7 @@ fn a_run_that_was_stopped_goes_on_to_the_same_bytes_wherever_it_was_cut() {
     let [file, part] = ["rows.csv", "rows.csv.part"].map(|name| here.0.join(name));
     for command in resumed() {
         let whole = here.printed(&[&command[..], &csv].concat());
-        let labelled = here.printed(&[&command[..], &csv, &["--shard", "1/1"]].concat());
-        let text = String::from_utf8(labelled).unwrap();
+        let text = here.printed(&[&command[..], &csv, &["--shard", "1/1"]].concat());
         // what a run has written before its end: rows, and a line that is cut
         let rows = text
             .split("\n\n")
@@ -311,7 +307,7 @@ fn a_run_that_was_stopped_goes_on_to_the_same_bytes_wherever_it_was_cut() {
             let _ = fs::remove_file(&file);
             fs::write(&part, &rows[..cut]).unwrap();
             here.printed(&[&command[..], &to].concat());
-            let found = fs::read(&file).unwrap();
+            let found = fs::read_to_string(&file).unwrap();
             assert!(found == whole, "{command:?} cut at {cut} of {}", rows.len());
             assert!(!part.exists());
         }
@@ -326,12 +322,9 @@ fn a_run_that_was_stopped_goes_on_to_the_same_bytes_wherever_it_was_cut() {
         ] {
             let _ = fs::remove_file(&file);
             fs::write(&part, &text).unwrap();
-            let output = here.run(&[&command[..], &to].concat());
-            let error = String::from_utf8_lossy(&output.stderr);
-            assert!(
-                output.status.code() == Some(2) && error.contains("rows.csv.part:"),
-                "{error}"
-            );
+            let ran = here.run(&[&command[..], &to].concat());
+            let error = ran.stderr;
+            assert!(ran.status == Some(2) && error.contains("rows.csv.part:"), "{error}");
             assert!(!file.exists() && fs::read_to_string(&part).unwrap() == text);
         }
         fs::remove_file(&part).unwrap();
@@ -347,11 +340,11 @@ fn parts_go_on_too_and_are_merged() {
         .map(|number| {
             let (file, shard) = (format!("{number}.csv"), format!("{number}/3"));
             let shard = ["--shard", &shard];
-            let written = String::from_utf8(here.printed(&[&command[..], &shard].concat())).unwrap();
+            let written = here.printed(&[&command[..], &shard].concat());
             let some: String = written.lines().take(4).map(|line| format!("{line}\n")).collect();
-            fs::write(here.0.join(format!("{file}.part")), summed(&some)).unwrap();
+            here.0.file(&format!("{file}.part"), summed(&some));
             here.printed(&[&command[..], &shard, &["--resume", "--out", &file]].concat());
-            assert_eq!(fs::read_to_string(here.0.join(&file)).unwrap(), written);
+            assert_eq!(here.0.read(&file), written);
             file
         })
         .collect();
@@ -368,9 +361,7 @@ fn a_kill_leaves_the_rows_and_nothing_else() {
     let rows = || fs::read_to_string(here.0.join("rows.csv.part")).map_or(0, |text| text.lines().count());
     let mut stopped = 0;
     for signal in ["INT", "KILL"] {
-        let mut program = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
-        let program = program.current_dir(&here.0).args(command).args(to);
-        let mut running = program.stderr(std::process::Stdio::null()).spawn().unwrap();
+        let mut running = here.start(&[&command[..], &to].concat());
         let before = rows();
         let start = std::time::Instant::now();
         while rows() <= before + 2 && running.try_wait().unwrap().is_none() && start.elapsed().as_secs() < 60 {
@@ -379,8 +370,8 @@ fn a_kill_leaves_the_rows_and_nothing_else() {
         // nobody else writes the rows meanwhile
         let beside = here.run(&[&command[..], &to].concat());
         if running.try_wait().unwrap().is_none() {
-            assert_eq!(beside.status.code(), Some(2));
-            assert!(String::from_utf8_lossy(&beside.stderr).contains("another run is writing it"));
+            assert_eq!(beside.status, Some(2));
+            assert!(beside.stderr.contains("another run is writing it"));
         }
         let id = running.id().to_string();
         Command::new("kill")
@@ -390,17 +381,13 @@ fn a_kill_leaves_the_rows_and_nothing_else() {
         let status = running.wait().unwrap();
         if !status.success() {
             stopped += 1;
-            let names: Vec<_> = fs::read_dir(&here.0)
-                .unwrap()
-                .map(|entry| entry.unwrap().file_name())
-                .collect();
-            assert_eq!(names, ["rows.csv.part"], "{signal}");
+            assert_eq!(here.0.names(), ["rows.csv.part"], "{signal}");
         }
     }
     assert!(stopped > 0, "the runs were over before they could be stopped");
     here.printed(&[&command[..], &to].concat());
     let whole = here.printed(&command);
-    assert!(fs::read(here.0.join("rows.csv")).unwrap() == whole);
+    assert!(here.0.read("rows.csv") == whole);
     assert!(!here.0.join("rows.csv.part").exists());
 }
 
@@ -425,9 +412,7 @@ fn a_search_that_was_stopped_goes_on_to_the_same_bytes_from_what_it_had_written(
     let lines = || fs::read_to_string(&part).map_or(0, |text| text.lines().count());
     let mut stopped = 0;
     for signal in ["INT", "KILL", "KILL"] {
-        let mut program = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
-        let program = program.current_dir(&here.0).args(&command);
-        let mut running = program.stderr(std::process::Stdio::null()).spawn().unwrap();
+        let mut running = here.start(&command);
         let before = lines();
         let start = std::time::Instant::now();
         while lines() <= before && running.try_wait().unwrap().is_none() && start.elapsed().as_secs() < 60 {
@@ -440,11 +425,7 @@ fn a_search_that_was_stopped_goes_on_to_the_same_bytes_from_what_it_had_written(
             .unwrap();
         if !running.wait().unwrap().success() {
             stopped += 1;
-            let names: Vec<_> = fs::read_dir(&here.0)
-                .unwrap()
-                .map(|entry| entry.unwrap().file_name())
-                .collect();
-            assert_eq!(names, ["best.csv.part"], "{signal}");
+            assert_eq!(here.0.names(), ["best.csv.part"], "{signal}");
             assert!(lines() > before, "{signal}");
         }
     }
@@ -483,9 +464,9 @@ fn a_search_that_was_stopped_goes_on_to_the_same_bytes_from_what_it_had_written(
         ),
     ] {
         fs::write(&part, &changed).unwrap();
-        let output = here.run(&command);
-        let error = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{error}");
+        let ran = here.run(&command);
+        let error = ran.stderr;
+        assert_eq!(ran.status, Some(2), "{error}");
         assert!(error.contains(word) && !file.exists(), "{error}");
         assert_eq!(fs::read_to_string(&part).unwrap(), changed);
     }
@@ -493,7 +474,7 @@ fn a_search_that_was_stopped_goes_on_to_the_same_bytes_from_what_it_had_written(
     for cut in [5, end / 2] {
         fs::write(&part, &text[..cut]).unwrap();
         here.printed(&command);
-        assert!(fs::read(&file).unwrap() == whole, "cut at {cut} of {end}");
+        assert!(fs::read_to_string(&file).unwrap() == whole, "cut at {cut} of {end}");
         assert!(!part.exists());
         fs::remove_file(&file).unwrap();
     }
@@ -512,8 +493,8 @@ fn a_part_of_a_search_goes_on_too() {
     .concat();
     let whole = here.printed(&command);
     here.printed(&[&command[..], &["--resume", "--out", "2.csv"]].concat());
-    assert!(fs::read(here.0.join("2.csv")).unwrap() == whole);
-    assert_eq!(fs::read_dir(&here.0).unwrap().count(), 1);
+    assert!(here.0.read("2.csv") == whole);
+    assert_eq!(here.0.names().len(), 1);
 }
 
 #[test]
@@ -521,9 +502,9 @@ fn what_cannot_go_on_is_refused_and_the_rows_stay() {
     let here = Parts::new("resume-refused");
     let command = ["map", "fig03", "--set", MAP];
     let refused = |arguments: &[&str], word: &str| {
-        let output = here.run(&[&command[..], arguments].concat());
-        let error = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
+        let ran = here.run(&[&command[..], arguments].concat());
+        let error = ran.stderr;
+        assert_eq!(ran.status, Some(2), "{arguments:?}: {error}");
         assert!(error.contains(word), "{arguments:?}: {error}");
     };
     refused(&["--resume", "--format", "csv"], "add --out FILE");
@@ -533,17 +514,10 @@ fn what_cannot_go_on_is_refused_and_the_rows_stay() {
         &[&to[..], &["--set", "map.start=follow"]].concat(),
         "follows the one before",
     );
-    fs::write(
-        here.0.join("rows.csv.part"),
-        "# vibro-audit part 1 of 1: map 0.1.0 0123\nx,y\n1,2\n",
-    )
-    .unwrap();
+    here.0
+        .file("rows.csv.part", "# vibro-audit part 1 of 1: map 0.1.0 0123\nx,y\n1,2\n");
     refused(&to, "of another run");
-    assert!(
-        fs::read_to_string(here.0.join("rows.csv.part"))
-            .unwrap()
-            .ends_with("1,2\n")
-    );
+    assert!(here.0.read("rows.csv.part").ends_with("1,2\n"));
 }
 
 #[test]
@@ -551,11 +525,7 @@ fn a_page_of_basins_has_the_starts_and_leaves_the_attractors_in_their_file() {
     let here = Parts::new("page");
     let page = ["--set", "want=[\"basins\"]", "--format", "html", "--out", "all"];
     here.printed(&[&["run"][..], &SEVERAL[1..], &page].concat());
-    let text = fs::read_to_string(here.0.join("all/report.html")).unwrap();
+    let text = here.0.read("all/report.html");
     assert!(text.contains("attractor") && !text.contains("fraction_error"));
-    assert!(
-        fs::read_to_string(here.0.join("all/basins.csv"))
-            .unwrap()
-            .contains("fraction_error")
-    );
+    assert!(here.0.read("all/basins.csv").contains("fraction_error"));
 }

@@ -1,53 +1,12 @@
 //! The report page and the findings of `audit`: what a referee attaches, and what CI shows.
 
+use super::check::Golden;
+use crate::common::program::{Scratch, run, scratch};
 use std::collections::HashSet;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
 use std::sync::LazyLock;
-
-use super::check::Golden;
-
-/// A directory of its own, gone when it goes out of scope.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("vibro-audit-page-{}-{name}", std::process::id()));
-        let _ = fs::remove_dir_all(&path);
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-
-    fn file(&self, name: &str, text: &str) -> String {
-        let path = self.0.join(name);
-        fs::write(&path, text).unwrap();
-        path.display().to_string()
-    }
-
-    fn path(&self, name: &str) -> String {
-        self.0.join(name).display().to_string()
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-fn run(arguments: &[&str]) -> Output {
-    let program = env!("CARGO_BIN_EXE_vibro-audit");
-    Command::new(program).args(arguments).output().expect("it runs")
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).expect("UTF-8")
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
 
 /// The page as XML: without what is no XML, its type, its style and its script.
 fn as_xml(html: &str) -> String {
@@ -61,22 +20,18 @@ fn as_xml(html: &str) -> String {
 }
 
 /// The page of the paper, once for all tests.
-static PAPER_PAGE: LazyLock<String> = LazyLock::new(|| {
-    let output = run(&["audit", "--repair", "--format", "html"]);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
-    stdout(&output)
-});
+static PAPER_PAGE: LazyLock<String> = LazyLock::new(|| run(&["audit", "--repair", "--format", "html"]).succeeded());
 
 /// The page of the numbers that the paper prints, once for all tests.
 static CHECK_PAGE: LazyLock<String> = LazyLock::new(|| {
     let golden = Golden::paper("page", |row| row.contains(",orbits.velocities"));
-    stdout(&run(&["check", golden.path(), "--format", "html"]))
+    run(&["check", golden.path(), "--format", "html"]).stdout
 });
 
 /// The labels of the paper's rows, by another format.
 fn labels(arguments: &[&str]) -> Vec<String> {
-    let output = run(&[arguments, &["--format", "csv"]].concat());
-    let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
+    let ran = run(&[arguments, &["--format", "csv"]].concat());
+    let mut reader = csv::Reader::from_reader(ran.stdout.as_bytes());
     reader.records().map(|row| row.unwrap()[0].to_owned()).collect()
 }
 
@@ -135,7 +90,7 @@ const EVIL: &str = "<script>alert(1)</script>\"'&\u{202e}\u{200f}";
 
 #[test]
 fn nothing_of_a_label_a_formula_or_a_title_becomes_an_element() {
-    let scratch = Scratch::new("evil");
+    let scratch = scratch("evil");
     let entry = |label: &str, tex: &str| {
         format!(
             "[[equation]]\nlabel = {}\nrole = 'claim'\ntex = {}\n",
@@ -151,9 +106,9 @@ fn nothing_of_a_label_a_formula_or_a_title_becomes_an_element() {
         entry("\u{5d0}\u{5d1} 3", "a = \\text{<img src=x onerror=alert(1)>}"),
     );
     let path = scratch.file("evil.toml", &sheet);
-    let output = run(&["audit", &path, "--format", "html"]);
-    assert_eq!(output.status.code(), Some(2), "two cannot be read: {}", stderr(&output));
-    let html = stdout(&output);
+    let ran = run(&["audit", &path, "--format", "html"]);
+    assert_eq!(ran.status, Some(2), "two cannot be read: {}", ran.stderr);
+    let html = ran.stdout;
     assert_eq!(html.matches("<script>").count(), 1, "the page's own");
     assert!(!html.contains("<img") && !html.contains('\u{202e}'));
     let xml = as_xml(&html);
@@ -165,8 +120,8 @@ fn nothing_of_a_label_a_formula_or_a_title_becomes_an_element() {
     assert_eq!(articles, 3);
     // the same in the other formats for machines
     let sarif = run(&["audit", &path, "--format", "sarif"]);
-    serde_json::from_slice::<serde_json::Value>(&sarif.stdout).unwrap();
-    let junit = stdout(&run(&["audit", &path, "--format", "junit"]));
+    serde_json::from_str::<serde_json::Value>(&sarif.stdout).unwrap();
+    let junit = run(&["audit", &path, "--format", "junit"]).stdout;
     roxmltree::Document::parse(&junit).unwrap();
 }
 
@@ -190,14 +145,14 @@ and
 ";
 
 fn sarif(arguments: &[&str]) -> (serde_json::Value, Option<i32>) {
-    let output = run(&[&["audit"], arguments, &["--format", "sarif"]].concat());
-    let log = serde_json::from_slice(&output.stdout).unwrap_or_else(|error| panic!("{error}: {}", stderr(&output)));
-    (log, output.status.code())
+    let ran = run(&[&["audit"], arguments, &["--format", "sarif"]].concat());
+    let log = serde_json::from_str(&ran.stdout).unwrap_or_else(|error| panic!("{error}: {}", ran.stderr));
+    (log, ran.status)
 }
 
 #[test]
 fn a_finding_marks_the_formula_in_the_source_and_its_repair_mends_it() {
-    let scratch = Scratch::new("sarif");
+    let scratch = scratch("sarif");
     let path = scratch.file("paper.tex", PAPER);
     let (log, status) = sarif(&[&path, "--repair"]);
     assert_eq!(status, Some(1));
@@ -222,89 +177,73 @@ fn a_finding_marks_the_formula_in_the_source_and_its_repair_mends_it() {
     let part = |from: usize, to: usize| old[from..to].iter().collect::<String>();
     let new = fix["insertedContent"]["text"].as_str().unwrap();
     lines[line - 1] = [&part(0, start - 1), new, &part(end - 1, old.len())].concat();
-    let mended = scratch.file("mended.tex", &lines.join("\n"));
-    assert_eq!(run(&["audit", &mended]).status.code(), Some(0), "{}", lines.join("\n"));
+    let mended = scratch.file("mended.tex", lines.join("\n"));
+    assert_eq!(run(&["audit", &mended]).status, Some(0), "{}", lines.join("\n"));
 }
 
 #[test]
 fn what_a_baseline_knows_does_not_fail_wherever_it_stands_now() {
-    let scratch = Scratch::new("baseline");
+    let scratch = scratch("baseline");
     let path = scratch.file("paper.tex", PAPER);
     for format in ["sarif", "json", "jsonl", "csv"] {
         let baseline = scratch.path(&format!("baseline.{format}"));
         assert_eq!(
-            run(&["audit", &path, "--format", format, "--out", &baseline])
-                .status
-                .code(),
+            run(&["audit", &path, "--format", format, "--out", &baseline]).status,
             Some(1)
         );
-        let moved = scratch.file("moved.tex", &PAPER.replace("and\n", "and\n\n\nmore text\n"));
-        let output = run(&["audit", &moved, "--baseline", &baseline]);
-        assert_eq!(output.status.code(), Some(0), "{format}: {}", stderr(&output));
-        assert!(stdout(&output).contains("known from the baseline"));
+        let moved = scratch.file("moved.tex", PAPER.replace("and\n", "and\n\n\nmore text\n"));
+        let ran = run(&["audit", &moved, "--baseline", &baseline]);
+        assert_eq!(ran.status, Some(0), "{format}: {}", ran.stderr);
+        assert!(ran.stdout.contains("known from the baseline"));
         let (log, status) = sarif(&[&moved, "--baseline", &baseline]);
         assert_eq!(status, Some(0));
         assert_eq!(log["runs"][0]["results"][0]["baselineState"], "unchanged");
         // nor does a formula before it, which changes its number
         let more = PAPER.replace("and\n", "and\n\\begin{equation}\na + b = b + a\n\\end{equation}\n");
         let shifted = scratch.file("shifted.tex", &more);
-        let output = run(&["audit", &shifted, "--baseline", &baseline]);
-        assert_eq!(output.status.code(), Some(0), "{}", stdout(&output));
-        assert!(stdout(&output).contains("\n3 "), "{}", stdout(&output));
+        let ran = run(&["audit", &shifted, "--baseline", &baseline]);
+        assert_eq!(ran.status, Some(0), "{}", ran.stdout);
+        assert!(ran.stdout.contains("\n3 "), "{}", ran.stdout);
         // a new misprint in the same formula is not known
-        let worse = scratch.file("worse.tex", &PAPER.replace("(a - b)^2", "(a - 2 b)^2"));
-        let output = run(&["audit", &worse, "--baseline", &baseline]);
-        assert_eq!(output.status.code(), Some(1));
-        assert!(
-            stderr(&output).contains("not found any more: (2)"),
-            "{}",
-            stderr(&output)
-        );
+        let worse = scratch.file("worse.tex", PAPER.replace("(a - b)^2", "(a - 2 b)^2"));
+        let ran = run(&["audit", &worse, "--baseline", &baseline]);
+        assert_eq!(ran.status, Some(1));
+        assert!(ran.stderr.contains("not found any more: (2)"), "{}", ran.stderr);
         // and one that is mended is told
-        let mended = scratch.file("mended.tex", &PAPER.replace("(a - b)^2 = a^2 +", "(a - b)^2 = a^2 -"));
-        let output = run(&["audit", &mended, "--baseline", &baseline]);
-        assert_eq!(output.status.code(), Some(0), "{}", stdout(&output));
-        assert!(stderr(&output).contains("not found any more: (2)"));
+        let mended = scratch.file("mended.tex", PAPER.replace("(a - b)^2 = a^2 +", "(a - b)^2 = a^2 -"));
+        let ran = run(&["audit", &mended, "--baseline", &baseline]);
+        assert_eq!(ran.status, Some(0), "{}", ran.stdout);
+        assert!(ran.stderr.contains("not found any more: (2)"));
     }
 }
 
 #[test]
 fn a_formula_is_explained_by_the_name_of_its_label() {
-    let scratch = Scratch::new("named");
+    let scratch = scratch("named");
     let path = scratch.file("paper.tex", PAPER);
-    let [by_name, by_number] = ["eq:slip", "2"].map(|label| stdout(&run(&["audit", &path, "--explain", label])));
+    let [by_name, by_number] = ["eq:slip", "2"].map(|label| run(&["audit", &path, "--explain", label]).stdout);
     assert!(by_name.contains("refuted") && by_name == by_number, "{by_name}");
-    let output = run(&["audit", &path, "--explain", "eq:none"]);
-    assert!(stderr(&output).contains("no claim `eq:none`"), "{}", stderr(&output));
+    let ran = run(&["audit", &path, "--explain", "eq:none"]);
+    assert!(ran.stderr.contains("no claim `eq:none`"), "{}", ran.stderr);
 }
 
 #[test]
 fn a_baseline_of_another_document_or_of_none_is_an_error() {
-    let scratch = Scratch::new("another");
+    let scratch = scratch("another");
     let path = scratch.file("paper.tex", PAPER);
     let baseline = scratch.path("baseline.sarif");
     run(&["audit", &path, "--format", "sarif", "--out", &baseline]);
-    let other = scratch.file("other.tex", &PAPER.replace(r"\label{eq:slip}", r"\tag{B}"));
-    let output = run(&["audit", &other, "--baseline", &baseline]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(stderr(&output).contains("of another document"), "{}", stderr(&output));
+    let other = scratch.file("other.tex", PAPER.replace(r"\label{eq:slip}", r"\tag{B}"));
+    let ran = run(&["audit", &other, "--baseline", &baseline]);
+    assert_eq!(ran.status, Some(2));
+    assert!(ran.stderr.contains("of another document"), "{}", ran.stderr);
     // where nothing is wrong nothing had to be known: what was is gone
-    let output = run(&["audit", "--baseline", &baseline]);
-    assert_eq!(output.status.code(), Some(0));
-    assert!(
-        stderr(&output).contains("not found any more: (2)"),
-        "{}",
-        stderr(&output)
-    );
+    let ran = run(&["audit", "--baseline", &baseline]);
+    assert_eq!(ran.status, Some(0));
+    assert!(ran.stderr.contains("not found any more: (2)"), "{}", ran.stderr);
     for (text, why) in [("", "column `label`"), ("{\"runs\": 3}", "no label"), ("[", "EOF")] {
         let wrong = scratch.file("wrong", text);
-        let output = run(&["audit", "--baseline", &wrong]);
-        assert_eq!(output.status.code(), Some(2));
-        assert!(
-            stderr(&output).contains(why) && output.stdout.is_empty(),
-            "{text}: {}",
-            stderr(&output)
-        );
+        run(&["audit", "--baseline", &wrong]).refused(&[why]);
     }
 }
 
@@ -324,15 +263,15 @@ fn each_format_is_for_the_commands_that_have_it() {
             "`scenes` has no --format junit; choose text, csv, json, jsonl, markdown",
         ),
     ] {
-        let output = run(&arguments);
-        assert_eq!(output.status.code(), Some(2));
-        assert!(stderr(&output).contains(why), "{}", stderr(&output));
+        let ran = run(&arguments);
+        assert_eq!(ran.status, Some(2));
+        assert!(ran.stderr.contains(why), "{}", ran.stderr);
     }
 }
 
 #[test]
 fn verdicts_are_tests_in_ci() {
-    let text = stdout(&run(&["audit", "--format", "junit"]));
+    let text = run(&["audit", "--format", "junit"]).stdout;
     let document = roxmltree::Document::parse(&text).unwrap();
     let tests: Vec<&str> = document
         .descendants()
@@ -345,13 +284,12 @@ fn verdicts_are_tests_in_ci() {
 
 #[test]
 fn the_other_commands_have_a_page_of_their_tables_and_figures() {
-    let scratch = Scratch::new("others");
+    let scratch = scratch("others");
     let directory = scratch.path("run");
     let few = ["--set", "sweep.points=41"];
-    let output = run(&[&["run", "fig02", "--format", "html", "--out", &directory], &few[..]].concat());
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    run(&[&["run", "fig02", "--format", "html", "--out", &directory], &few[..]].concat()).succeeded();
     let of_run = fs::read_to_string(Path::new(&directory).join("report.html")).unwrap();
-    let trade = stdout(&run(&["trade", "orbit", "--problems", "--format", "html"]));
+    let trade = run(&["trade", "orbit", "--problems", "--format", "html"]).stdout;
     for (html, words) in [(&of_run, "<svg"), (&trade, "solved"), (&*CHECK_PAGE, "reproduced")] {
         let xml = as_xml(html);
         let document = roxmltree::Document::parse(&xml).unwrap();
@@ -381,12 +319,11 @@ fn long_sheet(count: usize) -> String {
 #[test]
 #[ignore = "a minute: the size and time of a page of 2,000 formulas"]
 fn a_page_of_two_thousand_formulas_is_written() {
-    let scratch = Scratch::new("long");
-    let path = scratch.file("long.toml", &long_sheet(2000));
+    let scratch = scratch("long");
+    let path = scratch.file("long.toml", long_sheet(2000));
     let page = scratch.path("long.html");
     let start = std::time::Instant::now();
-    let output = run(&["audit", &path, "--format", "html", "--out", &page]);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    run(&["audit", &path, "--format", "html", "--out", &page]).succeeded();
     let html = fs::read_to_string(&page).unwrap();
     println!(
         "2,000 formulas: {} kB in {:.1} s",
@@ -435,13 +372,13 @@ fn measured(scratch: &Scratch, html: &str, script: &str) -> Option<serde_json::V
         "<script>onload = () => {{ const found = (() => {{ {script} }})(); const told = document.createElement('pre'); \
          told.id = 'measured'; told.textContent = JSON.stringify(found); document.body.append(told); }};</script></body>"
     );
-    let page = scratch.file("measured.html", &html.replace("</body>", &wrapped));
+    let page = scratch.file("measured.html", html.replace("</body>", &wrapped));
     let output = browser(
         scratch,
         &page,
         &["--virtual-time-budget=5000", "--window-size=1100,900", "--dump-dom"],
     )?;
-    let dom = stdout(&output);
+    let dom = String::from_utf8(output.stdout).expect("UTF-8");
     let (_, found) = dom
         .rsplit_once("<pre id=\"measured\">")
         .unwrap_or_else(|| panic!("nothing measured: {dom}"));
@@ -452,7 +389,7 @@ fn measured(scratch: &Scratch, html: &str, script: &str) -> Option<serde_json::V
 
 #[test]
 fn a_browser_lays_the_page_out_and_has_nothing_to_complain_of() {
-    let scratch = Scratch::new("browser");
+    let scratch = scratch("browser");
     let html = &*PAPER_PAGE;
     let page = scratch.file("page.html", html);
     let Some(output) = browser(
@@ -462,7 +399,7 @@ fn a_browser_lays_the_page_out_and_has_nothing_to_complain_of() {
     ) else {
         return;
     };
-    let complaints: Vec<String> = stderr(&output)
+    let complaints: Vec<String> = String::from_utf8_lossy(&output.stderr)
         .lines()
         .filter(|line| line.contains("CONSOLE"))
         .map(str::to_owned)
@@ -502,7 +439,7 @@ fn a_browser_lays_the_page_out_and_has_nothing_to_complain_of() {
 
 #[test]
 fn a_browser_sorts_a_table_by_its_numbers() {
-    let scratch = Scratch::new("sort");
+    let scratch = scratch("sort");
     let script = "const heads = [...document.querySelectorAll('thead th')];\
         const at = heads.findIndex((h) => h.textContent === 'digits');\
         const column = () => [...document.querySelectorAll('tbody tr')].map((r) => r.cells[at].textContent).filter((t) => t !== '').map(Number);\
@@ -528,17 +465,17 @@ fn a_browser_sorts_a_table_by_its_numbers() {
 
 #[test]
 fn a_printed_page_has_every_formula_and_every_proof() {
-    let scratch = Scratch::new("print");
-    let page = scratch.file("page.html", &PAPER_PAGE);
+    let scratch = scratch("print");
+    let page = scratch.file("page.html", &*PAPER_PAGE);
     let pdf = scratch.path("page.pdf");
     if browser(&scratch, &page, &[&format!("--print-to-pdf={pdf}")]).is_none() {
         return;
     }
-    let Ok(text) = Command::new("pdftotext").args(["-layout", &pdf, "-"]).output() else {
+    let Ok(printed) = Command::new("pdftotext").args(["-layout", &pdf, "-"]).output() else {
         eprintln!("skipped: there is no `pdftotext` on the path to read the printed page with");
         return;
     };
-    let text = stdout(&text);
+    let text = String::from_utf8(printed.stdout).expect("UTF-8");
     for label in labels(&["audit"]) {
         assert!(text.contains(&format!("({label})")), "({label})");
     }

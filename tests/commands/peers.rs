@@ -1,5 +1,6 @@
 //! The scripts of benches/peers can be read, and what SciPy finds is what is certified here.
 
+use crate::common::program;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -54,8 +55,7 @@ fn the_readme_of_the_peers_names_every_script() {
 
 #[test]
 fn scipy_finds_what_is_certified() {
-    let binary = env!("CARGO_BIN_EXE_vibro-audit");
-    let arguments = ["run", "--csv", "--only", "scipy", "--binary", binary];
+    let arguments = ["run", "--csv", "--only", "scipy", "--binary", program::PATH];
     let Some(output) = run("import scipy", &arguments) else {
         return;
     };

@@ -1,57 +1,23 @@
 //! `plot` as a reader sees it: what stands in each figure, that it is XML, that it is the same each time.
 
+use crate::common::program::{Program, program, scratch};
 use roxmltree::{Document, Node};
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::path::Path;
 
-fn run(arguments: &[&str], threads: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
-    command
-        .args(arguments)
-        .env("RAYON_NUM_THREADS", threads)
-        .stdin(Stdio::null());
-    command.output().unwrap()
+/// `plot` with these arguments, on two threads.
+fn plot(arguments: &[&str]) -> Program {
+    program([&["plot"], arguments].concat()).threads(2)
 }
 
 /// What `plot` prints for these arguments.
 fn plotted(arguments: &[&str]) -> String {
-    let output = run(&[&["plot"], arguments].concat(), "2");
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {message}");
-    String::from_utf8(output.stdout).unwrap()
+    plot(arguments).run().succeeded()
 }
 
 fn assert_refused(arguments: &[&str], words: &[&str]) {
-    let output = run(&[&["plot"], arguments].concat(), "2");
-    let message = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
-    assert!(output.stdout.is_empty() && message.starts_with("error: "), "{message}");
-    for word in words {
-        assert!(message.contains(word), "{arguments:?} does not say `{word}`: {message}");
-    }
-}
-
-/// An empty place of its own for each test, removed at its end.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("plot-{name}"));
-        let _ = fs::remove_dir_all(&path);
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-
-    fn path(&self, name: &str) -> String {
-        self.0.join(name).to_str().unwrap().to_owned()
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
+    let message = plot(arguments).run().refused(words);
+    assert!(message.starts_with("error: "), "{message}");
 }
 
 /// The text of a figure, which must be XML, in fonts of 11 pixels or more (subscripts of 7.5), with no number that is none.
@@ -109,16 +75,14 @@ const ENERGY: [&str; 8] = [
 
 #[test]
 fn every_figure_of_the_paper_is_drawn_with_all_its_labels_the_same_on_any_number_of_threads() {
-    let scratch = Scratch::new("all");
+    let scratch = scratch("all");
     let [full, one, other] = ["full", "one", "other"].map(|name| scratch.path(name));
     // of few values: how many do not change how they are shared out
     let few = ["--set", "sweep.points=41"];
-    for (directory, threads, sets) in [(&full, "3", &few[..0]), (&one, "1", &few), (&other, "3", &few)] {
-        let arguments = ["plot", "all", "--out", directory, "--format", "csv"];
-        let output = run(&[&arguments[..], sets].concat(), threads);
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(0), "{message}");
-        let rows = String::from_utf8(output.stdout).unwrap();
+    for (directory, threads, sets) in [(&full, 3, &few[..0]), (&one, 1, &few), (&other, 3, &few)] {
+        let arguments = ["all", "--out", directory, "--format", "csv"];
+        let all = plot(&[&arguments[..], sets].concat()).threads(threads);
+        let rows = all.run().succeeded();
         assert_eq!(rows.lines().count(), 14, "{rows}");
         assert!(rows.starts_with("figure,file,bytes\nfig02,"), "{rows}");
     }
@@ -185,7 +149,7 @@ fn another_motion_than_the_paper_has_no_printed_points() {
 
 #[test]
 fn only_what_is_wanted_is_drawn_and_the_file_is_what_stdout_has() {
-    let scratch = Scratch::new("wanted");
+    let scratch = scratch("wanted");
     let arguments = ["fig02", "--set", "want=['branch']", "--set", "sweep.points=21"];
     let svg = plotted(&arguments);
     let texts = texts("branch alone", &svg);
@@ -296,7 +260,7 @@ fn the_best_device_of_a_box_is_drawn_among_the_others() {
 
 #[test]
 fn what_cannot_be_drawn_or_written_is_refused_by_name() {
-    let scratch = Scratch::new("refused");
+    let scratch = scratch("refused");
     let file = scratch.path("file");
     fs::write(&file, "mine").unwrap();
     assert_refused(&["all"], &["--out DIR"]);

@@ -1,11 +1,10 @@
 //! What the README and the guide show is what happens.
 
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
-
 use super::check;
+use crate::common::program::{self, Scratch, scratch};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::Command;
 
 const README: &str = include_str!("../../README.md");
 const GUIDE: [(&str, &str); 12] = [
@@ -30,15 +29,13 @@ fn blocks(page: &str) -> impl Iterator<Item = (&str, &str)> {
 }
 
 /// A directory in which the blocks of a page that begin with the name of a file, as `# my-sheet.toml`, are these files.
-fn directory(name: &str, page: &str) -> PathBuf {
-    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("guide-{name}"));
-    let _ = fs::remove_dir_all(&directory);
-    fs::create_dir_all(&directory).expect("a directory");
+fn directory(name: &str, page: &str) -> Scratch {
+    let directory = scratch(name);
     for (_, text) in blocks(page) {
         let first = text.lines().next().unwrap_or_default();
         let named = first.strip_prefix("# ").or(first.strip_prefix("% "));
         if let Some(file) = named.filter(|file| file.ends_with(".toml") || file.ends_with(".tex")) {
-            fs::write(directory.join(file), text).expect("a file");
+            directory.file(file, text);
         }
     }
     directory
@@ -46,9 +43,7 @@ fn directory(name: &str, page: &str) -> PathBuf {
 
 /// Types a command of a page into a shell.
 fn run(command: &str, directory: &Path) -> (Option<i32>, String) {
-    let program = Path::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .parent()
-        .expect("a directory");
+    let program = Path::new(program::PATH).parent().expect("a directory");
     let path = std::env::var_os("PATH").unwrap_or_default();
     let places = std::iter::once(program.to_owned()).chain(std::env::split_paths(&path));
     let run = Command::new("sh")

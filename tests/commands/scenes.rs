@@ -1,9 +1,8 @@
 //! Scenes as their user meets them: what is read, what is refused and how, what is left alone.
 
+use crate::common::program::{Ran, program, run, scratch};
 use proptest::prelude::*;
 use std::fs;
-use std::io::Write;
-use std::process::{Command, Output, Stdio};
 use vibro_audit::model::Side;
 use vibro_audit::number::{Analytic, Wide};
 use vibro_audit::scene::{BUILT_IN, Begin, Over, Quantity, Scene, SceneError, SceneProblem, Want, find};
@@ -533,62 +532,39 @@ proptest! {
     }
 }
 
-fn command(arguments: &[&str], stdin: &str) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    // A command that refuses its arguments reads nothing.
-    let _ = child.stdin.take().unwrap().write_all(stdin.as_bytes());
-    child.wait_with_output().unwrap()
+/// What a run prints that has nothing to say besides.
+fn printed(ran: Ran) -> String {
+    assert!(ran.stderr.is_empty(), "{}", ran.stderr);
+    ran.succeeded()
 }
 
-fn stdout(arguments: &[&str], stdin: &str) -> String {
-    let output = command(arguments, stdin);
-    let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {message}");
-    assert!(message.is_empty(), "{message}");
-    String::from_utf8(output.stdout).unwrap()
-}
-
-fn assert_refused(arguments: &[&str], stdin: &str, words: &[&str]) {
-    let output = command(arguments, stdin);
-    let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
-    assert!(
-        output.stdout.is_empty() && message.starts_with("error: "),
-        "{arguments:?}: {message}"
-    );
-    assert!(!message.contains("panicked"), "{message}");
-    assert_says(&message, words);
+fn assert_refused(ran: Ran, words: &[&str]) {
+    let message = ran.refused(words);
+    assert!(message.starts_with("error: "), "{message}");
 }
 
 #[test]
 fn the_built_in_scenes_are_listed_and_printed_to_start_from() {
-    let list = stdout(&["scenes", "--format", "csv"], "");
+    let list = printed(run(&["scenes", "--format", "csv"]));
     let mut lines = list.lines();
     assert_eq!(lines.next(), Some("name,title,want"));
     let names: Vec<&str> = lines.filter_map(|line| line.split(',').next()).collect();
     assert_eq!(names, BUILT_IN.iter().map(|(name, _)| *name).collect::<Vec<_>>());
     assert_eq!((names.first(), names.last()), (Some(&"fig02"), Some(&"fig14")));
     for name in names {
-        assert_eq!(stdout(&["scenes", name], ""), find(name).unwrap());
+        assert_eq!(printed(run(&["scenes", name])), find(name).unwrap());
     }
     assert_refused(
-        &["scenes", "fig3"],
-        "",
+        run(&["scenes", "fig3"]),
         &["no built-in scene fig3", "did you mean fig03?", "fig02, fig03"],
     );
-    assert_refused(&["scenes", "../paper"], "", &["no built-in scene ../paper"]);
+    assert_refused(run(&["scenes", "../paper"]), &["no built-in scene ../paper"]);
 }
 
 #[test]
 fn every_built_in_scene_is_explained_and_has_nothing_to_spare() {
     for (name, _) in BUILT_IN {
-        let text = stdout(&["run", name, "--explain", "--strict"], "");
+        let text = printed(run(&["run", name, "--explain", "--strict"]));
         assert_says(&text, &["wanted", "modelled", "read", "device.capsule_mass = 0.1245"]);
         assert!(!text.contains("left alone"), "{text}");
     }
@@ -596,7 +572,7 @@ fn every_built_in_scene_is_explained_and_has_nothing_to_spare() {
 
 #[test]
 fn the_explanation_follows_what_is_wanted() {
-    let explain = |wants: &str| stdout(&["run", "fig02", "--set", &format!("want=[{wants}]"), "--explain"], "");
+    let explain = |wants: &str| printed(run(&["run", "fig02", "--set", &format!("want=[{wants}]"), "--explain"]));
     let orbits = explain("'orbits'");
     assert_says(
         &orbits,
@@ -606,8 +582,7 @@ fn the_explanation_follows_what_is_wanted() {
     assert_says(&voltage, &["membrane.ball_mass = 0.0035 (line", "8.032128514 m/s"]);
     assert!(!voltage.contains("membrane.ball_mass (line"));
     assert_refused(
-        &["run", "fig02", "--set", "want=orbits", "--strict", "--explain"],
-        "",
+        run(&["run", "fig02", "--set", "want=orbits", "--strict", "--explain"]),
         &["fig02: line", "device.angular_frequency", "--strict"],
     );
 }
@@ -615,43 +590,47 @@ fn the_explanation_follows_what_is_wanted() {
 #[test]
 fn every_want_has_its_file_and_a_scene_without_one_is_refused() {
     let scene = format!("want = [\"trajectory\", \"impacts\"]\n{BARE}start = {{ phase = 1, velocity = 0.5 }}\n");
-    let out = std::env::temp_dir().join(format!("vibro-audit-scenes-{}", std::process::id()));
-    let output = command(&["run", "-", "--out", out.to_str().unwrap()], &scene);
-    assert_eq!(output.status.code(), Some(0));
+    let scratch = scratch("wants");
+    let out = scratch.join("out");
+    let all = program(["run", "-", "--out", &scratch.path("out")]).input(scene).run();
+    assert_eq!(all.status, Some(0));
     for file in ["trajectory.csv", "simulate.csv"] {
         assert!(out.join(file).exists(), "{file}");
     }
     assert_eq!(fs::read_dir(&out).unwrap().count(), 2);
-    fs::remove_dir_all(&out).unwrap();
-    assert_refused(&["run", "-"], BARE, &["stdin: missing: want", "orbits, branch"]);
     assert_refused(
-        &["run", "-", "--set", "want=[]"],
-        BARE,
-        &["want is []", "some of orbits, branch"],
+        program(["run", "-"]).input(BARE).run(),
+        &["stdin: missing: want", "orbits, branch"],
     );
+    let none = program(["run", "-", "--set", "want=[]"]).input(BARE).run();
+    assert_refused(none, &["want is []", "some of orbits, branch"]);
 }
 
 #[test]
 fn a_scene_comes_from_a_file_stdin_or_by_its_name() {
-    let directory = std::env::temp_dir().join(format!("vibro-audit-scene-files-{}", std::process::id()));
-    fs::create_dir_all(&directory).unwrap();
-    let path = |name: &str| directory.join(name).to_str().unwrap().to_string();
-    fs::write(path("mine.toml"), WHOLE).unwrap();
-    fs::write(path("binary.toml"), b"title = \"\xff\x00\"").unwrap();
-    fs::write(path("empty.toml"), "").unwrap();
+    let scratch = scratch("files");
+    let path = |name: &str| scratch.path(name);
+    scratch.file("mine.toml", WHOLE);
+    scratch.file("binary.toml", b"title = \"\xff\x00\"");
+    scratch.file("empty.toml", "");
     assert_says(
-        &stdout(&["run", &path("mine.toml"), "--explain"], ""),
+        &printed(run(&["run", &path("mine.toml"), "--explain"])),
         &["mine (", "words = [\"BT\", \"BTT\"]"],
     );
-    assert_says(&stdout(&["run", "-", "--explain"], WHOLE), &["mine (stdin)"]);
-    assert_refused(&["run", &path("none.toml")], "", &["none.toml", "no such file"]);
-    assert_refused(&["run", "fig03.toml"], "", &["fig03.toml", "no such file"]);
-    assert_refused(&["run", "fg03"], "", &["no built-in scene fg03", "did you mean fig03?"]);
-    assert_refused(&["run", &path("")], "", &["directory"]);
-    assert_refused(&["run", &path("binary.toml")], "", &["binary.toml", "UTF-8", "byte 9"]);
-    assert_refused(&["run", &path("empty.toml")], "", &["empty.toml: missing: want"]);
-    assert_refused(&["run"], "", &["SCENE"]);
-    fs::remove_dir_all(&directory).unwrap();
+    assert_says(
+        &printed(program(["run", "-", "--explain"]).input(WHOLE).run()),
+        &["mine (stdin)"],
+    );
+    assert_refused(run(&["run", &path("none.toml")]), &["none.toml", "no such file"]);
+    assert_refused(run(&["run", "fig03.toml"]), &["fig03.toml", "no such file"]);
+    assert_refused(
+        run(&["run", "fg03"]),
+        &["no built-in scene fg03", "did you mean fig03?"],
+    );
+    assert_refused(run(&["run", &path("")]), &["directory"]);
+    assert_refused(run(&["run", &path("binary.toml")]), &["binary.toml", "UTF-8", "byte 9"]);
+    assert_refused(run(&["run", &path("empty.toml")]), &["empty.toml: missing: want"]);
+    assert_refused(run(&["run"]), &["SCENE"]);
 }
 
 #[test]
@@ -671,20 +650,10 @@ fn an_override_that_is_none_is_named_as_it_was_given() {
         ("motion.g=0.1", &["--set motion.g=0.1", "g is given twice"]),
         ("", &["key=value"]),
     ] {
-        assert_refused(&["run", "fig02", "--explain", "--set", argument], "", words);
+        assert_refused(run(&["run", "fig02", "--explain", "--set", argument]), words);
     }
-    assert_refused(&["run", "fig02", "--set"], "", &["--set"]);
-    let text = stdout(
-        &[
-            "run",
-            "fig02",
-            "--explain",
-            "--set",
-            "motion.d=0.3",
-            "--set",
-            "motion.d=0.4",
-        ],
-        "",
-    );
+    assert_refused(run(&["run", "fig02", "--set"]), &["--set"]);
+    let twice = ["--set", "motion.d=0.3", "--set", "motion.d=0.4"];
+    let text = printed(run(&[&["run", "fig02", "--explain"], &twice[..]].concat()));
     assert_says(&text, &["motion.d = 0.4 (--set motion.d=0.4)"]);
 }

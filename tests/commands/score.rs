@@ -1,39 +1,20 @@
 //! `problems` and `score` as a user has them: the frozen answers, our own solver, a program of somebody else, bad input.
 
+use crate::common::program::{program, run, scratch};
 use std::fs;
-use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::path::Path;
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use vibro_audit::accuracy::problems::{self, Certified, Means, Number, solve};
 use vibro_audit::accuracy::problems::{Kind, Level};
 use vibro_audit::accuracy::score::{Answers, Precision, Rating, parts, rate};
 use vibro_audit::number::Analytic;
 
-const BINARY: &str = env!("CARGO_BIN_EXE_vibro-audit");
-
 /// Every problem, certified once for all tests.
 fn certified() -> &'static [Certified] {
     static ALL: std::sync::LazyLock<Vec<Certified>> =
         std::sync::LazyLock::new(|| problems::all(|_| true).unwrap_or_else(|error| panic!("{error}")));
     &ALL
-}
-
-fn run(arguments: &[&str], stdin: &str) -> Output {
-    let mut child = Command::new(BINARY)
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    // a command that refuses its arguments does not read
-    let _ = child.stdin.take().unwrap().write_all(stdin.as_bytes());
-    child.wait_with_output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
 }
 
 /// The answers that `exact` are, as a file.
@@ -59,13 +40,12 @@ fn rated(file: &str) -> Vec<Rating> {
 fn the_frozen_answers_are_those_that_are_computed() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden/problems/problems.csv");
     let frozen = fs::read_to_string(path).unwrap();
-    let printed = run(&["problems"], "");
-    assert!(printed.status.success(), "{}", text(&printed.stderr));
-    for (line, (frozen, printed)) in frozen.lines().zip(text(&printed.stdout).lines()).enumerate() {
+    let printed = run(&["problems"]).succeeded();
+    for (line, (frozen, printed)) in frozen.lines().zip(printed.lines()).enumerate() {
         assert_eq!(frozen, printed, "line {}", line + 1);
     }
     // where an answer is to change: `vibro-audit problems --out golden/problems/problems.csv`
-    assert_eq!(frozen, text(&printed.stdout));
+    assert_eq!(frozen, printed);
 }
 
 #[test]
@@ -163,29 +143,11 @@ fn levels_are_harder_one_after_the_other() {
     assert!(easy < hard && hard < extreme, "{easy} {hard} {extreme}");
 }
 
-/// A directory of its own, removed at the end.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("vibro-audit-score-{}-{name}", std::process::id()));
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
 #[test]
 fn our_own_answers_go_from_one_command_to_the_other() {
-    let scratch = Scratch::new("plot");
-    let plot = scratch.0.join("digits.svg");
-    let solved = run(&["problems", "--solve", "--kind", "impact"], "");
-    assert!(solved.status.success(), "{}", text(&solved.stderr));
+    let scratch = scratch("plot");
+    let plot = scratch.path("digits.svg");
+    let solved = run(&["problems", "--solve", "--kind", "impact"]).succeeded();
     let arguments = [
         "score",
         "-",
@@ -197,10 +159,9 @@ fn our_own_answers_go_from_one_command_to_the_other() {
         "csv",
         "--plot",
     ];
-    let arguments = [&arguments[..], &[plot.to_str().unwrap()]].concat();
-    let scored = run(&arguments, text(&solved.stdout));
-    assert_eq!(scored.status.code(), Some(0), "{}", text(&scored.stderr));
-    let mut lines = text(&scored.stdout).lines();
+    let arguments = [&arguments[..], &[&plot]].concat();
+    let scored = program(arguments).input(&solved).run().succeeded();
+    let mut lines = scored.lines();
     assert_eq!(lines.next(), Some("problem,quantity,digits,seconds,kind,level"));
     assert!(lines.all(|line| line.contains(",impact,")));
     let svg = fs::read_to_string(&plot).unwrap();
@@ -212,22 +173,16 @@ fn our_own_answers_go_from_one_command_to_the_other() {
     );
 
     // the same answers are too few where more is asked
-    let scored = run(
-        &["score", "-", "--at-least", "15", "--level", "easy"],
-        text(&solved.stdout),
-    );
-    assert_eq!(scored.status.code(), Some(1));
-    assert!(
-        text(&scored.stderr).contains("quantities have no answer"),
-        "{}",
-        text(&scored.stderr)
-    );
+    let few = program(["score", "-", "--at-least", "15", "--level", "easy"]);
+    let scored = few.input(solved).run();
+    assert_eq!(scored.status, Some(1));
+    assert!(scored.stderr.contains("quantities have no answer"), "{}", scored.stderr);
 }
 
 #[test]
 fn a_program_is_scored_at_each_tolerance() {
-    let scratch = Scratch::new("exec");
-    let plot = scratch.0.join("curve.svg");
+    let scratch = scratch("exec");
+    let plot = scratch.path("curve.svg");
     // the period of a motion that takes one, 2, wrong by a thousandth or by a billionth of it
     let solver = "cat > /dev/null; echo problem,quantity,answer
         case {tolerance} in 1e-3) echo orbit-one-wall,time_1,2.002;; *) echo orbit-one-wall,time_1,2.000000002;; esac";
@@ -242,12 +197,11 @@ fn a_program_is_scored_at_each_tolerance() {
         "--level",
         "easy",
     ];
-    let rows = run(&[&arguments[..], &["--format", "csv"]].concat(), "");
-    assert!(rows.status.success(), "{}", text(&rows.stderr));
-    assert!(text(&rows.stdout).starts_with("problem,quantity,digits,seconds,kind,level,tolerance\n"));
-    let summary = ["--summary", "--format", "csv", "--plot", plot.to_str().unwrap()];
-    let summary = run(&[&arguments[..], &summary].concat(), "");
-    let table = text(&summary.stdout);
+    let rows = run(&[&arguments[..], &["--format", "csv"]].concat()).succeeded();
+    assert!(rows.starts_with("problem,quantity,digits,seconds,kind,level,tolerance\n"));
+    let summary = ["--summary", "--format", "csv", "--plot", &plot];
+    let summary = run(&[&arguments[..], &summary].concat());
+    let table = summary.stdout;
     let rows: Vec<Vec<f64>> = table
         .lines()
         .skip(1)
@@ -279,28 +233,22 @@ fn a_program_that_fails_is_an_error_that_says_what() {
         let arguments = [
             "score", "--exec", command, "--limit", limit, "--kind", "impact", "--level", "easy",
         ];
-        let output = run(&arguments, "");
-        assert_eq!(output.status.code(), Some(2), "{command}");
-        assert!(
-            text(&output.stderr).contains(words),
-            "{command}: {}",
-            text(&output.stderr)
-        );
+        let ran = run(&arguments);
+        assert_eq!(ran.status, Some(2), "{command}");
+        assert!(ran.stderr.contains(words), "{command}: {}", ran.stderr);
     }
 }
 
 #[cfg(unix)]
 #[test]
 fn a_program_does_not_outlive_an_interrupt() {
-    let scratch = Scratch::new("interrupt");
-    let path = scratch.0.join("id");
-    let command = format!("echo $$ > {}; sleep 300 | sleep 300", path.display());
-    let mut scoring = Command::new(BINARY)
-        .args([
-            "score", "--exec", &command, "--limit", "300", "--kind", "impact", "--level", "easy",
-        ])
-        .spawn()
-        .unwrap();
+    let scratch = scratch("interrupt");
+    let path = scratch.join("id");
+    let command = format!("echo $$ > '{}'; sleep 300 | sleep 300", path.display());
+    let mut scoring = program([
+        "score", "--exec", &command, "--limit", "300", "--kind", "impact", "--level", "easy",
+    ])
+    .spawn();
     let start = Instant::now();
     let wait_for = |what: &dyn Fn() -> bool| {
         while !what() {
@@ -338,21 +286,17 @@ fn what_makes_no_sense_is_refused_before_anything_runs() {
         &["problems", "--solve", "--without-answers"],
         &["problems", "--level", "easiest"],
     ] {
-        let output = run(arguments, "");
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert!(
-            text(&output.stderr).starts_with("error: "),
-            "{arguments:?}: {}",
-            text(&output.stderr)
-        );
+        let ran = run(arguments);
+        assert_eq!(ran.status, Some(2), "{arguments:?}");
+        assert!(ran.stderr.starts_with("error: "), "{arguments:?}: {}", ran.stderr);
     }
 }
 
 #[test]
 fn problems_without_answers_hide_them_and_say_the_rest() {
-    let all = run(&["problems", "--level", "easy"], "");
-    let hidden = run(&["problems", "--level", "easy", "--without-answers"], "");
-    let (all, hidden) = (text(&all.stdout), text(&hidden.stdout));
+    let all = run(&["problems", "--level", "easy"]);
+    let hidden = run(&["problems", "--level", "easy", "--without-answers"]);
+    let (all, hidden) = (all.stdout, hidden.stdout);
     assert_eq!(all.lines().count(), hidden.lines().count());
     for (line, all) in hidden.lines().zip(all.lines()) {
         assert!(all.starts_with(line), "{line}");
@@ -391,9 +335,8 @@ fn the_scipy_example_answers_better_where_it_is_asked_to() {
         "--limit",
         "600",
     ];
-    let output = run(&[&arguments[..], &["--summary", "--format", "csv"]].concat(), "");
-    assert!(output.status.success(), "{}", text(&output.stderr));
-    let rows: Vec<Vec<f64>> = text(&output.stdout)
+    let table = run(&[&arguments[..], &["--summary", "--format", "csv"]].concat()).succeeded();
+    let rows: Vec<Vec<f64>> = table
         .lines()
         .skip(1)
         .map(|line| line.split(',').map(|field| field.parse().unwrap()).collect())

@@ -1,8 +1,6 @@
 //! The command `stress`: digits at the extremes, held to the bar and to what was frozen.
 
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use crate::common::program::scratch;
 use std::sync::LazyLock;
 use vibro_audit::accuracy::stress::{Form, StressError, StressRow, WORST, frozen_text, search, stress};
 
@@ -137,25 +135,10 @@ fn a_search_finds_points_that_can_be_frozen_and_the_same_ones_again() {
     }
 }
 
-fn run(arguments: &[&str], directory: &Path) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
-    command.args(arguments).current_dir(directory).stdin(Stdio::null());
-    command.output().unwrap()
-}
-
-/// An empty directory of its own.
-fn scratch(name: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("stress-{name}"));
-    let _ = fs::remove_dir_all(&path);
-    fs::create_dir_all(&path).unwrap();
-    path
-}
-
 #[test]
 fn the_command_prints_the_columns_and_succeeds() {
-    let output = run(&["stress", "late", "--format", "csv"], &scratch("columns"));
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    let text = String::from_utf8(output.stdout).unwrap();
+    let scratch = scratch("columns");
+    let text = scratch.run(&["stress", "late", "--format", "csv"]).succeeded();
     assert!(
         text.starts_with("case,formula,number,form,digits,condition,at,"),
         "{text}"
@@ -165,17 +148,14 @@ fn the_command_prints_the_columns_and_succeeds() {
             .any(|line| line.starts_with("late time,f,double-double,stable,")),
         "{text}"
     );
-    let output = run(&["stress", "late", "--format", "json"], &scratch("json"));
-    assert_eq!(output.status.code(), Some(0));
+    scratch.run(&["stress", "late", "--format", "json"]).succeeded();
 }
 
 #[test]
 fn a_curve_is_printed_with_its_distances_and_drawn() {
-    let directory = scratch("curve");
+    let scratch = scratch("curve");
     let arguments = ["stress", "--curve", "Delta", "--format", "csv", "--plot", "delta.svg"];
-    let output = run(&arguments, &directory);
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    let text = String::from_utf8(output.stdout).unwrap();
+    let text = scratch.run(&arguments).succeeded();
     let mut lines = text.lines();
     assert_eq!(
         lines.next(),
@@ -184,25 +164,24 @@ fn a_curve_is_printed_with_its_distances_and_drawn() {
     // half decades from 1e-1 to 1e-14, of two formulas, in four numbers and two forms
     assert_eq!(lines.clone().count(), 27 * 2 * 4 * 2);
     assert!(lines.all(|line| line.starts_with("Delta to 0,") && line.contains("Tr=")));
-    let svg = fs::read_to_string(directory.join("delta.svg")).unwrap();
+    let svg = scratch.read("delta.svg");
     for words in ["f64 printed", "f64 stable", "f64 allowed", "\u{394} to 0"] {
         assert!(svg.contains(words), "{words}");
     }
     // a reader at a terminal has the rows of f64 alone
-    let output = run(&["stress", "--curve", "Delta"], &directory);
-    let text = String::from_utf8(output.stdout).unwrap();
+    let text = scratch.run(&["stress", "--curve", "Delta"]).stdout;
     assert!(text.contains(" f64 ") && !text.contains("double-double"), "{text}");
 }
 
 #[test]
 fn the_command_fails_when_a_frozen_digit_is_lost() {
-    let directory = scratch("lost");
+    let scratch = scratch("lost");
     let at = |digits: f64| format!("case,formula,number,form,digits,at\nlate time,f,f32,stable,{digits},t=1.25\n");
     for (digits, status) in [(5.0, 0), (20.0, 1)] {
-        fs::write(directory.join("worst.csv"), at(digits)).unwrap();
-        let output = run(&["stress", "late", "--frozen", "worst.csv"], &directory);
-        assert_eq!(output.status.code(), Some(status), "{output:?}");
-        let message = String::from_utf8(output.stderr).unwrap();
+        scratch.file("worst.csv", at(digits));
+        let ran = scratch.run(&["stress", "late", "--frozen", "worst.csv"]);
+        assert_eq!(ran.status, Some(status), "{ran:?}");
+        let message = ran.stderr;
         assert_eq!(
             message.contains("a digit is lost, 20 before: late time, f, f32, stable"),
             status == 1,
@@ -213,7 +192,7 @@ fn the_command_fails_when_a_frozen_digit_is_lost() {
 
 #[test]
 fn what_is_no_search_and_what_is_not_there_is_refused() {
-    let directory = scratch("refused");
+    let scratch = scratch("refused");
     for (arguments, words) in [
         (&["stress", "--bless"][..], "--search"),
         (&["stress", "--search", "0"], "above 0"),
@@ -230,9 +209,9 @@ fn what_is_no_search_and_what_is_not_there_is_refused() {
         ),
         (&["stress", "--plot", "delta.svg"], "--curve"),
     ] {
-        let output = run(arguments, &directory);
-        let message = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+        let ran = scratch.run(arguments);
+        let message = ran.stderr;
+        assert_eq!(ran.status, Some(2), "{arguments:?}: {message}");
         assert!(message.contains(words), "{arguments:?}: {message}");
     }
 }

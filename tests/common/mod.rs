@@ -7,6 +7,7 @@ pub mod formulas;
 pub mod judge;
 pub mod mutants;
 pub mod paper;
+pub mod program;
 pub mod rewrite;
 pub mod sample;
 pub mod trees;

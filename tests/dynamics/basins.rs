@@ -1,6 +1,7 @@
 //! `basins` as a script sees it: each start is told where a single simulation of it goes.
 
-use super::sweep::{Sheet, assert_refused, printed, run_with};
+use super::sweep::Sheet;
+use crate::common::program::{program, run};
 use std::f64::consts::TAU;
 use vibro_audit::impact::{Event, Kind, Simulation, Start};
 use vibro_audit::model::{Motion, Side};
@@ -26,9 +27,8 @@ impl Basins {
     }
 
     fn asked(arguments: &[&str], stdin: &str) -> Self {
-        let output = run_with(&[&["basins"], arguments, &["--format", "csv"]].concat(), stdin, None);
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        Self::of(&String::from_utf8(output.stdout).unwrap())
+        let asked = program([&["basins"], arguments, &["--format", "csv"]].concat());
+        Self::of(&asked.input(stdin).run().succeeded())
     }
 
     /// A column of the attractor that a start comes to.
@@ -128,14 +128,8 @@ fn a_cycle_is_the_proved_orbit_and_gives_its_voltage() {
         "",
     );
     assert_eq!(found.starts.columns.join(","), "phase,velocity,attractor");
-    let orbits = Sheet::of(&printed(&[
-        "orbits",
-        "fig03",
-        "--set",
-        "motion.d=0.4",
-        "--format",
-        "csv",
-    ]));
+    let orbits = run(&["orbits", "fig03", "--set", "motion.d=0.4", "--format", "csv"]);
+    let orbits = Sheet::of(&orbits.succeeded());
     let stable = orbits
         .texts("stable")
         .iter()
@@ -169,11 +163,11 @@ fn the_attractors_alone_are_the_second_table() {
         "--format",
         "csv",
     ];
-    let both = printed(&arguments);
-    let alone = printed(&[&arguments[..], &["--attractors"]].concat());
+    let both = run(&arguments).succeeded();
+    let alone = run(&[&arguments[..], &["--attractors"]].concat()).succeeded();
     assert_eq!(both.split_once("\n\n").unwrap().1, alone);
-    let texts = [1, 2, 5].map(|threads| run_with(&arguments, "", Some(threads)).stdout);
-    assert!(texts.iter().all(|text| *text == both.as_bytes()));
+    let texts = [1, 2, 5].map(|threads| program(arguments).threads(threads).run().stdout);
+    assert!(texts.iter().all(|text| *text == both));
 }
 
 #[test]
@@ -193,17 +187,16 @@ fn what_is_no_grid_of_starts_is_refused() {
         ),
         ("basins.speed=1", &["basins.speed"]),
     ] {
-        assert_refused(&["basins", "fig03", "--set", STARTS, "--set", set], "", words);
+        run(&["basins", "fig03", "--set", STARTS, "--set", set]).refused(words);
     }
     let text = "motion = { g = 0.1, d = 0.3, r_b = 0.5, r_t = 0.5 }\n";
-    assert_refused(&["basins", "-"], text, &["`basins` requires basins.phase.from"]);
+    let without = program(["basins", "-"]).input(text).run();
+    without.refused(&["`basins` requires basins.phase.from"]);
 }
 
 #[test]
 fn the_attractors_of_some_devices_are_as_they_are_written_down() {
-    let output = run_with(&["check", "golden/basins", "--format", "csv"], "", None);
-    let text = String::from_utf8_lossy(&output.stdout);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{text}\n{message}");
-    assert!(text.lines().count() > 18, "{text}");
+    let ran = run(&["check", "golden/basins", "--format", "csv"]);
+    assert_eq!(ran.status, Some(0), "{}\n{}", ran.stdout, ran.stderr);
+    assert!(ran.stdout.lines().count() > 18, "{}", ran.stdout);
 }

@@ -1,5 +1,8 @@
 //! Impacts, simulation, sweeps and trajectories, and their bounds.
 
+#[path = "../common/mod.rs"]
+mod common;
+
 mod basins;
 mod many_digits;
 mod map;

@@ -1,7 +1,7 @@
 //! Motions and bifurcations to many digits: by two means, at two precisions, and held by the references.
 
+use crate::common::program::run;
 use proptest::prelude::*;
-use std::process::Command;
 use vibro_audit::model::Motion;
 use vibro_audit::number::{Analytic, Decimal, Decimals, Interval, Rung, Wide};
 use vibro_audit::orbit::{OutputPrecision, Parameters, Word, confirm_orbit, find_as};
@@ -43,18 +43,9 @@ proptest! {
     }
 }
 
-fn stdout(arguments: &[&str]) -> String {
-    let output = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .args(arguments)
-        .output()
-        .expect("a run");
-    assert!(output.status.success(), "{output:?}");
-    String::from_utf8(output.stdout).expect("text")
-}
-
 /// The columns of the only row.
 fn row(digits: &str) -> Vec<(String, Vec<String>)> {
-    let text = stdout(&["orbits", "fig02", "--digits", digits, "--format", "csv"]);
+    let text = run(&["orbits", "fig02", "--digits", digits, "--format", "csv"]).succeeded();
     let mut lines = text
         .lines()
         .map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
@@ -99,7 +90,7 @@ fn forty_digits_are_sixty_rounded_to_a_figure_more() {
 
 #[test]
 fn in_json_every_digit_reads_back() {
-    let text = stdout(&["orbits", "fig02", "--digits", "40", "--format", "json"]);
+    let text = run(&["orbits", "fig02", "--digits", "40", "--format", "json"]).succeeded();
     let rows: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     let velocity = rows[0]["velocities"][0].as_str().expect("a string");
     assert!(
@@ -110,12 +101,9 @@ fn in_json_every_digit_reads_back() {
 
 #[test]
 fn more_digits_than_there_are_are_refused() {
-    let output = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .args(["orbits", "fig02", "--digits", "2000"])
-        .output()
-        .expect("a run");
-    assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&output.stderr).contains("ask for at most 195"));
+    let ran = run(&["orbits", "fig02", "--digits", "2000"]);
+    assert_eq!(ran.status, Some(2));
+    assert!(ran.stderr.contains("ask for at most 195"));
 }
 
 #[test]

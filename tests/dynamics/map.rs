@@ -1,6 +1,7 @@
 //! `map` as a script sees it: each point is that of a sweep through it.
 
-use super::sweep::{Sheet, assert_refused, printed, run_with};
+use super::sweep::Sheet;
+use crate::common::program::{program, run};
 use vibro_audit::impact::{Event, Kind, Simulation, Start};
 use vibro_audit::model::{Motion, Side};
 use vibro_audit::number::{Analytic, DoubleDouble, Sequence};
@@ -14,7 +15,7 @@ fn arguments<'a>(scene: &'a str, sets: &[&'a str]) -> Vec<&'a str> {
 }
 
 fn mapped(scene: &str, sets: &[&str]) -> Sheet {
-    Sheet::of(&printed(&arguments(scene, sets)))
+    Sheet::of(&run(&arguments(scene, sets)).succeeded())
 }
 
 /// The map of the device of Fig. 3 whose overrides follow.
@@ -149,7 +150,7 @@ fn what_is_not_wanted_is_empty_and_needs_nothing() {
 #[test]
 fn rows_are_the_same_bytes_however_many_threads_compute_them() {
     for sets in [&FEW[..], &["map.x.points=1500", "map.y.points=2", "map.impacts=20"]] {
-        let texts = [1, 2, 5].map(|threads| run_with(&arguments("fig03", sets), "", Some(threads)).stdout);
+        let texts = [1, 2, 5].map(|threads| program(arguments("fig03", sets)).threads(threads).run().stdout);
         assert!(texts[0].len() > 1000 && texts.iter().all(|text| *text == texts[0]));
     }
 }
@@ -177,12 +178,13 @@ fn what_cannot_be_mapped_is_refused_before_anything_is_written() {
         ("map.x=1", &["map.x is a section"]),
         ("map.x={form = 1}", &["map.x.form", "did you mean from?"]),
     ] {
-        assert_refused(&arguments("fig03", &[set]), "", words);
+        run(&arguments("fig03", &[set])).refused(words);
     }
     let both = ["map.x.over=g", "map.y.over=incline", "map.x.from=0", "map.y.from=0"];
-    assert_refused(&arguments("fig03", &both), "", &["not both g and incline"]);
+    run(&arguments("fig03", &both)).refused(&["not both g and incline"]);
     let text = "motion = { g = 0.1, r_t = 0.5 }\nstart = { phase = 1, velocity = 1 }\n";
-    assert_refused(&["map", "-"], text, &["`map` requires map.x.over"]);
+    let without = program(["map", "-"]).input(text).run();
+    without.refused(&["`map` requires map.x.over"]);
 }
 
 /// The word and the periods that a motion in 31 digits comes to within so many impacts.
@@ -218,9 +220,8 @@ fn at_200_random_points_a_map_says_what_31_digits_say_wherever_it_claims_a_digit
              y = {{ over = \"r_b\", from = {}, to = {}, points = 4 }}\n",
             d[0], d[1], r_b[0], r_b[1]
         );
-        let output = run_with(&["map", "-", "--format", "csv"], &scene, None);
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        let map = Sheet::of(&String::from_utf8(output.stdout).expect("text"));
+        let mapped = program(["map", "-", "--format", "csv"]).input(&scene).run();
+        let map = Sheet::of(&mapped.succeeded());
         assert_eq!(map.rows.len(), 40);
         for row in 0..40 {
             let [d, r_b] = ["x", "y"].map(|column| map.numbers(column)[row]);
@@ -262,8 +263,8 @@ fn a_rest_after_errors_have_taken_the_motion_over_has_no_digits() {
                  [map]\nimpacts = 1000\nwant = [\"word\", \"lyapunov\"]\n\
                  x = { over = \"d\", from = 0.455, to = 0.456, points = 1 }\n\
                  y = { over = \"r_b\", from = 0.605, to = 0.606, points = 1 }\n";
-    let output = run_with(&["map", "-", "--format", "csv"], scene, None);
-    let map = Sheet::of(&String::from_utf8(output.stdout).expect("text"));
+    let mapped = program(["map", "-", "--format", "csv"]).input(scene).run();
+    let map = Sheet::of(&mapped.stdout);
     let told = (map.texts("word")[0], map.texts("digits")[0]);
     assert!(told.0 == "BT" || told.1 == "0", "{told:?}");
 }

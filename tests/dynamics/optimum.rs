@@ -1,7 +1,6 @@
 //! `optimise`: the best device of a box, against certified orbits on a grid and local searches, and as a script sees it.
 
-use std::io::Write;
-use std::process::{Command, Output, Stdio};
+use crate::common::program::{Program, program};
 use vibro_audit::number::Sequence;
 use vibro_audit::orbit::{Active, Optimum, OptimumLimits, OptimumPart, Word, find, optimum};
 use vibro_audit::scene::{Scene, built_in};
@@ -214,28 +213,16 @@ fn a_forcing_amplitude_changes_the_unit_of_length_and_the_capsule_keeps_its_own(
     );
 }
 
-fn run(arguments: &[&str], stdin: &str, threads: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
-    command.args(arguments).env("RAYON_NUM_THREADS", threads);
-    command
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    let mut child = command.spawn().unwrap();
-    child.stdin.take().unwrap().write_all(stdin.as_bytes()).unwrap();
-    child.wait_with_output().unwrap()
-}
-
-fn optimised(sets: &[&str], flags: &[&str]) -> Output {
+/// The search in a box of the device of Fig. 3, on two threads.
+fn optimised(sets: &[&str], flags: &[&str]) -> Program {
     let mut arguments = vec!["optimise", "fig03", "--format", "csv"];
     arguments.extend(sets.iter().flat_map(|set| ["--set", set]));
-    run(&[&arguments, flags].concat(), "", "2")
+    program([&arguments, flags].concat()).threads(2)
 }
 
 #[test]
 fn the_columns_are_those_that_scripts_rely_on_whatever_the_threads() {
-    let output = optimised(&[WHOLE], &["--gap", "1e-3"]);
-    let text = String::from_utf8(output.stdout).unwrap();
+    let text = optimised(&[WHOLE], &["--gap", "1e-3"]).run().stdout;
     let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(
         rows[0].join(","),
@@ -250,27 +237,20 @@ fn the_columns_are_those_that_scripts_rely_on_whatever_the_threads() {
         let [low, high, value] = [1, 2, 3].map(|column| row[column].parse::<f64>().unwrap());
         assert!(low <= value && value <= high, "{row:?}");
     }
-    let one = run(
-        &["optimise", "fig03", "--format", "csv", "--set", WHOLE, "--gap", "1e-3"],
-        "",
-        "1",
-    );
-    assert_eq!(text.as_bytes(), one.stdout);
+    let one = optimised(&[WHOLE], &["--gap", "1e-3"]).threads(1).run();
+    assert_eq!(text, one.stdout);
 }
 
 #[test]
 fn a_box_without_a_stable_motion_is_said_and_is_no_error() {
-    let output = optimised(&["box={d = [0.21, 0.23]}"], &["--require-complete"]);
-    assert_eq!(output.status.code(), Some(0));
-    let (text, message) = [output.stdout, output.stderr]
-        .map(|bytes| String::from_utf8(bytes).unwrap())
-        .into();
-    assert_eq!(text.lines().count(), 1, "{text}");
-    assert!(message.contains("no device of the box"), "{message}");
+    let ran = optimised(&["box={d = [0.21, 0.23]}"], &["--require-complete"]).run();
+    assert_eq!(ran.status, Some(0));
+    assert_eq!(ran.stdout.lines().count(), 1, "{}", ran.stdout);
+    assert!(ran.stderr.contains("no device of the box"), "{}", ran.stderr);
     // a gap out of reach is said, and fails where completeness is required
-    let output = optimised(&[WHOLE], &["--gap", "1e-15", "--require-complete"]);
-    assert_eq!(output.status.code(), Some(1));
-    assert!(String::from_utf8(output.stderr).unwrap().contains("was not reached"));
+    let ran = optimised(&[WHOLE], &["--gap", "1e-15", "--require-complete"]).run();
+    assert_eq!(ran.status, Some(1));
+    assert!(ran.stderr.contains("was not reached"));
 }
 
 #[test]
@@ -299,43 +279,31 @@ fn what_cannot_be_a_box_is_refused() {
         ("box={}", &["`optimum` requires box.d"]),
         ("box=1", &["box is a section"]),
     ] {
-        let output = optimised(&[set], &[]);
-        let message = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{set}: {message}");
-        assert!(output.stdout.is_empty());
-        for word in words {
-            assert!(message.contains(word), "{set}: `{word}` is not in {message}");
-        }
+        optimised(&[set], &[]).run().refused(words);
     }
     let both = [
         "device.capsule_length=0.6",
         "box={d = [0.1, 0.2], forcing_amplitude = [4, 6]}",
     ];
-    let output = optimised(&both, &[]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8(output.stderr).unwrap().contains("keeps its length"));
+    let ran = optimised(&both, &[]).run();
+    assert_eq!(ran.status, Some(2));
+    assert!(ran.stderr.contains("keeps its length"));
     for gap in ["0", "1", "-1e-3", "NaN"] {
-        let output = optimised(&[WHOLE], &["--gap", gap]);
-        assert_eq!(output.status.code(), Some(2), "{gap}");
+        let ran = optimised(&[WHOLE], &["--gap", gap]).run();
+        assert_eq!(ran.status, Some(2), "{gap}");
     }
     let bare = "motion = { g = 0.1, d = 0.3, r_b = 0.5, r_t = 0.5 }\nbox.d = [0.1, 0.5]\n";
-    let output = run(&["optimise", "-"], bare, "1");
-    assert_eq!(output.status.code(), Some(2));
-    assert!(
-        String::from_utf8(output.stderr)
-            .unwrap()
-            .contains("requires membrane.ball_mass")
-    );
+    let ran = program(["optimise", "-"]).input(bare).threads(1).run();
+    assert_eq!(ran.status, Some(2));
+    assert!(ran.stderr.contains("requires membrane.ball_mass"));
 }
 
 #[test]
 fn the_worked_examples_are_as_they_are_printed() {
     for (directory, rows) in [("golden/optimum", 16), ("golden/restitution", 27)] {
-        let output = run(&["check", directory, "--format", "csv"], "", "2");
-        let text = String::from_utf8_lossy(&output.stdout);
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(0), "{text}\n{message}");
-        assert!(text.lines().count() > rows, "{text}");
+        let ran = program(["check", directory, "--format", "csv"]).threads(2).run();
+        assert_eq!(ran.status, Some(0), "{}\n{}", ran.stdout, ran.stderr);
+        assert!(ran.stdout.lines().count() > rows, "{}", ran.stdout);
     }
 }
 

@@ -1,21 +1,14 @@
 //! The command `simulate`, and the laws that whole motions obey.
 
+use crate::common::program::{run, scratch};
 use std::f64::consts::{PI, TAU};
-use std::process::{Command, Output};
 use vibro_audit::impact::{Event, Extent, History, Kind, Simulation, Start, history, history_in_decimals};
 use vibro_audit::model::{Motion, Side};
 use vibro_audit::number::{Analytic, Rung, Sequence, Wide};
 use vibro_audit::orbit::{Word, find};
 
-fn run(arguments: &[&str]) -> Output {
-    let binary = env!("CARGO_BIN_EXE_vibro-audit");
-    Command::new(binary).args(arguments).output().expect("the binary runs")
-}
-
 fn printed(arguments: &[&str]) -> Vec<Vec<String>> {
-    let output = run(arguments);
-    let text = String::from_utf8(output.stdout).expect("text");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = run(arguments).succeeded();
     text.lines()
         .map(|line| line.split(',').map(str::to_owned).collect())
         .collect()
@@ -103,13 +96,7 @@ fn what_cannot_be_simulated_is_refused_by_name() {
         (&["simulate", "fig03", "--digits", "1000"], "1000"),
         (&["simulate", "nothing"], "nothing"),
     ] {
-        let output = run(arguments);
-        let error = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert!(
-            error.contains(words) && output.stdout.is_empty(),
-            "{arguments:?}: {error}"
-        );
+        run(arguments).refused(&[words]);
     }
 }
 
@@ -141,19 +128,17 @@ fn proved_events_come_with_bounds_that_hold_and_end_where_they_can_no_longer() {
 fn digits_of_proved_events_are_those_of_the_decimals_that_are_printed() {
     let scene =
         "motion = { g = 1, d = 0.026747, r_b = 0.5616, r_t = 1e-9 }\nstart = { phase = 3.3183, velocity = 0.01006 }\n";
-    let file = std::env::temp_dir().join(format!("digits-{}.toml", std::process::id()));
-    std::fs::write(&file, scene).unwrap();
+    let scratch = scratch("digits");
+    let file = scratch.file("scene.toml", scene);
     let asked = |digits: &str| {
-        let file = file.to_str().expect("a path");
         let own = ["--impacts", "6", "--proved", "--digits", digits, "--format", "csv"];
-        printed(&[&["simulate", file][..], &own].concat())
+        printed(&[&["simulate", &file][..], &own].concat())
     };
     for (row, exact) in asked("25").iter().zip(&asked("60")).skip(2) {
         let [told, exact] = [row, exact].map(|row| Wide::<80>::parse(&row[4]).expect("a number"));
         let error = ((told - exact.clone()) / exact).to_f64().abs();
         assert!(-error.log10() >= number(&row[6]) - 0.01, "{row:?}: {error}");
     }
-    std::fs::remove_file(&file).unwrap();
 }
 
 fn start(phase: f64, velocity: f64) -> Start<f64> {

@@ -1,48 +1,11 @@
 //! `sweep` as a script sees it: columns, order, what depends on nothing but the scene, and what it refuses.
 
-use std::fs;
-use std::io::Write;
-use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use crate::common::program::{program, run, scratch};
 use vibro_audit::impact::{Start, Widening};
 use vibro_audit::model::{Motion, Side};
 use vibro_audit::number::Sequence;
 use vibro_audit::orbit::{AtRelease, Averaging, AveragingLength, LongRun, Statistics, SteadyState};
 use vibro_audit::scene::{MeanOver, Scene, find};
-
-pub(super) fn run_with(arguments: &[&str], stdin: &str, threads: Option<u32>) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
-    command.args(arguments);
-    if let Some(threads) = threads {
-        command.env("RAYON_NUM_THREADS", threads.to_string());
-    }
-    command
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    let mut child = command.spawn().unwrap();
-    // A command that refuses its arguments does not read on.
-    let _ = child.stdin.take().unwrap().write_all(stdin.as_bytes());
-    child.wait_with_output().unwrap()
-}
-
-pub(super) fn printed(arguments: &[&str]) -> String {
-    let output = run_with(arguments, "", None);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {message}");
-    String::from_utf8(output.stdout).unwrap()
-}
-
-pub(super) fn assert_refused(arguments: &[&str], stdin: &str, words: &[&str]) {
-    let output = run_with(arguments, stdin, None);
-    let message = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
-    assert!(output.stdout.is_empty(), "{arguments:?} printed on stdout");
-    assert!(!message.contains("panicked"), "{message}");
-    for word in words {
-        assert!(message.contains(word), "{arguments:?} does not say `{word}`: {message}");
-    }
-}
 
 /// `sweep SCENE --format csv` with these overrides and flags.
 fn arguments<'a>(scene: &'a str, sets: &[&'a str], flags: &[&'a str]) -> Vec<&'a str> {
@@ -67,11 +30,11 @@ impl Sheet {
     }
 
     fn swept(scene: &str, sets: &[&str]) -> Self {
-        Self::of(&printed(&arguments(scene, sets, &[])))
+        Self::of(&run(&arguments(scene, sets, &[])).succeeded())
     }
 
     pub fn summary(scene: &str, sets: &[&str]) -> Self {
-        Self::of(&printed(&arguments(scene, sets, &["--summary"])))
+        Self::of(&run(&arguments(scene, sets, &["--summary"])).succeeded())
     }
 
     pub fn texts(&self, column: &str) -> Vec<&str> {
@@ -205,7 +168,7 @@ fn rows_are_the_same_bytes_however_many_threads_there_are() {
             arguments.retain(|argument| !["--format", "csv"].contains(argument));
         }
         arguments.extend(flags);
-        let outputs = [1, 2, 7].map(|threads| run_with(&arguments, "", Some(threads)).stdout);
+        let outputs = [1, 2, 7].map(|threads| program(&arguments).threads(threads).run().stdout);
         assert!(
             outputs[0].len() > 2000 && outputs.iter().all(|output| *output == outputs[0]),
             "{scene}"
@@ -259,7 +222,7 @@ fn following_up_and_down_shows_hysteresis_and_threads_change_nothing() {
         up.texts("word")
     );
     let sets = range("sweep.from=0.24", "sweep.to=0.3");
-    let outputs = [1, 2, 7].map(|threads| run_with(&arguments("fig03", &sets, &[]), "", Some(threads)).stdout);
+    let outputs = [1, 2, 7].map(|threads| program(arguments("fig03", &sets, &[])).threads(threads).run().stdout);
     assert!(outputs.iter().all(|output| *output == outputs[0]));
 }
 
@@ -271,13 +234,14 @@ sweep = { over = \"r_t\", from = 0.9, to = 1, points = 3, impacts = 20, keep = 2
 
 #[test]
 fn without_a_voltage_wanted_no_membrane_is_looked_at() {
-    let bare = run_with(&["sweep", "-", "--format", "csv"], BARE, None);
-    let text = String::from_utf8(bare.stdout).unwrap();
+    let asked = |scene: &str| program(["sweep", "-", "--format", "csv"]).input(scene).run();
+    let bare = asked(BARE);
+    let text = bare.stdout;
     assert!(
         text.starts_with("r_t,d,impact,side,phase,velocity,voltage\n0.9,0.4,1,bottom,6.18,0.5293,\n"),
         "{text}"
     );
-    assert!(String::from_utf8_lossy(&bare.stderr).contains("no voltage"));
+    assert!(bare.stderr.contains("no voltage"));
     assert!(text.lines().skip(1).all(|line| line.ends_with(',')));
     assert!(
         text.lines().any(|line| line.starts_with("1.0,0.4,20,")),
@@ -286,15 +250,14 @@ fn without_a_voltage_wanted_no_membrane_is_looked_at() {
     let broken = ["want=['sweep']", "membrane.stiffness=-1", "sweep.points=1"];
     assert_eq!(Sheet::swept("fig03", &broken).texts("voltage")[0], "");
     let wanted = ["membrane.stiffness=-1", "sweep.points=1"];
-    assert_refused(&arguments("fig03", &wanted, &[]), "", &["membrane.stiffness is -1"]);
+    run(&arguments("fig03", &wanted, &[])).refused(&["membrane.stiffness is -1"]);
     // a scene that does not say what it wants
-    let silent = |text: &str| run_with(&["sweep", "-", "--format", "csv"], text, None);
     let lines = find("fig03").unwrap().lines().filter(|line| !line.starts_with("want"));
     let text = lines
         .collect::<Vec<_>>()
         .join("\n")
         .replace("points = 401", "points = 1");
-    let with_membrane = Sheet::of(&String::from_utf8(silent(&text).stdout).unwrap());
+    let with_membrane = Sheet::of(&asked(&text).stdout);
     assert_ne!(with_membrane.texts("voltage")[0], "");
 }
 
@@ -324,42 +287,28 @@ fn what_cannot_be_swept_is_refused_before_anything_is_written() {
         ),
     ] {
         for flags in [&[][..], &["--summary"]] {
-            assert_refused(&arguments("fig03", sets, flags), "", words);
+            run(&arguments("fig03", sets, flags)).refused(words);
         }
     }
     let lacking = BARE.replace("start = {", "# start = {");
-    assert_refused(&["sweep", "-"], &lacking, &["`sweep` requires start.phase"]);
-    assert_refused(
-        &["sweep", "-", "--format", "junit"],
-        BARE,
-        &["[possible values: text, csv, json, jsonl, markdown]"],
-    );
-    assert_refused(&["sweep", "fig12"], "", &["`sweep` requires sweep.over"]);
-    assert_refused(&["sweep"], "", &["SCENE"]);
+    let lacking = program(["sweep", "-"]).input(&lacking).run();
+    lacking.refused(&["`sweep` requires start.phase"]);
+    let junit = program(["sweep", "-", "--format", "junit"]).input(BARE).run();
+    junit.refused(&["[possible values: text, csv, json, jsonl, markdown]"]);
+    run(&["sweep", "fig12"]).refused(&["`sweep` requires sweep.over"]);
+    run(&["sweep"]).refused(&["SCENE"]);
     let scratch = scratch("refused");
-    let out = scratch.join("none/sweep.csv").to_str().unwrap().to_owned();
-    assert_refused(&["sweep", "fig03", "--out", &out], "", &["there is no directory"]);
-    let out = scratch.join("sweep.csv").to_str().unwrap().to_owned();
-    assert_refused(
-        &["sweep", "fig03", "--out", &out, "--set", "sweep.keep=0"],
-        "",
-        &["sweep.keep"],
-    );
-    assert_eq!(fs::read_dir(&scratch).unwrap().count(), 0);
-    fs::remove_dir_all(&scratch).unwrap();
-}
-
-fn scratch(name: &str) -> std::path::PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("sweep-{name}"));
-    let _ = fs::remove_dir_all(&path);
-    fs::create_dir_all(&path).unwrap();
-    path
+    let out = scratch.path("none/sweep.csv");
+    run(&["sweep", "fig03", "--out", &out]).refused(&["there is no directory"]);
+    let out = scratch.path("sweep.csv");
+    run(&["sweep", "fig03", "--out", &out, "--set", "sweep.keep=0"]).refused(&["sweep.keep"]);
+    assert_eq!(scratch.names().len(), 0);
 }
 
 #[test]
 fn every_format_has_all_rows_and_a_file_is_what_stdout_would_be() {
     let sets = ["--set", "sweep.points=21", "--set", "sweep.keep=60"];
-    let with = |flags: &[&str]| printed(&[&["sweep", "fig03"], &sets[..], flags].concat());
+    let with = |flags: &[&str]| run(&[&["sweep", "fig03"], &sets[..], flags].concat()).succeeded();
     let csv = with(&["--format", "csv"]);
     let rows = csv.lines().count() - 1;
     assert_eq!(rows, 21 * 60);
@@ -372,17 +321,16 @@ fn every_format_has_all_rows_and_a_file_is_what_stdout_would_be() {
     let text = with(&[]);
     assert_eq!(text.lines().count(), rows + 2, "one line a row: it fits a terminal");
     let scratch = scratch("formats");
-    let out = scratch.join("sweep.csv").to_str().unwrap().to_owned();
+    let out = scratch.path("sweep.csv");
     assert_eq!(with(&["--format", "csv", "--out", &out]), "");
-    assert_eq!(fs::read_to_string(&out).unwrap(), csv);
-    fs::remove_dir_all(&scratch).unwrap();
+    assert_eq!(scratch.read("sweep.csv"), csv);
 }
 
 #[test]
 fn run_writes_the_diagram_and_its_summary() {
     let scratch = scratch("run");
     let out = scratch.to_str().unwrap();
-    let told = printed(&[
+    let told = run(&[
         "run",
         "fig14",
         "--set",
@@ -391,16 +339,16 @@ fn run_writes_the_diagram_and_its_summary() {
         out,
         "--format",
         "csv",
-    ]);
+    ])
+    .succeeded();
     assert!(
         told.contains("sweep.csv,180") && told.contains("summary.csv,3"),
         "{told}"
     );
     for (file, flags) in [("sweep.csv", &[][..]), ("summary.csv", &["--summary"])] {
-        let alone = printed(&arguments("fig14", &["sweep.points=3"], flags));
-        assert_eq!(fs::read_to_string(scratch.join(file)).unwrap(), alone);
+        let alone = run(&arguments("fig14", &["sweep.points=3"], flags)).succeeded();
+        assert_eq!(scratch.read(file), alone);
     }
-    fs::remove_dir_all(&scratch).unwrap();
 }
 
 #[test]
@@ -550,8 +498,8 @@ fn intervals_of_95_percent_hold_the_mean_in_500_replications() {
 fn a_cycle_through_a_rest_is_seen_however_long() {
     let scene = "[motion]\ng = 0.5\nd = 0.35\nr_b = 0.5\nr_t = 0.5\n[start]\nphase = 4.671\nvelocity = 6.5\n[sweep]\n\
                  over = \"d\"\nfrom = 0.35\nto = 0.36\npoints = 1\nimpacts = 500\nkeep = 60\nstart = \"each\"\n";
-    let output = run_with(&["sweep", "-", "--summary", "--format", "csv"], scene, None);
-    let summary = Sheet::of(&String::from_utf8(output.stdout).unwrap());
+    let swept = program(["sweep", "-", "--summary", "--format", "csv"]).input(scene);
+    let summary = Sheet::of(&swept.run().stdout);
     assert_eq!(
         (
             summary.texts("periods"),
@@ -654,10 +602,8 @@ start = "each"
 "#;
 
 fn late_rest(sets: &[&str]) -> Vec<String> {
-    let output = run_with(&arguments("-", sets, &["--summary"]), LATE_REST, None);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{message}");
-    let text = String::from_utf8(output.stdout).unwrap();
+    let swept = program(arguments("-", sets, &["--summary"])).input(LATE_REST);
+    let text = swept.run().succeeded();
     let row = text.lines().nth(1).unwrap();
     row.split(',').map(str::to_owned).collect()
 }

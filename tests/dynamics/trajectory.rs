@@ -1,21 +1,15 @@
 //! `trajectory` as its user meets it: columns, units, ends, and the laws of motion in the printed numbers.
 
-use std::process::{Command, Output, Stdio};
+use crate::common::program::{Ran, run};
 
-fn trajectory(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .arg("trajectory")
-        .args(arguments)
-        .stdin(Stdio::null())
-        .output()
-        .unwrap()
+fn trajectory(arguments: &[&str]) -> Ran {
+    run(&[&["trajectory"], arguments].concat())
 }
 
 /// The header, and the rows with empty fields as NaN; the command succeeds.
 fn rows(arguments: &[&str]) -> (Vec<String>, Vec<Vec<f64>>) {
-    let output = trajectory(&[arguments, &["--format", "csv"]].concat());
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
+    let text = trajectory(&[arguments, &["--format", "csv"]].concat()).succeeded();
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
     let header = reader.headers().unwrap().iter().map(str::to_owned).collect();
     let rows = reader.records().map(|record| {
         let record = record.unwrap();
@@ -65,7 +59,7 @@ fn in_si_every_column_is_its_unit_times_the_number() {
     let without = ["fig12", "--samples", "3"];
     let (header, rows) = self::rows(&without);
     assert!(column(&header, &rows, "z_m").iter().all(|value| value.is_nan()));
-    let told = String::from_utf8(trajectory(&without).stderr).unwrap();
+    let told = trajectory(&without).stderr;
     assert!(
         told.contains("SI are empty") && told.contains("angular_frequency"),
         "{told}"
@@ -136,12 +130,6 @@ fn what_cannot_be_asked_is_refused() {
         (vec!["fig12", "--until", "3", "--impacts", "3"], "--impacts"),
         (vec!["fig12", "--set", "start.velocity=-1"], "start.velocity"),
     ] {
-        let output = trajectory(&arguments);
-        let message = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert!(
-            output.stdout.is_empty() && message.contains(words),
-            "{arguments:?}: {message}"
-        );
+        trajectory(&arguments).refused(&[words]);
     }
 }

@@ -1,29 +1,10 @@
 //! The command `audit`, as a reviewer runs it: the paper, a sheet of one's own, what a script reads.
 
-use std::io::Write;
-use std::process::{Command, Output, Stdio};
-
-fn run(arguments: &[&str], input: &str) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-        .args(arguments)
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the binary");
-    // A program that needs no input may have ended before it is written.
-    let _ = child.stdin.take().expect("stdin").write_all(input.as_bytes());
-    child.wait_with_output().expect("an end")
-}
-
-fn text(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).expect("UTF-8")
-}
+use crate::common::program::{Ran, program, run, scratch};
 
 /// Label, verdict, expected, digits of each row.
-fn rows(output: &Output) -> Vec<(String, String, String, Option<f64>)> {
-    let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
+fn rows(ran: &Ran) -> Vec<(String, String, String, Option<f64>)> {
+    let mut reader = csv::Reader::from_reader(ran.stdout.as_bytes());
     let header: Vec<String> = reader.headers().expect("a header").iter().map(String::from).collect();
     let columns = "label,verdict,expected,digits,counterexample,reason,provided,place,repair,fingerprint,reductions";
     assert_eq!(header.join(","), columns);
@@ -44,9 +25,9 @@ fn claim(label: &str, tex: &str) -> String {
 
 #[test]
 fn sixteen_and_twenty_two_are_refuted_and_all_else_in_the_paper_is_proved_with_evidence() {
-    let output = run(&["audit", "--format", "csv"], "");
-    assert_eq!(output.status.code(), Some(0));
-    let rows = rows(&output);
+    let ran = run(&["audit", "--format", "csv"]);
+    assert_eq!(ran.status, Some(0));
+    let rows = rows(&ran);
     for label in ["3", "4", "9", "10", "11", "12", "14", "15", "19", "20", "21", "23"] {
         let row = rows
             .iter()
@@ -83,13 +64,17 @@ fn a_right_and_a_wrong_formula_of_ones_own_are_told_apart_and_the_status_says_so
         "b",
         r"r_B \dot{Z}_k = \overline{g}T_1 + F_1(t_{k+1}) - F_1(t_k) + \dot{Z}_{k+1}",
     );
-    let all_right = run(&["audit", "-", "--format", "csv"], &format!("{PREMISE}{right}"));
-    assert_eq!(all_right.status.code(), Some(0));
-    let output = run(&["audit", "-", "--format", "csv"], &format!("{PREMISE}{right}{wrong}"));
-    assert_eq!(output.status.code(), Some(1));
-    let verdicts: Vec<String> = rows(&output).into_iter().map(|row| row.1).collect();
+    let all_right = program(["audit", "-", "--format", "csv"])
+        .input(format!("{PREMISE}{right}"))
+        .run();
+    assert_eq!(all_right.status, Some(0));
+    let ran = program(["audit", "-", "--format", "csv"])
+        .input(format!("{PREMISE}{right}{wrong}"))
+        .run();
+    assert_eq!(ran.status, Some(1));
+    let verdicts: Vec<String> = rows(&ran).into_iter().map(|row| row.1).collect();
     assert_eq!(verdicts, ["proved", "refuted"]);
-    let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
+    let mut reader = csv::Reader::from_reader(ran.stdout.as_bytes());
     let counterexamples: Vec<String> = reader.records().map(|row| row.expect("a row")[4].to_string()).collect();
     let side = |name: &str| counterexamples[1].split("; ").find_map(|part| part.strip_prefix(name));
     assert!(counterexamples[0].is_empty(), "{counterexamples:?}");
@@ -101,9 +86,7 @@ fn a_right_and_a_wrong_formula_of_ones_own_are_told_apart_and_the_status_says_so
 
 #[test]
 fn a_proof_prints_the_combination_of_premises_that_is_the_claim() {
-    let output = run(&["audit", "--explain", "14"], "");
-    assert_eq!(output.status.code(), Some(0));
-    let text = text(&output);
+    let text = run(&["audit", "--explain", "14"]).succeeded();
     // what each step says, and the combination of these that is the claim
     let number = |label: &str, part: &str| {
         let mut lines = text.lines().zip(text.lines().skip(1));
@@ -137,8 +120,8 @@ fn a_proof_prints_the_combination_of_premises_that_is_the_claim() {
 
 #[test]
 fn json_has_the_counterexample_as_an_object_too() {
-    let output = text(&run(&["audit", "--format", "json"], ""));
-    let rows: serde_json::Value = serde_json::from_str(&output).expect("JSON");
+    let text = run(&["audit", "--format", "json"]).stdout;
+    let rows: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     let sixteen = rows.as_array().expect("rows").iter().find(|row| row["label"] == "16");
     let sixteen = sixteen.expect("a row");
     let values = sixteen["counterexample_values"].as_object().expect("an object");
@@ -168,9 +151,9 @@ expect = 'refuted'
 #[test]
 fn a_repair_fills_its_column_and_names_what_is_wrong_where_it_is_asked_for() {
     let row = |arguments: &[&str]| {
-        let output = run(arguments, WRONG);
-        assert_eq!(output.status.code(), Some(0));
-        let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
+        let ran = program(arguments).input(WRONG).run();
+        assert_eq!(ran.status, Some(0));
+        let mut reader = csv::Reader::from_reader(ran.stdout.as_bytes());
         reader.records().next().expect("a row").expect("a row")
     };
     let without = row(&["audit", "-", "--format", "csv"]);
@@ -183,36 +166,32 @@ fn a_repair_fills_its_column_and_names_what_is_wrong_where_it_is_asked_for() {
 
 #[test]
 fn the_first_repair_is_written_beside_the_original_and_over_no_input() {
-    let directory = std::env::temp_dir().join(format!("vibro-audit-mended-{}", std::process::id()));
-    std::fs::create_dir_all(&directory).unwrap();
-    let path = |name: &str| directory.join(name).display().to_string();
-    let (sheet, mended) = (path("sheet.toml"), path("mended.toml"));
-    std::fs::write(&sheet, WRONG).unwrap();
-    let refused = run(&["audit", &sheet, "--repair-into", &sheet], "");
-    assert_eq!(refused.status.code(), Some(2));
-    assert_eq!(std::fs::read_to_string(&sheet).unwrap(), WRONG);
-    assert_eq!(
-        run(&["audit", &sheet, "--repair-into", &mended], "").status.code(),
-        Some(0)
-    );
-    let written = std::fs::read_to_string(&mended).unwrap();
+    let scratch = scratch("mended");
+    let (sheet, mended) = (scratch.file("sheet.toml", WRONG), scratch.path("mended.toml"));
+    let refused = run(&["audit", &sheet, "--repair-into", &sheet]);
+    assert_eq!(refused.status, Some(2));
+    assert_eq!(scratch.read("sheet.toml"), WRONG);
+    assert_eq!(run(&["audit", &sheet, "--repair-into", &mended]).status, Some(0));
+    let written = scratch.read("mended.toml");
     let comment = "# repair of (c): $\\overline{g} = d - r_B T_1$ (wrong sign of the term `r_B T_1`)\n";
     assert!(written.contains(&format!("{comment}tex = ")), "{written}");
     assert_eq!(written.replace(comment, ""), WRONG);
     // what is written is audited as the original is
-    let verdicts = |path: &str| text(&run(&["audit", path, "--format", "csv"], "")).replace(",11:8,", ",10:8,");
+    let verdicts = |path: &str| {
+        run(&["audit", path, "--format", "csv"])
+            .stdout
+            .replace(",11:8,", ",10:8,")
+    };
     assert_eq!(verdicts(&mended), verdicts(&sheet));
-    let document = path("paper.tex");
     let tex =
         "\\begin{equation} % audit: claim; symbols parameters x, y\n  (x + y)^2 = x^2 + 2 x y - y^2\n\\end{equation}\n";
-    std::fs::write(&document, tex).unwrap();
-    run(&["audit", &document, "--repair-into", &path("mended.tex")], "");
-    let written = std::fs::read_to_string(path("mended.tex")).unwrap();
+    let document = scratch.file("paper.tex", tex);
+    run(&["audit", &document, "--repair-into", &scratch.path("mended.tex")]);
+    let written = scratch.read("mended.tex");
     assert!(
         written.contains("\n  % repair of (1): $(x + y)^2 = x^2 + 2 x y + y^2$"),
         "{written}"
     );
-    std::fs::remove_dir_all(&directory).unwrap();
 }
 
 #[test]
@@ -220,9 +199,10 @@ fn a_proof_names_its_axioms_and_its_cases() {
     let explained = |tex: &str| {
         let sheet =
             format!("[symbols]\nparameters = ['x', 'y']\n\n[[equation]]\nlabel = '1'\nrole = 'claim'\ntex = '{tex}'\n");
-        let output = run(&["audit", "-", "--explain", "1"], &sheet);
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output));
-        text(&output)
+        program(["audit", "-", "--explain", "1"])
+            .input(&sheet)
+            .run()
+            .succeeded()
     };
     let addition = explained(r"\sin(x + y) = \sin(x) \cos(y) + \cos(x) \sin(y)");
     assert!(addition.contains("axiom: sine of sum (DLMF 4.21)"), "{addition}");
@@ -242,7 +222,7 @@ fn a_proof_names_its_axioms_and_its_cases() {
 
 #[test]
 fn a_refutation_is_worked_out_and_every_premise_holds_there() {
-    let text = text(&run(&["audit", "--explain", "16"], ""));
+    let text = run(&["audit", "--explain", "16"]).stdout;
     let value = |name: &str| {
         let mut lines = text.lines().filter_map(|line| line.trim_start().split_once('='));
         let found = lines
@@ -264,7 +244,7 @@ fn a_refutation_is_worked_out_and_every_premise_holds_there() {
 
 #[test]
 fn a_refutation_shows_periods_and_derives_the_derivatives_of_the_map() {
-    let text = text(&run(&["audit", "--explain", "22"], ""));
+    let text = run(&["audit", "--explain", "22"]).stdout;
     let value = |name: &str| {
         let found = text
             .lines()
@@ -286,7 +266,7 @@ fn a_refutation_shows_periods_and_derives_the_derivatives_of_the_map() {
 
 #[test]
 fn derivatives_along_maps_cite_the_equations_of_their_own_map() {
-    let text = text(&run(&["audit", "--explain", "23"], ""));
+    let text = run(&["audit", "--explain", "23"]).stdout;
     for (label, by) in [("9", "t_k"), ("10", "t_k"), ("11", "t_{k+1}"), ("12", "t_{k+1}")] {
         let cited = format!("By ({label}) along the map, differentiated with respect to {by}:");
         assert!(text.contains(&cited), "{cited}\n{text}");
@@ -295,9 +275,9 @@ fn derivatives_along_maps_cite_the_equations_of_their_own_map() {
 
 #[test]
 fn sheets_of_another_field_are_audited_in_their_own_words() {
-    let output = run(&["audit", "golden/oscillator/equations.toml", "--format", "csv"], "");
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output));
-    assert_eq!(rows(&output).len(), 4);
+    let ran = run(&["audit", "golden/oscillator/equations.toml", "--format", "csv"]);
+    assert_eq!(ran.status, Some(0), "{}", ran.stdout);
+    assert_eq!(rows(&ran).len(), 4);
 }
 
 #[test]
@@ -310,26 +290,25 @@ fn a_sheet_that_cannot_be_used_says_where_and_exits_with_two() {
         claim("b", "d = d").replace("'9'", "'a'")
     );
     for (sheet, word) in [(twice.as_str(), "twice"), (r"[[equation", "line")] {
-        let output = run(&["audit", "-"], &format!("{PREMISE}{sheet}"));
-        let error = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(2), "{sheet}\n{error}");
-        assert!(error.contains(word) && error.contains("line"), "{sheet}\n{error}");
-        assert!(output.stdout.is_empty());
+        let ran = program(["audit", "-"]).input(format!("{PREMISE}{sheet}")).run();
+        ran.refused(&[word, "line"]);
     }
     // what is its own premise, or follows from what is not there, stops nothing else
     for (sheet, word) in [(circle, "itself"), (nowhere, "`99`")] {
-        let output = run(&["audit", "-"], &format!("{PREMISE}{sheet}{}", claim("c", "d = d")));
-        let table = String::from_utf8_lossy(&output.stdout).into_owned();
-        assert_eq!(output.status.code(), Some(2), "{table}");
+        let ran = program(["audit", "-"])
+            .input(format!("{PREMISE}{sheet}{}", claim("c", "d = d")))
+            .run();
+        let table = ran.stdout;
+        assert_eq!(ran.status, Some(2), "{table}");
         assert!(
             table.contains(word) && table.contains("unread") && table.contains("proved"),
             "{table}"
         );
     }
-    assert_eq!(run(&["audit", "-"], "").status.code(), Some(2));
-    assert_eq!(run(&["audit", "no-such-file.toml"], "").status.code(), Some(2));
-    assert_eq!(run(&["audit", "--explain", "99"], "").status.code(), Some(2));
-    assert_eq!(run(&["audit", "--effort", "0"], "").status.code(), Some(2));
+    assert_eq!(program(["audit", "-"]).input("").run().status, Some(2));
+    assert_eq!(run(&["audit", "no-such-file.toml"]).status, Some(2));
+    assert_eq!(run(&["audit", "--explain", "99"]).status, Some(2));
+    assert_eq!(run(&["audit", "--effort", "0"]).status, Some(2));
 }
 
 #[test]
@@ -341,15 +320,15 @@ fn what_cannot_be_read_is_a_row_beside_the_others_and_exits_with_two() {
     let unknown = claim("b", r"r_X = 1 + q");
     let broken = claim("c", r"\frac{1}{ = 2");
     let sheet = format!("{PREMISE}{right}{unknown}{broken}");
-    let output = run(&["audit", "-", "--format", "csv"], &sheet);
-    assert_eq!(output.status.code(), Some(2));
-    let found: Vec<(String, String)> = rows(&output).into_iter().map(|row| (row.0, row.1)).collect();
+    let ran = program(["audit", "-", "--format", "csv"]).input(&sheet).run();
+    assert_eq!(ran.status, Some(2));
+    let found: Vec<(String, String)> = rows(&ran).into_iter().map(|row| (row.0, row.1)).collect();
     let wanted = [("a", "proved"), ("b", "unread"), ("c", "unread")];
     assert_eq!(found, wanted.map(|(label, verdict)| (label.into(), verdict.into())));
-    let table = text(&output);
+    let table = ran.stdout;
     assert!(table.contains("unknown symbol `r_X`, did you mean `r_B`?"), "{table}");
     assert!(table.contains(",14:8,"), "{table}");
-    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    let error = ran.stderr;
     for part in ["line 14, column 8", "(b)", "(c)", "    r_X = 1 + q\n    ^"] {
         assert!(error.contains(part), "no {part} in\n{error}");
     }
@@ -357,12 +336,12 @@ fn what_cannot_be_read_is_a_row_beside_the_others_and_exits_with_two() {
     let known = sheet
         .replace("label = 'b'", "label = 'b'\nexpect = 'unread'")
         .replace("label = 'c'", "label = 'c'\nexpect = 'unread'");
-    let output = run(&["audit", "-"], &known);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output));
-    assert!(output.stderr.is_empty());
-    let explained = run(&["audit", "-", "--explain", "b"], &sheet);
-    assert_eq!(explained.status.code(), Some(2));
-    assert!(text(&explained).contains("^"), "{}", text(&explained));
+    let ran = program(["audit", "-"]).input(&known).run();
+    assert_eq!(ran.status, Some(0), "{}", ran.stdout);
+    assert!(ran.stderr.is_empty());
+    let explained = program(["audit", "-", "--explain", "b"]).input(&sheet).run();
+    assert_eq!(explained.status, Some(2));
+    assert!(explained.stdout.contains("^"), "{}", explained.stdout);
 }
 
 #[test]
@@ -371,23 +350,22 @@ fn premises_that_contradict_each_other_are_named_and_prove_nothing() {
         "{PREMISE}{}[[equation]]\nlabel = 'c'\nrole = 'premise'\ntex = 'd = 1, d = 2'\n",
         claim("a", "d = 1").replace("['9']", "['9', 'c']")
     );
-    let output = run(&["audit", "-", "--format", "csv"], &contrary);
-    assert_eq!(output.status.code(), Some(1));
-    let table = text(&output);
-    assert_eq!(rows(&output)[0].1, "undecided");
+    let ran = program(["audit", "-", "--format", "csv"]).input(&contrary).run();
+    assert_eq!(ran.status, Some(1));
+    assert_eq!(rows(&ran)[0].1, "undecided");
+    let table = ran.stdout;
     assert!(table.contains("contradict") && table.contains("(c)"), "{table}");
 }
 
 #[test]
 fn an_identity_needs_no_premise() {
     let identity = claim("a", "(d + r)^2 = d^2 + 2 d r + r^2").replace("follows_from = ['9']\n", "");
-    let output = run(&["audit", "-"], &identity);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output));
+    program(["audit", "-"]).input(&identity).run().succeeded();
 }
 
 #[test]
 fn the_template_has_every_key_and_is_audited_as_it_says() {
-    let template = text(&run(&["audit", "--template"], ""));
+    let template = run(&["audit", "--template"]).stdout;
     let keys = [
         "title",
         "parameters",
@@ -422,13 +400,12 @@ fn the_template_has_every_key_and_is_audited_as_it_says() {
         );
     }
     assert!(template.contains("[symbols.maps]"));
-    let output = run(&["audit", "-"], &template);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output));
+    program(["audit", "-"]).input(&template).run().succeeded();
 }
 
 #[test]
 fn the_long_help_says_what_the_verdicts_promise() {
-    let help = text(&run(&["audit", "--help"], ""));
+    let help = run(&["audit", "--help"]).stdout;
     for word in [
         "proved",
         "refuted",

@@ -2,11 +2,11 @@
 //! them; and the paper's own as one.
 
 use crate::common::paper;
+use crate::common::program::scratch;
 
 use paper::vocabulary;
 use proptest::prelude::*;
 use std::collections::HashMap;
-use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 use vibro_audit::claim::{Document, Markup, Sheet, Verdict};
 use vibro_audit::prove::{self, Decision, Options};
@@ -1164,52 +1164,29 @@ proptest! {
     }
 }
 
-/// An empty directory of a test's own.
-fn directory(name: &str) -> std::path::PathBuf {
-    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("documents-{name}"));
-    let _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir_all(&path).unwrap();
-    path
-}
-
-fn run(directory: &std::path::Path, arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_vibro-audit"));
-    command
-        .current_dir(directory)
-        .arg("audit")
-        .args(arguments)
-        .output()
-        .unwrap()
-}
-
 #[test]
 fn the_command_reads_documents_includes_what_lies_below_and_checks_printed_numbers() {
-    let directory = directory("commands");
-    let path = directory.as_path();
-    std::fs::create_dir(path.join("sub")).unwrap();
-    let write = |name: &str, text: &str| std::fs::write(path.join(name), text).unwrap();
-    write("sub/part.tex", "\\[ a b = b a \\] % audit: claim\n");
-    write("outside.tex", "\\[ a = 1 \\]\n");
-    write(
+    let scratch = scratch("commands");
+    std::fs::create_dir(scratch.join("sub")).unwrap();
+    scratch.file("sub/part.tex", "\\[ a b = b a \\] % audit: claim\n");
+    scratch.file("outside.tex", "\\[ a = 1 \\]\n");
+    scratch.file(
         "sub/main.tex",
         "% audit: symbols a, b\n\\input{part}\nThe velocity is 0.83272, % audit: value orbits.velocities[0], scene fig02, motion.d=0.4\n",
     );
-    let output = run(path, &["sub/main.tex"]);
-    let shown = String::from_utf8(output.stdout).unwrap();
+    let ran = scratch.run(&["audit", "sub/main.tex"]);
+    let shown = ran.stdout;
     assert!(
-        output.status.success() && shown.contains("part:1:4") && shown.contains("reproduced"),
+        ran.status == Some(0) && shown.contains("part:1:4") && shown.contains("reproduced"),
         "{shown}"
     );
-    write(
+    scratch.file(
         "sub/wrong.tex",
         "% audit: symbols a, b\n\\input{../outside}\n\\[ a b = b a \\] % audit: claim\n% audit: value orbits.velocities[0], scene fig02, motion.d=0.4\nIt is 0.9.\n",
     );
-    let output = run(path, &["sub/wrong.tex", "--format", "csv"]);
-    let (shown, said) = (
-        String::from_utf8(output.stdout).unwrap(),
-        String::from_utf8(output.stderr).unwrap(),
-    );
-    assert_eq!(output.status.code(), Some(2), "{said}");
+    let ran = scratch.run(&["audit", "sub/wrong.tex", "--format", "csv"]);
+    let (shown, said) = (ran.stdout, ran.stderr);
+    assert_eq!(ran.status, Some(2), "{said}");
     assert!(
         said.contains("leads out of the directory")
             && shown.contains("proved")
@@ -1217,21 +1194,21 @@ fn the_command_reads_documents_includes_what_lies_below_and_checks_printed_numbe
             && shown.contains("off-by-one"),
         "{shown}{said}"
     );
-    let output = run(path, &["sub/main.tex", "--draft"]);
-    assert!(String::from_utf8_lossy(&output.stdout).contains("[[equation]]"));
-    write("sheet.toml", "");
-    let output = run(path, &["sheet.toml", "--draft"]);
-    assert!(String::from_utf8_lossy(&output.stderr).contains("--draft is of a document"));
+    let ran = scratch.run(&["audit", "sub/main.tex", "--draft"]);
+    assert!(ran.stdout.contains("[[equation]]"));
+    scratch.file("sheet.toml", "");
+    let ran = scratch.run(&["audit", "sheet.toml", "--draft"]);
+    assert!(ran.stderr.contains("--draft is of a document"));
 }
 
 #[cfg(unix)]
 #[test]
 fn a_document_without_an_end_is_refused() {
-    let directory = directory("endless");
-    std::os::unix::fs::symlink("/dev/zero", directory.join("endless.tex")).unwrap();
-    let output = run(&directory, &["endless.tex"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&output.stderr).contains("more than 8 MB"));
+    let scratch = scratch("endless");
+    std::os::unix::fs::symlink("/dev/zero", scratch.join("endless.tex")).unwrap();
+    let ran = scratch.run(&["audit", "endless.tex"]);
+    assert_eq!(ran.status, Some(2));
+    assert!(ran.stderr.contains("more than 8 MB"));
 }
 
 #[test]

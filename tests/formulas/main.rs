@@ -12,7 +12,6 @@ mod evidence;
 mod handbook;
 mod hard_cases;
 mod kernel;
-mod kernel_attacks;
 mod papers;
 mod proofs;
 mod reductions;

@@ -1,8 +1,9 @@
 //! Proofs and counterexamples checked by Python, by a checker that shares no line with the kernel.
 
+use crate::common::program::{Scratch, program, scratch};
 use crate::common::sample;
 use std::io::{BufRead, BufReader, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use vibro_audit::claim::{EQUATIONS, Sheet, vocabulary};
 use vibro_audit::kernel::{Certificate, Inference, Polynomial, With, follows};
@@ -18,13 +19,6 @@ fn python() -> Option<String> {
         return None;
     }
     Some(python)
-}
-
-fn directory(name: &str) -> PathBuf {
-    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&directory);
-    std::fs::create_dir_all(&directory).unwrap();
-    directory
 }
 
 fn paper() -> Sheet {
@@ -112,7 +106,8 @@ fn accepts(python: &str, path: &Path, script: &[u8]) -> (bool, String) {
 #[test]
 fn a_script_that_is_cut_or_changed_does_not_accept() {
     let Some(python) = python() else { return };
-    let path = directory("cut").join("cut.py");
+    let scratch = scratch("cut");
+    let path = scratch.join("cut.py");
     let (_, script) = all_scripts(&own(), &["exponentials"]).remove(0);
     let script = script.into_bytes();
     assert!(accepts(&python, &path, &script).0);
@@ -198,20 +193,15 @@ fn a_script_prints_the_claim_as_read_its_reductions_and_the_goal() {
 #[cfg(unix)]
 #[test]
 fn an_export_that_is_killed_leaves_no_directory_and_no_script_that_accepts() {
-    let directory = directory("killed");
-    std::fs::write(directory.join("sheet.toml"), SHEET).unwrap();
+    let scratch = scratch("killed");
+    scratch.file("sheet.toml", SHEET);
     for trial in 0..10_u64 {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_vibro-audit"))
-            .args(["audit", "sheet.toml", "--proof", "proofs"])
-            .current_dir(&directory)
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .spawn()
-            .unwrap();
+        let export = program(["audit", "sheet.toml", "--proof", "proofs"]);
+        let mut child = export.within(&*scratch).spawn();
         std::thread::sleep(std::time::Duration::from_millis(5 + 37 * trial));
         let _ = child.kill();
         child.wait().unwrap();
-        for entry in std::fs::read_dir(&directory).unwrap() {
+        for entry in std::fs::read_dir(&*scratch).unwrap() {
             let place = entry.unwrap().path();
             for script in std::fs::read_dir(&place).into_iter().flatten() {
                 let script = script.unwrap().path();
@@ -232,7 +222,7 @@ fn an_export_that_is_killed_leaves_no_directory_and_no_script_that_accepts() {
 #[test]
 fn scripts_accept_what_the_kernel_accepts() {
     let Some(python) = python() else { return };
-    let directory = directory("proofs");
+    let scratch = scratch("proofs");
     let labels = [
         "angles",
         "turns",
@@ -247,7 +237,7 @@ fn scripts_accept_what_the_kernel_accepts() {
     assert!(all.len() >= 6, "{} decided", all.len());
     all.extend(all_scripts(&paper(), &["14", "16"]));
     for (name, script) in all {
-        let path = directory.join(name);
+        let path = scratch.join(name);
         std::fs::write(&path, script).unwrap();
         let output = Command::new(&python).arg(&path).output().unwrap();
         let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
@@ -279,9 +269,9 @@ fn scripts_of_complex_claims_accept() {
     let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
     let all = all_scripts(&sheet, &labels);
     assert!(all.len() >= COMPLEX.len(), "{} scripts", all.len());
-    let directory = directory("complex");
+    let scratch = scratch("complex");
     for (name, script) in all {
-        let (accepted, said) = accepts(&python, &directory.join(&name), script.as_bytes());
+        let (accepted, said) = accepts(&python, &scratch.join(&name), script.as_bytes());
         assert!(accepted, "{name}: {said}");
     }
 }
@@ -289,12 +279,12 @@ fn scripts_of_complex_claims_accept() {
 #[test]
 fn a_script_of_another_translation_is_refused() {
     let Some(python) = python() else { return };
-    let directory = directory("translations");
+    let scratch = scratch("translations");
     for (name, script) in all_scripts(&own(), &["angles"]) {
         let broken = script.replace("mpmath.sin((v.number(\"3\")", "mpmath.sin((v.number(\"2\")");
         assert_ne!(script, broken);
         let broken = sealed(broken.trim_end().rsplit_once('\n').unwrap().0);
-        let path = directory.join(name);
+        let path = scratch.join(name);
         std::fs::write(&path, broken).unwrap();
         let output = Command::new(&python).arg(&path).output().unwrap();
         assert_eq!(output.status.code(), Some(1));
@@ -305,13 +295,14 @@ fn a_script_of_another_translation_is_refused() {
 /// The checker as a process that decides one certificate a line.
 struct Served {
     child: Child,
+    _script: Scratch,
     answers: BufReader<std::process::ChildStdout>,
 }
 
 impl Served {
-    fn new(python: &str) -> Self {
-        let path = directory("checker").join("check.py");
-        std::fs::write(&path, CHECKER).unwrap();
+    fn new(python: &str, of: &str) -> Self {
+        let scratch = scratch(&format!("checker-{of}"));
+        let path = scratch.file("check.py", CHECKER);
         let mut child = Command::new(python)
             .arg(&path)
             .stdin(Stdio::piped())
@@ -319,7 +310,11 @@ impl Served {
             .spawn()
             .unwrap();
         let answers = BufReader::new(child.stdout.take().unwrap());
-        Self { child, answers }
+        Self {
+            child,
+            _script: scratch,
+            answers,
+        }
     }
 
     fn ask(&mut self, line: &str) -> String {
@@ -477,7 +472,7 @@ fn what_the_kernel_accepts_of_broken_certificates_python_accepts_too() {
         }
     }
     let mut random = Sequence::new(11);
-    let mut served = Served::new(&python);
+    let mut served = Served::new(&python, "breaks");
     let (mut tried, mut valid, mut stricter) = (0, 0, 0);
     let count = all.len();
     for one in &all {
@@ -516,7 +511,7 @@ fn what_the_kernel_accepts_of_broken_certificates_python_accepts_too() {
 #[test]
 fn nothing_is_differentiated_that_holds_at_single_points() {
     let Some(python) = python() else { return };
-    let mut served = Served::new(&python);
+    let mut served = Served::new(&python, "single-times");
     for forged in include_str!("kernel/single-times.jsonl").lines() {
         let answer = served.ask(forged);
         assert!(answer.starts_with("refused: step"), "{answer}");

@@ -2,8 +2,8 @@
 
 use super::forge::*;
 use vibro_audit::kernel::{
-    Axiom, Certificate, Elementary, Evaluated, Inference, LawSource, Node, Polynomial, Property, Quantity, Statement,
-    With, Witness, evaluate, prove, refute,
+    Axiom, Certificate, Checker, Elementary, Evaluated, Function, Inference, LawSource, Node, Polynomial, Property,
+    Quantity, Statement, Symbol, Term, Terms, With, Witness, evaluate, prove, refute,
 };
 use vibro_audit::number::{Field, Rational};
 
@@ -37,7 +37,7 @@ fn a_term_does_not_hold_itself() {
     let statement = statement("parameters = ['x', 'y']", &[], "x = y");
     let outcome = accepts_whole(&statement, |own| {
         let one = integer(own, 1);
-        let next = vibro_audit::kernel::Term(u32::try_from(own.terms().len()).unwrap());
+        let next = Term(u32::try_from(own.terms().len()).unwrap());
         let term = own.terms_mut().add(Node::Sum(vec![next, one]));
         (vec![term], vec![axiom(Axiom::Unfold(term))])
     });
@@ -68,25 +68,19 @@ fn a_root_has_an_index_of_two_or_more_and_no_larger_than_a_power_can_be() {
 #[test]
 fn the_terms_of_a_statement_are_not_exchanged() {
     let question = statement("parameters = ['x', 'y']", &[], "x = y");
-    let trivial = statement("parameters = ['x', 'y']", &[], "x = x");
-    assert!(question.goal()[0].1 == trivial.goal()[0].1 || question.terms().len() != trivial.terms().len());
-    let exchanged = |evidence| {
-        let mut own = question.clone();
-        *own.terms_mut() = vibro_audit::kernel::Terms::default();
-        for _ in 0..question.terms().len() {
-            own.terms_mut().integer(0);
-        }
-        let zero = own.terms_mut().integer(0);
-        while own.terms().len() <= question.goal()[0].1.0 as usize {
-            let node = Node::Product(vec![zero; own.terms().len() + 1]);
-            own.terms_mut().add(node);
-        }
-        With {
-            statement: own,
-            evidence,
-        }
+    let goal = question.goal()[0].1;
+    // the term of this number vanishes
+    let mut terms = Terms::default();
+    let mut last = terms.integer(0);
+    while last.0 < goal.0 {
+        last = terms.add(Node::Power(last, 1));
+    }
+    let mut exchanged = question.clone();
+    *exchanged.terms_mut() = terms;
+    let certificate = With {
+        statement: exchanged,
+        evidence: Certificate::default(),
     };
-    let certificate = exchanged(Certificate::default());
     let mut own = question.clone();
     let point = Witness {
         sample: sample(&mut own, &[("x", 1), ("y", 1)]),
@@ -99,7 +93,8 @@ fn the_terms_of_a_statement_are_not_exchanged() {
     let Ok(Evaluated::Holds(point)) = evaluate(&question, &point) else {
         panic!("x = y holds where both are 1");
     };
-    assert!(prove(&question, &certificate, &point).is_err());
+    let refusal = prove(&question, &certificate, &point).unwrap_err().to_string();
+    assert!(refusal.contains("another statement"), "{refusal}");
 }
 
 #[test]
@@ -108,6 +103,7 @@ fn exponents_do_not_saturate() {
     for (left, right, same) in [
         (large("x", 5), large("x", 6), false),
         (large(r"(1/x)", 5), large(r"(1/x)", 6), false),
+        (format!("{} x", large("x", 5)), large("x", 5), false),
         ("(x^{20})^3".into(), "(x^{30})^2".into(), true),
     ] {
         let claim = format!("{left} = {right}");
@@ -121,6 +117,84 @@ fn exponents_do_not_saturate() {
         r"\left(\frac{1}{x+y}\right)^{2} = \left(\frac{1}{x+y}\right)^{3}",
     );
     assert!(accepts(&statement, |_| Vec::new()).is_err());
+}
+
+/// A claim that is false of all numbers but one.
+fn x_is_1() -> Statement {
+    statement("parameters = ['x']\nnonzero = ['x']", &[], "x = 1")
+}
+
+#[test]
+fn exponents_of_factors_do_not_saturate() {
+    let statement = x_is_1();
+    let nonzero = nonzero(&statement);
+    let outcome = accepts(&statement, |own| {
+        let x = of(own, "x");
+        // x^(2^32 - 1) (x - 1) = x^(2^32) - x^(2^32 - 1)
+        let factors = vec![(0, i32::MAX as u32), (0, i32::MAX as u32), (0, 1)];
+        let target = generator(x).minus(&Polynomial::integer(1));
+        vec![Inference::Given(nonzero), zero_after(target, factors, Vec::new())]
+    });
+    assert!(outcome.is_err());
+}
+
+/// The number of the given that says that a symbol is not 0.
+fn nonzero(statement: &Statement) -> usize {
+    let mut givens = statement.givens().iter();
+    givens.position(|given| given.property == Property::Nonzero).unwrap()
+}
+
+#[test]
+fn a_huge_negative_exponent_is_not_one_less() {
+    let mut own = x_is_1();
+    let nonzero = nonzero(&own);
+    let base = of(&mut own, "x");
+    let [all, most, one] = [i64::from(i32::MIN), i64::from(i32::MIN) + 1, -1].map(|n| integer(&mut own, n));
+    let [a, b, c] = [all, most, one].map(|n| own.terms_mut().add(Node::RealPower(base, n)));
+    let steps = vec![
+        Inference::Given(nonzero),
+        // a - b c
+        axiom(Axiom::IntegerPowerOfSum {
+            power: a,
+            parts: [most, one],
+        }),
+        // a x^n - 1
+        axiom(Axiom::IntegerPower {
+            power: a,
+            exponent: i32::MIN,
+        }),
+        // b x^n - 1
+        axiom(Axiom::IntegerPower {
+            power: b,
+            exponent: i32::MIN + 1,
+        }),
+        // c x - 1
+        axiom(Axiom::IntegerPower { power: c, exponent: -1 }),
+        // a - b = 0, times x^n
+        zero_after(
+            generator(a).minus(&generator(b)),
+            vec![(0, i32::MAX as u32)],
+            vec![(Polynomial::integer(1), 2), (Polynomial::integer(-1), 3)],
+        ),
+    ];
+    // a = b says x^(-2^31) = x^(-2^31 + 1)
+    let followed = Checker::new(&mut own, &Certificate::default(), 1_000_000).follow(&steps);
+    assert!(followed.is_err());
+}
+
+#[test]
+fn a_power_of_0_with_a_negative_exponent_has_no_value() {
+    // where it is defined, y > 0
+    let statement = statement(
+        "parameters = ['x', 'y']\nnonnegative = ['y']",
+        &[],
+        "y + y^x > y^x | assume = ['x < 0']",
+    );
+    let outcome = refutes(&statement, |own| Witness {
+        sample: sample(own, &[("x", -1), ("y", 0)]),
+        ..Witness::default()
+    });
+    assert!(outcome.is_err());
 }
 
 #[test]
@@ -217,6 +291,33 @@ fn a_logarithm_is_not_differentiated_across_its_cut() {
 }
 
 #[test]
+fn a_logarithm_is_not_differentiated_around_the_unit_circle() {
+    // ln(exp(i x)) = i x is false for x = 7, although both sides have the derivative i wherever that exists
+    let statement = statement(
+        "parameters = ['x', 'z']\ncomplex = ['z']",
+        &[],
+        r"\ln(\exp(i x)) + z - z = i x",
+    );
+    let outcome = accepts(&statement, |own| {
+        let time = own.fresh("s");
+        let terms = own.terms_mut();
+        let (at, unit, zero) = (terms.symbol(time), terms.add(Node::Imaginary), terms.integer(0));
+        let angle = terms.product(vec![unit, at]);
+        let power = terms.elementary(Elementary::Exp, angle);
+        let logarithm = terms.elementary(Elementary::Ln, power);
+        vec![Inference::Constant {
+            of: terms.difference(logarithm, angle),
+            time,
+            at: zero,
+            flight: None,
+            steps: vec![axiom(Axiom::ExpNonzero(angle))],
+        }]
+    });
+    let refusal = outcome.unwrap_err().to_string();
+    assert!(refusal.contains("step 0"), "{refusal}");
+}
+
+#[test]
 fn a_law_of_real_times_says_nothing_of_complex_ones() {
     let statement = statement(
         "parameters = ['z']\ncomplex = ['z']\ntimes = ['t']\nfunctions = { f = '' }",
@@ -255,6 +356,17 @@ fn a_complex_number_is_not_split_by_parts_that_are_complex() {
     }
     let statement = statement("parameters = ['x']", &[], r"1 + i = 2");
     assert!(refutes(&statement, |_| Witness::default()).is_ok());
+}
+
+#[test]
+fn a_number_with_a_complex_part_that_is_not_real_may_be_0() {
+    // i sqrt(-1) = -1 is true
+    let statement = statement("parameters = ['z']\ncomplex = ['z']", &[], r"i \sqrt{-1} + z = z - 1");
+    let outcome = refutes(&statement, |own| Witness {
+        sample: sample(own, &[("z", 0)]),
+        ..Witness::default()
+    });
+    assert!(outcome.is_err());
 }
 
 #[test]
@@ -303,8 +415,8 @@ fn an_inverse_function_has_no_enclosure_outside_its_domain() {
 }
 
 /// The term with this node.
-fn statement_term(statement: &Statement, is: impl Fn(&Node) -> bool) -> vibro_audit::kernel::Term {
-    let all = (0..statement.terms().len()).map(|n| vibro_audit::kernel::Term(u32::try_from(n).unwrap()));
+fn statement_term(statement: &Statement, is: impl Fn(&Node) -> bool) -> Term {
+    let all = (0..statement.terms().len()).map(|n| Term(u32::try_from(n).unwrap()));
     all.into_iter().find(|&term| is(statement.terms().node(term))).unwrap()
 }
 
@@ -372,6 +484,29 @@ fn a_law_with_an_index_in_it_is_shifted_as_a_whole() {
             zero(
                 generator(later).minus(&generator(now)),
                 vec![(Polynomial::integer(1), 1), (Polynomial::integer(-1), 0)],
+            ),
+        ]
+    });
+    assert!(outcome.is_err());
+}
+
+#[test]
+fn a_law_of_a_derivative_along_a_map_moves_on_with_its_map() {
+    // if the derivative of x_{n+1} by x_n is x_n at each n, x_n and x_{n+1} need not be equal
+    let statement = statement(
+        "indices = ['n']\nstates = ['x']\ntimes = ['t_n']\nmaps = { M = { of = ['x_{n+1}'], by = ['x_n'] } }",
+        &[r"\frac{\partial x_{n+1}}{\partial x_n} = x_n"],
+        "x_n = x_{n+1}",
+    );
+    let given = statement.givens().iter().position(|given| given.law.is_some()).unwrap();
+    let outcome = accepts(&statement, |own| {
+        let (now, later) = (of(own, "x_n"), of(own, "x_{n+1}"));
+        vec![
+            law(given, 0, None),
+            law(given, 1, None),
+            zero(
+                generator(now).minus(&generator(later)),
+                vec![(Polynomial::integer(-1), 0), (Polynomial::integer(1), 1)],
             ),
         ]
     });
@@ -639,7 +774,7 @@ fn a_state_at_the_end_of_a_flight_is_what_the_flight_comes_to() {
     );
     let outcome = refutes(&statement, |own| {
         let flight = own.functions().iter().position(|_| true).unwrap();
-        let flight = vibro_audit::kernel::Function(u32::try_from(flight).unwrap());
+        let flight = Function(u32::try_from(flight).unwrap());
         let (time, nought) = (own.fresh("s"), integer(own, 0));
         let values = sample(own, &[("x_{k+1}", 5)]);
         Witness {
@@ -652,32 +787,59 @@ fn a_state_at_the_end_of_a_flight_is_what_the_flight_comes_to() {
 }
 
 #[test]
-fn derivatives_along_a_map_are_what_the_premises_make_them() {
-    let statement = statement(
-        "parameters = ['r']\ntimes = ['t', 't_k']\nstates = ['x']\nmaps = { D = { of = ['x_{k+1}'], by = ['x_k'] } }",
-        &["x_{k+1} = r x_k"],
-        r"\frac{\partial x_{k+1}}{\partial x_k} = r",
-    );
-    let outcome = refutes(&statement, |own| {
-        let partial = own
+fn derivatives_along_a_map_are_what_its_equations_make_them() {
+    type Value = fn(&Quantity) -> i64;
+    let at_one: Value = |quantity| match quantity {
+        Quantity::Partial { .. } => 7,
+        _ => 1,
+    };
+    let at_nought: Value = |quantity| match quantity {
+        Quantity::Partial { .. } => 17,
+        _ => 0,
+    };
+    let tripled: Value = |quantity| match quantity {
+        Quantity::State { index, .. } => 3_i64.pow(index.unsigned_abs()),
+        Quantity::Partial { .. } => 5,
+        _ => 1,
+    };
+    for (symbols, premises, claim, value) in [
+        (
+            "parameters = ['r']\ntimes = ['t', 't_k']\nstates = ['x']\nmaps = { D = { of = ['x_{k+1}'], by = ['x_k'] } }",
+            &["x_{k+1} = r x_k"][..],
+            r"\frac{\partial x_{k+1}}{\partial x_k} = r",
+            at_one,
+        ),
+        (
+            "states = ['x']\ntimes = ['t_k']\nmaps = { M = ['x_{k+1} = 2 x_k'] }",
+            &[],
+            r"\frac{\partial x_{k+1}}{\partial x_k} = 2",
+            at_nought,
+        ),
+        (
+            "parameters = ['a']\nstates = ['x']\nindices = ['n']",
+            &["x_{n+1} = 3 x_n"],
+            r"\frac{\partial x_{n+2}}{\partial x_{n+1}} = 3",
+            tripled,
+        ),
+    ] {
+        let statement = statement(symbols, premises, claim);
+        let has_derivative = statement
             .quantities()
             .iter()
-            .position(|q| matches!(q, Quantity::Partial { .. }))
-            .unwrap();
-        let partial = vibro_audit::kernel::Symbol(u32::try_from(partial).unwrap());
-        let seven = integer(own, 7);
-        let mut values = Vec::new();
-        for n in 0..own.quantities().len() {
-            let symbol = vibro_audit::kernel::Symbol(u32::try_from(n).unwrap());
-            let one = integer(own, 1);
-            values.push((symbol, if symbol == partial { seven } else { one }));
-        }
-        Witness {
-            sample: values,
-            ..Witness::default()
-        }
-    });
-    assert!(outcome.is_err());
+            .any(|quantity| matches!(quantity, Quantity::Partial { .. }));
+        assert!(has_derivative, "{claim}");
+        let outcome = refutes(&statement, |own| {
+            let values: Vec<i64> = own.quantities().iter().map(value).collect();
+            let values = (0..).zip(values);
+            Witness {
+                sample: values
+                    .map(|(number, value)| (Symbol(number), integer(own, value)))
+                    .collect(),
+                ..Witness::default()
+            }
+        });
+        assert!(outcome.is_err(), "{claim}");
+    }
 }
 
 #[test]
@@ -733,6 +895,16 @@ fn a_pair_of_solutions_is_admissible() {
             )
             .is_ok()
     }));
+    // the goal of the lower one says so
+    let asked = read("parameters = ['x']\npositive = ['x']", &["x^2 = 1"], r"x_{1,2} = \pm 1").unwrap();
+    let lower = asked
+        .iter()
+        .find(|question| question.instance.starts_with("the lower"))
+        .unwrap();
+    let goal = lower.statement.goal();
+    let is_closed = |term| lower.statement.terms().is_closed(term);
+    let mut says = goal.iter().filter(|(property, _)| *property == Property::Positive);
+    assert!(says.any(|(_, term)| is_closed(*term)), "{goal:?}");
 }
 
 #[test]

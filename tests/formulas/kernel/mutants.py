@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Mutants of src/kernel, drawn by seed, with tests/formulas/kernel.rs and kernel_attacks.rs as the judge.
+"""Mutants of src/kernel, drawn by seed, with tests/formulas/kernel.rs as the judge.
 
     tests/formulas/kernel/mutants.py COUNT [SEED]      in a copy of the tree; prints the survivors
 
