@@ -72,7 +72,7 @@ pub fn all() -> Vec<Attack> {
 pub fn sampled() -> Vec<Attack> {
     all()
         .into_iter()
-        .filter(|attack| super::sample::takes(&attack.path(), 3))
+        .filter(|attack| super::sample::takes(&attack.path(), 5))
         .collect()
 }
 

@@ -502,7 +502,7 @@ fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
     // an operation that is refused has no points: 3.4% of the claims, most of them complex series and limits
     assert!(refused * 20 <= decidable + refused, "{refused} refused");
     // in percent; a sample scatters
-    let [points, proofs, refutations, inequalities] = sample::of([97, 86, 76, 16], [95, 80, 70, 10]);
+    let [points, proofs, refutations, inequalities] = sample::of([97, 86, 76, 16], [95, 80, 70, 8]);
     assert!(with_points * 100 >= decidable * points, "{with_points} of {decidable}");
     // points that agree say little of a claim that special values break: of integers, of functions that premises shape
     assert!(
