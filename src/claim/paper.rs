@@ -2,7 +2,7 @@
 
 use super::fault::Fault;
 use super::sheet::{Sheet, read_symbols};
-use super::vocabulary::Vocabulary;
+use crate::tex::Symbols;
 
 /// golden/paper/equations.toml.
 pub const EQUATIONS: &str = include_str!("../../golden/paper/equations.toml");
@@ -14,7 +14,7 @@ pub const SYMBOLS: &str = include_str!("../../golden/paper/symbols.toml");
 ///
 /// # Errors
 /// None: a test reads the embedded text.
-pub fn vocabulary() -> Result<Vocabulary, Fault> {
+pub fn vocabulary() -> Result<Symbols, Fault> {
     read_symbols(SYMBOLS)
 }
 

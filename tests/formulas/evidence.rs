@@ -12,8 +12,8 @@ const SYMBOLS: &str = include_str!("../../golden/paper/symbols.toml");
 const EQUATIONS: &str = include_str!("../../golden/paper/equations.toml");
 
 fn read(text: &str) -> Sheet {
-    let vocabulary = read_symbols(SYMBOLS).unwrap();
-    Sheet::read(text, &vocabulary).unwrap()
+    let symbols = read_symbols(SYMBOLS).unwrap();
+    Sheet::read(text, &symbols).unwrap()
 }
 
 fn claims(sheet: &Sheet) -> Vec<usize> {
@@ -406,14 +406,14 @@ fn hostile_formulas_end_with_a_reason() {
 /// its premises contradict each other; no alarm is raised against the truth, and one against most wrong verdicts.
 #[test]
 fn attack_sheets_have_points_and_no_alarm_against_the_truth() {
-    let vocabulary = read_symbols(SYMBOLS).unwrap();
+    let symbols = read_symbols(SYMBOLS).unwrap();
     let (mut refused, mut decidable, mut with_points, mut at_integers, mut complaints) = (0, 0, 0, 0, Vec::new());
     // wrong proofs and wrong refutations: how many there could be, how many are contradicted
     let mut caught = [(0, 0); 2];
     let mut special = (0, 0);
     for path in attacks::sampled() {
         let text = std::fs::read_to_string(&path).unwrap();
-        let Ok(sheet) = Sheet::read(&text, &vocabulary) else {
+        let Ok(sheet) = Sheet::read(&text, &symbols) else {
             continue;
         };
         let claims = claims(&sheet);

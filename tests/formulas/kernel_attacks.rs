@@ -18,7 +18,7 @@ fn all_questions(text: &str) -> Vec<Question> {
     let sheet = Sheet::read(text, &vocabulary().unwrap()).unwrap();
     let position = *sheet.rows().last().unwrap();
     let statements = Statements::gather(&sheet, position).unwrap();
-    questions(&statements, &sheet.vocabulary).unwrap()
+    questions(&statements, &sheet.symbols).unwrap()
 }
 
 fn symbol(statement: &Statement, printed: &str) -> Symbol {
