@@ -96,7 +96,7 @@ fn check_sizes(symbols: &Symbols) -> Result<(), Fault> {
 
 /// Refuses names that carry the index of the impacts, or one that runs, without running with it.
 fn check_subscripts(symbols: &Symbols) -> Result<(), Fault> {
-    let has_impacts = !(symbols.times().next().is_none() && symbols.states().next().is_none());
+    let has_impacts = symbols.times().chain(symbols.states()).next().is_some();
     let runs = |letter: &str| symbols.indices().any(|index| index.base == letter);
     let letters = symbols.indices().map(|index| index.base.as_str());
     let letters: Vec<&str> = letters.chain(has_impacts.then_some(symbols.index.as_str())).collect();

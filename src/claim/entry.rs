@@ -476,7 +476,7 @@ impl Entry {
 
     /// Refuses a bracket behind a name that stands for something at every time: it may hold a time or a factor.
     fn check_brackets(&self, symbols: &Symbols, shared: &[Local]) -> Result<(), Fault> {
-        let abbreviations = symbols.abbreviations().map(|(name, tree)| (name, tree));
+        let abbreviations = symbols.abbreviations();
         let locals = self.own.iter().chain(shared).map(|local| (&local.name, &local.tree));
         let moves = |tree: &Tree| symbols.is_law(&Equation::between(tree.clone(), tree.clone()));
         let moving = abbreviations.chain(locals).filter(|(_, tree)| moves(tree));

@@ -37,8 +37,8 @@ const MOST_FLIGHTS: i32 = 6;
 pub struct Statements {
     /// Each premise once, at the impacts that it names itself.
     pub premises: Vec<Premise>,
-    /// The symbols that the claim may use beyond the vocabulary: its own definitions, then those that it follows from. A
-    /// definition comes before what the vocabulary says of a name.
+    /// The symbols that the claim may use beyond the symbol table: its own definitions, then those that it follows from. A
+    /// definition comes before what the symbol table says of a name.
     pub locals: Vec<Local>,
     /// The equations to be decided.
     pub claims: Vec<Equation>,
@@ -55,7 +55,7 @@ pub struct Statements {
     pub has_partials: bool,
     /// The rules by which all this was rewritten from what was read.
     pub rules: Rules,
-    /// The maps of the vocabulary that claim and premises name: in traces and determinants, also those of products and
+    /// The maps of the symbol table that claim and premises name: in traces and determinants, also those of products and
     /// in abbreviations; and those of the premises where a derivative is written out.
     pub maps: BTreeSet<Name>,
 }

@@ -453,7 +453,7 @@ impl<'a> Compiler<'a> {
     }
 }
 
-/// The functions of a vocabulary in chains, each the derivative of the one before it.
+/// The functions of a symbol table in chains, each the derivative of the one before it.
 pub fn chains(symbols: &Symbols) -> Vec<Vec<Name>> {
     let functions: Vec<(&Name, Option<&Tree>)> = symbols.functions().collect();
     let below = |name: &Name| {

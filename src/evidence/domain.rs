@@ -1,4 +1,4 @@
-//! Where symbols may lie: what their lists in the vocabulary and the conditions of sheet and claim allow.
+//! Where symbols may lie: what their lists in the symbol table and the conditions of sheet and claim allow.
 
 use super::compiler::{Compiler, Unwitnessed};
 use super::formula::{Formula, Op};
@@ -74,7 +74,7 @@ pub fn kinds(symbols: &Symbols, space: &Space) -> Vec<Kind> {
     space.slots.iter().enumerate().map(kind).collect()
 }
 
-/// The conditions that the lists of the vocabulary set for slots, and for abbreviations among them.
+/// The conditions that the lists of the symbol table set for slots, and for abbreviations among them.
 pub fn listed(compiler: &mut Compiler, kinds: &[Kind]) -> Result<Vec<Condition>, Unwitnessed> {
     let symbols = compiler.symbols;
     let mut named: Vec<(Formula, Kind)> = Vec::new();

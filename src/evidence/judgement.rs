@@ -615,7 +615,7 @@ impl Witness<'_> {
                 .any(|course| course.flight.is_none() && course.law.is_none())
         };
         // without times nothing is forced
-        let has_times = !self.symbols.times().next().is_none() || self.symbols.running().is_some();
+        let has_times = self.symbols.times().next().is_some() || self.symbols.running().is_some();
         if !has_times || !is_forced(&self.system) {
             return false;
         }

@@ -1,4 +1,4 @@
-//! The maps that the vocabulary and the premises state.
+//! The maps that the symbol table and the premises state.
 
 use super::compiler::{Compiler, Unwitnessed};
 use super::formula::{Formula, Op};
@@ -7,7 +7,7 @@ use super::space::Slot;
 use crate::claim::Statements;
 use crate::tex::{Equation, Map, Name, Symbols, Tree, any_side, flies};
 
-/// The maps of a vocabulary.
+/// The maps of a symbol table.
 ///
 /// # Errors
 /// [`Unwitnessed`] where the equations of a map have no concrete form.

@@ -38,7 +38,7 @@ const MOST_TERMS: usize = 400_000;
 /// The questions that a claim asks.
 ///
 /// # Errors
-/// [`Unreadable`] where something has no meaning in this vocabulary.
+/// [`Unreadable`] where something has no meaning among these symbols.
 pub fn questions(statements: &Statements, symbols: &Symbols) -> Result<Vec<Question>, Unreadable> {
     // what functions need to have values depends on whether complex numbers take part
     let asked = asked(statements, symbols, false)?;
@@ -188,7 +188,7 @@ struct Builder<'a> {
     is_declared: bool,
     /// The labels of premises whose own conditions may hold at single points only: no map is differentiated there.
     pointwise: Vec<String>,
-    /// The maps from one impact to the next whose derivatives are written, where the vocabulary names no map.
+    /// The maps from one impact to the next whose derivatives are written, where the symbol table names no map.
     implied: Vec<(Name, Step)>,
     /// The names that the premises write, and whether one of them is a law of flight.
     spoken: BTreeSet<Name>,

@@ -96,7 +96,7 @@ impl Symbols {
 
     /// Returns true if a subscript numbers an impact or a member of a sequence: `k+1`, or `0` where an index runs.
     fn counts(&self, subscript: &str) -> bool {
-        let runs = !self.indices().next().is_none();
+        let runs = self.indices().next().is_some();
         index_of(subscript, &self.index).is_some()
             || self.indices().any(|letter| index_of(subscript, &letter.base).is_some())
             || (runs && subscript.parse::<u16>().is_ok())

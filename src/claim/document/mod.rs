@@ -224,7 +224,7 @@ impl Document {
         }
     }
 
-    /// The sheet that the document is. `pair` is the vocabulary of the impact pair, for a document that asks for it.
+    /// The sheet that the document is. `pair` are the symbols of the impact pair, for a document that asks for it.
     ///
     /// # Errors
     /// As [`Sheet::read`].

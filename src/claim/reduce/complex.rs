@@ -110,7 +110,7 @@ pub(super) fn as_real(reduced: Reduced, symbols: &Symbols) -> Result<Reduced, St
     })
 }
 
-/// Refuses complex numbers in what the vocabulary says beyond names: it is not rewritten.
+/// Refuses complex numbers in what the symbol table says beyond names: it is not rewritten.
 fn refuse_elsewhere(symbols: &Symbols) -> Result<(), String> {
     let relations = symbols.relations.iter().chain(&symbols.laws);
     let relations = relations.flat_map(|relation| [&relation.left, &relation.right]);

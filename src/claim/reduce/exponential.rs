@@ -385,7 +385,7 @@ mod tests {
     use super::super::super::symbols::RawSymbols;
     use super::super::antiderivative::antiderivative;
     use super::super::build::plain;
-    use crate::tex::{Names, Symbols, read_expression};
+    use crate::tex::{Names, read_expression};
 
     fn found(tex: &str) -> Option<String> {
         let tree = read_expression(tex, &Names::default()).unwrap();

@@ -161,7 +161,7 @@ fn simple(tree: &Tree) -> Tree {
     })
 }
 
-/// The statements with factorials as positive quantities, which is enough to prove them; and the vocabulary with these.
+/// The statements with factorials as positive quantities, which is enough to prove them; and the symbol table with these.
 pub(super) fn as_quantities(statements: &Statements, symbols: &Symbols) -> Result<(Statements, Symbols), String> {
     let statements = rewritten(statements, Rule::FactorialRecurrence, &|tree| simple(tree));
     let mut groups: BTreeMap<BTreeMap<Name, i64>, Vec<i64>> = BTreeMap::new();

@@ -253,7 +253,6 @@ mod tests {
     use super::super::super::symbols::RawSymbols;
     use super::super::antiderivative::antiderivative;
     use super::super::build::plain;
-    use crate::tex::Symbols;
 
     fn found(tex: &str) -> Result<Option<String>, Fault> {
         let symbols: RawSymbols = toml::from_str("times = ['x']\nfunctions = ['f', 'g']\nparameters = ['a']").unwrap();

@@ -35,7 +35,7 @@ pub(super) fn is_spoken_of(statements: &Statements, symbols: &Symbols) -> bool {
         _ => false,
     };
     let mut sides = statements.claims.iter().flat_map(|claim| [&claim.left, &claim.right]);
-    !symbols.indices().next().is_none() && sides.any(|side| any(side, &mut |node| is_member(node)))
+    symbols.indices().next().is_some() && sides.any(|side| any(side, &mut |node| is_member(node)))
 }
 
 /// What a claim about a sequence comes to.
@@ -68,7 +68,7 @@ pub(super) fn reduced(statements: &Statements, symbols: &Symbols) -> Result<Redu
 /// A claim about one sequence, and the recurrence that gives it.
 struct Sequence<'a> {
     symbols: &'a Symbols,
-    /// The vocabulary in which the index is an integer and members are parameters.
+    /// The symbol table in which the index is an integer and members are parameters.
     plain: Symbols,
     /// The letter of the index, and the name of the sequence.
     letter: Name,
