@@ -3,7 +3,7 @@
 
 use super::circle::ordered;
 use super::definition::{Local, local};
-use super::entry::may_take;
+use super::kinds::may_take;
 use super::size::{Budget, Size};
 use crate::tex::{
     At, Equation, Name, Operation, Relation, Symbols, Tree, any, functions_given, index_of, mapped, rewrite, speaks_of,

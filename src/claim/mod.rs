@@ -10,6 +10,7 @@ mod exponents;
 mod fault;
 mod function;
 mod implication;
+mod kinds;
 mod paper;
 mod premise;
 mod reduce;
